@@ -80,7 +80,8 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
   RubsweepArguments arguments = parse_rubsweep_arguments(argc, argv);
   if (answered(mpi_program_name, arguments.action, help)) return done;
   if (arguments.action != Action::run || arguments.shard || arguments.merge || arguments.verified ||
-      arguments.status || arguments.watched) {
+      arguments.status || arguments.watched || arguments.matrices || arguments.key_answer ||
+      arguments.motion_kinds) {
     throw UsageError("this program only computes maps; use rubsweep for everything else");
   }
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);

@@ -39,7 +39,7 @@ std::string cells_under_way(const fs::path& directory, const sweep::Grid& grid) 
   return map.text(terminal_width(), shows_colours());
 }
 
-/// The map as far as it is. Processes come and go, and with them their files: then nothing is shown this time.
+/// The map as far as it is; nothing where it cannot be read.
 std::string picture(const fs::path& directory) {
   try {
     const sweep::Grid grid = config::read_run_config(directory / "config.yaml", {}).study.grid;
@@ -52,6 +52,33 @@ std::string picture(const fs::path& directory) {
   }
 }
 
+struct Screen {
+  std::string status, picture;
+  bool at_work = false;
+};
+
+Screen look(const fs::path& directory) {
+  // Asked first, so that the last screen is drawn after the end.
+  const bool at_work = map::is_at_work(directory);
+  const std::string status = map::map_status(directory);  // waits two seconds where somebody is at work
+  return {status, picture(directory), at_work};
+}
+
+/// Processes come and go, and with them files that are about to be read: tries again before it throws.
+Screen look_again(const fs::path& directory) {
+  constexpr int tries = 5;
+  for (int i = 1; i < tries; ++i) {
+    try {
+      return look(directory);
+    } catch (const IoError&) {
+      if (!fs::is_directory(directory)) throw;
+    } catch (const fs::filesystem_error&) {
+      if (!fs::is_directory(directory)) throw;
+    }
+  }
+  return look(directory);
+}
+
 }  // namespace
 
 void watch_map(const fs::path& directory) {
@@ -59,13 +86,12 @@ void watch_map(const fs::path& directory) {
   constexpr std::string_view from_the_top = "\x1b[H\x1b[J";
   const bool again = ::isatty(STDOUT_FILENO) != 0;
   for (bool first = true;; first = false) {
-    const std::string status = map::map_status(directory);  // waits two seconds where somebody is at work
-    const std::string shown = picture(directory);
+    const Screen screen = look_again(directory);
     if (again) std::fputs((first ? "\x1b[2J" + std::string(from_the_top) : std::string(from_the_top)).c_str(), stdout);
-    std::fputs(shown.c_str(), stdout);  // with its colours
-    print("{}", status);
+    std::fputs(screen.picture.c_str(), stdout);  // with its colours
+    print("{}", screen.status);
     std::fflush(stdout);
-    if (!again || !map::is_at_work(directory)) return;
+    if (!again || !screen.at_work) return;
   }
 }
 

@@ -184,10 +184,10 @@ std::optional<double> not_negative_number(const po::variables_map& given, const 
   return value;
 }
 
-bool asks_for(const char* name, const po::variables_map& given) {
+bool asks_for(const char* name, const po::variables_map& given, std::string_view beside) {
   if (!is_given(given, name) || is_given(given, "help") || is_given(given, "version")) return false;
   for (const auto& [other, value] : given) {
-    if (!value.defaulted() && other != name && other != "quiet" && other != "summary")
+    if (!value.defaulted() && other != name && other != beside && other != "quiet" && other != "summary")
       throw UsageError(fmt::format("--{}: is asked for alone, allowed: without {}", name,
                                    other == "config" ? "CONFIG.yaml" : "--" + other));
   }

@@ -42,11 +42,7 @@ std::optional<std::string> key_answer(const po::variables_map& given, const conf
                                       std::string_view title) {
   if (given.count("help") != 0 || given.count("version") != 0) return std::nullopt;
   if (asks_for("schema", given)) return config::keys::schema_of(configuration, title);
-  if (given.count("keys") == 0) return std::nullopt;
-  for (const auto& [other, value] : given) {
-    if (!value.defaulted() && other != "keys" && other != "config" && other != "quiet")
-      throw UsageError(fmt::format("--keys: is asked for alone, allowed: without --{}", other));
-  }
+  if (!asks_for("keys", given, "config")) return std::nullopt;
   return keys_below(config::keys::key_list(configuration),
                     given.count("config") != 0 ? given["config"].as<std::string>() : "");
 }

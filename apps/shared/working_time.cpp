@@ -7,7 +7,6 @@
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
-#include <optional>
 #include <stop_token>
 #include <system_error>
 #include <utility>
@@ -32,7 +31,7 @@ void show(const std::stop_token& ended, const std::string& what) {
   std::unique_lock lock(mutex);
   const auto begun = std::chrono::steady_clock::now();
   std::size_t width = 0;
-  auto wait = std::chrono::seconds(first_shown);
+  auto wait = first_shown;
   while (!wake.wait_for(lock, ended, wait, [&] { return ended.stop_requested(); })) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begun;
     const std::string line = fmt::format("{}, {}", what, batch::hours_minutes_seconds(elapsed.count()));
@@ -50,7 +49,7 @@ void show(const std::stop_token& ended, const std::string& what) {
 WorkingTime::WorkingTime(std::string program, std::string work, bool shown) {
   if (!shown || ::isatty(STDERR_FILENO) == 0) return;
   // Signals are for the thread that works, which may hold them back while files are written.
-  std::optional<InterruptsWait> not_here(std::in_place);
+  const InterruptsWait not_here;
   try {
     thread_ = std::jthread([what = std::move(program) + ": " + std::move(work)](const std::stop_token& ended) {
       show(ended, what);

@@ -1,4 +1,4 @@
-"""ctrl_c_test.py APPS CONFIGS: SIGINT ends every program in the middle of long work with exit code 130 and a message
+"""ctrl_c_test.py APPS CONFIGS: SIGINT ends the programs below in the middle of long work with exit code 130 and a message
 of what is kept. Prints how long each took to end; a hang fails, a slow machine does not.
 """
 
@@ -10,11 +10,13 @@ import tempfile
 import time
 from pathlib import Path
 
-apps, configs = Path(sys.argv[1]), Path(sys.argv[2])
+apps, configs = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 annulus = configs / "reference/figure12_annulus_offset.yaml"
 stop = configs / "benchmark/one_side.yaml"
 cell = ("--speed-hz", "70", "--whirl-ratio", "0.9")
 hang_s = 120
+chart = (configs / "ring_figure20.yaml").read_text(encoding="utf-8").replace("count: 179", "count: 9000")
+chart = chart.replace("count: 301", "count: 401")
 
 # Work that takes minutes: program, arguments, and files that it leaves behind.
 long_runs = {
@@ -40,6 +42,7 @@ long_runs = {
     "rubbranch": ("rubbranch", [annulus, "--cell", "70,0.6", "--from", "20", "--to", "400", "--points", "100000"], set()),
     "rubbranch, curves": ("rubbranch", [configs / "gallery/orbit_boundaries.yaml", "--cell", "75,0.4", "--curve",
                                         "whirl_ratio", "--points", "100000"], set()),
+    "ringstab": ("ringstab", ["chart.yaml"], {"chart.partial.csv"}),
 }
 
 
@@ -50,8 +53,9 @@ def processor_s(process: subprocess.Popen) -> float:
 
 def interrupt(name: str, program: str, arguments: list, left: set, folder: Path) -> None:
     output = folder / "out"
+    (folder / "chart.yaml").write_text(chart, encoding="utf-8")
     command = [apps / program, *arguments, "--output", output]
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
         # Startup and reading take a small part of this.
         while process.poll() is None and processor_s(process) < 0.5:
             time.sleep(0.01)

@@ -133,8 +133,18 @@ expect_missing large
 expect_mpi 2 2 "${quick[@]}" --set rotor.mass_kg=-1
 [[ $(grep -c 'rotor.mass_kg: -1 is out of range' stderr) == 1 ]] || fail 'not said once'
 expect_mpi 3 2 missing.yaml
+only_maps='rubsweep-mpi: this program only computes maps; use rubsweep for everything else'
 expect_mpi 1 2 "${quick[@]}" --shard 1/2
-expect_contains stderr 'rubsweep-mpi: this program only computes maps; use rubsweep for everything else'
+expect_contains stderr "$only_maps"
+expect_mpi 1 2 "$top/configs/rotor_kit.yaml" --export-matrices matrices
+expect_contains stderr "$only_maps"
+expect_missing matrices
+for question in --motion-kinds --keys --schema; do
+  code=0
+  "$mpirun" -n 2 --oversubscribe "$program" "$question" >stdout 2>stderr </dev/null || code=$?
+  [[ $code == 1 ]] || fail "$question: exit code $code"
+  expect_contains stderr "$only_maps"
+done
 expect_mpi 0 2 --help
 [[ $(grep -c '^mpirun -n N rubsweep-mpi' stdout) == 1 ]] || fail 'not helped once'
 # A full disk ends all ranks; where mounting is allowed.

@@ -1,4 +1,4 @@
-"""summary_test.py APPS CONFIGS: --summary json ends a run of every program with one line of JSON that says how it went."""
+"""summary_test.py APPS CONFIGS: --summary json ends a run of programs with one line of JSON that says how it went."""
 
 import json
 import os
@@ -48,7 +48,21 @@ class Summary(unittest.TestCase):
         self.assertIn("rubsweep: warning: in 2 of 24 cells", " ".join(self.run_program(
             "rubsweep", MINIMAL, "--output", "other")[0]["warnings"]))
 
-    def test_one_run_of_each_program(self):
+    def test_counts_of_other_programs(self):
+        gallery = os.path.join(CONFIGS, "gallery")
+        stop = os.path.join(CONFIGS, "benchmark", "one_side.yaml")
+        basin = self.run_program("rubbasin", os.path.join(gallery, "basin_slice.yaml"), "--cell", "80,0.5", "--plane",
+                                 "y,vy", "--grid", "3x3", "--output", "b", "--quiet")[0]
+        self.assertEqual(basin["counts"]["starts"], 9)
+        branch = self.run_program("rubbranch", stop, "--cell", "75,0.4", "--points", "5", "--output", "c")[0]
+        self.assertEqual(branch["counts"]["branches"], 1)
+        bench = self.run_program("rubbench", os.path.join(gallery, "work_precision.yaml"), "--cell", "90,0.6", "--labels",
+                                 "0x0", "--turns", "6", "--repeats", "1", "--output", "d")[0]
+        self.assertGreater(bench["counts"]["measurements"], 5)
+        ring = self.run_program("ringstab", os.path.join(gallery, "ring_brake.yaml"), "--output", "e")[0]
+        self.assertGreater(ring["counts"]["speeds"], 5)
+
+    def test_files_of_other_programs(self):
         trace = self.run_program("rubtrace", MINIMAL, *CELL, "--revolutions", "30", "--output", "t")[0]
         self.assertIn("trajectory.csv", self.names(trace))
         line = self.run_program("rubline", MINIMAL, "--along", "speed_hz", "--whirl-ratio", "0.4", "--output", "l")[0]

@@ -83,7 +83,7 @@ std::string work_on(const std::string& name, const Holders& holders, const Finis
   if (const auto holder = holders.find(name); holder != holders.end())
     return "at work: " + holder->second + rate;
   const auto first = holders.find("map");
-  if (name.starts_with("map.rank-") && first != holders.end() && first->second.find("mpi") != std::string::npos)
+  if (name.starts_with("map.rank-") && first != holders.end() && first->second.starts_with("rubsweep-mpi,"))
     return "helps" + rate;
   return now.by_journal.contains(name) ? "nobody is at work" : "not begun";
 }

@@ -103,8 +103,10 @@ def picture(given):
             panels.append(f'name_{column}_{i} = "sensor {sensor}"')
             files[f"upper_{column}_{i}"] = data.upper(sensor)
             files[f"lower_{column}_{i}"] = data.lower(sensor)
-    panels.append(f"found = {len(fit.found)}")
-    panels += [f'found_{i} = "{sentence}"' for i, sentence in enumerate(fit.found)]
+    more = max(0, fit.left_out)
+    found = fit.found + ([f"{more} more file{'s' if more > 1 else ''} of data not shown"] if more else [])
+    panels.append(f"found = {len(found)}")
+    panels += [f'found_{i} = "{sentence}"' for i, sentence in enumerate(found)]
     files["panels.gp"] = panels
     return Picture("fit.gp", (given.heading, str(len(fit.files))), files)
 
@@ -118,5 +120,6 @@ the numbers that were found with half the width of their 95 % intervals.""",
     source="DIR",
     heading="Fit",
     picture=picture,
+    units=("length",),
     examples=("results/kit_fit", "results/kit_fit --output fit.svg --heading 'Kit 2, Monday'"),
 )
