@@ -50,8 +50,8 @@ std::string listed(const Items& items, Text text) {
 
 void print_freedoms(yaml::Printer& printer, const model::ShaftMatrices& matrices) {
   const auto& all = matrices.degrees_of_freedom;
-  std::vector<std::string> nodes;
-  for (const model::DegreeOfFreedom& one : all) nodes.push_back(one.node);
+  std::vector<std::string> nodes(all.size());
+  std::ranges::transform(all, nodes.begin(), &model::DegreeOfFreedom::node);
   printer.open(freedoms_key);
   printer.texts("node", nodes);
   printer.word("direction", listed(all, [](const auto& one) { return to_string(one.direction); }));
@@ -73,8 +73,8 @@ void print_unbalance(yaml::Printer& printer, const model::ShaftMatrices& matrice
   }
   if (matrices.unbalance.empty()) {
     const std::vector<UnbalanceRow> rows = unbalance_rows(matrices);
-    std::vector<std::string> nodes;
-    for (const UnbalanceRow& row : rows) nodes.push_back(row.at->node);
+    std::vector<std::string> nodes(rows.size());
+    std::ranges::transform(rows, nodes.begin(), [](const UnbalanceRow& row) { return row.at->node; });
     printer.texts("node", nodes);
     printer.word("direction", listed(rows, [](const auto& row) { return to_string(row.at->direction); }));
     printer.word("real_kg", listed(rows, [](const auto& row) { return cell(row.real_kg, ""); }));
