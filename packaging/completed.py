@@ -1,4 +1,4 @@
-"""What can be completed on the command line of a program."""
+"""Words that can be completed on the command line of a program."""
 
 from dataclasses import dataclass, field
 from typing import Dict, Tuple

@@ -21,7 +21,7 @@ ASKED = ["rotor.mass_kg", "rotor.natural_frequency_hz", "rotor.damping_ratio", "
 
 
 def section(name, read):
-    """What a helper needs of a program's help: purpose, usage, an example, exit codes."""
+    """The parts of a program's help that a helper needs: purpose, usage, an example, exit codes."""
     example = read.examples[0].strip()
     for line in read.examples[1:]:
         if not example.endswith("\\"):

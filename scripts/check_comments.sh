@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_comments.sh [TOP]: no comment in the sources of TOP begins with Of, What, That or Those in place of a noun, nor does
-# a paragraph of one. Lists each that does as file:line; exits 1 if there is any.
+# a paragraph of one or a docstring. Lists each that does as file:line; exits 1 if there is any.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
@@ -14,7 +14,8 @@ find "${folders[@]}" -type f -regex '.*\.\(cpp\|hpp\|js\|css\|sh\|py\|gp\|cmake\
     FNR == 1 { inside = 0 }
     {
       comment = /^[ \t]*(\/\/+|#) /
-      if (comment && !inside && /^[ \t]*(\/\/+|#) (Of|What|That|Those) /) {
+      docstring = FILENAME ~ /\.py$/ && /^[ \t]*"""(Of|What|That|Those) /
+      if (docstring || comment && !inside && /^[ \t]*(\/\/+|#) (Of|What|That|Those) /) {
         sub(/^[ \t]+/, "")
         print FILENAME ":" FNR ": begins without a noun: " $0
         found = 1

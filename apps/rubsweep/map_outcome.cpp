@@ -54,6 +54,7 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
                const report::MapSummary& summary, const config::RunConfig& config,
                map::MapDirectory& directory) {
   const sweep::Study& study = config.study;
+  directory.paint(study.grid);
   if (summary_is_wanted()) count_cells(directory.map());
   const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
   const TerminalView view =

@@ -21,14 +21,14 @@ namespace rubsweep::apps {
 
 MpiLeader::MpiLeader(MapJob& job, int ranks)
     : job_(job),
-      chunks_(job.directory->missing(), static_cast<std::size_t>(ranks)),
-      complete_(!job.config.study.grid.refinement),
+      chunks_(job.directory->missing(), static_cast<std::size_t>(ranks),
+              job.config.study.grid.refinement.has_value()),
       log_(*job.directory, job.arguments.quiet ? batch::ProgressMode::never : job.arguments.progress) {
   const int threads = batch::thread_count(job.arguments.threads);
-  if (!complete_) {
+  if (job.config.study.grid.refinement) {
     refined_.emplace(job.config.study.grid);
     refined_->read(*job.directory);
-    chunks_.refill(refined_->wanted());
+    chunks_.begin_round(refined_->wanted());
     log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks}));
     return;
   }
@@ -55,7 +55,7 @@ std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
       if (own_done && failure) break;
       if (stop) end(caught_signal());
       workers -= begin_round(workers);
-      if (ended_ && ChunkClock::now() - *ended_ >= grace) leave();
+      if (ended_ && Clock::now() - *ended_ >= grace) leave();
       const std::lock_guard lock(mutex_);
       log_.refresh();
     }
@@ -71,7 +71,7 @@ std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
 
 void MpiLeader::end(int signal) {
   if (ended_) return;
-  ended_ = ChunkClock::now();
+  ended_ = Clock::now();
   signal_ = signal;
   ending_ = true;
   give_up();
@@ -79,44 +79,39 @@ void MpiLeader::end(int signal) {
 
 void MpiLeader::give_up() {
   const std::lock_guard lock(mutex_);
-  complete_ = true;
-  chunks_.close();
+  chunks_.give_up();
   next_round_.notify_all();
 }
 
 int MpiLeader::begin_round(int workers) {
   const std::lock_guard lock(mutex_);
-  if (!complete_) {
-    if (!own_waits_ || waiting_.size() < static_cast<std::size_t>(workers)) return 0;
-    std::vector<std::size_t> wanted = refined_->wanted();
-    complete_ = wanted.empty();
-    chunks_.refill(std::move(wanted));
-    own_waits_ = false;
-    next_round_.notify_all();
+  if (!chunks_.is_last()) {
+    if (chunks_.waiting() < static_cast<std::size_t>(workers) + 1) return 0;
+    chunks_.begin_round(refined_->wanted());
   }
   int ended = 0;
-  std::vector<int> waiting = std::exchange(waiting_, {});
-  for (const int rank : waiting) ended += answer(rank);
+  for (const std::size_t rank : chunks_.take_waiting()) {
+    if (rank == 0) {
+      next_round_.notify_all();
+    } else {
+      ended += answer(static_cast<int>(rank));
+    }
+  }
   return ended;
 }
 
 int MpiLeader::answer(int rank) {
-  const batch::Chunk chunk = chunks_.next(static_cast<std::size_t>(rank));
-  if (chunk.empty() && !complete_) {
-    waiting_.push_back(rank);
-    return 0;
-  }
-  mpi::send_chunk(rank, chunk);
-  return chunk.empty() ? 1 : 0;
+  const auto chunk = chunks_.next(static_cast<std::size_t>(rank));
+  if (!chunk) return 0;
+  mpi::send_chunk(rank, *chunk);
+  return chunk->empty() ? 1 : 0;
 }
 
 batch::Chunk MpiLeader::own_chunk() {
+  std::unique_lock lock(mutex_);
   while (true) {
-    batch::Chunk chunk = chunks_.next(0);
-    std::unique_lock lock(mutex_);
-    if (!chunk.empty() || complete_) return chunk;
-    own_waits_ = true;
-    next_round_.wait(lock, [this] { return !own_waits_ || complete_; });
+    if (auto chunk = chunks_.next(0)) return *std::move(chunk);
+    next_round_.wait(lock, [this] { return !chunks_.waits(0) || chunks_.is_last(); });
   }
 }
 

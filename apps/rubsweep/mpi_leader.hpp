@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/batch/chunk_queue.hpp"
 #include "rubsweep/config/run_config.hpp"
 #include "rubsweep/map/cell_log.hpp"
+#include "rubsweep/map/chunk_rounds.hpp"
 #include "rubsweep/map/map_directory.hpp"
 #include "rubsweep/map/refined_cells.hpp"
 #include "rubsweep_arguments.hpp"
@@ -27,8 +27,7 @@ struct MapJob {
   std::optional<map::MapDirectory> directory;
 };
 
-/// The first rank: deals out chunks to all ranks, itself included, and shows progress. A refined map is
-/// computed in rounds: the cells of the next are known when all of the present one are finished.
+/// The first rank: deals out chunks to all ranks, itself included, and shows progress.
 class MpiLeader {
  public:
   MpiLeader(MapJob& job, int ranks);
@@ -43,7 +42,7 @@ class MpiLeader {
   std::string description() const { return refined_ ? refined_->description() : ""; }
 
  private:
-  using ChunkClock = batch::ChunkQueue::Clock;
+  using Clock = std::chrono::steady_clock;
 
   /// A signal to one rank ends the work of all.
   void end(int signal);
@@ -74,17 +73,13 @@ class MpiLeader {
   void note(std::size_t cell, const std::string& line);
 
   MapJob& job_;
-  batch::ChunkQueue chunks_;
-  /// No other round comes; not of a refined map before all its cells are there. Guarded by the mutex.
-  bool complete_ = true;
-  std::optional<ChunkClock::time_point> ended_;  ///< when the first signal was heard of
+  std::optional<Clock::time_point> ended_;  ///< when the first signal was heard of
   int signal_ = 0;
   std::atomic<bool> ending_ = false;  ///< no new cell starts
   std::mutex mutex_;                  ///< guards the journal and what follows
   std::condition_variable next_round_;
   std::optional<map::RefinedCells> refined_;
-  bool own_waits_ = false;    ///< this rank has nothing to do before the next round
-  std::vector<int> waiting_;  ///< nor have these
+  map::ChunkRounds chunks_;
   map::CellLog log_;
   std::size_t pilots_ = 0;  ///< finished cells that a forecast wants; 0: none, or no longer
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -34,7 +34,7 @@ def parse(words):
 
 
 def drawn(given, probes):
-    """What nobody knows: name and number, in the order in which they are written."""
+    """The numbers that nobody knows: name and value, in the order in which they are written."""
     random_number = random.Random(given.seed)
     truth = {"clock_ppm": given.clock_ppm, "mark_deg": given.mark_deg}
     for i in range(probes):

@@ -16,7 +16,7 @@ COLUMNS = ("speed_hz", "whirl_ratio", "class", "order", "orbit")
 
 
 def label(row):
-    """What a map calls a cell: class, order and orbit."""
+    """The label that a map gives a cell: class, order and orbit."""
     order = f"1/{row['order']}" if row["class"] == "subharmonic" and row["order"] else ""
     orbit = "" if row["class"] in ("non_contact", "chaotic", "unsettled") else row["orbit"]
     return " ".join(part for part in (row["class"], order, orbit) if part)

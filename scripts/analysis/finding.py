@@ -41,7 +41,7 @@ class Finding:
 
 
 def of_both(first, second):
-    """What two conditions make: holds where both do, partly where one does."""
+    """Both of two conditions: holds where both do, partly where one does."""
     return HOLDS if first and second else PARTLY if first or second else NOT_REPRODUCED
 
 

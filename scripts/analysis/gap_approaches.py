@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Approach:
-    """What holds at the last sample before the contact begins, or without contact at the smallest gap."""
+    """The state at the last sample before the contact begins, or without contact at the smallest gap."""
 
     hit: bool
     displacement: float  # of the casing, away from the rotor, in clearances

@@ -20,7 +20,7 @@ class Ellipse:
 
 
 def ellipse(spectrum):
-    """Of a list of (order, amplitude) in rising order; None where there is no line off 0X and 1X on both sides."""
+    """The shape by a list of (order, amplitude) in rising order; None where there is no line off 0X and 1X on both sides."""
 
     def counts(i):
         return 0 <= i < len(spectrum) and spectrum[i][0] not in (0.0, 1.0)

@@ -48,7 +48,7 @@ class RingRun:
         return next(csv_table.number(row, "closed_form_rpm") for row in self._speeds if row["name"] == name)
 
     def largest_real_part(self, mode, speed_rpm):
-        """Of a mode at one of the speeds that were computed, 1/s."""
+        """Growth rate of a mode at one of the speeds that were computed, 1/s."""
         rows = (row for row in self._eigenvalues if row["mode"] == mode and csv_table.number(row, "speed_rpm") == speed_rpm)
         return max(csv_table.number(row, "real_per_s") for row in rows)
 

@@ -27,7 +27,7 @@ class StudiedMap:
         return configuration.number(self.values[path])
 
     def gap_share(self):
-        """What the offset of the first stop leaves of its clearance."""
+        """The clearance of the first stop less its offset."""
         offset = configuration.numbers(self.values.get("stops.0.offset_m", "[0, 0]"))
         return 1 - math.hypot(*offset) / self.number("stops.0.clearance_m")
 

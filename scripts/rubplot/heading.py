@@ -1,4 +1,4 @@
-"""What stands above a domain map: heading, rotor, stops, casing and kick of its configuration, in gnuplot's notation."""
+"""The lines above a domain map: heading, rotor, stops, casing and kick of its configuration, in gnuplot's notation."""
 
 import re
 
@@ -83,7 +83,7 @@ def _casing(config, stop):
 
 
 def _casings(config):
-    """That of the first stop, and those of all where they differ."""
+    """Value of the first stop, and those of all where they differ."""
     casings = [_casing(config, stop) for stop in range(configuration.stop_count(config))]
     different = len(set(casings)) > 1
     return "casing " + ", and ".join(casings if different else casings[:1])

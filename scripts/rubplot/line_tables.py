@@ -44,11 +44,11 @@ class Line:
         return self.axis.label
 
     def value(self, row):
-        """Of a row of any of the tables, in the unit that is shown."""
+        """Value of a row of any of the tables, in the unit that is shown."""
         return self.axis.factor * number(row, "value")
 
     def place(self, row):
-        """Of the value of a row on its axis, which may be logarithmic."""
+        """Place of the value of a row on its axis, which may be logarithmic."""
         return math.log10(self.value(row)) if self.is_logarithmic else self.value(row)
 
     @property
@@ -61,7 +61,7 @@ class Line:
         return " " + " ".join(sorted(set(self._kinds.values()))) + " "
 
     def kind(self, row):
-        """Of a row of any of the tables."""
+        """Value of a row of any of the tables."""
         if (row["pass"], row["value"]) not in self._kinds:
             raise Failure(f"{self.files['line.csv']}: no row of pass {row['pass']} at {row['value']}")
         return self._kinds[row["pass"], row["value"]]

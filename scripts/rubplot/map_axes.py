@@ -10,7 +10,7 @@ from rubplot.failure import require_readable
 
 @dataclass(frozen=True)
 class Plane:
-    """Of the map in `map_file`: its columns `across` and `up`; `natural_hz` is the frequency over which speeds are drawn,
+    """The plane of the map in `map_file`: its columns `across` and `up`; `natural_hz` is the frequency over which speeds are drawn,
     None where they are drawn in the unit of the configuration or are not drawn at all."""
 
     map_file: str
@@ -28,7 +28,7 @@ class Plane:
 
 
 def read_plane(source, identified_hz=None):
-    """Of a map.csv, or the one in a directory, which needs its config.yaml beside it; `identified_hz` is the natural
+    """The plane of a map.csv, or of the one in a directory, which needs its config.yaml beside it; `identified_hz` is the natural
     frequency of a rotor whose configuration has none."""
     map_file = os.path.join(source, "map.csv") if os.path.isdir(source) else source
     config_file = os.path.join(os.path.dirname(map_file), "config.yaml")

@@ -1,4 +1,4 @@
-"""What the command line knows of a picture, and how one is drawn."""
+"""A picture as the command line knows it, and how one is drawn."""
 
 import argparse
 import os

@@ -32,14 +32,6 @@ def plane(config):
     return swept[0], unbalance if swept[0] == "speed_hz" else "speed_hz"
 
 
-def values(config, column):
-    """The values of the axis that is this column, in the order of the configuration and in the unit of its key."""
-    for name, path in _paths(config):
-        if name == column and (listed := configuration.axis(config, path)):
-            return listed
-    raise configuration.ConfigurationError(f"no axis is called {column}")
-
-
 def _paths(config):
     """Every column that may be an axis, and the key of the axis."""
     columns = [(column, f"sweep.{name}") for name, column in (SPEEDS | UNBALANCES).items()]

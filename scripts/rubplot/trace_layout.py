@@ -102,7 +102,7 @@ class Spans:
 
 
 def spans(motion, first, last, window, revolutions):
-    """Of a run of `last` revolutions whose trajectory begins with revolution `first`: the history shows so many
+    """Layout of a run of `last` revolutions whose trajectory begins with revolution `first`: the history shows so many
     `revolutions` of its beginning, or of its end where the number is negative."""
     begin, end = first, min(first + revolutions, last)
     if revolutions < 0:

@@ -92,7 +92,7 @@ class Browser:
         return self._ask("POST", "/execute/sync", {"script": script, "args": list(arguments)})
 
     def log(self, kind="browser"):
-        """What the page wrote since the last call."""
+        """Messages that the page wrote since the last call."""
         return self._ask("POST", "/se/log", {"type": kind})
 
     def emulate(self, feature, value, medium=""):
@@ -106,7 +106,7 @@ class Browser:
         self._ask("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride", "params": parameters})
 
     def screenshot(self, path):
-        """What the window shows."""
+        """Picture of the window."""
         path.write_bytes(base64.b64decode(self._ask("GET", "/screenshot")))
 
     def usual_size(self):

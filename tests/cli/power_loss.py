@@ -1,4 +1,4 @@
-"""What a disk holds after a loss of power, from what tests/support/io_recorder.cpp recorded.
+"""Contents of a disk after a loss of power, from what tests/support/io_recorder.cpp recorded.
 
 power_loss.py whole RECORD TOP BEFORE COMMAND...: at each recorded call the power goes. COMMAND, run on what is left, must
     end with 0 and leave the map that TOP holds now; cells that were safe on the disk once must be so ever after.
@@ -87,7 +87,7 @@ class Disk:
                 self.gone.discard(place)
 
     def left(self):
-        """What may be left: names as they were synced, the same without those removed since, names as the program sees
+        """The states that may be left: names as they were synced, the same without those removed since, names as the program sees
         them; each with the contents that were synced."""
         yield self._contents(self.safe)
         yield self._contents({place: node for place, node in self.safe.items() if place not in self.gone})

@@ -10,7 +10,7 @@ expect_matches stdout 'refined: from every 8th cell on, .*square of [0-9]+ x [0-
 expect_exit 0 "${grid[@]}" --output full --quiet
 header+=,level
 expect_exit 0 "${grid[@]}" "${refine[@]}" --output whole --threads 1
-expect_files whole config.yaml map.csv
+expect_files whole config.yaml map.csv painted.csv
 expect_whole_rows whole/map.csv
 expect_matches stderr 'refined: [0-9]+ of 1353 cells computed'
 computed=$(rows whole/map.csv | wc -l)
@@ -20,20 +20,28 @@ rows whole/map.csv | cut -d, -f1-29 | grep -vxF -f <(rows full/map.csv) && fail 
 [[ $(cells whole/map.csv level | sort -u | tr '\n' ' ') == '0 1 2 3 ' ]] || fail 'not the levels'
 
 PYTHONPATH=$top/scripts python3 -B - <<'END' || fail 'painted cells differ from the full map'
-from rubplot import csv_table, refined_map
-def labels(path):
-    return {(float(r["speed_hz"]), float(r["whirl_ratio"])): (r["class"], r["order"]) for r in csv_table.read_table(path)}
-full, known = labels("full/map.csv"), labels("whole/map.csv")
-across, up = (sorted({place[axis] for place in full}) for axis in (0, 1))
-places = {(across.index(x), up.index(y)): label for (x, y), label in known.items()}
-painted = refined_map.painted(places, len(across), len(up), 3)
-equal = sum(painted[across.index(x), up.index(y)] == label for (x, y), label in full.items())
-print(f"{len(known)} of {len(full)} cells computed, {equal} equal")
+from rubplot import csv_table
+def motions(path):
+    return {(r["speed_hz"], r["whirl_ratio"]): (r["class"], r["order"]) for r in csv_table.read_table(path)}
+full, painted, computed = (motions(path) for path in ("full/map.csv", "whole/painted.csv", "whole/map.csv"))
+assert full.keys() == painted.keys()
+assert all(painted[cell] == motion for cell, motion in computed.items())
+flags = [row["computed"] for row in csv_table.read_table("whole/painted.csv", "computed")]
+assert flags.count("1") == len(computed) and flags.count("0") == len(full) - len(computed)
+equal = sum(painted[cell] == motion for cell, motion in full.items())
+print(f"{len(computed)} of {len(full)} cells computed, {equal} equal")
 assert equal >= 0.98 * len(full)
 END
 
 expect_exit 0 "${grid[@]}" "${refine[@]}" --output threads --threads 3 --quiet
 expect_same threads/map.csv whole/map.csv
+expect_same threads/painted.csv whole/painted.csv
+# One that is not there is written where the map is, and goes with a map that is computed anew.
+rm threads/painted.csv
+expect_exit 0 "${grid[@]}" "${refine[@]}" --output threads --quiet
+expect_same threads/painted.csv whole/painted.csv
+expect_exit 0 "${grid[@]}" --output threads --fresh --quiet
+expect_files threads config.yaml map.csv
 # In the first round and in a later one.
 for cells in 20 $((computed - 50)); do expect_resumed $cells whole "${grid[@]}" "${refine[@]}"; done
 expect_exit 0 "${grid[@]}" "${refine[@]}" --output killed
@@ -50,7 +58,7 @@ for i in 1 2 3; do wait "${shard[i]}" || fail "shard $i ended with $?: $(cat "sh
 expect_contains shard_1 'the refined map is complete: rubsweep '
 expect_exit 0 "${grid[@]}" "${refine[@]}" --output together --merge
 expect_same together/map.csv whole/map.csv
-expect_files together config.yaml map.csv
+expect_files together config.yaml map.csv painted.csv
 # 75: it did what it could, others must go on.
 expect_exit 75 "${grid[@]}" "${refine[@]}" --output alone --shard 1/2
 expect_matches stdout '^the refined map wants [0-9]+ cells of other shards before it can say what it wants of this one: run every shard'

@@ -27,7 +27,9 @@ expect 'nouns' 0
 printf '%s\n' '// Those that stick.' '' '/// Norms.' '///' '/// What else there is.' '  /// That state.' 'int i;' '  /// Of a turn.' \
   >"$top/lib/rubsweep/norm.cpp"
 printf '%s\n' 'echo' '# What is left.' >"$top/scripts/left.sh"
+printf '%s\n' 'def norm():' '    """Norm of the state."""' 'def left():' '    """What is left."""' >"$top/scripts/norm.py"
 expect 'no nouns' 1 'lib/rubsweep/norm.cpp:1: begins without a noun: // Those that stick.' \
   'lib/rubsweep/norm.cpp:5: begins without a noun: /// What else there is.' \
   'lib/rubsweep/norm.cpp:8: begins without a noun: /// Of a turn.' \
-  'scripts/left.sh:2: begins without a noun: # What is left.'
+  'scripts/left.sh:2: begins without a noun: # What is left.' \
+  'scripts/norm.py:4: begins without a noun: """What is left."""'

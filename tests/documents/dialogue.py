@@ -60,3 +60,16 @@ def wrong_answers(block, work, environment):
             yield f"$ {command}\nexit code {ran.returncode}\n{ran.stdout}"
         elif not pattern(expected).fullmatch(ran.stdout):
             yield f"$ {command}\nprinted:\n{ran.stdout}promised:\n" + "\n".join(expected)
+
+
+def wrong_blocks(text, work, environment):
+    """Everything in the blocks of a text that is not as promised: the block behind "Save this as `NAME`:" becomes that
+    file in the directory `work`, any other is a dialogue that is held there."""
+    for before, block in blocks(text):
+        if name := re.search(r"Save this as `([^`]+)`:$", before):
+            with open(os.path.join(work, name[1]), "w", encoding="utf-8") as file:
+                file.write("\n".join(block) + "\n")
+        elif is_dialogue(block):
+            yield from wrong_answers(block, work, environment)
+        else:
+            yield f"a block that is neither file nor dialogue: {block[0]}"

@@ -23,7 +23,7 @@ def sections(text):
 
 
 def run(heading, commands, pictures, work, environment):
-    """What is wrong with a section; nothing where all is well."""
+    """Faults of a section; nothing where all is well."""
     ran = subprocess.run(["bash", "-euo", "pipefail", "-c", commands], cwd=work, env=environment, text=True,
                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if ran.returncode != 0:

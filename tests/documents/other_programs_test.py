@@ -1,7 +1,7 @@
 """other_programs_test.py TOP PROGRAMS: runs docs/other-programs.md in an empty directory, section by section.
 
-The block behind "Save this as `NAME`:" is that file; dialogues are those of dialogue.py. A section is left out, and the
-test says so, where its program is not installed; exits with 77 where none is."""
+Files and dialogues are those of dialogue.py. A section is left out, and the test says so, where its program is not
+installed; exits with 77 where none is."""
 
 import os
 import re
@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-from dialogue import blocks, environment_of, is_dialogue, wrong_answers
+from dialogue import environment_of, wrong_blocks
 
 # Section -> the program that it needs, with modules of Python.
 NEEDED = {"pandas": ("python3", "pandas"), "NumPy and xarray": ("python3", "xarray, pandas, numpy"), "R": ("Rscript", None),
@@ -27,18 +27,6 @@ def python_with(modules):
 
 def found(program, modules):
     return python_with(modules) if modules else shutil.which(program)
-
-
-def wrong_section(text, work, environment):
-    """Everything in a section that is not as promised."""
-    for before, block in blocks(text):
-        if name := re.search(r"Save this as `([^`]+)`:$", before):
-            with open(os.path.join(work, name[1]), "w", encoding="utf-8") as file:
-                file.write("\n".join(block) + "\n")
-        elif is_dialogue(block):
-            yield from wrong_answers(block, work, environment)
-        else:
-            yield f"a block that is neither file nor dialogue: {block[0]}"
 
 
 def main(top, programs):
@@ -59,7 +47,7 @@ def main(top, programs):
         os.symlink(os.path.join(top, "configs"), os.path.join(work, "configs"))
         environment = environment_of(programs)
         environment["PATH"] = os.pathsep.join([first, environment["PATH"]])
-        wrong += wrong_section(sections[0], work, environment)
+        wrong += wrong_blocks(sections[0], work, environment)
         for title, section in zip(titles[1:], sections[1:]):
             if not places[title]:
                 continue
@@ -68,7 +56,7 @@ def main(top, programs):
                 os.remove(python)
             if NEEDED[title][1]:
                 os.symlink(places[title], python)
-            wrong += wrong_section(section, work, environment)
+            wrong += wrong_blocks(section, work, environment)
     print("\n".join(wrong))
     return 1 if wrong else 0
 

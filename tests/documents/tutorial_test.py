@@ -1,7 +1,7 @@
 """tutorial_test.py TOP PROGRAMS: runs the lessons of docs/tutorial.md, one after the other, in one empty directory.
 
-The block behind "Save this as `NAME`:" is that file; dialogues are those of dialogue.py. The picture of a lesson must be
-there behind it. Exits with 77 where there is no gnuplot. RUBSWEEP_TUTORIAL names a directory that keeps the pictures."""
+Files and dialogues are those of dialogue.py. The picture of a lesson must be there behind it. Exits with 77 where there
+is no gnuplot. RUBSWEEP_TUTORIAL names a directory that keeps the pictures."""
 
 import os
 import re
@@ -9,19 +9,12 @@ import shutil
 import sys
 import tempfile
 
-from dialogue import blocks, environment_of, is_dialogue, wrong_answers
+from dialogue import environment_of, wrong_blocks
 
 
 def wrong_lesson(text, work, environment):
-    """What is wrong with a lesson; nothing where all is well."""
-    for before, block in blocks(text):
-        if name := re.search(r"Save this as `([^`]+)`:$", before):
-            with open(os.path.join(work, name[1]), "w", encoding="utf-8") as file:
-                file.write("\n".join(block) + "\n")
-        elif is_dialogue(block):
-            yield from wrong_answers(block, work, environment)
-        else:
-            yield f"a block that is neither file nor dialogue: {block[0]}"
+    """Faults of a lesson; nothing where all is well."""
+    yield from wrong_blocks(text, work, environment)
     pictures = re.findall(r"!\[[^\]]*\]\(tutorial/([^)]*)\)", text)
     if len(pictures) != 1:
         yield f"{text.splitlines()[0]}: {len(pictures)} pictures, expected one"

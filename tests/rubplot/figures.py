@@ -22,7 +22,7 @@ WIDTH, HEIGHT = 0.6, 0.72
 
 @dataclass(frozen=True)
 class Text:
-    """What is written at a place of the picture, in its own units, y downward; `upright` where it runs upward."""
+    """Text at a place of the picture, in its own units, y downward; `upright` where it runs upward."""
 
     text: str
     x: float

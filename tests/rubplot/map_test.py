@@ -1,4 +1,7 @@
 import figures
+from rubplot import map_axes
+from rubplot.failure import Failure
+from rubplot.pictures import map as picture
 
 CONFIG = """\
 title: Blower
@@ -42,6 +45,27 @@ class Map(figures.FigureTest):
         # Decades are as far from each other as they are on such an axis.
         places = {text.text: text.y for text in figures.texts(self.root())}
         self.assertAlmostEqual(places["0.01"] - places["0.1"], places["0.1"] - places["1"], delta=2)
+
+    def refined(self, painted):
+        self.write("config.yaml", CONFIG.format(speed="speed_hz:\n    values: [50, 100, 150]\n  refine:\n    levels: 1",
+                                                ratio="values: [0.1]"))
+        self.write("map.csv", "# digest ab\n" + COLUMNS + "".join(
+            f"{hz},0.1,synchronous,1,complex,mixed,\n" for hz in (50, 150)))
+        if painted:
+            self.write("painted.csv", painted)
+        cells, _ = picture._in_si(map_axes.read_plane(self.path("map.csv")), None)
+        return [(round(30 * cell.x), cell.kind) for cell in cells]
+
+    def test_a_refined_map_is_drawn_with_the_cells_that_were_painted(self):
+        rows = "".join(f"{hz},0.1,synchronous,1,circle,{computed}\n" for hz, computed in ((50, 1), (100, 0), (150, 1)))
+        cells = self.refined("# digest ab\nspeed_hz,whirl_ratio,class,order,kind,computed\n" + rows)
+        self.assertEqual(cells, [(50, "synchronous"), (100, "circle"), (150, "synchronous")])
+
+    def test_a_refined_map_says_that_painted_cells_are_missing_or_of_another_map(self):
+        with self.assertRaisesRegex(Failure, "painted.csv: is not there"):
+            self.refined(None)
+        with self.assertRaisesRegex(Failure, "painted.csv: is of another map"):
+            self.refined("# digest cd\nspeed_hz,whirl_ratio,class,order,kind,computed\n")
 
     def root(self):
         return figures.xml.etree.ElementTree.parse(self.path("picture.svg")).getroot()

@@ -1,4 +1,4 @@
-"""What stats counts lies inside the ranges of the axes: a range that an earlier panel left behind would hide a part of the
+"""Points that stats counts lie inside the ranges of the axes: a range that an earlier panel left behind would hide a part of the
 data. Reads the scripts as text."""
 
 import glob

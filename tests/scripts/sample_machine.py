@@ -65,7 +65,7 @@ class SampleMachine:
 
 
 def outcome_of(findings, title, machine):
-    """What the one finding whose title has these words makes of the machine."""
+    """Outcome for the machine of the one finding whose title has these words."""
     (finding,) = (one for one in findings if title in one.title)
     return finding.outcome(machine)
 

@@ -57,6 +57,19 @@ TEST(Refinement, FindsASmoothBoundaryExactlyFromFewCells) {
   EXPECT_NEAR(*exponent, 1, 0.15);
 }
 
+TEST(Refinement, ShowsForEachCellOneThatWasComputedAndHasItsPaintedLabel) {
+  const Grid grid = grid_of(40, 30, {3, 1});
+  const std::vector<int> labels = refined(grid, disc), painted = painted_labels(grid, labels);
+  const std::vector<std::size_t> shown = shown_cells(grid, labels);
+  ASSERT_EQ(shown.size(), labels.size());
+  for (std::size_t cell = 0; cell < shown.size(); ++cell) {
+    EXPECT_EQ(labels[shown[cell]], painted[cell]) << cell;
+    if (labels[cell] != unknown_label) {
+      EXPECT_EQ(shown[cell], cell);
+    }
+  }
+}
+
 /// The state after a kill, with other threads or another order of cells changes nothing.
 TEST(Refinement, WantsTheSameCellsInWhateverOrder) {
   const Grid grid = grid_of(70, 53, {3, 2});

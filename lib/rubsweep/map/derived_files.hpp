@@ -19,9 +19,12 @@ inline constexpr std::string_view family_journal_file = "families.journal",
 
 inline constexpr std::string_view report_page_file = "report.html";
 
+/// All cells of a refined map with the motion that they show.
+inline constexpr std::string_view painted_map_file = "painted.csv";
+
 /// All results that are made of a map and lie beside it: without that map they mean nothing.
 inline std::vector<std::string_view> derived_files() {
-  std::vector<std::string_view> names{report_page_file};
+  std::vector<std::string_view> names{report_page_file, painted_map_file};
   names.insert(names.end(), family_files.begin(), family_files.end());
   names.insert(names.end(), slice_files.begin(), slice_files.end());
   return names;

@@ -16,6 +16,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/map/derived_files.hpp"
 #include "rubsweep/map/journal_header.hpp"
+#include "rubsweep/map/painted_map.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/unit_columns.hpp"
 
@@ -280,6 +281,12 @@ report::MapSummary MapDirectory::write_map() const {
   file.commit();
   remove_journals();
   return summary;
+}
+
+void MapDirectory::paint(const sweep::Grid& grid) const {
+  const bool old_columns = finished_map_ && !finished_map_->known_columns;
+  if (refined_ && !old_columns && !fs::exists(directory_ / painted_map_file))
+    write_painted_map(map(), grid, source_);
 }
 
 }  // namespace rubsweep::map

@@ -69,6 +69,10 @@ class MapDirectory {
 
   std::filesystem::path map() const { return directory_ / "map.csv"; }
 
+  /// Writes painted.csv beside a refined map that has none (see painted_map.hpp); nothing for any other map.
+  /// The grid is that of the study. Throws IoError.
+  void paint(const sweep::Grid& grid) const;
+
   /// A finished cell as the map shows it: its line in a journal, and numbers in the units of the person.
   std::string in_map(const std::string& line) const;
 

@@ -61,22 +61,6 @@ std::size_t cell_of(const MapTable& map, std::size_t row, const std::vector<std:
   return cell;
 }
 
-/// For each cell the row of the map that it takes its motion from.
-std::vector<std::size_t> rows_to_show(const sweep::Grid& grid, const std::vector<int>& labels,
-                                      const std::vector<std::size_t>& row_of) {
-  const std::vector<int> painted = sweep::painted_labels(grid, labels);
-  std::map<int, std::size_t> latest;
-  for (std::size_t cell = labels.size(); cell-- > 0;) {
-    if (labels[cell] != sweep::unknown_label) latest[labels[cell]] = row_of[cell];
-  }
-  std::vector<std::size_t> rows;
-  for (std::size_t cell = 0; cell < labels.size(); ++cell) {
-    if (labels[cell] != sweep::unknown_label) latest[labels[cell]] = row_of[cell];
-    rows.push_back(latest.at(painted[cell]));
-  }
-  return rows;
-}
-
 }  // namespace
 
 PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid) {
@@ -95,7 +79,7 @@ PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid) {
   if (const auto wanted = sweep::wanted_cells(grid, table.labels); !wanted.empty())
     throw IoError(fmt::format("map.csv: lacks {} cells that its refined map wants", wanted.size()));
   std::ranges::sort(table.computed);
-  const std::vector<std::size_t> shown = rows_to_show(grid, table.labels, row_of);
+  const std::vector<std::size_t> shown = sweep::shown_cells(grid, table.labels);
 
   constexpr std::array<std::string_view, 5> of_the_block{"class", "order", "orbit", "whirl", "comb_spacing"};
   for (const MapColumn& column : map.columns) {
@@ -107,7 +91,7 @@ PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid) {
     MapColumn& whole = table.map.columns.emplace_back(MapColumn{column.name, {}, {}});
     for (std::size_t cell = 0; cell < cells; ++cell) {
       const bool known = row_of[cell] < map.rows;
-      const std::size_t row = known ? row_of[cell] : shown[cell];
+      const std::size_t row = row_of[shown[cell]];
       if (!column.numbers.empty()) {
         const double empty = std::numeric_limits<double>::quiet_NaN();
         whole.numbers.push_back(axis != nullptr     ? axis->values[axis->place_in(cell)]

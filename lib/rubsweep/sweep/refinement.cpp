@@ -237,6 +237,21 @@ std::vector<int> painted_labels(const Grid& grid, std::span<const int> labels) {
   return painted;
 }
 
+std::vector<std::size_t> shown_cells(const Grid& grid, std::span<const int> labels) {
+  const std::vector<int> painted = painted_labels(grid, labels);
+  std::map<int, std::size_t> latest;
+  for (std::size_t cell = labels.size(); cell-- > 0;) {
+    if (labels[cell] != unknown_label) latest[labels[cell]] = cell;
+  }
+  std::vector<std::size_t> shown;
+  shown.reserve(labels.size());
+  for (std::size_t cell = 0; cell < labels.size(); ++cell) {
+    if (labels[cell] != unknown_label) latest[labels[cell]] = cell;
+    shown.push_back(latest.at(painted[cell]));
+  }
+  return shown;
+}
+
 std::size_t island_bound(const Grid& grid) {
   const Planes planes = planes_of(grid);
   const auto [across, up] = planes.sides;

@@ -35,6 +35,10 @@ int refinement_level(const Grid& grid, std::size_t cell);
 /// every cell of it.
 std::vector<int> painted_labels(const Grid& grid, std::span<const int> labels);
 
+/// For each cell of a complete refined map the computed cell whose motion it shows: itself, or the last one
+/// before it, else the first one after it, that has its painted label.
+std::vector<std::size_t> shown_cells(const Grid& grid, std::span<const int> labels);
+
 /// Side, in cells, of the smallest square island that none of the cells of the lattice and none of the probes
 /// can miss; where one axis alone has several values, as many cells one after the other.
 std::size_t island_bound(const Grid& grid);

@@ -72,7 +72,7 @@ def kind_of(label):
 
 
 def axis_label(column):
-    """What stands at the axis of this column of slice.csv, in gnuplot's notation."""
+    """Label of the axis of this column of slice.csv, in gnuplot's notation."""
     match = _STATE.fullmatch(column)
     if not match:
         return column.replace("_", r"\_")

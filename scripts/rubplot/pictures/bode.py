@@ -42,7 +42,7 @@ class Bode:
             yield f"{self.speed.factor * csv_table.number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g}"
 
     def names(self):
-        """What the legend says of each sensor: where it looks and along which angle."""
+        """Words of the legend for each sensor: where it looks and along which angle."""
         for sensor in self.sensors:
             angle = self.config.get(f"rotor.sensors.{sensor}.angle_deg")
             place = self.config.get(f"rotor.sensors.{sensor}.position_m")

@@ -120,7 +120,7 @@ def text_lines(checks, config):
 
 
 def check_cells(row, config):
-    """What the table says of one check: name, place, speed, margin or value, verdict."""
+    """One check in the table: name, place, speed, margin or value, verdict."""
     speed, margin = csv_table.number(row, "speed_hz"), csv_table.number(row, "margin")
     if row["check"] == "kick":
         margin_text = "%.4g N" % csv_table.number(row, "value")

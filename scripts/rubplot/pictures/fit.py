@@ -1,4 +1,4 @@
-"""What rubfit fitted: the data of each file beside the model, and the numbers that were found."""
+"""A fit of rubfit: the data of each file beside the model, and the numbers that were found."""
 
 import cmath
 import math
@@ -53,7 +53,7 @@ class FittedFile:
             yield " ".join("%.17g" % number for number in (at, *(self.per_metre * value for value in values)))
 
     def lower(self, sensor):
-        """What is left of a reading; of 1X the phases, which go on where they pass a whole turn."""
+        """Residual of a reading; of 1X the phases, which go on where they pass a whole turn."""
         before = None
         for at, measured, modelled in self.series[sensor]:
             if self.kind == "ring_down":

@@ -2,8 +2,8 @@
 
 import os
 
-from rubplot import csv_table, domain_map, heading, map_axes, refined_map, swept_axes
-from rubplot.failure import Failure
+from rubplot import csv_table, domain_map, heading, map_axes
+from rubplot.failure import Failure, require_readable
 from rubplot.gnuplot import Picture
 from rubplot.subcommand import Subcommand
 
@@ -48,9 +48,22 @@ def _in_si(plane, strength):
         file = os.path.join(os.path.dirname(plane.map_file), "boundaries.csv")
         boundaries = domain_map.read_boundaries(file, plane.up, plane.natural_hz, csv_table.digest(plane.map_file))
     if "sweep.refine.levels" in plane.config:
-        columns = [swept_axes.values(plane.config, axis) for axis in (plane.across, plane.up)]
-        cells = refined_map.painted_cells(cells, *columns, int(plane.config["sweep.refine.levels"]))
+        cells = _painted(plane, cells)
     return cells, boundaries
+
+
+def _painted(plane, computed):
+    """All cells of a refined map, those that were computed as they are given."""
+    file = os.path.join(os.path.dirname(plane.map_file), "painted.csv")
+    if not os.path.exists(file):
+        raise Failure(f"{file}: is not there, which has the cells that a refined map does not compute: the same "
+                      "rubsweep command again writes it")
+    require_readable(file)
+    if csv_table.digest(file) != csv_table.digest(plane.map_file):
+        raise Failure(f"{file}: is of another map than {plane.map_file}")
+    known = {(cell.x, cell.y): cell for cell in computed}
+    cells = domain_map.read_cells(file, plane.up, plane.natural_hz, plane.across)
+    return [known.get((cell.x, cell.y), cell) for cell in cells]
 
 
 SUBCOMMAND = Subcommand(

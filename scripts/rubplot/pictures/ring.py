@@ -30,7 +30,7 @@ class Panel:
 
 
 def read_panel(directory, title, from_rpm=0.0, to_rpm=None, limit=0.0):
-    """What ringstab wrote into a directory, from a speed on, to the largest one where no other is given."""
+    """The results of ringstab in a directory, from a speed on, to the largest one where no other is given."""
     curves, largest = {}, from_rpm
     path = os.path.join(directory, "eigenvalues.csv")
     eigenvalues = csv_table.read_table(path, "speed_rpm", "mode", "real_per_s", "imaginary_rad_per_s")

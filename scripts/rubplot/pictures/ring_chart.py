@@ -12,7 +12,7 @@ KINDS = tuple(f"{kind}_{end}" for kind in ("coupling", "divergence", "flutter") 
 
 @dataclass(frozen=True)
 class Chart:
-    """Of chart_onsets.csv: lines (parameter, rpm) by kind, the parameters at which growing roots merge, so that two loads
+    """The onsets of chart_onsets.csv: lines (parameter, rpm) by kind, the parameters at which growing roots merge, so that two loads
     couple, and all parameters."""
 
     parameter: str

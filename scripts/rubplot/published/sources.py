@@ -28,7 +28,7 @@ class Sources:
         return path
 
     def command(self, program, stem, *arguments):
-        """That runs a program on one of the configurations."""
+        """Command that runs a program on one of the configurations."""
         path = os.path.join(self.programs, program)
         if not os.access(path, os.X_OK):
             raise Failure(f"there is no {path}: scripts/test.sh builds it, or say --programs DIR")
@@ -48,7 +48,7 @@ class Sources:
 
 @dataclass(frozen=True)
 class Wanted:
-    """What the user says of a figure: its file, its formats and a map that is there already, each None where not said."""
+    """Choices of the user for a figure: its file, its formats and a map that is there already, each None where not said."""
 
     output: Optional[str] = None
     formats: Optional[Tuple[str, ...]] = None
