@@ -35,7 +35,7 @@ MpiLeader::MpiLeader(MapJob& job, int ranks)
   const std::size_t cells = job.directory->missing().size();
   // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
   if (log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks})))
-    pilots_ = pilot_count(cells, static_cast<std::size_t>(threads * ranks));
+    pilots_ = pilot_count(cells, static_cast<std::size_t>(threads) * static_cast<std::size_t>(ranks));
 }
 
 std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
