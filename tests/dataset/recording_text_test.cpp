@@ -1,10 +1,14 @@
 #include "rubsweep/dataset/recording_text.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <filesystem>
+#include <numbers>
 
+#include "rubsweep/error.hpp"
 #include "rubsweep/recording/delimited_text.hpp"
 #include "rubsweep/recording/matlab_file.hpp"
 
@@ -52,7 +56,46 @@ TEST(RecordingText, MatlabFileHoldsTheNumbersAsTheyAre) {
 }
 
 TEST(RecordingText, RefusesADirectoryThatIsNotThere) {
-  EXPECT_ANY_THROW(write_recording_matlab(recording_of(true), "/nowhere/recording.mat"));
+  EXPECT_THROW(write_recording_matlab(recording_of(true), "/nowhere/recording.mat"), IoError);
+}
+
+/// Files that may not grow beyond so many bytes, as on a full disk, while it lives.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t bytes) : on_large_file_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, on_large_file_);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*on_large_file_)(int);
+};
+
+TEST(RecordingText, MatlabFileThatDoesNotFitOnTheDiskIsRefusedAndLeavesNothing) {
+  const std::filesystem::path directory = std::filesystem::path(testing::TempDir()) / "recording_text_test_full";
+  std::filesystem::create_directory(directory);
+  LabelledRecording recording;
+  for (int k = 0; k < 5000; ++k) {
+    recording.t_s.push_back(1e-4 * k);
+    recording.x_m.push_back(1e-4 * std::sin(std::numbers::e * k));
+    recording.keyphasor_v.push_back(-2);
+  }
+  for (const rlim_t bytes : {rlim_t{0}, rlim_t{100}, rlim_t{5000}, rlim_t{20000}}) {
+    const SmallFiles small(bytes);
+    EXPECT_THROW(write_recording_matlab(recording, directory / "recording.mat"), IoError) << bytes;
+    EXPECT_TRUE(std::filesystem::is_empty(directory)) << bytes;
+  }
+  write_recording_matlab(recording, directory / "recording.mat");
+  EXPECT_GT(std::filesystem::file_size(directory / "recording.mat"), 20000u);
+  std::filesystem::remove_all(directory);
 }
 
 }  // namespace
