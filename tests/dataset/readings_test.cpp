@@ -47,17 +47,25 @@ TEST(Readings, AreTheMotionAtTheirTimes) {
 }
 
 TEST(Readings, MarkPassesOnceATurnWhereItStands) {
-  LabelledRecording recording = ellipse();
-  diagnose::RandomStream random(1, 0, 0);
-  read_motion(plain(), 0.25, random, recording);
-  int edges = 0;
-  for (std::size_t k = 1; k < recording.t_s.size(); ++k) {
-    if (!(recording.keyphasor_v[k] == mark_v && recording.keyphasor_v[k - 1] == no_mark_v)) continue;
-    ++edges;
-    const double turn = 50 * recording.t_s[k];
-    EXPECT_NEAR(turn - std::floor(turn), 0.25, 0.011);
+  // 5 is the fewest that a study may have.
+  for (const double readings_per_turn : {5.0, 7.3, 18.5, 100.0}) {
+    for (const double mark_turns : {0.0, 0.25, 0.66, 0.93}) {
+      LabelledRecording recording = ellipse();
+      diagnose::RandomStream random(1, 0, 0);
+      Measurement measurement = plain();
+      measurement.sampling_rate_hz = 50 * readings_per_turn;
+      read_motion(measurement, mark_turns, random, recording);
+      int passages = recording.keyphasor_v.front() == mark_v;
+      for (std::size_t k = 1; k < recording.t_s.size(); ++k) {
+        if (!(recording.keyphasor_v[k] == mark_v && recording.keyphasor_v[k - 1] == no_mark_v)) continue;
+        ++passages;
+        const double late = 50 * recording.t_s[k] - mark_turns;
+        EXPECT_LE(late - std::floor(late), 1 / readings_per_turn) << mark_turns;
+      }
+      // 20 turns, and where the mark is passing at their begin the end of one passage.
+      EXPECT_EQ(passages, mark_turns + mark_share > 1 ? 21 : 20) << readings_per_turn << ' ' << mark_turns;
+    }
   }
-  EXPECT_EQ(edges, 20);
 }
 
 TEST(Readings, NoiseAndGainAreThoseThatAreSaid) {

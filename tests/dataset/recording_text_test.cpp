@@ -45,6 +45,18 @@ TEST(RecordingText, IsReadAsARecording) {
   }
 }
 
+TEST(RecordingText, TimesOfALongRecordingAtAHighRateAreThose) {
+  LabelledRecording written;
+  for (int k = 500000; k < 500100; ++k) {
+    written.t_s.push_back(k / 51200.0);
+    written.x_m.push_back(1e-4);
+    written.keyphasor_v.push_back(-2);
+  }
+  const recording::Channels read = recording::read_delimited_text(recording_csv(written), "recording.csv");
+  for (std::size_t k = 0; k < written.t_s.size(); ++k)
+    EXPECT_NEAR(read.channels[0].values[k], written.t_s[k], 1e-6 / 51200);
+}
+
 TEST(RecordingText, MatlabFileHoldsTheNumbersAsTheyAre) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "recording_text_test.mat";
   for (const bool plane : {true, false}) {
@@ -80,7 +92,8 @@ class SmallFiles {
 };
 
 TEST(RecordingText, MatlabFileThatDoesNotFitOnTheDiskIsRefusedAndLeavesNothing) {
-  const std::filesystem::path directory = std::filesystem::path(testing::TempDir()) / "recording_text_test_full";
+  const std::filesystem::path directory =
+      std::filesystem::path(testing::TempDir()) / "recording_text_test_full";
   std::filesystem::create_directory(directory);
   LabelledRecording recording;
   for (int k = 0; k < 5000; ++k) {

@@ -86,7 +86,7 @@ std::string recording_csv(const LabelledRecording& recording) {
   const bool plane = !recording.y_m.empty();
   std::string text = plane ? "t_s,x_m,y_m,keyphasor_v\n" : "t_s,x_m,keyphasor_v\n";
   for (std::size_t k = 0; k < recording.t_s.size(); ++k) {
-    fmt::format_to(std::back_inserter(text), "{:.7g},{:.7g},", recording.t_s[k], recording.x_m[k]);
+    fmt::format_to(std::back_inserter(text), "{:.12g},{:.7g},", recording.t_s[k], recording.x_m[k]);
     if (plane) fmt::format_to(std::back_inserter(text), "{:.7g},", recording.y_m[k]);
     fmt::format_to(std::back_inserter(text), "{:.7g}\n", recording.keyphasor_v[k]);
   }

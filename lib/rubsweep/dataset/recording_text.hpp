@@ -7,7 +7,8 @@
 
 namespace rubsweep::dataset {
 
-/// t_s, x_m, y_m (of two probes), keyphasor_v: seven digits.
+/// t_s, x_m, y_m (of two probes), keyphasor_v: time with twelve digits, so that it goes on at
+/// every reading, and the others with seven.
 std::string recording_csv(const LabelledRecording& recording);
 
 /// Writes the same columns as variables of a MATLAB file, version 5, compressed; its head is the same in

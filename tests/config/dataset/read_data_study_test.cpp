@@ -61,6 +61,8 @@ TEST(ReadDataStudy, RefusesWithPlaceAndWhatIsAllowed) {
             std::string::npos);
   EXPECT_NE(fault(output + "measurement: {sampling_rate_hz: 100}\n").find("fewer than 5 times in a turn"),
             std::string::npos);
+  EXPECT_NE(fault(output + "measurement: {sampling_rate_hz: 1.1e6}\n").find("measurement.sampling_rate_hz: "),
+            std::string::npos);
   EXPECT_NE(
       fault(output + "machine: {natural_frequency_hz: [0, 30]}\n").find("machine.natural_frequency_hz: "),
       std::string::npos);

@@ -21,6 +21,8 @@ using rubsweep::dataset::Split;
 constexpr std::string_view root_form =
     "a map with recordings, machine, candidates, measurement, split, format, output";
 constexpr model::Range share{.low = 0, .high = 1}, noise{.low = 0, .high = 1, .low_open = true};
+/// The time of each reading is written with twelve digits.
+constexpr model::Range rate_hz{.low = 0, .high = 1e6, .low_open = true};
 
 /// Ranges of the machine that every candidate has.
 struct MachineRanges {
@@ -44,7 +46,7 @@ Measurement read_measurement(const yaml::Value& value) {
   yaml::Section section(value);
   Measurement measurement;
   section.field("turns", measurement.turns, yaml::IntegerRange{8, 1024});
-  section.field("sampling_rate_hz", measurement.sampling_rate_hz, model::positive);
+  section.field("sampling_rate_hz", measurement.sampling_rate_hz, rate_hz);
   section.field("probes", measurement.probes, yaml::IntegerRange{1, 2});
   read_spread(section, "noise_share", noise, true, measurement.noise_share);
   section.field("backward_1x_share", measurement.other_lines.backward_1x, share);
