@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rubdata_arguments.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
@@ -21,20 +22,20 @@ namespace {
 
 dataset::DataStudy read_study(const RubdataArguments& arguments) {
   dataset::DataStudy study = config::dataset::read_data_study_text(
-      config::yaml::read_config_bytes(arguments.study), arguments.study.string());
+      config::yaml::read_config_bytes(arguments.config), arguments.config.string());
   if (arguments.output) study.directory = *arguments.output;
   return study;
 }
 
 /// Makes what is missing; false when a signal came first.
 bool make_missing(const RubdataArguments& arguments, const dataset::DataStudy& study, dataset::DataSet& set) {
-  const std::size_t missing = set.missing().size();
-  if (missing == 0) return true;
+  const std::vector<std::size_t> missing = set.missing();
+  if (missing.empty()) return true;
   const auto all = static_cast<std::size_t>(study.recordings);
   const std::atomic<bool>& stop = catch_interrupts();
   std::mutex one_at_a_time;
   batch::Progress progress(all, arguments.quiet ? batch::ProgressMode::never : arguments.progress, stderr,
-                           all - missing);
+                           all - missing.size());
   const Watch watch(
       [&] {
         const std::lock_guard lock(one_at_a_time);
@@ -42,21 +43,20 @@ bool make_missing(const RubdataArguments& arguments, const dataset::DataStudy& s
       },
       // A recording takes a fraction of a second; each is waited for.
       [] {});
-  set.make(
-      arguments.threads,
+  return set.make(
+      missing, arguments.threads,
       [&] {
         const std::lock_guard lock(one_at_a_time);
         progress.advance();
       },
       stop);
-  return set.missing().empty();
 }
 
 int perform(const RubdataArguments& arguments) {
   if (answered("rubdata", arguments.action, rubdata_help)) return done;
   const dataset::DataStudy study = read_study(arguments);
   if (arguments.action == Action::check) {
-    print("{}: ok, {} recordings\n", arguments.study.string(), study.recordings);
+    print("{}: ok, {} recordings\n", arguments.config.string(), study.recordings);
     return done;
   }
   batch::require_threads(arguments.threads, 1);

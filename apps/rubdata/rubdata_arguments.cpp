@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
 #include "shared/command_line.hpp"
-#include "shared/program.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -40,27 +37,18 @@ std::string rubdata_help() {
       "  training, validation, test   the recordings, tables or MATLAB files; no machine is in two of them\n"
       "  instrument.yaml      reads each of them with rubscope\n"
       "  recordings.journal   what is finished, to go on from\n\n"
-      "The same study gives the same bytes, whatever the number of threads. Ctrl-C keeps finished "
+      "The same study and build give the same bytes, whatever the number of threads. Ctrl-C keeps finished "
       "recordings; "
       "the same command goes on.\n\n"
-      "Exit codes: 0 done; 1 usage; 2 a study that cannot be used, or a directory of another one; 3 "
+      "Exit codes: 0 done; 1 usage; 2 a study that cannot be used, or a directory of another study or build; 3 "
       "input/output; 6 another process is at work there; 128+signal when interrupted.\n",
       text_of(visible_options()));
 }
 
 RubdataArguments parse_rubdata_arguments(int argc, const char* const* argv) {
-  po::options_description all = visible_options();
-  all.add_options()("study", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("study", -1);
-  const po::variables_map given = read_command_line(argc, argv, all, positional);
-  RubdataArguments arguments{.action = action_of(given), .quiet = given.count("quiet") > 0};
+  const po::variables_map given = read_study_command_line(argc, argv, visible_options());
+  RubdataArguments arguments{study_arguments(given, "rubdata")};
   if (arguments.action == Action::help || arguments.action == Action::version) return arguments;
-  const auto names =
-      given.count("study") ? given["study"].as<std::vector<std::string>>() : std::vector<std::string>{};
-  if (names.size() != 1) throw UsageError("one study is needed: rubdata STUDY.yaml");
-  arguments.study = names.front();
-  if (given.count("output")) arguments.output = given["output"].as<std::string>();
   arguments.threads = threads_of(given);
   arguments.progress = progress_of(given);
   return arguments;

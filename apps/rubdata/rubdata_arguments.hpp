@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
 
 #include "rubsweep/batch/progress.hpp"
@@ -9,11 +7,7 @@
 
 namespace rubsweep::apps {
 
-struct RubdataArguments {
-  Action action = Action::run;
-  bool quiet = false;
-  std::filesystem::path study = {};
-  std::optional<std::filesystem::path> output = {};
+struct RubdataArguments : StudyArguments {
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;
 };

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# rubdata: the same bytes from any number of threads and after an interruption, labels that rubscope confirms, and what
-# it refuses. The first argument is rubdata, the fourth rubscope.
+# rubdata: the same bytes from any number of threads and after an interruption, the same numbers in MATLAB files,
+# recordings that rubscope reads, and what it refuses. The first argument is rubdata, the fourth rubscope.
 source "$(dirname "$0")/support.sh"
 scope=$4
 config=$top/configs/recordings/rub_recordings.yaml
@@ -41,33 +41,65 @@ rm three/labels.csv "three/$(cd one && find . -name '000002.csv')"
 expect_exit 0 study.yaml --output three --quiet
 diff -r --exclude=recordings.journal one three || fail 'other bytes after an interruption'
 
-# rubscope reads a recording with the description of the set, and sees what the label says.
-file=$(cd one && find . -name '000000.csv')
-"$scope" "one/$file" --instrument one/instrument.yaml --output seen >scope_stdout
-expect_contains scope_stdout 'synchronous'
+# Ctrl-C keeps what is finished, and the same command goes on. With job control, background jobs do not ignore SIGINT.
+set -m
+sed 's/^recordings: .*/recordings: 60/' study.yaml >long.yaml
+"$rubsweep" long.yaml --output long --threads 1 >stdout 2>stderr </dev/null &
+pid=$!
+until [[ -n $(find long -name '*.csv' 2>/dev/null | head -n 1) ]]; do
+  kill -0 "$pid" 2>/dev/null || fail 'ended without a recording'
+  sleep 0.02
+done
+kill -INT "$pid"
+code=0
+wait "$pid" || code=$?
+set +m
+[[ $code == 130 ]] || fail "exit code $code, expected 130"
+[[ $(<stderr) == 'rubdata: interrupted; finished recordings are kept, the same command goes on' ]] || fail 'another message'
+expect_missing long/labels.csv
+kept=$(find long -name '*.csv' | wc -l)
+((kept >= 1 && kept < 60)) || fail "$kept recordings after Ctrl-C"
+expect_exit 0 long.yaml --output long --quiet
+[[ $(find long -name '0000*.csv' | wc -l) == 60 ]] || fail 'another number of recordings'
+# The first 15 are those of the shorter set.
+for file in $(cd one && find . -name '0000*.csv'); do expect_same "one/$file" "long/$file"; done
 
-# MATLAB files have the same numbers.
+# rubscope reads every recording with the description of the set, and finds the speed of its label.
+while IFS=, read -r file speed; do
+  "$scope" "one/$file" --instrument one/instrument.yaml --output seen --quiet
+  [[ $(count_rows seen/measures.csv "quantity == 'speed_hz' and abs(value / $speed - 1) < 1e-3") == 1 ]] ||
+    fail "$file has another speed than $speed Hz: $(<seen/measures.csv)"
+done < <(cells one/labels.csv file speed_hz | tail -n +2)
+
+# MATLAB files have the same numbers: labels agree but for the names of the files, and so does what rubscope reads, up to
+# the digits of a table.
 sed 's/^format: csv/format: matlab/' study.yaml >matlab.yaml
 expect_exit 0 matlab.yaml --output four --quiet
 expect_exit 0 matlab.yaml --output five --quiet --threads 1
 diff -r --exclude=recordings.journal four five || fail 'MATLAB files of other bytes'
-"$scope" "four/${file%.csv}.mat" --instrument four/instrument.yaml --output seen_matlab >scope_stdout
-expect_contains scope_stdout 'synchronous'
+expect_same <(grep -v '^#' one/labels.csv) <(grep -v '^#' four/labels.csv | sed 's/[.]mat,/.csv,/')
+file=$(cells one/labels.csv file | tail -n 1)
+"$scope" "four/${file%.csv}.mat" --instrument four/instrument.yaml --output seen_matlab --quiet
+expect_same <(cells seen/measures.csv quantity) <(cells seen_matlab/measures.csv quantity)
+paste -d, <(cells seen/measures.csv value) <(cells seen_matlab/measures.csv value) | awk -F, '
+  NR > 1 && $1 != $2 && ($1 - $2) ^ 2 > (1e-5 * $1) ^ 2 { print "measures differ: " $0; bad = 1 } END { exit bad }' ||
+  fail 'rubscope reads other numbers'
 
 # Nothing is written on bad input, and a directory of another study is left alone.
-sed 's/noise_share: .*/noise_share: [0, 1.0e-2]/' study.yaml >noise.yaml
-expect_exit 2 noise.yaml --output none
-expect_contains stderr 'noise.yaml:31:16: measurement.noise_share: '
-expect_missing none
-sed 's/offset_ratio/ofset_ratio/' study.yaml >key.yaml
-expect_exit 2 key.yaml --output none
-expect_contains stderr "did you mean 'offset_ratio'?"
-sed 's/sampling_rate_hz: 5000/sampling_rate_hz: 500/' study.yaml >slow.yaml
-expect_exit 2 slow.yaml --output none
-expect_contains stderr 'reads fewer than 5 times in a turn'
-expect_missing none
+# refuse SED_SCRIPT TEXT: the study with this change is refused with this text.
+refuse() {
+  sed "$1" study.yaml >bad.yaml
+  expect_exit 2 bad.yaml --output none
+  expect_contains stderr "$2"
+  expect_missing none
+}
+refuse 's/noise_share: .*/noise_share: [0, 1.0e-2]/' 'bad.yaml:31:16: measurement.noise_share: '
+refuse 's/offset_ratio/ofset_ratio/' "did you mean 'offset_ratio'?"
+refuse 's/sampling_rate_hz: 5000/sampling_rate_hz: 500/' 'reads fewer than 5 times in a turn'
+refuse 's/kind: two_sides/kind: two_sides\n    name: "two\\nlines"/' 'candidates.2.name: is no name, allowed: one line of text'
 sed 's/^seed: 1/seed: 2/' study.yaml >other.yaml
 expect_exit 2 other.yaml --output one
-expect_contains stderr 'one: holds a data set of another study or version'
+expect_contains stderr 'one: holds a data set of another study or build of the program'
 diff -r --exclude=recordings.journal one two || fail 'a refused study changed the set'
-expect_usage_error 'one study is needed'
+expect_usage_error 'a configuration file is needed: rubdata CONFIG.yaml'
+expect_usage_error '--output: allowed: the name of a directory' study.yaml --output ''

@@ -31,19 +31,20 @@ class DataSetTest : public testing::Test {
   DataStudy study_ = small_study();
 };
 
+const auto nothing = [] {};
+
 TEST_F(DataSetTest, GoesOnWhereItWasStopped) {
   {
     DataSet set(study_, "rubdata 0");
     std::atomic<bool> stop{false};
     int finished = 0;
-    set.make(
-        1, [&] { stop = ++finished == 2; }, stop);
+    EXPECT_FALSE(set.make(
+        set.missing(), 1, [&] { stop = ++finished == 2; }, stop));
     EXPECT_EQ(set.missing().size(), 4u);
   }
   DataSet set(study_, "rubdata 0");
   EXPECT_EQ(set.missing().size(), 4u);
-  set.make(
-      1, [] {}, std::atomic<bool>{false});
+  EXPECT_TRUE(set.make(set.missing(), 1, nothing, std::atomic<bool>{false}));
   EXPECT_TRUE(set.missing().empty());
   set.finish();
   const std::string labels = text_of(study_.directory / "labels.csv");
@@ -53,8 +54,7 @@ TEST_F(DataSetTest, GoesOnWhereItWasStopped) {
 
 TEST_F(DataSetTest, MissesARecordingWhoseFileIsGone) {
   DataSet set(study_, "rubdata 0");
-  set.make(
-      1, [] {}, std::atomic<bool>{false});
+  set.make(set.missing(), 1, nothing, std::atomic<bool>{false});
   for (const auto& entry : fs::recursive_directory_iterator(study_.directory))
     if (entry.path().filename() == "000003.csv") {
       fs::remove(entry.path());
@@ -63,9 +63,9 @@ TEST_F(DataSetTest, MissesARecordingWhoseFileIsGone) {
   EXPECT_EQ(set.missing(), std::vector<std::size_t>{3});
 }
 
-TEST_F(DataSetTest, RefusesTheDirectoryOfAnotherStudyOrVersion) {
+TEST_F(DataSetTest, RefusesTheDirectoryOfAnotherStudyOrBuild) {
   { const DataSet set(study_, "rubdata 0"); }
-  EXPECT_THROW(DataSet(study_, "rubdata 1"), ConfigError);
+  EXPECT_THROW(DataSet(study_, "rubdata 0", "another digest"), ConfigError);
   study_.seed = 2;
   EXPECT_THROW(DataSet(study_, "rubdata 0"), ConfigError);
 }

@@ -23,8 +23,7 @@ Point middle_of(Cause cause) {
 constexpr FixedNumbers fixed{.rotor_mass_kg = 0.8};
 
 TEST(DrawnMachine, EveryCauseGivesAMachineThatIsAllowed) {
-  for (const Cause cause :
-       {Cause::no_rub, Cause::one_side, Cause::two_sides, Cause::annular, Cause::annular_offset})
+  for (const Cause cause : all_causes)
     EXPECT_NO_THROW(model::validate(drawn_machine(cause, middle_of(cause), 1e-4, fixed))) << to_string(cause);
 }
 

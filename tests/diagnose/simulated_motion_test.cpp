@@ -32,18 +32,25 @@ std::optional<SimulatedMotion> run(double speed_hz, double whirl_ratio, double k
   response::motion::Workspace workspace;
   return simulate_motion(
       drawn_machine(Cause::one_side, values_of(whirl_ratio, kick_ratio), 1e-3, {.rotor_mass_kg = 0.8}),
-      speed_hz, scene::WhirlRatio{whirl_ratio}, turns, {}, workspace);
+      speed_hz, scene::WhirlRatio{whirl_ratio}, turns, workspace);
 }
 
 TEST(SimulatedMotion, WithoutContactIsTheCircleOfTheUnbalance) {
   const auto motion = run(70, 0.3, 1e-3, 4);
   ASSERT_TRUE(motion);
   EXPECT_FALSE(motion->rubs);
+  EXPECT_TRUE(motion->kicked);
   ASSERT_EQ(motion->displacement_m.size(), std::size_t{4 * samples_per_revolution});
   // A thousandth of the tap is left, of a thousandth of the clearance.
   for (const auto z : motion->displacement_m) EXPECT_NEAR(std::abs(z), 0.3e-3, 1e-8);
   const double r = 70.0 / 30;
   EXPECT_NEAR(motion->eccentricity_m * r * r / std::hypot(1 - r * r, 2 * 0.02 * r), 0.3e-3, 1e-9);
+}
+
+TEST(SimulatedMotion, OfAWhirlThatTouchesIsNotKicked) {
+  const auto motion = run(70, 1.2, 1, 4);
+  ASSERT_TRUE(motion);
+  EXPECT_FALSE(motion->kicked);
 }
 
 TEST(SimulatedMotion, FreeVibrationHasDecayedAfterTheTurnsThatAreSaid) {

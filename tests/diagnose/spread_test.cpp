@@ -19,11 +19,5 @@ TEST(Spread, ReachesFromBoundToBound) {
 
 TEST(Spread, OfEqualBoundsIsKnown) { EXPECT_EQ(value_at({0, 0, true}, 0.3), 0); }
 
-TEST(Spread, ContainsItsBounds) {
-  EXPECT_TRUE(contains({2, 8}, 2));
-  EXPECT_TRUE(contains({2, 8}, 8));
-  EXPECT_FALSE(contains({2, 8}, 8.1));
-}
-
 }  // namespace
 }  // namespace rubsweep::diagnose

@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-batch::JournalHeader header_of(const DataStudy& study, const std::string& program) {
+batch::JournalHeader header_of(const DataStudy& study, std::string program_digest) {
   batch::JournalHeader header;
   header.study = study_text(study);
   batch::Sha256 sum;
   sum.add(header.study);
   header.study_digest = sum.digits();
-  header.program_digest = program;
+  header.program_digest = std::move(program_digest);
   header.cells = static_cast<std::size_t>(study.recordings);
   return header;
 }
@@ -38,8 +38,9 @@ fs::path made(const fs::path& directory) {
 /// Refuses a directory with recordings of something else.
 fs::path checked(const fs::path& journal, const batch::JournalHeader& header) {
   if (fs::exists(journal) && !batch::same_results(batch::read_journal_header(journal), header))
-    throw ConfigError(journal.parent_path().string() +
-                      ": holds a data set of another study or version, allowed: another directory");
+    throw ConfigError(
+        journal.parent_path().string() +
+        ": holds a data set of another study or build of the program, allowed: another directory");
   return journal;
 }
 
@@ -60,10 +61,10 @@ void write_recording(const DataStudy& study, const LabelledRecording& recording)
 
 }  // namespace
 
-DataSet::DataSet(const DataStudy& study, std::string program)
+DataSet::DataSet(const DataStudy& study, std::string program, std::string program_digest)
     : study_(study),
       program_(std::move(program)),
-      header_(header_of(study, program_)),
+      header_(header_of(study, std::move(program_digest))),
       lock_(made(study.directory) / "recordings.lock", batch::LockMode::exclusive, program_),
       journal_(checked(journal_path(), header_), header_) {}
 
@@ -80,10 +81,10 @@ std::vector<std::size_t> DataSet::missing() const {
   return missing;
 }
 
-void DataSet::make(int threads, const std::function<void()>& on_finished, const std::atomic<bool>& stop) {
-  const std::vector<std::size_t> wanted = missing();
+bool DataSet::make(const std::vector<std::size_t>& wanted, int threads,
+                   const std::function<void()>& on_finished, const std::atomic<bool>& stop) {
   std::vector<std::string> labels(wanted.size());
-  batch::parallel_run(
+  const std::size_t made = batch::parallel_run(
       wanted.size(), threads,
       [&](std::size_t i) {
         thread_local response::motion::Workspace workspace;
@@ -97,6 +98,7 @@ void DataSet::make(int threads, const std::function<void()>& on_finished, const 
       },
       stop);
   journal_.sync();
+  return made == wanted.size();
 }
 
 void DataSet::finish() {

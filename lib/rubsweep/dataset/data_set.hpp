@@ -10,6 +10,7 @@
 #include "rubsweep/batch/file_lock.hpp"
 #include "rubsweep/batch/journal.hpp"
 #include "rubsweep/dataset/data_study.hpp"
+#include "rubsweep/dataset/set_digest.hpp"
 
 namespace rubsweep::dataset {
 
@@ -18,15 +19,17 @@ namespace rubsweep::dataset {
 class DataSet {
  public:
   /// Makes the directories. `program`: name and version of who writes. Throws ConfigError where the directory
-  /// holds a set of another study or version, LockedError where another process is at work there, IoError.
-  DataSet(const DataStudy& study, std::string program);
+  /// holds a set of another study or build, LockedError where another process is at work there, IoError.
+  DataSet(const DataStudy& study, std::string program, std::string program_digest = set_digest);
 
   /// Recordings that are not there yet, ascending.
   std::vector<std::size_t> missing() const;
 
-  /// Makes missing recordings on so many threads (0: all processors); `on_finished` after each, one at a
-  /// time. Once `stop` is true no new one begins. Throws IoError, and SolverError where one cannot be made.
-  void make(int threads, const std::function<void()>& on_finished, const std::atomic<bool>& stop);
+  /// Makes the recordings of these numbers on so many threads (0: all processors); `on_finished` after each,
+  /// one at a time. Once `stop` is true no new one begins; false where it kept some from being made. Throws
+  /// IoError, and SolverError where one cannot be made.
+  bool make(const std::vector<std::size_t>& wanted, int threads, const std::function<void()>& on_finished,
+            const std::atomic<bool>& stop);
 
   /// Writes labels.csv, README.md and instrument.yaml once nothing is missing. Throws IoError.
   void finish();

@@ -21,9 +21,8 @@ std::string text_of(const diagnose::Spread& spread) {
 std::string ranges_of(const diagnose::Candidate& candidate) {
   std::string text;
   for (const diagnose::UnknownRow& row : diagnose::unknown_rows())
-    if (row.unknown != diagnose::Unknown::sight)
-      fmt::format_to(std::back_inserter(text), "  {}: {}\n", row.key,
-                     text_of(spread_of(candidate, row.unknown)));
+    fmt::format_to(std::back_inserter(text), "  {}: {}\n", row.key,
+                   text_of(spread_of(candidate, row.unknown)));
   fmt::format_to(std::back_inserter(text), "  clearance_m: {}\n", text_of(candidate.clearance_m));
   return text;
 }
@@ -68,7 +67,7 @@ std::string datasheet(const DataStudy& study, const std::string& program) {
       "Each probe reads its direction times its gain, with white noise. Lines at -1X, 2X and 3X that no "
       "rub makes (run-out, supports, couplings) are added to every motion; they are smaller than the shares "
       "below of its size, its root mean square about the mean.\n\n"
-      "The same study and version of the program give the same bytes, whatever the number of threads.\n\n",
+      "The same study and build of the program give the same bytes, whatever the number of threads.\n\n",
       study.recordings, (study.recordings + study.recordings_per_machine - 1) / study.recordings_per_machine,
       program, diagnose::most_turns_touching);
   fmt::format_to(

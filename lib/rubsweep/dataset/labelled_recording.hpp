@@ -14,12 +14,12 @@ namespace rubsweep::dataset {
 struct LabelledRecording {
   std::size_t index = 0, machine = 0, candidate = 0;
   std::string_view part{};  ///< training, validation or test, the same for all recordings of a machine
-  int draws = 1;            ///< until a drawn machine could be simulated; nearly always 1
   diagnose::Point values{};
   double speed_hz = 0, clearance_m = 0, stop_angle_deg = 0;
-  double noise_m = 0;                                      ///< standard deviation of every reading
-  std::vector<double> gain{};                              ///< of each probe
-  diagnose::SimulatedMotion motion{};                      ///< label; its samples are used up
+  double mark_turns = 0;               ///< of the shaft, from the first reading to the mark
+  double noise_m = 0;                  ///< standard deviation of every reading
+  std::vector<double> gain{};          ///< of each probe
+  diagnose::SimulatedMotion motion{};  ///< label; its samples are used up
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: of two probes
 };
 

@@ -30,6 +30,12 @@ std::string of_stop(const DataStudy& study, const LabelledRecording& recording) 
   return touches(study, recording) ? number(value_of(recording.values, unknown)) : "";
 }
 
+std::string of_kick(const LabelledRecording& recording, double value) {
+  return recording.motion.kicked ? number(value) : "";
+}
+
+double within_a_turn(double angle_deg) { return angle_deg - 360 * std::floor(angle_deg / 360); }
+
 template <Unknown unknown, Cause cause>
 std::string of_cause(const DataStudy& study, const LabelledRecording& recording) {
   return study.candidates[recording.candidate].cause == cause ? number(value_of(recording.values, unknown))
@@ -76,6 +82,10 @@ const std::vector<Column>& columns() {
       {{"casing_mass_kg", "mass behind each stop"}, of_stop<Unknown::casing_mass>},
       {{"casing_frequency_hz", "natural frequency of that mass on its mount"},
        of_stop<Unknown::casing_frequency>},
+      {{"casing_damping_ratio", "damping ratio of that mass on its mount"},
+       [](S s, R r) { return touches(s, r) ? number(s.fixed.casing_damping_ratio) : std::string(); }},
+      {{"contact_radius_m", "radius of the shaft where it rubs"},
+       [](S s, R r) { return touches(s, r) ? number(s.fixed.contact_radius_m) : std::string(); }},
       {{"second_clearance_ratio", "clearance of the second stop over that of the first"},
        of_cause<Unknown::second_clearance_ratio, Cause::two_sides>},
       {{"offset_ratio", "offset of an annular stop over its clearance"},
@@ -86,12 +96,23 @@ const std::vector<Column>& columns() {
          const Cause cause = s.candidates[r.candidate].cause;
          return touches(s, r) && cause != Cause::annular ? number(r.stop_angle_deg) : std::string();
        }},
+      {{"kick_ratio",
+        "velocity that the kick gave, over clearance times natural angular frequency; empty: no kick"},
+       [](S, R r) { return of_kick(r, value_of(r.values, Unknown::kick_ratio)); }},
+      {{"kick_angle_deg", "direction of the kick, from +x to +y"},
+       [](S, R r) {
+         return of_kick(r, within_a_turn(r.stop_angle_deg + value_of(r.values, Unknown::kick_angle)));
+       }},
+      {{"kick_phase_deg", "turn of the shaft from the smallest gap at the first stop to the kick"},
+       [](S, R r) { return of_kick(r, value_of(r.values, Unknown::kick_phase)); }},
       {{"contact_fraction", "share of the time in contact"},
        [](S, R r) { return number(r.motion.contact.contact_fraction); }},
       {{"peak_force_n", "largest normal force at one stop"},
        [](S, R r) { return number(r.motion.contact.peak_contact_force_n); }},
       {{"noise_m", "standard deviation of the white noise of every reading"},
        [](S, R r) { return number(r.noise_m); }},
+      {{"mark_deg", "turn of the shaft from the first reading until the mark comes to the keyphasor"},
+       [](S, R r) { return number(360 * r.mark_turns); }},
       {{"gain_x", "gain of the probe in x, 1 being right"}, [](S, R r) { return number(r.gain[0]); }},
       {{"gain_y", "gain of the probe in y"},
        [](S, R r) { return r.gain.size() > 1 ? number(r.gain[1]) : std::string(); }},

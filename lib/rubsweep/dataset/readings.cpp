@@ -23,7 +23,7 @@ std::vector<double> read(const std::vector<std::complex<double>>& motion, bool y
 
 }  // namespace
 
-void read_motion(const Measurement& measurement, double mark_turns, diagnose::RandomStream& random,
+void read_motion(const Measurement& measurement, diagnose::RandomStream& random,
                  LabelledRecording& recording) {
   std::vector<std::complex<double>>& motion = recording.motion.displacement_m;
   const double size_m = diagnose::size_of(motion);
@@ -36,7 +36,7 @@ void read_motion(const Measurement& measurement, double mark_turns, diagnose::Ra
     if (turn * samples_per_revolution > samples) break;
     turns.push_back(turn);
     recording.t_s.push_back(t_s);
-    const double since_mark = turn - mark_turns - std::floor(turn - mark_turns);
+    const double since_mark = turn - recording.mark_turns - std::floor(turn - recording.mark_turns);
     recording.keyphasor_v.push_back(since_mark < mark_share ? mark_v : no_mark_v);
   }
   for (std::size_t probe = 0; probe < recording.gain.size(); ++probe) {

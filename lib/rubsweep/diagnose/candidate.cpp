@@ -42,7 +42,6 @@ const std::array<UnknownRow, unknown_count>& unknown_rows() {
       {Unknown::kick_phase, "kick_phase_deg", model::any_finite, {0, 360, false}, false, false},
       {Unknown::second_clearance_ratio, "second_clearance_ratio", model::positive, {0.7, 1.43, true}, true},
       {Unknown::offset_ratio, "offset_ratio", ratio, {0.15, 0.9, false}, false},
-      {Unknown::sight, "sight_deg", model::any_finite, {-180, 180, false}, false, false},
   }};
   return rows;
 }
@@ -71,9 +70,7 @@ Candidate usual_candidate(Cause cause) {
 
 std::vector<Candidate> usual_candidates() {
   std::vector<Candidate> candidates;
-  for (const Cause cause :
-       {Cause::no_rub, Cause::one_side, Cause::two_sides, Cause::annular, Cause::annular_offset})
-    candidates.push_back(usual_candidate(cause));
+  for (const Cause cause : all_causes) candidates.push_back(usual_candidate(cause));
   return candidates;
 }
 

@@ -19,6 +19,8 @@ enum class Cause {
   annular,        ///< a round stop about the rest position
   annular_offset  ///< a round stop whose centre is somewhere else
 };
+inline constexpr std::array all_causes{Cause::no_rub, Cause::one_side, Cause::two_sides, Cause::annular,
+                                       Cause::annular_offset};
 std::string_view to_string(Cause cause);
 
 /// Numbers that a recording alone does not tell. Angles count from the stop, as the machine looks the same
@@ -36,10 +38,9 @@ enum class Unknown : std::size_t {
   kick_angle,              ///< degrees from the stop
   kick_phase,              ///< of the shaft, degrees
   second_clearance_ratio,  ///< two_sides: clearance of the second stop / that of the first one
-  offset_ratio,            ///< annular_offset: offset / clearance
-  sight                    ///< direction in which one probe looks, degrees from the stop
+  offset_ratio             ///< annular_offset: offset / clearance
 };
-inline constexpr std::size_t unknown_count = 14;
+inline constexpr std::size_t unknown_count = 13;
 
 /// A number for every unknown: its values, or places in the unit interval where its Spread has them.
 using Point = std::array<double, unknown_count>;
@@ -58,9 +59,8 @@ const std::array<UnknownRow, unknown_count>& unknown_rows();
 struct Candidate {
   std::string name;
   Cause cause = Cause::no_rub;
-  double weight = 1;  ///< share of its prior probability among all candidates, > 0
   std::array<Spread, unknown_count> spreads{};
-  Spread clearance_m{1e-5, 5e-3, true};
+  Spread clearance_m{};  ///< of the first stop; usual candidates have none, the study says it
 };
 
 Spread& spread_of(Candidate& candidate, Unknown unknown);
@@ -69,7 +69,7 @@ const Spread& spread_of(const Candidate& candidate, Unknown unknown);
 /// A candidate with the usual ranges; numbers that its stops do not have are known (bounds that are equal).
 Candidate usual_candidate(Cause cause);
 
-/// No rub, one flat stop, two of them, an annular stop centred and with offset.
+/// One of every cause.
 std::vector<Candidate> usual_candidates();
 
 /// Values at a place in the unit cube.

@@ -3,25 +3,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "rubsweep/numerics/split_mix.hpp"
+
 namespace rubsweep::diagnose {
-namespace {
 
-constexpr std::uint64_t golden = 0x9E3779B97F4A7C15;
-
-std::uint64_t mixed(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-  return z ^ (z >> 31);
-}
-
-}  // namespace
+using numerics::split_mix;
 
 RandomStream::RandomStream(std::uint64_t seed, std::uint64_t index, std::uint64_t purpose)
-    : state_(mixed(mixed(mixed(seed + golden) + index + golden) + purpose + golden)) {}
+    : state_(split_mix(split_mix(split_mix(seed) + index) + purpose)) {}
 
 std::uint64_t RandomStream::bits() {
-  state_ += golden;
-  return mixed(state_);
+  const std::uint64_t number = split_mix(state_);
+  state_ += numerics::split_mix_increment;
+  return number;
 }
 
 double RandomStream::uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }

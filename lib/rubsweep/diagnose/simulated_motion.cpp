@@ -42,24 +42,25 @@ int turns_to_decay(double natural_frequency_hz, double damping_ratio, double spe
 
 std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, double speed_hz,
                                                const scene::Unbalance& unbalance, int turns,
-                                               const SettlingOptions& options,
                                                response::motion::Workspace& workspace) {
   const scene::PreparedMachine prepared = scene::prepare_machine(machine);
   scene::Cell cell = scene::build_cell(prepared, speed_hz, unbalance);
   if (!scene::can_run(cell.start)) return std::nullopt;
   const integrate::run::SolverOptions solver;
   response::motion::ResponseOptions response;
-  response.max_revolutions = options.max_revolutions;
-  response.window_revolutions = options.window_revolutions;
+  response.max_revolutions = 400;
+  response.window_revolutions = 64;
   response.samples_per_revolution = samples_per_revolution;
-  response.exponent = options.exponent;
+  // Tells chaos from what is not decided, at a price.
+  response.exponent = true;
   const response::SettledRun settled = response::settle(cell, solver, response, workspace);
   if (settled.outcome != integrate::run::Outcome::ok) return std::nullopt;
   SimulatedMotion motion{.motion_class = settled.motion.motion_class,
                          .order = settled.motion.order,
                          .proof = settled.proof,
                          .eccentricity_m = cell.eccentricity_m,
-                         .whirl_ratio = cell.whirl_ratio};
+                         .whirl_ratio = cell.whirl_ratio,
+                         .kicked = !cell.scene.pulses.empty()};
   // Set back to revolution 0 the run would be kicked again.
   cell.scene.pulses.clear();
   const integrate::run::Run run = integrate::start(cell.scene, solver, workspace.modes);

@@ -15,13 +15,6 @@ namespace rubsweep::diagnose {
 
 inline constexpr int samples_per_revolution = 128;
 
-/// How long a motion is given to settle.
-struct SettlingOptions {
-  int max_revolutions = 160;
-  int window_revolutions = 32;
-  bool exponent = false;  ///< tells chaos from what is not decided, at a price
-};
-
 /// Turns of the shaft in which free vibration of a rotor falls to a thousandth: the verdict on a motion comes
 /// while it is still dying away.
 int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz);
@@ -41,14 +34,14 @@ struct SimulatedMotion {
   std::optional<response::motion::Proof> proof{};
   response::motion::ContactFacts contact{};  ///< over the recorded turns
   double eccentricity_m = 0, whirl_ratio = 0;
-  bool rubs = false;  ///< touched a stop in the recorded turns
+  bool kicked = false;  ///< false: it started at rest, as the quiet whirl touches a stop, or has no kick
+  bool rubs = false;    ///< touched a stop in the recorded turns
 };
 
 /// Runs a machine with a Jeffcott rotor from its start until its motion is known, on until its free vibration
 /// has died away, and then records so many turns. Empty where the run fails, or cannot start.
 std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, double speed_hz,
                                                const scene::Unbalance& unbalance, int turns,
-                                               const SettlingOptions& options,
                                                response::motion::Workspace& workspace);
 
 }  // namespace rubsweep::diagnose

@@ -10,6 +10,4 @@ double value_at(const Spread& spread, double unit) {
   return spread.low * std::pow(spread.high / spread.low, unit);
 }
 
-bool contains(const Spread& spread, double value) { return value >= spread.low && value <= spread.high; }
-
 }  // namespace rubsweep::diagnose

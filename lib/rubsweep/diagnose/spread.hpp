@@ -12,7 +12,4 @@ struct Spread {
 /// Value below which the number lies with probability `unit`, in [0, 1].
 double value_at(const Spread& spread, double unit);
 
-/// Whether the number may have this value.
-bool contains(const Spread& spread, double value);
-
 }  // namespace rubsweep::diagnose

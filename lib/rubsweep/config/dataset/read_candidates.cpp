@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "rubsweep/config/dataset/spread_field.hpp"
 #include "rubsweep/config/yaml/section.hpp"
+#include "rubsweep/config/yaml/text.hpp"
 
 namespace rubsweep::config::dataset {
 namespace {
@@ -14,12 +18,12 @@ using diagnose::Candidate;
 using diagnose::Cause;
 using diagnose::Unknown;
 
-constexpr std::array<Cause, 5> causes{Cause::no_rub, Cause::one_side, Cause::two_sides, Cause::annular,
-                                      Cause::annular_offset};
-const std::array<std::string_view, 5>& words() {
-  static const std::array<std::string_view, 5> all{to_string(causes[0]), to_string(causes[1]),
-                                                   to_string(causes[2]), to_string(causes[3]),
-                                                   to_string(causes[4])};
+const auto& words() {
+  static const auto all = [] {
+    std::array<std::string_view, diagnose::all_causes.size()> words;
+    std::ranges::transform(diagnose::all_causes, words.begin(), diagnose::to_string);
+    return words;
+  }();
   return all;
 }
 
@@ -31,17 +35,28 @@ bool has(Cause cause, const diagnose::UnknownRow& row) {
   return true;
 }
 
-Candidate read_candidate(const yaml::Value& value, Candidate (*usual)(Cause)) {
+/// Reads the name, which is a cell of a table.
+void read_name(const yaml::Value& value, std::string& name) {
+  const auto text = yaml::read_text(value);
+  if (!text) return;
+  if (std::ranges::any_of(*text, yaml::is_control)) {
+    yaml::refuse(value, "is no name", "one line of text");
+  } else {
+    name = *text;
+  }
+}
+
+std::optional<Candidate> read_candidate(const yaml::Value& value) {
   if (value.node.kind == yaml::Node::Kind::scalar) {
     const auto index = yaml::read_word(value, words());
-    return usual(causes[index.value_or(0)]);
+    if (!index) return std::nullopt;
+    return diagnose::usual_candidate(diagnose::all_causes[*index]);
   }
   yaml::Section section(value, "the word of a kind, or a map with kind and ranges");
   const auto index = section.require_kind("kind", words());
-  if (!index) return usual(Cause::no_rub);
-  Candidate candidate = usual(causes[*index]);
-  if (const auto name = section.find("name")) candidate.name = yaml::read_text(*name).value_or("");
-  section.field("weight", candidate.weight, model::positive);
+  if (!index) return std::nullopt;
+  Candidate candidate = diagnose::usual_candidate(diagnose::all_causes[*index]);
+  if (const auto name = section.find("name")) read_name(*name, candidate.name);
   if (candidate.cause != Cause::no_rub)
     read_spread(section, "clearance_m", model::positive, true, candidate.clearance_m);
   for (const diagnose::UnknownRow& row : diagnose::unknown_rows())
@@ -53,16 +68,17 @@ Candidate read_candidate(const yaml::Value& value, Candidate (*usual)(Cause)) {
 
 }  // namespace
 
-std::vector<Candidate> read_candidates(const yaml::Value& value, Candidate (*usual)(Cause)) {
+std::vector<Candidate> read_candidates(const yaml::Value& value) {
   constexpr std::size_t most = 20;
   std::vector<Candidate> candidates;
   const auto items = yaml::read_list(value, most);
   if (!items) return candidates;
   for (const yaml::Value& item : *items) {
-    candidates.push_back(read_candidate(item, usual));
-    const std::string& name = candidates.back().name;
-    if (std::ranges::count(candidates, name, &Candidate::name) > 1)
-      yaml::refuse(item, "has the name '" + name + "' as another candidate", "a name of its own");
+    auto candidate = read_candidate(item);
+    if (!candidate) continue;
+    if (std::ranges::count(candidates, candidate->name, &Candidate::name) > 0)
+      yaml::refuse(item, "has the name '" + candidate->name + "' as another candidate", "a name of its own");
+    candidates.push_back(*std::move(candidate));
   }
   return candidates;
 }

@@ -7,10 +7,8 @@
 
 namespace rubsweep::config::dataset {
 
-/// Reads a list of candidates, each the word of a cause or a map with kind, name, weight, clearance_m and the
-/// keys of diagnose::unknown_rows that its stops have. `usual` makes the ranges that a candidate does not
-/// say.
-std::vector<diagnose::Candidate> read_candidates(const yaml::Value& value,
-                                                 diagnose::Candidate (*usual)(diagnose::Cause));
+/// Reads a list of candidates, each the word of a cause or a map with kind, name, clearance_m and the keys of
+/// diagnose::unknown_rows that its stops have; other ranges are the usual ones.
+std::vector<diagnose::Candidate> read_candidates(const yaml::Value& value);
 
 }  // namespace rubsweep::config::dataset

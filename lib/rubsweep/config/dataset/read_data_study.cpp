@@ -94,14 +94,7 @@ DataStudy read_root(const yaml::Value& root) {
   if (const auto value = section.find("machine")) machine = read_machine(*value, study.fixed);
   read_spread(section, "speed_ratio", model::positive, false, study.speed_ratio);
   study.candidates = diagnose::usual_candidates();
-  for (diagnose::Candidate& candidate : study.candidates) candidate.clearance_m = machine.clearance_m;
-  if (const auto value = section.find("candidates")) {
-    study.candidates = read_candidates(*value, [](diagnose::Cause cause) {
-      diagnose::Candidate candidate = diagnose::usual_candidate(cause);
-      candidate.clearance_m = {};  // that of the machine, unless it has one of its own
-      return candidate;
-    });
-  }
+  if (const auto value = section.find("candidates")) study.candidates = read_candidates(*value);
   for (diagnose::Candidate& candidate : study.candidates) {
     spread_of(candidate, Unknown::natural_frequency) = machine.natural_frequency_hz;
     spread_of(candidate, Unknown::damping_ratio) = machine.damping_ratio;

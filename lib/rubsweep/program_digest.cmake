@@ -1,9 +1,9 @@
-# cmake -DFOLDER=map -DNAME=NAME -DLIBRARIES=A,B,... -DOUTPUT=FILE.cpp -P program_digest.cmake: writes the definition
+# cmake -DFOLDER=map -DNAME=NAME -DFILES=A,B,... -DOUTPUT=FILE.cpp -P program_digest.cmake: writes the definition
 # of NAME, which rubsweep/FOLDER/NAME.hpp declares.
-string(REPLACE "," ";" libraries "${LIBRARIES}")
+string(REPLACE "," ";" files "${FILES}")
 set(digests "")
-foreach(library IN LISTS libraries)
-  file(SHA1 "${library}" digest)
+foreach(file IN LISTS files)
+  file(SHA1 "${file}" digest)
   string(APPEND digests "${digest}")
 endforeach()
 string(SHA1 digest "${digests}")
