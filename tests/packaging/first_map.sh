@@ -41,6 +41,7 @@ for one in "$examples"/*.yaml "$examples"/*/*.yaml; do
   case $one in
     */stop.yaml) continue ;; # a part of others
     */ring_*) checked=ringstab ;;
+    */recordings/*) checked=rubdata ;;
     *) checked=rubsweep ;;
   esac
   "$checked" "$one" --check --quiet || { echo "$one: not accepted by $checked"; exit 1; }

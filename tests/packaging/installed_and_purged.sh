@@ -1,6 +1,7 @@
 #!/bin/sh
 # installed_and_purged.sh PACKAGE.deb, as root of a new Debian 12: installs it with what it recommends, lets somebody
-# without rights make a first map, and purges it. Ends with 1 if anything fails or stays.
+# without rights make a first map and go through the first ten minutes, and purges it. Ends with 1 if anything fails or
+# stays. Leaves /tmp/transcript.txt and /tmp/installed_files.txt, sizes in bytes with names.
 set -eu
 package=$1
 export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
@@ -11,19 +12,27 @@ files() {
     -o -path /var/lib/dpkg -o -path /var/cache -o -path /var/log \) -prune -o -print | sort
 }
 
-files >/tmp/before
 apt-get update -qq
-apt-get install -y -qq --install-recommends "$package" >/tmp/apt.log 2>&1 || { cat /tmp/apt.log; exit 1; }
+files >/tmp/before
+# Beside it what a minimal system lacks: readers of manual pages and of completion, which go with it.
+apt-get install -y -qq --install-recommends "$package" man-db bash-completion >/tmp/apt.log 2>&1 || { cat /tmp/apt.log; exit 1; }
 dpkg --verify rubsweep
 dpkg -L rubsweep >/tmp/listed
 echo "installed: $(wc -l </tmp/listed) files and folders, $(dpkg-query -W -f='${Installed-Size}' rubsweep) KiB"
 
-mkdir /tmp/work
-chown 65534:65534 /tmp/work
-setpriv --reuid=65534 --regid=65534 --clear-groups env -i PATH=/usr/bin:/bin HOME=/tmp/work LC_ALL=C.UTF-8 \
-  sh -c 'cd /tmp/work && sh /tmp/first_map.sh /usr/share/doc/rubsweep/examples "png svg pdf"'
+xargs -d '\n' stat -c '%F %s %n' </tmp/listed | sed -n 's/^regular file //p' | sort -rn >/tmp/installed_files.txt
 
-apt-get purge -y -qq rubsweep >/tmp/apt.log 2>&1 || { cat /tmp/apt.log; exit 1; }
+# as_somebody DIRECTORY COMMAND: without rights, in a new directory.
+as_somebody() {
+  mkdir "$1"
+  chown 65534:65534 "$1"
+  setpriv --reuid=65534 --regid=65534 --clear-groups env -i PATH=/usr/bin:/bin HOME="$1" LC_ALL=C.UTF-8 \
+    sh -c "cd $1 && $2"
+}
+as_somebody /tmp/work 'sh /tmp/first_map.sh /usr/share/doc/rubsweep/examples "png svg pdf"'
+as_somebody /tmp/begun 'sh /tmp/first_ten_minutes.sh /tmp' >/tmp/transcript.txt || { cat /tmp/transcript.txt; exit 1; }
+
+apt-get purge -y -qq rubsweep man-db bash-completion >/tmp/apt.log 2>&1 || { cat /tmp/apt.log; exit 1; }
 while read -r one; do
   case $one in
     *rubsweep* | */rub[a-z]*) [ ! -e "$one" ] || { echo "purged, and still there: $one"; exit 1; } ;;
