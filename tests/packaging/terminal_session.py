@@ -1,4 +1,4 @@
-"""What the screen shows while somebody types into bash: options, kinds of templates and files completed by the tabulator, and
+"""Screen of somebody who types into bash: options, kinds of templates and files completed by the tabulator, and
 the manual page. Ends with 1 where something else is shown. In a directory with my.yaml, with the programs in PATH and with
 bash-completion and man-db installed."""
 
