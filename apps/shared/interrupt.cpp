@@ -18,7 +18,7 @@
 namespace rubsweep::apps {
 namespace {
 
-constexpr std::chrono::milliseconds interval{100};
+constexpr std::chrono::milliseconds wake_interval{100};
 
 std::atomic<bool> stop{false};
 std::atomic<int> signal_number{0};
@@ -85,7 +85,7 @@ Watch::Watch(std::function<void()> tick, std::function<void()> leave) {
     std::condition_variable_any wake;
     std::unique_lock lock(mutex);
     std::optional<std::chrono::steady_clock::time_point> stopped;
-    while (!wake.wait_for(lock, ended, interval, [&] { return ended.stop_requested(); })) {
+    while (!wake.wait_for(lock, ended, wake_interval, [&] { return ended.stop_requested(); })) {
       const auto now = std::chrono::steady_clock::now();
       if (stop && !stopped) stopped = now;
       if (stopped && now - *stopped >= grace) {

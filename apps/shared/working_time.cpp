@@ -18,7 +18,7 @@
 namespace rubsweep::apps {
 namespace {
 
-constexpr std::chrono::seconds first_shown{2}, interval{1};
+constexpr std::chrono::seconds first_shown{2}, shown_interval{1};
 
 void put(const std::string& text) {
   std::fputs(text.c_str(), stderr);
@@ -38,7 +38,7 @@ void show(const std::stop_token& ended, const std::string& what) {
     set_open_line(true);
     put("\r" + line);
     width = line.size();
-    wait = interval;
+    wait = shown_interval;
   }
   if (width > 0) put(fmt::format("\r{:{}}\r", "", width));
   set_open_line(false);
@@ -51,9 +51,8 @@ WorkingTime::WorkingTime(std::string program, std::string work, bool shown) {
   // Signals are for the thread that works, which may hold them back while files are written.
   const InterruptsWait not_here;
   try {
-    thread_ = std::jthread([what = std::move(program) + ": " + std::move(work)](const std::stop_token& ended) {
-      show(ended, what);
-    });
+    thread_ = std::jthread([what = std::move(program) + ": " +
+                                   std::move(work)](const std::stop_token& ended) { show(ended, what); });
   } catch (const std::system_error&) {
     // Work that nobody can watch is better than none.
   }

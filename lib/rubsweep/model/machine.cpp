@@ -8,17 +8,11 @@
 #include <type_traits>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/model/magnitude.hpp"
+#include "rubsweep/model/require.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::model {
 namespace {
-
-void require(const std::string& path, double value, const Range& range) {
-  if (contains(range, value)) return;
-  if (std::isnan(value)) throw ConfigError(fmt::format("{}: missing, allowed: {}", path, describe(range)));
-  throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range, value)));
-}
 
 auto requiring(std::string prefix) {
   return [prefix = std::move(prefix)](const char* name, double value, const Range& range) {

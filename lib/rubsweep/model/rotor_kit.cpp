@@ -11,18 +11,12 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/model/disc_inertia.hpp"
-#include "rubsweep/model/magnitude.hpp"
+#include "rubsweep/model/require.hpp"
 #include "rubsweep/model/shaft_matrices.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::model {
 namespace {
-
-void require(const std::string& path, double value, const Range& range) {
-  if (contains(range, value)) return;
-  if (std::isnan(value)) throw ConfigError(fmt::format("{}: missing, allowed: {}", path, describe(range)));
-  throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range, value)));
-}
 
 void require(const std::string& path, const std::optional<double>& value, const Range& range) {
   if (value) require(path, *value, range);
@@ -268,7 +262,8 @@ void validate(const RotorKit& kit, const std::string& path) {
     if (kit.supports[i].table) validate(*kit.supports[i].table, name + "table.");
   }
   for (const int plane : {0, 1}) {
-    if (kit.matrices || supports_hold(kit, plane)) continue;  // the stiffness matrix holds, or its factors say no
+    if (kit.matrices || supports_hold(kit, plane))
+      continue;  // the stiffness matrix holds, or its factors say no
     throw ConfigError(
         fmt::format("{}supports: they leave the shaft{} free to move in {}, allowed: supports that hold it",
                     path, kit.housings.empty() ? "" : " or a housing", plane == 0 ? "x" : "y"));

@@ -7,7 +7,7 @@
 namespace rubsweep::report {
 namespace {
 
-std::string number(double value) { return std::isnan(value) ? "none" : fmt::format("{:.6g}", value); }
+std::string number_or_none(double value) { return std::isnan(value) ? "none" : fmt::format("{:.6g}", value); }
 
 std::string motion_text(const sweep::Row& row) {
   std::string text(to_string(row.motion_class));
@@ -30,7 +30,7 @@ std::string motion_text(const sweep::Row& row) {
 
 std::string motion_summary(const sweep::Row& row) {
   return fmt::format("cell      {:.6g} Hz, whirl ratio {}, eccentricity {} m\nmotion    {}\n", row.speed_hz,
-                     number(row.whirl_ratio), number(row.eccentricity_m), motion_text(row));
+                     number_or_none(row.whirl_ratio), number_or_none(row.eccentricity_m), motion_text(row));
 }
 
 }  // namespace rubsweep::report

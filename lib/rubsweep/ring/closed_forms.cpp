@@ -7,10 +7,10 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 
+#include "rubsweep/ring/square.hpp"
+
 namespace rubsweep::ring {
 namespace {
-
-double square(double x) { return x * x; }
 
 double soft_mass(const Load& load) { return load.flexural_mass_kg - load.rotary_mass_kg; }
 

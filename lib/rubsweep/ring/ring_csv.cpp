@@ -14,7 +14,7 @@ namespace {
 
 using batch::csv_number;
 
-std::string rpm(double rad_per_s) { return csv_number(rad_per_s / rad_per_s_of_rpm); }
+std::string rpm_text(double rad_per_s) { return csv_number(rad_per_s / rad_per_s_of_rpm); }
 
 template <std::size_t count>
 std::string line(const std::array<std::string, count>& cells) {
@@ -31,7 +31,7 @@ void append_point(const Track& track, const TrackPoint& point, std::string& text
     return a.first != b.first ? a.first < b.first : a.second.real() < b.second.real();
   });
   for (const auto& [mode, value] : roots) {
-    text += line<4>({rpm(point.speed_rad_per_s), track.names[static_cast<std::size_t>(mode)],
+    text += line<4>({rpm_text(point.speed_rad_per_s), track.names[static_cast<std::size_t>(mode)],
                      csv_number(value.real()), csv_number(value.imag())});
   }
 }
@@ -55,8 +55,8 @@ std::string eigenvalues_csv(const Track& track) {
 std::string onsets_csv(const std::vector<Onset>& onsets) {
   std::string text = "kind,speed_rpm,modes,note\n";
   for (const Onset& onset : onsets) {
-    text += line<4>({onset.kind, rpm(onset.speed_rad_per_s), fmt::format("{}", fmt::join(onset.modes, " + ")),
-                     onset.note});
+    text += line<4>({onset.kind, rpm_text(onset.speed_rad_per_s),
+                     fmt::format("{}", fmt::join(onset.modes, " + ")), onset.note});
   }
   return text;
 }
@@ -64,8 +64,8 @@ std::string onsets_csv(const std::vector<Onset>& onsets) {
 std::string critical_speeds_csv(const std::vector<CriticalSpeed>& speeds) {
   std::string text = "name,closed_form_rpm,numeric_rpm\n";
   for (const CriticalSpeed& speed : speeds) {
-    text += line<3>({speed.name, rpm(speed.closed_form_rad_per_s),
-                     speed.numeric_rad_per_s ? rpm(*speed.numeric_rad_per_s) : ""});
+    text += line<3>({speed.name, rpm_text(speed.closed_form_rad_per_s),
+                     speed.numeric_rad_per_s ? rpm_text(*speed.numeric_rad_per_s) : ""});
   }
   return text;
 }

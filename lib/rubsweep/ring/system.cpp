@@ -3,12 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "rubsweep/ring/square.hpp"
+
 namespace rubsweep::ring {
 namespace {
 
 using std::numbers::pi;
 
-double square(double x) { return x * x; }
 double nodal(int nodal_diameters) { return static_cast<double>(nodal_diameters); }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace rubsweep::sweep {
 namespace {
 
-constexpr std::size_t most_speeds = 400, most_machines = 16;
+constexpr std::size_t most_speeds_tried = 400, most_machines = 16;
 
 /// Indices of at most `most` elements, spread evenly, the first and the last among them.
 std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
@@ -55,7 +55,7 @@ std::optional<scene::PreparedMachine> machine_of(const Study& study, std::size_t
 
 std::string where_rotor_is_unstable(const Study& study, const scene::PreparedMachine& prepared) {
   const std::vector<double>& speeds = study.grid.speed_hz;
-  const std::vector<std::size_t> places = spread(speeds.size(), most_speeds);
+  const std::vector<std::size_t> places = spread(speeds.size(), most_speeds_tried);
   Found found;
   const auto look = [&](const scene::PreparedMachine& machine) {
     for (const std::size_t place : places) found.look(machine.assembly, speeds[place]);

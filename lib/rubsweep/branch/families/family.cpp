@@ -11,7 +11,7 @@
 namespace rubsweep::branch::families {
 namespace {
 
-thread_local response::motion::Workspace workspace;
+thread_local response::motion::Workspace family_workspace;
 
 struct Task {
   std::size_t from = 0, to = 0;
@@ -58,7 +58,7 @@ class Explorer {
   }
 
   bool same(std::size_t cell, const CellOrbit& a, const CellOrbit& b) {
-    return same_orbit(study_, prepared_, cell, a, b, workspace);
+    return same_orbit(study_, prepared_, cell, a, b, family_workspace);
   }
 
  private:
@@ -74,8 +74,8 @@ class Explorer {
     const scene::Cell cell = scene::build_cell(prepared_, place.speed_hz, place.unbalance);
     if (!scene::can_run(cell.start)) return std::nullopt;
     const orbits::SettledStart start =
-        orbits::settle_on_orbit(cell, study_.solver, study_.response, workspace);
-    return stable_orbit(study_, prepared_, number, start, workspace);
+        orbits::settle_on_orbit(cell, study_.solver, study_.response, family_workspace);
+    return stable_orbit(study_, prepared_, number, start, family_workspace);
   }
 
   std::vector<Passage> passages_of(const std::vector<Task>& tasks, const Family& family) {
@@ -91,7 +91,7 @@ class Explorer {
         unknown,
         [&](std::size_t i) {
           const auto [from, to] = tasks[i];
-          passages[i] = pass(study_, prepared_, from, family.orbits.at(from), to, workspace);
+          passages[i] = pass(study_, prepared_, from, family.orbits.at(from), to, family_workspace);
         },
         [&](std::size_t i) { records_.keep_passage(family.seed, tasks[i].from, tasks[i].to, passages[i]); });
     return passages;

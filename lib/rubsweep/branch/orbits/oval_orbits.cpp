@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rubsweep/branch/orbits/approaches.hpp"
+#include "rubsweep/branch/orbits/orbit_accuracy.hpp"
 #include "rubsweep/branch/orbits/whole_turns.hpp"
 #include "rubsweep/numerics/recently_used.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
@@ -25,8 +26,6 @@ using response::rotating::RotatingField;
 using response::rotating::RotatingFlow;
 
 constexpr double full_turn = 2 * std::numbers::pi;
-constexpr double tolerance_of_orbits = 1e-11;
-constexpr int samples_per_turn = 128;
 constexpr double nearest_maximum = 0.2;  ///< share of a loop: farther off it is not the one that was expected
 constexpr double landed_rad = 1e-9;      ///< the rest is one small step along the motion
 constexpr int most_steps = 12;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rubsweep/branch/orbits/approaches.hpp"
+#include "rubsweep/branch/orbits/orbit_accuracy.hpp"
 #include "rubsweep/branch/orbits/whole_turns.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/run/impulses.hpp"
@@ -18,9 +19,6 @@
 
 namespace rubsweep::branch::orbits {
 namespace {
-
-constexpr double tolerance_of_orbits = 1e-11;
-constexpr int samples_per_turn = 128;
 
 /// One scene of the family and what is needed to follow orbits in it.
 struct SceneAt {

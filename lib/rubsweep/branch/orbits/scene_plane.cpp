@@ -18,7 +18,7 @@ namespace {
 
 constexpr double turn_rad = 2 * std::numbers::pi;
 /// So near to the phase asked for, a thousandth of a radian, Newton's iteration finds a touch.
-constexpr int samples_per_turn = 4096;
+constexpr int section_samples_per_turn = 4096;
 
 std::span<const double> numbers(const Eigen::VectorXd& state) {
   return {state.data(), static_cast<std::size_t>(state.size())};
@@ -55,16 +55,16 @@ class ScenePlaneOrbits {
     // With torsion the unbalance turns with the twist, which `begun_at_phase` does not.
     if (!scene || scene->twist) return std::nullopt;
     const integrate::run::Run run = integrate::start(*scene, solver_, modes_);
-    const auto sample = std::llround(phase_rad / turn_rad * samples_per_turn);
+    const auto sample = std::llround(phase_rad / turn_rad * section_samples_per_turn);
     integrate::run::TurnRequest request;
-    request.samples_per_revolution = samples_per_turn;
+    request.samples_per_revolution = section_samples_per_turn;
     integrate::run::TurnReport report;
     run.restart(numbers(state));
-    for (long long turn = 0; turn <= sample / samples_per_turn; ++turn)
+    for (long long turn = 0; turn <= sample / section_samples_per_turn; ++turn)
       if (run.advance(request, report) != integrate::run::Outcome::ok) return std::nullopt;
-    phase_rad = turn_rad * static_cast<double>(sample) / samples_per_turn;
+    phase_rad = turn_rad * static_cast<double>(sample) / section_samples_per_turn;
     const Eigen::Map<const Eigen::MatrixXd> samples(report.samples.data(), state.size(), report.sample_count);
-    return samples.col(sample % samples_per_turn);
+    return samples.col(sample % section_samples_per_turn);
   }
 
  private:

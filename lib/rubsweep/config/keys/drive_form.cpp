@@ -1,12 +1,11 @@
 #include "rubsweep/config/keys/fields.hpp"
 #include "rubsweep/config/keys/machine_form.hpp"
+#include "rubsweep/config/machine/stop.hpp"
 #include "rubsweep/model/kick.hpp"
 #include "rubsweep/model/start.hpp"
 
 namespace rubsweep::config::keys {
 namespace {
-
-constexpr std::size_t most_stops = 16;
 
 std::vector<Key> body_state() {
   return newer(
@@ -31,7 +30,7 @@ Form kick_form() {
 
 Form start_form() {
   return map_of(joined(
-      {body_state(), newer({may("casings", numbered(map_of(body_state()), most_stops),
+      {body_state(), newer({may("casings", numbered(map_of(body_state()), machine::max_stops),
                                 "states of moving casings, by the number of their stop", "(none)")})}));
 }
 

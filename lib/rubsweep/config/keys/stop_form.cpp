@@ -1,11 +1,10 @@
 #include "rubsweep/config/keys/fields.hpp"
 #include "rubsweep/config/keys/machine_form.hpp"
+#include "rubsweep/config/machine/stop.hpp"
 #include "rubsweep/model/stop.hpp"
 
 namespace rubsweep::config::keys {
 namespace {
-
-constexpr std::size_t most_stops = 16;
 
 std::vector<Key> material() {
   const model::HertzBody body;
@@ -112,7 +111,7 @@ Form stops_form() {
                   {{"restitution_by_rotor_mass"}, {}},
                   {{"restitution_delivered"}, {}},
                   {{"damping_ns_per_m"}, {}}}};
-  return list_of(map_of(std::move(keys), {std::move(stiffness), std::move(damping)}), 1, most_stops);
+  return list_of(map_of(std::move(keys), {std::move(stiffness), std::move(damping)}), 1, machine::max_stops);
 }
 
 }  // namespace rubsweep::config::keys

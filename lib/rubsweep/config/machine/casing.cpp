@@ -7,16 +7,16 @@ namespace rubsweep::config::machine {
 namespace {
 
 constexpr std::string_view rigid = "rigid";
-constexpr std::string_view forms = "rigid, or a map with mass_kg, stiffness_n_per_m, damping_ratio";
+constexpr std::string_view casing_forms = "rigid, or a map with mass_kg, stiffness_n_per_m, damping_ratio";
 
 }  // namespace
 
 std::optional<model::Casing> read_casing(const yaml::Value& value) {
   if (value.node.kind == yaml::Node::Kind::scalar) {
-    read_word(value, {&rigid, 1}, forms);
+    read_word(value, {&rigid, 1}, casing_forms);
     return std::nullopt;
   }
-  yaml::Section section(value, forms);
+  yaml::Section section(value, casing_forms);
   model::Casing casing;
   read_fields(section, casing);
   section.refuse_unknown_keys();

@@ -14,7 +14,7 @@ namespace rubsweep::config::machine {
 namespace {
 
 constexpr std::string_view none = "none";
-constexpr std::string_view forms = "none, or a map with stribeck, static, coefficient or one_way";
+constexpr std::string_view friction_forms = "none, or a map with stribeck, static, coefficient or one_way";
 
 model::StribeckFriction read_curve(yaml::Section& section) {
   model::StribeckCurve curve;
@@ -63,10 +63,10 @@ void refuse_driving(const yaml::Section& section, std::string_view key, const mo
 
 model::Friction read_friction(const yaml::Value& value) {
   if (value.node.kind == yaml::Node::Kind::scalar) {
-    read_word(value, {&none, 1}, forms);
+    read_word(value, {&none, 1}, friction_forms);
     return model::NoFriction{};
   }
-  yaml::Section section(value, forms);
+  yaml::Section section(value, friction_forms);
   model::Friction friction;
   section.require_exactly_one({"stribeck", "static", "coefficient", "one_way"});
   if (const auto stribeck = section.find("stribeck")) {

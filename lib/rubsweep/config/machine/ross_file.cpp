@@ -22,7 +22,7 @@
 namespace rubsweep::config::machine {
 namespace {
 
-constexpr std::string_view allowed_file = "a TOML or JSON file of ROSS, named relative to this one";
+constexpr std::string_view allowed_ross_file = "a TOML or JSON file of ROSS, named relative to this one";
 constexpr std::array<std::string_view, 8> known_types{
     "ShaftElement", "ShaftElement6DoF", "DiskElement", "DiskElement6DoF",
     "PointMass",    "BearingElement",   "SealElement", "a section with kxx"};
@@ -245,13 +245,13 @@ std::optional<yaml::Node> parse(const yaml::Value& name, const std::filesystem::
   const yaml::FileBytes bytes = yaml::read_bytes(file);
   if (!bytes.problem.empty()) {
     refuse(name, fmt::format("'{}' cannot be read: {}", yaml::shown(name.node.text), bytes.problem),
-           allowed_file);
+           allowed_ross_file);
     return std::nullopt;
   }
   const bool json = file.extension() == ".json";
   if (!json && file.extension() != ".toml") {
     refuse(name, fmt::format("'{}' ends neither in .toml nor in .json", yaml::shown(name.node.text)),
-           allowed_file);
+           allowed_ross_file);
     return std::nullopt;
   }
   const int index = name.diagnostics.add_file(yaml::shown(file.string(), yaml::max_text_bytes));
@@ -269,7 +269,7 @@ std::optional<yaml::Node> parse(const yaml::Value& name, const std::filesystem::
 
 model::RotorKit read_ross_rotor(yaml::Section& section) {
   model::RotorKit kit;
-  const auto name = section.require("file", allowed_file);
+  const auto name = section.require("file", allowed_ross_file);
   const auto unbalance = section.find("unbalance");
   const auto text = name ? read_text(*name) : std::nullopt;
   if (text) {

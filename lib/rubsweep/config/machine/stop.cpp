@@ -26,7 +26,7 @@ constexpr std::string_view hertz_key = "hertz";
 
 constexpr std::string_view one_side_kind = "one_side";
 constexpr std::string_view annular_kind = "annular";
-constexpr std::array kinds{one_side_kind, annular_kind};
+constexpr std::array stop_kinds{one_side_kind, annular_kind};
 
 model::AnnularGeometry read_annular(yaml::Section& section) {
   model::AnnularGeometry annular;
@@ -35,14 +35,14 @@ model::AnnularGeometry read_annular(yaml::Section& section) {
 }
 
 model::StopGeometry read_geometry(yaml::Section& section) {
-  const auto kind = section.require_kind("kind", kinds);
+  const auto kind = section.require_kind("kind", stop_kinds);
   if (!kind) {
     // Without a kind nobody knows which keys belong here: neither miss nor refuse any.
     section.find("angle_deg");
     section.find("offset_m");
     return {};
   }
-  if (kinds[*kind] == annular_kind) return read_annular(section);
+  if (stop_kinds[*kind] == annular_kind) return read_annular(section);
   model::OneSideGeometry wall;
   section.field("angle_deg", wall.angle_deg, model::any_finite);
   return wall;

@@ -13,7 +13,7 @@
 namespace rubsweep::config::machine {
 namespace {
 
-constexpr std::string_view allowed_file = "a file to read, named relative to this one";
+constexpr std::string_view allowed_table_file = "a file to read, named relative to this one";
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
@@ -102,7 +102,7 @@ std::optional<yaml::FileBytes> read_named_file(const yaml::Value& name, std::fil
   if (bytes.problem.empty() && bytes.text.size() > yaml::max_document_bytes)
     bytes.problem = fmt::format("more than {} bytes", yaml::max_document_bytes);
   if (bytes.problem.empty()) return bytes;
-  refuse(name, fmt::format("'{}' cannot be read: {}", yaml::shown(*text), bytes.problem), allowed_file);
+  refuse(name, fmt::format("'{}' cannot be read: {}", yaml::shown(*text), bytes.problem), allowed_table_file);
   return std::nullopt;
 }
 

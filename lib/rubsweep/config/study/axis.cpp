@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "rubsweep/config/study/scale.hpp"
 #include "rubsweep/config/yaml/section.hpp"
 
 namespace rubsweep::config::study {
@@ -31,9 +32,6 @@ bool all_different_and_allowed(const std::vector<double>& values, const model::R
   return std::all_of(values.begin(), values.end(), allowed) &&
          std::set<double>(values.begin(), values.end()).size() == values.size();
 }
-
-enum class Scale { linear, log };
-constexpr yaml::Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
 
 AxisValues read_spaced(yaml::Section& section, const model::Range& range, double units_per_si) {
   Scale scale = Scale::linear;

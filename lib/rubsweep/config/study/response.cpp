@@ -19,7 +19,7 @@ constexpr yaml::Words<sweep::Robustness, 3> switches{
     {"off", "on", "probability"},
     {sweep::Robustness::off, sweep::Robustness::on, sweep::Robustness::probability}};
 
-void visit_fields(auto& study, auto&& visit) {
+void visit_response(auto& study, auto&& visit) {
   auto& response = study.response;
   visit("max_revolutions", response.max_revolutions, revolutions);
   visit("samples_per_revolution", response.samples_per_revolution, samples);
@@ -59,8 +59,8 @@ void refuse_contradictions(const yaml::Section& section, const response::motion:
 
 void read_response(const yaml::Value& value, sweep::Study& study) {
   yaml::Section section(value);
-  visit_fields(study,
-               [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
+  visit_response(study,
+                 [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
   visit_neighbours(study.neighbours, [&](auto name, auto& field, const auto& allowed) {
     section.field(name, field, allowed);
     if (study.robustness != sweep::Robustness::probability && section.find(name))
@@ -73,7 +73,7 @@ void read_response(const yaml::Value& value, sweep::Study& study) {
 
 void print_response(yaml::Printer& printer, const sweep::Study& study) {
   printer.open("response");
-  visit_fields(
+  visit_response(
       study, [&](auto name, const auto& field, const auto& allowed) { printer.field(name, field, allowed); });
   if (study.robustness == sweep::Robustness::probability) {
     visit_neighbours(study.neighbours, [&](auto name, const auto& field, const auto& allowed) {

@@ -27,7 +27,7 @@ yaml::Words<Stepper> steppers() {
   return words;
 }
 
-void visit_fields(auto& solver, auto&& visit) {
+void visit_solver(auto& solver, auto&& visit) {
   visit("method", solver.method, methods);
   visit("stepper", solver.stepper, steppers());
   visit("contact", solver.contact, contacts);
@@ -41,7 +41,7 @@ void visit_fields(auto& solver, auto&& visit) {
 SolverOptions read_solver(const yaml::Value& value, std::size_t stops) {
   yaml::Section section(value);
   SolverOptions solver;
-  visit_fields(solver,
+  visit_solver(solver,
                [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
   if (solver.method == Method::exact && solver.contact == ContactHandling::smoothed) {
     section.refuse_together("contact", {"method", "contact"},
@@ -59,7 +59,7 @@ SolverOptions read_solver(const yaml::Value& value, std::size_t stops) {
 
 void print_solver(yaml::Printer& printer, const SolverOptions& solver) {
   printer.open("solver");
-  visit_fields(solver, [&](auto name, const auto& field, const auto& allowed) {
+  visit_solver(solver, [&](auto name, const auto& field, const auto& allowed) {
     printer.field(name, field, allowed);
   });
   printer.close();

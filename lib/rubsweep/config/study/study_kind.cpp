@@ -10,6 +10,7 @@
 
 #include "rubsweep/basin/low_discrepancy.hpp"
 #include "rubsweep/config/study/key_axis.hpp"
+#include "rubsweep/config/study/scale.hpp"
 #include "rubsweep/config/yaml/section.hpp"
 #include "rubsweep/config/yaml/text.hpp"
 
@@ -34,9 +35,6 @@ sweep::ThresholdScan read_threshold(yaml::Section& section) {
   }
   return scan;
 }
-
-enum class Scale { linear, log };
-constexpr yaml::Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
 
 sweep::DrawnKey read_drawn_key(const yaml::Value& value) {
   yaml::Section section(value, "{key: PATH, from, to}");

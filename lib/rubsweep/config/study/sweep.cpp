@@ -12,7 +12,7 @@
 namespace rubsweep::config::study {
 namespace {
 
-void visit_fields(auto& refinement, auto&& visit) {
+void visit_refinement(auto& refinement, auto&& visit) {
   constexpr yaml::IntegerRange levels{1, 12}, probes{0, 1000};
   visit("levels", refinement.levels, levels);
   visit("probes", refinement.probes, probes);
@@ -22,8 +22,8 @@ sweep::Refinement read_refinement(const yaml::Value& value) {
   yaml::Section section(value);
   sweep::Refinement refinement;
   section.require("levels", "an integer from 1 to 12");
-  visit_fields(refinement,
-               [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
+  visit_refinement(refinement,
+                   [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
   section.refuse_unknown_keys();
   return refinement;
 }
@@ -87,7 +87,7 @@ void print_sweep(yaml::Printer& printer, const sweep::Grid& grid, AxisPrint how)
   print_key_axes(printer, grid.axes, how);
   if (grid.refinement) {
     printer.open("refine");
-    visit_fields(*grid.refinement, [&](auto name, const auto& field, const auto& allowed) {
+    visit_refinement(*grid.refinement, [&](auto name, const auto& field, const auto& allowed) {
       printer.field(name, field, allowed);
     });
     printer.close();

@@ -53,9 +53,9 @@ SourcePosition place_of(const YAML::Mark& mark, const Source& source) {
 
 /// Builder of the tree from yaml-cpp's events. YAML::Load does not serve: it shares aliased nodes, so that an
 /// override of one would change the other, hides a second document and has no limits.
-class TreeBuilder : public YAML::EventHandler {
+class YamlTreeBuilder : public YAML::EventHandler {
  public:
-  explicit TreeBuilder(const Source& source) : source_(source) {}
+  explicit YamlTreeBuilder(const Source& source) : source_(source) {}
 
   Node take_root() { return std::move(root_); }
 
@@ -203,7 +203,7 @@ Node parse(std::string_view text, const Source& source) {
   // Without an explicit end yaml-cpp takes a quote that is never closed.
   std::istringstream stream(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));
   YAML::Parser parser(stream);
-  TreeBuilder builder(source);
+  YamlTreeBuilder builder(source);
   while (parser.HandleNextDocument(builder)) {
   }
   return builder.take_root();

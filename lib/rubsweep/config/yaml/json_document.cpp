@@ -58,7 +58,7 @@ class Reader {
   Cursor* cursor_;
 };
 
-class TreeBuilder {
+class JsonTreeBuilder {
  public:
   using number_integer_t = nlohmann::json::number_integer_t;
   using number_unsigned_t = nlohmann::json::number_unsigned_t;
@@ -66,7 +66,7 @@ class TreeBuilder {
   using string_t = nlohmann::json::string_t;
   using binary_t = nlohmann::json::binary_t;
 
-  TreeBuilder(const Cursor& cursor, int file) : cursor_(cursor), file_(file) {}
+  JsonTreeBuilder(const Cursor& cursor, int file) : cursor_(cursor), file_(file) {}
 
   bool null() { return add({Node::Kind::null, here()}); }
   bool boolean(bool value) { return add({Node::Kind::scalar, here(), value ? "true" : "false"}); }
@@ -139,7 +139,7 @@ std::optional<Node> parse_json(std::string_view text, std::string_view path, Dia
     return std::nullopt;
   }
   Cursor cursor;
-  TreeBuilder builder(cursor, file);
+  JsonTreeBuilder builder(cursor, file);
   const Reader begin(text.data(), &cursor), end(text.data() + text.size(), &cursor);
   if (nlohmann::json::sax_parse(begin, end, &builder)) return std::move(builder.root);
   diagnostics.add({-1, cursor.seen_line, cursor.seen_column, file}, path, builder.problem, "a JSON document");
