@@ -11,7 +11,7 @@
 namespace rubsweep::page {
 namespace {
 
-thread_local response::motion::Workspace workspace;
+thread_local response::motion::Workspace orbit_workspace;
 
 KnownMotion known_motion(const MapTable& map, std::size_t row) {
   KnownMotion known{map.word("class", row), std::nullopt, 0, false};
@@ -32,7 +32,7 @@ std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& m
   const std::size_t finished = batch::parallel_run(
       cells.size(), threads,
       [&](std::size_t i) {
-        const auto orbit = settled_orbit(study, prepared, cells[i], known_motion(map, cells[i]), workspace);
+        const auto orbit = settled_orbit(study, prepared, cells[i], known_motion(map, cells[i]), orbit_workspace);
         if (orbit) records[i] = encode_orbit(cells[i], *orbit);
       },
       [&](std::size_t) { on_cell(); }, stop);

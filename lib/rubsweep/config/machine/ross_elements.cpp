@@ -14,7 +14,7 @@
 namespace rubsweep::config::machine {
 namespace {
 
-constexpr yaml::IntegerRange nodes{0, 100'000};
+constexpr yaml::IntegerRange node_numbers{0, 100'000};
 constexpr yaml::Words<bool, 2> flags{{"false", "true"}, {false, true}};
 constexpr yaml::Words<model::ShearCoefficient, 2> shear_methods{
     {"cowper", "hutchinson"}, {model::ShearCoefficient::cowper, model::ShearCoefficient::hutchinson}};
@@ -26,8 +26,8 @@ std::optional<yaml::Value> given(yaml::Section& section, std::string_view name) 
 }
 
 int read_node(yaml::Section& section) {
-  const auto value = section.require("n", describe(nodes));
-  const auto number = value ? read_integer(*value, nodes) : std::nullopt;
+  const auto value = section.require("n", describe(node_numbers));
+  const auto number = value ? read_integer(*value, node_numbers) : std::nullopt;
   return number ? static_cast<int>(*number) : 0;
 }
 
@@ -261,7 +261,7 @@ AtNode<RossSupport> read_ross_support(const RossElement& element) {
   ignore(section, {"tag", "color", "scale_factor", "kzz", "czz", "mzz", "seal_leakage"});
   read_coefficients(section, support.part.support);
   if (const auto link = given(section, "n_link")) {
-    if (const auto node = read_integer(*link, nodes)) support.part.linked_node = static_cast<int>(*node);
+    if (const auto node = read_integer(*link, node_numbers)) support.part.linked_node = static_cast<int>(*node);
   }
   // Classes that compute their coefficients save what they computed them from, too.
   const bool plain = element.type.starts_with("BearingElement") || element.type.starts_with("SealElement");

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 1> rated_hz{"rated_speed_hz"}, rated_rpm{
 constexpr std::array<std::string_view, 1> modal_stiffness{"modal_stiffness_n_per_m"},
     frequency_hz{"natural_frequency_hz"}, frequency_rad_per_s{"natural_frequency_rad_per_s"};
 constexpr std::array<std::string_view, 1> damping_ratio{"damping_ratio"};
-constexpr std::array<std::string_view, 1> values{"values"}, one_key{"key"};
+constexpr std::array<std::string_view, 1> listed_values{"values"}, one_key{"key"};
 constexpr std::array<std::string_view, 2> tied_keys{"keys", "factors"};
 constexpr std::array<std::string_view, 1> kick{"kick"}, start{"start"};
 constexpr std::array<std::string_view, 4> spaced{"from", "to", "count", "scale"};
@@ -42,7 +42,7 @@ constexpr std::array<std::array<Keys, 4>, 12> alternatives{{
     {modal_stiffness, frequency_hz, frequency_rad_per_s},
     {frequency_hz, stiffness},
     {damping_ratio, damping},
-    {values, spaced},
+    {listed_values, spaced},
     {one_key, tied_keys},
     {kick, start},
 }};
