@@ -40,24 +40,24 @@ struct Scratch {
   Scratch& operator=(const Scratch&) = delete;
 };
 
-struct Column {
+struct RecordingColumn {
   const char* name;
   const std::vector<double>& values;
 };
 
-std::vector<Column> columns_of(const LabelledRecording& recording) {
-  std::vector<Column> columns{{"t_s", recording.t_s}, {"x_m", recording.x_m}};
+std::vector<RecordingColumn> columns_of(const LabelledRecording& recording) {
+  std::vector<RecordingColumn> columns{{"t_s", recording.t_s}, {"x_m", recording.x_m}};
   if (!recording.y_m.empty()) columns.push_back({"y_m", recording.y_m});
   columns.push_back({"keyphasor_v", recording.keyphasor_v});
   return columns;
 }
 
 /// Writes a MATLAB file; false where the library says that it could not.
-bool write_columns(const std::vector<Column>& columns, const fs::path& path) {
+bool write_columns(const std::vector<RecordingColumn>& columns, const fs::path& path) {
   std::unique_ptr<mat_t, CloseFile> open(
       Mat_CreateVer(path.string().c_str(), "MATLAB 5.0 MAT-file, written by rubdata", MAT_FT_MAT5));
   if (!open) return false;
-  for (const Column& column : columns) {
+  for (const RecordingColumn& column : columns) {
     std::array<std::size_t, 2> dimensions{column.values.size(), 1};
     const std::unique_ptr<matvar_t, FreeVariable> variable(
         Mat_VarCreate(column.name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dimensions.data(),
@@ -68,7 +68,7 @@ bool write_columns(const std::vector<Column>& columns, const fs::path& path) {
 }
 
 /// Whether a MATLAB file has these columns: the library buffers, and does not report every write that fails.
-bool holds(const fs::path& path, const std::vector<Column>& columns) {
+bool holds(const fs::path& path, const std::vector<RecordingColumn>& columns) {
   try {
     const recording::Channels read = recording::read_matlab_file(path);
     bool same = read.channels.size() == columns.size();
@@ -95,7 +95,7 @@ std::string recording_csv(const LabelledRecording& recording) {
 
 void write_recording_matlab(const LabelledRecording& recording, const fs::path& file) {
   const Scratch scratch(file);
-  const std::vector<Column> columns = columns_of(recording);
+  const std::vector<RecordingColumn> columns = columns_of(recording);
   if (!write_columns(columns, scratch.path))
     throw IoError("cannot write " + scratch.path.string() + ": the MATLAB file could not be made there");
   if (!holds(scratch.path, columns))
