@@ -31,7 +31,7 @@ namespace rubsweep::apps {
 namespace {
 
 /// Every file that a design check may leave.
-constexpr std::array<std::string_view, 5> file_names{
+constexpr std::array<std::string_view, 5> check_file_names{
     "config.yaml", "design_check.csv", "unbalance_response.csv", "lock_speeds.csv", "kicks.csv"};
 
 /// Speeds at which a rotor that is unstable without its stops is looked for.
@@ -76,7 +76,7 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
   batch::require_threads(questions.threads);
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   if (!arguments.quiet) warn_of(questions.operating, study, prepared);
-  const ResultDirectory made(directory, file_names);
+  const ResultDirectory made(directory, check_file_names);
   std::optional<WorkingTime> working(std::in_place, "rubtrace", "checks the design", !arguments.quiet);
   const design::DesignCheck check = design::check_design(study, prepared, questions);
   working.reset();
@@ -90,7 +90,7 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
   {
     const InterruptsWait whole_set;
     batch::write_result_files(
-        files, file_names, directory,
+        files, check_file_names, directory,
         {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
     end_on_interrupts("the files are written, no figure is");
   }

@@ -34,7 +34,7 @@ namespace rubsweep::apps {
 namespace {
 
 /// Every file that an experiment may leave.
-constexpr std::array<std::string_view, 13> file_names{
+constexpr std::array<std::string_view, 13> experiment_file_names{
     "config.yaml",         "sensors.csv",     "bode.csv",       "identification.csv", "campbell.csv",
     "critical_speeds.csv", "mode_shapes.csv", "envelope.csv",   "orbits.csv",         "spectrogram.csv",
     "quasi_static.csv",    "rub.csv",         "lock_speeds.csv"};
@@ -150,7 +150,7 @@ std::pair<const char*, std::string> drawing_of(const RubtraceArguments& argument
 
 int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& config,
                    const std::filesystem::path& directory) {
-  const ResultDirectory made(directory, file_names);
+  const ResultDirectory made(directory, experiment_file_names);
   end_on_interrupts("nothing was written");
   std::optional<WorkingTime> working(std::in_place, "rubtrace", "runs the experiment", !arguments.quiet);
   auto [files, summary, run] = perform(arguments, config.study);
@@ -160,7 +160,7 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
   {
     const InterruptsWait whole_set;
     batch::write_result_files(
-        files, file_names, directory,
+        files, experiment_file_names, directory,
         {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
     end_on_interrupts("the files are written, no figure is");
   }
