@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "rubsweep/error.hpp"
-#include "scene/kit_machine.hpp"
+#include "scene/table_machine.hpp"
 
 namespace rubsweep::fit {
 namespace {
@@ -40,6 +40,28 @@ TEST(PrepareAgain, RefusesWhatIsNotAllowed) {
   const scene::PreparedMachine first = scene::prepare_machine(open_number_of_modes(0.4));
   model::Machine machine = open_number_of_modes(0.4);
   std::get<model::RotorKit>(machine.rotor).discs.front().mass_kg = -1;
+  EXPECT_THROW(prepare_again(machine, first), ConfigError);
+}
+
+TEST(PrepareAgain, SupportsFollowTheirTables) {
+  const model::Machine machine = scene::table_machine();
+  const scene::PreparedMachine first = scene::prepare_machine(machine), again = prepare_again(machine, first);
+  for (const double speed_hz : scene::table_speeds_hz) {
+    const scene::PreparedMachine there = scene::prepared_at(again, speed_hz),
+                                 expected = scene::prepared_at(first, speed_hz);
+    EXPECT_EQ(there.assembly.system.stiffness, expected.assembly.system.stiffness) << speed_hz;
+    EXPECT_EQ(there.assembly.system.damping, expected.assembly.system.damping) << speed_hz;
+  }
+  EXPECT_NE(scene::prepared_at(again, scene::table_speeds_hz.front()).assembly.system.stiffness,
+            scene::prepared_at(again, scene::table_speeds_hz.back()).assembly.system.stiffness);
+  EXPECT_THROW(scene::prepared_at(again, 19), ConfigError);
+}
+
+TEST(PrepareAgain, RefusesFrictionThatDrives) {
+  const scene::PreparedMachine first = scene::prepare_machine(open_number_of_modes(0.4));
+  model::Machine machine = open_number_of_modes(0.4);
+  machine.stops.front().friction = model::StribeckFriction{{0, 0, 0, -0.1, 100, 0}};
+  EXPECT_THROW(scene::prepare_machine(machine), ConfigError);
   EXPECT_THROW(prepare_again(machine, first), ConfigError);
 }
 
