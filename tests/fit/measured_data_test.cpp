@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <complex>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "batch/message_of.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::fit {
@@ -69,6 +71,55 @@ TEST_F(MeasuredDataTest, SteadyPhasesCountFromTheSensor) {
   const RunUp run = as_run_up(data, 4, 1);
   EXPECT_EQ(run.t_s, (std::vector<double>{0, 0.25}));
   EXPECT_THROW(as_run_up(data, -4, 1), ConfigError);
+}
+
+class MeasuredDataRubTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    // Tests run beside each other.
+    directory_ =
+        fs::path(testing::TempDir()) /
+        (std::string("measured_data_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(directory_);
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+
+  void write(const std::string& measures, const std::string& lines) {
+    std::ofstream(directory_ / "measures.csv") << "quantity,value,uncertainty\n" << measures;
+    std::ofstream(directory_ / "lines.csv") << "order,amplitude_m,uncertainty_m,phase_deg\n" << lines;
+  }
+  std::string refusal(const std::string& measures, const std::string& lines) {
+    write(measures, lines);
+    return message_of<ConfigError>([&] { read_rub(directory_); });
+  }
+
+  fs::path directory_;
+};
+
+const std::string half = "speed_hz,70.5,\nperiod_turns,2,\n",
+                  lines = "-0.5,1e-5,1e-8,90\n0,3e-4,1e-8,\n0.5,2e-5,1e-8,-45\n1,1e-9,1e-8,\n";
+
+TEST_F(MeasuredDataRubTest, HasTheLinesWithAPhaseButTheGap) {
+  write(half, lines);
+  const RubLines rub = read_rub(directory_);
+  EXPECT_EQ(rub.speed_hz, 70.5);
+  EXPECT_EQ(rub.turns, 2);
+  EXPECT_EQ(rub.order, (std::vector<double>{-0.5, 0.5}));
+  EXPECT_LT(std::abs(rub.line_m(0) - std::complex<double>(0, 1e-5)), 1e-18);
+  EXPECT_LT(std::abs(rub.line_m(1) - std::polar(2e-5, -3.14159265358979 / 4)), 1e-18);
+}
+
+TEST_F(MeasuredDataRubTest, RefusesWhatIsNoRubThatRepeats) {
+  EXPECT_NE(refusal("speed_hz,70,\n", lines).find("measures.csv: holds no speed_hz and period_turns"),
+            std::string::npos);
+  for (const char* turns : {"0", "2.5", "65", "1e10", "-1"})
+    EXPECT_NE(refusal("speed_hz,70,\nperiod_turns," + std::string(turns) + ",\n", lines)
+                  .find("allowed: a whole number from 1 to 64"),
+              std::string::npos)
+        << turns;
+  EXPECT_NE(refusal(half, "-0.5,1e-5,1e-8,90\n").find("lines.csv: has 1 rows"), std::string::npos);
+  EXPECT_NE(refusal(half, "0.5,1e-5,1e-8,90\n1,1e-5,1e-8,0\n").find("has the lines of one probe"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/straight_line.hpp"
 
 namespace rubsweep::fit {
 namespace {
@@ -17,6 +18,8 @@ using Complex = std::complex<double>;
 using batch::CsvReader;
 
 constexpr double degree = std::numbers::pi / 180;
+/// Longest period of a rub.
+constexpr int most_turns = 64;
 
 /// Numbers of a row; an empty cell is refused.
 double number(const CsvReader& table, std::size_t column) {
@@ -48,21 +51,9 @@ void require_rows(const std::filesystem::path& file, std::size_t rows, std::size
 /// Least squares line through speeds over time, or the speeds themselves where they are off it.
 Ramp ramp_of(const std::vector<double>& t_s, const std::vector<double>& speed_hz) {
   constexpr double even = 0.02;
-  const auto count = static_cast<double>(t_s.size());
-  double t = 0, f = 0, tt = 0, tf = 0, largest = 0;
-  for (std::size_t k = 0; k < t_s.size(); ++k) {
-    t += t_s[k] / count;
-    f += speed_hz[k] / count;
-  }
-  for (std::size_t k = 0; k < t_s.size(); ++k) {
-    tt += (t_s[k] - t) * (t_s[k] - t);
-    tf += (t_s[k] - t) * (speed_hz[k] - f);
-  }
-  const double rate = tf / tt;
-  for (std::size_t k = 0; k < t_s.size(); ++k)
-    largest = std::max(largest, std::abs(speed_hz[k] - f - rate * (t_s[k] - t)));
-  const double change = std::abs(rate * (t_s.back() - t_s.front()));
-  if (largest <= even * change) return {f - rate * t, rate};
+  const numerics::StraightLine line = numerics::line_through(t_s, speed_hz);
+  const double change = std::abs(line.slope * (t_s.back() - t_s.front()));
+  if (numerics::largest_distance(line, t_s, speed_hz) <= even * change) return {line(0), line.slope};
   return {speed_hz.front(), 0, t_s, speed_hz};
 }
 
@@ -161,10 +152,13 @@ RubLines read_rub(const std::filesystem::path& directory) {
     if (measures.cells()[quantity] == "speed_hz") speed_hz = number(measures, value);
     if (measures.cells()[quantity] == "period_turns") period_turns = number(measures, value);
   }
-  if (!(speed_hz > 0) || !(period_turns >= 1))
+  if (!(speed_hz > 0) || !std::isfinite(period_turns))
     throw ConfigError(
         measures.path().string() +
         ": holds no speed_hz and period_turns, allowed: a steady recording whose motion repeats");
+  if (!(period_turns >= 1 && period_turns <= most_turns) || period_turns != std::floor(period_turns))
+    throw ConfigError(fmt::format("{}: period_turns: is {}, allowed: a whole number from 1 to {}",
+                                  measures.path().string(), period_turns, most_turns));
   RubLines data{.speed_hz = speed_hz, .turns = static_cast<int>(period_turns), .order = {}, .line_m = {}};
   CsvReader table(directory / "lines.csv");
   const std::size_t order = table.column("order"), amplitude = table.column("amplitude_m"),

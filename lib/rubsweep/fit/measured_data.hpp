@@ -64,7 +64,7 @@ Steady read_steady(const std::filesystem::path& file, const std::vector<double>&
 
 /// Directory that rubscope wrote of a steady recording by two probes: speed and period of measures.csv, lines
 /// of lines.csv but the gap (0X) and those that noise leaves no phase. Throws ConfigError for a motion
-/// without a period.
+/// without a period, or with one that is no whole number from 1 to 64.
 RubLines read_rub(const std::filesystem::path& directory);
 
 /// The same speeds as a run-up of this rate, each a mean of `window_turns`.

@@ -46,6 +46,10 @@ Clock clock_of(const Channels& channels, const Instrument& instrument, const std
     return {0, *rate_hz};
   }
   const Channel& time = find(channels, *instrument.time, name);
+  const auto place = [&](std::size_t row) {
+    return channels.line.empty() ? fmt::format("{}: {}", name, channels.place_of(row))
+                                 : fmt::format("{}:{}", name, channels.line[row]);
+  };
   const double unit_s = seconds_per(time.unit, time.name, name);
   const std::size_t last = time.values.size() - 1;
   std::vector<double> steps;
@@ -57,9 +61,7 @@ Clock clock_of(const Channels& channels, const Instrument& instrument, const std
     if (!(std::abs(step - usual) < largest_jitter * usual)) {
       throw ConfigError(
           fmt::format("{}: '{}' goes from {:.10g} to {:.10g}, allowed: a step of {:.4g} as elsewhere",
-                      channels.line.empty() ? fmt::format("{}: {}", name, channels.place_of(k))
-                                            : fmt::format("{}:{}", name, channels.line[k]),
-                      time.name, time.values[k - 1], time.values[k], usual));
+                      place(k), time.name, time.values[k - 1], time.values[k], usual));
     }
   }
   const double mean = (time.values[last] - time.values[0]) / static_cast<double>(last);
@@ -68,9 +70,7 @@ Clock clock_of(const Channels& channels, const Instrument& instrument, const std
     if (std::abs(off) > largest_jitter * mean)
       throw ConfigError(
           fmt::format("{}: '{}' has {:.10g} {:.3g} steps off its place, allowed: an even sampling rate",
-                      channels.line.empty() ? fmt::format("{}: {}", name, channels.place_of(k))
-                                            : fmt::format("{}:{}", name, channels.line[k]),
-                      time.name, time.values[k], off / mean));
+                      place(k), time.name, time.values[k], off / mean));
   }
   const double span_s = unit_s * (time.values[last] - time.values[0]);
   return {unit_s * time.values[0], static_cast<double>(last) / span_s};

@@ -9,6 +9,7 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/identify/ramp_resonance.hpp"
+#include "rubsweep/numerics/straight_line.hpp"
 #include "rubsweep/recording/turns.hpp"
 #include "rubsweep/scope/order_history.hpp"
 
@@ -124,23 +125,15 @@ struct Ramp {
 };
 
 Ramp ramp_of(const std::vector<OrderPoint>& points) {
-  double t = 0, f = 0, tt = 0, tf = 0;
-  const auto count = static_cast<double>(points.size());
+  std::vector<double> t_s, speed_hz;
   for (const OrderPoint& point : points) {
-    t += point.t_s / count;
-    f += point.speed_hz / count;
+    t_s.push_back(point.t_s);
+    speed_hz.push_back(point.speed_hz);
   }
-  for (const OrderPoint& point : points) {
-    tt += (point.t_s - t) * (point.t_s - t);
-    tf += (point.t_s - t) * (point.speed_hz - f);
-  }
-  Ramp ramp{.rate_hz_per_s = tf / tt};
-  const double change_hz = std::abs(ramp.rate_hz_per_s * (points.back().t_s - points.front().t_s));
-  for (const OrderPoint& point : points) {
-    const double error_hz = std::abs(point.speed_hz - f - ramp.rate_hz_per_s * (point.t_s - t));
-    ramp.largest_error = std::max(ramp.largest_error, error_hz / change_hz);
-  }
-  return ramp;
+  const numerics::StraightLine line = numerics::line_through(t_s, speed_hz);
+  const double change_hz = std::abs(line.slope * (t_s.back() - t_s.front()));
+  return {.rate_hz_per_s = line.slope,
+          .largest_error = numerics::largest_distance(line, t_s, speed_hz) / change_hz};
 }
 
 /// Largest 1X of one direction and the mode behind it, where the speed changes evenly.
