@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string_view>
@@ -19,6 +17,7 @@
 #include "rubsweep/fit/prepare_again.hpp"
 #include "rubsweep/fit/rub/rub_orbits.hpp"
 #include "rubsweep/identify/linear_run.hpp"
+#include "rubsweep/numerics/recently_used.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
@@ -145,49 +144,55 @@ class LastMachines {
  public:
   std::optional<scene::PreparedMachine> find(const std::vector<std::string>& overrides) {
     const std::lock_guard lock(mutex_);
-    const auto found = std::ranges::find(machines_, overrides, &Kept::first);
-    return found == machines_.end() ? std::nullopt : std::optional(found->second);
+    const Kept* found = machines_.find([&](const Kept& kept) { return kept.first == overrides; });
+    return found == nullptr ? std::nullopt : std::optional(found->second);
   }
   void keep(std::vector<std::string> overrides, const scene::PreparedMachine& machine) {
-    constexpr std::size_t most = 4;
     const std::lock_guard lock(mutex_);
-    machines_.emplace_front(std::move(overrides), machine);
-    if (machines_.size() > most) machines_.pop_back();
+    machines_.emplace(std::move(overrides), machine);
+    machines_.trim();
   }
 
  private:
   using Kept = std::pair<std::vector<std::string>, scene::PreparedMachine>;
   std::mutex mutex_;
-  std::deque<Kept> machines_;
+  numerics::RecentlyUsed<Kept> machines_{4};
 };
 
 /// The machine of a printed configuration with values of these parameters.
 auto machine_of(std::string text, std::vector<fit::Parameter> parameters,
-                const scene::PreparedMachine& first) {
-  return [text = std::move(text), parameters = std::move(parameters), first,
+                std::shared_ptr<const scene::PreparedMachine> first) {
+  return [text = std::move(text), parameters = std::move(parameters), first = std::move(first),
           last = std::make_shared<LastMachines>()](const Eigen::VectorXd& values) {
     std::vector<std::string> overrides = overrides_of(parameters, values);
     if (auto known = last->find(overrides)) return *known;
-    const scene::PreparedMachine machine = fit::prepare_again(
-        config::read_run_config_text(text, "the fitted configuration", overrides).study.machine, first);
+    scene::PreparedMachine machine = fit::prepare_again(
+        config::read_run_config_text(text, "the fitted configuration", overrides).study.machine, *first);
     last->keep(std::move(overrides), machine);
     return machine;
   };
 }
 
+fit::rub::AskedLines asked_of(const fit::RubLines& rub, double eccentricity_m) {
+  return {rub.speed_hz, eccentricity_m, rub.turns, rub.order};
+}
+
 }  // namespace
 
-fit::MachineFit machine_fit_of(const RubfitArguments& arguments, const config::RunConfig& config) {
-  const std::string text = config::print_config(config);
-  const scene::PreparedMachine first = scene::prepare_machine(config.study.machine);
-  fit::MachineFit problem{.parameters = {},
-                          .data = data_of(arguments, identify::sensor_rows(first).angle_deg),
-                          .eccentricity_m = arguments.eccentricity_m,
-                          .mark_deg = arguments.mark_deg,
-                          .hit_s = arguments.hit_s,
-                          .machine = {}};
+FittedMachine fitted_machine_of(const RubfitArguments& arguments, const config::RunConfig& config) {
+  FittedMachine fitted{
+      .problem = {},
+      .text = config::print_config(config),
+      .first = std::make_shared<const scene::PreparedMachine>(scene::prepare_machine(config.study.machine))};
+  fit::MachineFit& problem = fitted.problem;
+  problem = {.parameters = {},
+             .data = data_of(arguments, identify::sensor_rows(*fitted.first).angle_deg),
+             .eccentricity_m = arguments.eccentricity_m,
+             .mark_deg = arguments.mark_deg,
+             .hit_s = arguments.hit_s,
+             .machine = {}};
   for (const FittedKey& key : arguments.keys)
-    problem.parameters.push_back(parameter_of(arguments, key, config, text));
+    problem.parameters.push_back(parameter_of(arguments, key, config, fitted.text));
   const bool rotating = arguments.run_ups.size() + arguments.steady.size() + arguments.ramped_speeds.size() +
                             arguments.rubs.size() >
                         0;
@@ -197,30 +202,31 @@ fit::MachineFit machine_fit_of(const RubfitArguments& arguments, const config::R
   if (rotating && arguments.eccentricity_m == 0 &&
       std::ranges::find(arguments.without, fit::eccentricity_name) != arguments.without.end())
     throw UsageError("--compare-without eccentricity_m: needs --eccentricity-m, what it is without a fit");
-  problem.machine = machine_of(text, problem.parameters, first);
-  problem.rub_lines =
-      [orbits = std::make_shared<fit::rub::RubOrbits>(config.study.solver, config.study.response)](
-          const scene::PreparedMachine& machine, const fit::RubLines& rub, double eccentricity_m) {
-        return orbits->lines_m(machine, {rub.speed_hz, eccentricity_m, rub.turns, rub.order});
-      };
-  return problem;
+  problem.machine = machine_of(fitted.text, problem.parameters, fitted.first);
+  const auto orbits = std::make_shared<fit::rub::RubOrbits>(config.study.solver, config.study.response);
+  problem.rub_lines = [orbits](const scene::PreparedMachine& machine, const fit::RubLines& rub,
+                               double eccentricity_m) {
+    return orbits->lines_m(machine, asked_of(rub, eccentricity_m));
+  };
+  problem.follow_rub = [orbits](const scene::PreparedMachine& machine, const fit::RubLines& rub,
+                                double eccentricity_m) {
+    orbits->follow(machine, asked_of(rub, eccentricity_m));
+  };
+  return fitted;
 }
 
-fit::MachineFit without(const fit::MachineFit& problem, const config::RunConfig& config,
-                        const std::vector<std::string>& names) {
-  fit::MachineFit less = problem;
+fit::MachineFit without(const FittedMachine& fitted, const std::vector<std::string>& names) {
+  fit::MachineFit less = fitted.problem;
   std::erase_if(less.parameters, [&](const fit::Parameter& parameter) {
     return std::ranges::find(names, parameter.name) != names.end();
   });
-  less.machine =
-      machine_of(config::print_config(config), less.parameters, scene::prepare_machine(config.study.machine));
+  less.machine = machine_of(fitted.text, less.parameters, fitted.first);
   return less;
 }
 
-std::string fitted_config(const fit::MachineFit& problem, const config::RunConfig& config,
-                          const Eigen::VectorXd& values) {
-  return config::print_config(config::read_run_config_text(
-      config::print_config(config), "the fitted configuration", overrides_of(problem.parameters, values)));
+std::string fitted_config(const FittedMachine& fitted, const Eigen::VectorXd& values) {
+  return config::print_config(config::read_run_config_text(fitted.text, "the fitted configuration",
+                                                           overrides_of(fitted.problem.parameters, values)));
 }
 
 }  // namespace rubsweep::apps

@@ -67,7 +67,8 @@ class Steps {
 int run(const RubfitArguments& arguments) {
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
   ask("rubfit", config.questions, arguments.quiet);
-  const fit::MachineFit problem = machine_fit_of(arguments, config);
+  const FittedMachine fitted = fitted_machine_of(arguments, config);
+  const fit::MachineFit& problem = fitted.problem;
   const std::filesystem::path directory = results_directory(arguments, config.output_directory, "_fit");
   const ResultDirectory made(directory, file_names);
   const std::atomic<bool>& stop = catch_interrupts();
@@ -84,14 +85,14 @@ int run(const RubfitArguments& arguments) {
   fit::FitTables tables = fit::tables_of(problem, result);
   if (!arguments.without.empty() && !result.fit.stopped) {
     options.on_iteration = {};
-    const fit::MachineFitResult less = fit::fit_machine(without(problem, config, arguments.without), options);
+    const fit::MachineFitResult less = fit::fit_machine(without(fitted, arguments.without), options);
     // An interrupted second fit leaves the first one whole.
     if (!less.fit.stopped)
       tables.summary +=
           fit::comparison_text(result, less, fmt::format("{}", fmt::join(arguments.without, ", ")));
   }
   count_in_summary("parameters", static_cast<std::size_t>(result.fit.value.size()));
-  const batch::ResultFiles files{{"config.yaml", fitted_config(problem, config, result.fit.value)},
+  const batch::ResultFiles files{{"config.yaml", fitted_config(fitted, result.fit.value)},
                                  {"parameters.csv", std::move(tables.parameters_csv)},
                                  {"correlation.csv", std::move(tables.correlation_csv)},
                                  {"fitted.csv", std::move(tables.residuals_csv)}};

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # rubfit on experiments that rubtrace made: what it finds and writes, and what it refuses. The first argument is rubfit,
-# the fourth rubtrace.
+# the fourth rubtrace, the fifth rubscope.
 source "$(dirname "$0")/support.sh"
 trace=$4
+scope=$5
 
 # found PARAMETER FROM TO: the value lies between, and its interval holds a number there.
 found() {
@@ -34,6 +35,41 @@ expect_contains stdout 'compared  without mark_deg'
 # A number that the data do not tell, since nothing turns in a ring-down.
 expect_exit 0 "$minimal" --ring-down free/sensors.csv --from-s 0.006 --fit rotor.damping_ratio --fit rotor.mass_kg --output out
 expect_contains stdout 'the data do not tell rotor.mass_kg'
+
+# A rub, simulated, recorded as by an instrument, analysed, and fitted. The shaft begins with its quiet whirl at the wall,
+# 90 degrees and the lag of the response ahead; the keyway passes 50 degrees later.
+"$trace" "$minimal" --speed-hz 70 --whirl-ratio 0.2 --revolutions 300 --sample-s 2e-4 --noise-m 2e-6 --output rub --quiet
+PYTHONPATH=$top/scripts python3 -B "$top/scripts/analysis/as_recorded.py" rub/sensors.csv rub.csv --speed-hz 70 --mark-deg 50
+echo 'from_s: 2' >>rub.yaml
+"$scope" rub.csv --output rub_seen --quiet
+rub=(--rub rub_seen --fit stops.0.clearance_m --fit eccentricity_m=5e-5:1.5e-4:1e-3 --fit mark_deg)
+expect_exit 0 "$minimal" --set stops.0.clearance_m=1.03e-3 "${rub[@]}" --output out
+found stops.0.clearance_m 0.9995e-3 1.0005e-3
+found eccentricity_m 1.632e-4 1.634e-4
+found mark_deg -41.3 -41.0
+expect_contains out/fitted.csv ',rub,0,real,'
+# The same bytes again, whichever of the two threads was first.
+expect_exit 0 "$minimal" --set stops.0.clearance_m=1.03e-3 "${rub[@]}" --output same
+expect_same out/parameters.csv same/parameters.csv
+# A machine that does not rub, a recording that is no rub that repeats, and no recording.
+expect_exit 2 "$minimal" --set kick.force_n=1 "${rub[@]}" --output none
+expect_contains stderr 'allowed: one in contact that repeats after 2 turns as the recorded one'
+expect_missing none
+sed -i 's/^period_turns,2,/period_turns,2.5,/' rub_seen/measures.csv
+reseal rub_seen/measures.csv
+expect_exit 2 "$minimal" "${rub[@]}" --output none
+expect_contains stderr 'rub_seen/measures.csv: period_turns: is 2.5, allowed: a whole number from 1 to 64'
+expect_exit 3 "$minimal" --rub nowhere --fit stops.0.clearance_m --eccentricity-m 1e-4 --output none
+expect_contains stderr 'nowhere/measures.csv'
+expect_missing none
+
+# Speeds that change unevenly have no one rate.
+"$trace" "$minimal" --run-up 22:40:4 --eccentricity-m 1e-5 --sample-s 5e-4 --output uneven --quiet
+awk -F, '/^t_s/ { print "t_s,speed_hz,order,x_amplitude_m,x_phase_deg"; next } !/^#/ && ++n % 200 == 1 {
+  speed = n < 4000 ? 22 + n / 1000 : 26 + (n - 4000) / 200; print $1 "," speed ",1,1e-6,0" }' uneven/sensors.csv >uneven.csv
+expect_exit 2 "$minimal" --run-up uneven.csv --fit rate_hz_per_s=1:4:8 --eccentricity-m 1e-5 --output none
+expect_contains stderr 'uneven.csv: has a speed that changes unevenly, allowed with rate_hz_per_s: one that changes evenly'
+expect_missing none
 
 expect_usage_error '--fit rotor.damping: is no number of the configuration' "$minimal" --ring-down free/sensors.csv \
   --fit rotor.damping

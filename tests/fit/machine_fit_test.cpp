@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <random>
 
+#include "batch/message_of.hpp"
+#include "rubsweep/error.hpp"
 #include "rubsweep/fit/fit_tables.hpp"
 #include "rubsweep/fit/free_vibration.hpp"
 #include "rubsweep/identify/linear_run.hpp"
@@ -109,6 +111,54 @@ TEST(MachineFit, DataOfTwoKindsCountByTheirNoise) {
   problem.data.erase(problem.data.begin());
   const MachineFitResult good = fit_machine(problem, {});
   EXPECT_NEAR(both.uncertainty.standard_error(0) / good.uncertainty.standard_error(0), 1, 0.3);
+}
+
+TEST(MachineFit, ARateTakesTheSpeedsOfAnEvenRampAlone) {
+  MeasuredData data = run_up(2e-7);
+  MachineFit problem{.parameters = rotor_parameters,
+                     .data = {data},
+                     .eccentricity_m = 2e-5,
+                     .mark_deg = 0.5 * 180 / 3.14159265358979,
+                     .machine = rotor};
+  problem.parameters.push_back({rate_name, 3.9, 3, 5, 0.1});
+  expect_told(fit_machine(problem, {}), 2, 4);
+  auto& run = std::get<RunUp>(problem.data.front().data);
+  run.ramp = {.from_hz = 20, .rate_hz_per_s = 0, .knot_s = {0, 2, 5.4}, .knot_hz = {20, 27, 41.6}};
+  EXPECT_EQ(message_of<ConfigError>([&] { fit_machine(problem, {}); }),
+            "run: has a speed that changes unevenly, allowed with rate_hz_per_s: one that changes evenly");
+}
+
+TEST(MachineFit, FirstValuesThatAreNotAllowedAreRefusedInTheirOwnWords) {
+  MachineFit problem{.parameters = rotor_parameters, .data = {ring_down(2e-5)}, .machine = rotor};
+  std::get<RingDown>(problem.data.front().data).signal_m.conservativeResize(Eigen::NoChange, 3);
+  EXPECT_EQ(message_of<ConfigError>([&] { fit_machine(problem, {}); }),
+            "ring: has 3 sensors, allowed: as many as the configuration, 2, or fewer");
+}
+
+TEST(MachineFit, RubsAreFollowedAlongTheStepsAlone) {
+  // A made-up rub, whose lines are the numbers themselves.
+  RubLines data{.speed_hz = 70, .turns = 1, .order = {1, -1}, .line_m = Eigen::Vector2cd(31, 0.015)};
+  std::vector<double> followed;
+  MachineFit problem{
+      .parameters = rotor_parameters,
+      .data = {{"rub", data, false}},
+      .machine = rotor,
+      .rub_lines =
+          [](const scene::PreparedMachine& machine, const RubLines&, double) {
+            const auto& there = std::get<model::JeffcottRotor>(machine.machine.rotor);
+            return Eigen::VectorXcd(Eigen::Vector2cd(there.natural_frequency_hz, there.damping_ratio));
+          },
+      .follow_rub =
+          [&](const scene::PreparedMachine& machine, const RubLines&, double) {
+            followed.push_back(std::get<model::JeffcottRotor>(machine.machine.rotor).natural_frequency_hz);
+          }};
+  const MachineFitResult result = fit_machine(problem, {});
+  ASSERT_GE(followed.size(), 2u);
+  EXPECT_EQ(followed.front(), 30);
+  EXPECT_DOUBLE_EQ(followed.back(), result.fit.value(0));
+  // The first values are told of by the fit, by its descent, and as the step before the first.
+  EXPECT_LE(followed.size(), static_cast<std::size_t>(result.fit.iterations) + 3)
+      << "no steps of derivatives";
 }
 
 TEST(MachineFit, AParameterTooFewIsFoundOut) {

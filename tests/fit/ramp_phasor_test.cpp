@@ -114,6 +114,28 @@ TEST(RampPhasor, AnUnevenSpeedIsThatOfSteps) {
   EXPECT_GT(largest, 1.5e-4) << "it hesitates at the resonance";
 }
 
+TEST(RampPhasor, ASpeedThatTurnsWithinAStretchMeetsItsResonance) {
+  // Up through the resonance and back, slowly, within one of the 64 stretches of a very long run at a speed
+  // far below. With modes that do not change it is the motion in one stretch.
+  model::Machine machine = scene::one_side_machine();
+  std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz = 60;
+  const scene::PreparedMachine straight = scene::prepare_machine(machine);
+  scene::PreparedMachine stretched = straight;
+  const Eigen::Index n = straight.assembly.system.coordinates();
+  stretched.assembly.gyroscopic = Eigen::MatrixXd::Zero(n, n);
+  Ramp ramp;
+  ramp.knot_s = {0, 4815, 4877.5, 4940, 9600};
+  ramp.knot_hz = {20, 20, 70, 20, 20};
+  const Eigen::MatrixXd rows = identify::sensor_rows(straight).rows;
+  std::vector<double> t_s{0};
+  for (int k = 0; k <= 60; ++k) t_s.push_back(4850.0 + k);
+  t_s.push_back(9600);
+  const Eigen::MatrixXcd one = ramp_phasors(straight, rows, 1e-5, ramp, t_s, 0),
+                         many = ramp_phasors(stretched, rows, 1e-5, ramp, t_s, 0);
+  EXPECT_GT(one.cwiseAbs().maxCoeff(), 1e-4) << "it passes its resonance";
+  EXPECT_LT((many - one).cwiseAbs().maxCoeff(), 1e-3 * one.cwiseAbs().maxCoeff());
+}
+
 TEST(RampPhasor, KnotsOnALineAreAnEvenRamp) {
   const scene::PreparedMachine prepared = scene::prepare_machine(bowed_kit());
   const Eigen::MatrixXd rows = identify::sensor_rows(prepared).rows;

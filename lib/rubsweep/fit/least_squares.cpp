@@ -117,14 +117,19 @@ class Residual : public ceres::CostFunction {
 
 class Watch : public ceres::IterationCallback {
  public:
-  Watch(const LeastSquaresOptions& options, int start) : options_(options), start_(start) {}
+  Watch(const LeastSquares& problem, const Evaluation& evaluation, const LeastSquaresOptions& options,
+        int start)
+      : problem_(problem), evaluation_(evaluation), options_(options), start_(start) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    if (problem_.accepted && summary.step_is_successful) problem_.accepted(evaluation_.values());
     if (options_.on_iteration) options_.on_iteration(start_, summary.iteration, summary.cost);
     const bool stop = options_.stop != nullptr && options_.stop->load();
     return stop ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
  private:
+  const LeastSquares& problem_;
+  const Evaluation& evaluation_;
   const LeastSquaresOptions& options_;
   int start_;
 };
@@ -140,6 +145,7 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& from
   LeastSquaresFit fit;
   fit.cost = INFINITY;
   if (!evaluation.possible()) return fit;
+  if (problem.accepted) problem.accepted(from);
   ceres::Problem::Options ownership;
   ownership.evaluation_callback = &evaluation;
   ceres::Problem descent(ownership);
@@ -153,7 +159,7 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& from
     descent.SetParameterLowerBound(evaluation.scaled(), i, parameter.low / parameter.scale);
     descent.SetParameterUpperBound(evaluation.scaled(), i, parameter.high / parameter.scale);
   }
-  Watch watch(options, start);
+  Watch watch(problem, evaluation, options, start);
   ceres::Solver::Options how;
   how.linear_solver_type = ceres::DENSE_QR;
   how.max_num_iterations = options.most_iterations;

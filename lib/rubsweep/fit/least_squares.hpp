@@ -23,6 +23,9 @@ struct LeastSquares {
   /// Residuals at values of the parameters, always as many. May throw ConfigError or SolverError: these
   /// values are then impossible. May be called by several threads at once.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> residuals;
+  /// Told of the values that a start begins at and of those that each step leads to, never beside
+  /// `residuals`.
+  std::function<void(const Eigen::VectorXd&)> accepted{};
 };
 
 struct LeastSquaresOptions {

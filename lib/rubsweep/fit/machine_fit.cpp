@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <deque>
 #include <functional>
 #include <mutex>
 #include <numbers>
@@ -13,6 +12,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/fit/free_vibration.hpp"
 #include "rubsweep/identify/linear_run.hpp"
+#include "rubsweep/numerics/recently_used.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::fit {
@@ -34,29 +34,24 @@ Eigen::VectorXd stacked(const Eigen::MatrixXcd& phasors) {
   return parts;
 }
 
-struct Pair {
-  Eigen::VectorXd measured, modelled;
-};
-
 /// The scale of the kick and an offset of each sensor, by least squares.
-Pair with_scale(const Eigen::MatrixXd& measured, const Eigen::MatrixXd& shape) {
+Eigen::VectorXd with_scale(const Eigen::MatrixXd& measured, const Eigen::MatrixXd& shape) {
   const Eigen::MatrixXd centred = measured.rowwise() - measured.colwise().mean();
   const Eigen::MatrixXd moved = shape.rowwise() - shape.colwise().mean();
   const double square = moved.squaredNorm();
   const double scale = square > 0 ? (moved.array() * centred.array()).sum() / square : 0;
   const Eigen::MatrixXd model = (scale * moved).rowwise() + measured.colwise().mean();
-  return {Eigen::Map<const Eigen::VectorXd>(measured.data(), measured.size()),
-          Eigen::Map<const Eigen::VectorXd>(model.data(), model.size())};
+  return model.reshaped();
 }
 
-Pair with_run_out(const Eigen::MatrixXcd& measured, Eigen::MatrixXcd model, bool run_out) {
+Eigen::VectorXd with_run_out(const Eigen::MatrixXcd& measured, Eigen::MatrixXcd model, bool run_out) {
   if (run_out) model.rowwise() += (measured - model).colwise().mean().eval();
-  return {stacked(measured), stacked(model)};
+  return stacked(model);
 }
 
 /// Lines of a rub turned to the measured mark. A period of several turns may begin with any of them: the one
 /// that leaves the least.
-Pair with_first_turn(const RubLines& rub, const Eigen::VectorXcd& lines_m, double mark_rad) {
+Eigen::VectorXd with_first_turn(const RubLines& rub, const Eigen::VectorXcd& lines_m, double mark_rad) {
   Eigen::VectorXcd best;
   for (int turn = 0; turn < rub.turns; ++turn) {
     Eigen::VectorXcd turned = lines_m;
@@ -66,13 +61,15 @@ Pair with_first_turn(const RubLines& rub, const Eigen::VectorXcd& lines_m, doubl
     if (turn == 0 || (turned - rub.line_m).squaredNorm() < (best - rub.line_m).squaredNorm())
       best = std::move(turned);
   }
-  return {stacked(rub.line_m), stacked(best)};
+  return stacked(best);
 }
 
 /// Ramps that were computed last: those along an eccentricity or an angle of the mark differ by a factor. For
 /// several threads.
 class LastRamps {
  public:
+  explicit LastRamps(const MachineFit& problem) : known_(4 * problem.data.size()) {}
+
   /// `values` of the problem's parameters; `make` computes what is not there.
   RampParts of(const MachineFit& problem, const RunUp& run, Eigen::VectorXd values,
                const std::function<RampParts()>& make) {
@@ -83,14 +80,14 @@ class LastRamps {
     }
     {
       const std::lock_guard lock(mutex_);
-      for (const Known& known : known_)
-        if (known.run == &run && known.values == values) return known.parts;
+      const auto* known =
+          known_.find([&](const Known& one) { return one.run == &run && one.values == values; });
+      if (known != nullptr) return known->parts;
     }
     RampParts parts = make();
-    const std::size_t most = 4 * problem.data.size();
     const std::lock_guard lock(mutex_);
-    known_.push_front({&run, std::move(values), parts});
-    if (known_.size() > most) known_.pop_back();
+    known_.emplace(Known{&run, std::move(values), parts});
+    known_.trim();
     return parts;
   }
 
@@ -101,11 +98,23 @@ class LastRamps {
     RampParts parts;
   };
   std::mutex mutex_;
-  std::deque<Known> known_;
+  numerics::RecentlyUsed<Known> known_;
 };
 
-Pair pair_of(const MachineFit& problem, const MeasuredData& data, const scene::PreparedMachine& machine,
-             const Eigen::VectorXd& values, LastRamps& ramps) {
+/// Numbers of a file: readings, or real and imaginary parts, in the order of the residuals.
+Eigen::VectorXd measured_of(const MeasuredData& data) {
+  return std::visit(
+      overloaded{[](const RingDown& ring) -> Eigen::VectorXd { return ring.signal_m.reshaped(); },
+                 [](const RunUp& run) { return stacked(run.phasor_m); },
+                 [](const Steady& steady) { return stacked(steady.phasor_m); },
+                 [](const RubLines& rub) { return stacked(rub.line_m); }},
+      data.data);
+}
+
+/// The same numbers of a machine.
+Eigen::VectorXd modelled_of(const MachineFit& problem, const MeasuredData& data,
+                            const scene::PreparedMachine& machine, const Eigen::VectorXd& values,
+                            LastRamps& ramps) {
   const identify::SensorRows sensors = identify::sensor_rows(machine);
   const auto rows_for = [&](Eigen::Index count) {
     if (count > sensors.rows.rows())
@@ -174,8 +183,8 @@ Eigen::VectorXd residuals_of(const MachineFit& problem, const std::vector<double
   std::vector<Eigen::VectorXd> parts;
   Eigen::Index count = 0;
   for (std::size_t i = 0; i < problem.data.size(); ++i) {
-    const Pair pair = pair_of(problem, problem.data[i], machine, values, ramps);
-    parts.push_back((pair.measured - pair.modelled) / noise_m[i]);
+    const MeasuredData& data = problem.data[i];
+    parts.emplace_back((measured_of(data) - modelled_of(problem, data, machine, values, ramps)) / noise_m[i]);
     count += parts.back().size();
   }
   Eigen::VectorXd all(count);
@@ -188,11 +197,30 @@ Eigen::VectorXd residuals_of(const MachineFit& problem, const std::vector<double
 }
 
 /// A hundredth of the size of the data: what the first fit weighs them by.
-double rough_noise_m(const MachineFit& problem, const MeasuredData& data,
-                     const scene::PreparedMachine& machine, const Eigen::VectorXd& values, LastRamps& ramps) {
-  const Eigen::VectorXd measured = pair_of(problem, data, machine, values, ramps).measured;
+double rough_noise_m(const MeasuredData& data) {
+  const Eigen::VectorXd measured = measured_of(data);
   const double mean = measured.mean();
   return std::max(0.01 * std::sqrt((measured.array() - mean).square().mean() + mean * mean * 1e-6), 1e-300);
+}
+
+/// A ramp with knots has speeds at its instants: no one rate takes their place.
+void refuse_rate_of_uneven_ramps(const MachineFit& problem) {
+  if (std::ranges::find(problem.parameters, rate_name, &Parameter::name) == problem.parameters.end()) return;
+  for (const MeasuredData& data : problem.data) {
+    const auto* run = std::get_if<RunUp>(&data.data);
+    if (run != nullptr && !run->ramp.even())
+      throw ConfigError(data.name + ": has a speed that changes unevenly, allowed with " + rate_name +
+                        ": one that changes evenly");
+  }
+}
+
+/// Rubs that the next ones are found from.
+void follow_rubs(const MachineFit& problem, const Eigen::VectorXd& values) {
+  if (!problem.follow_rub) return;
+  for (const MeasuredData& data : problem.data)
+    if (const auto* rub = std::get_if<RubLines>(&data.data))
+      problem.follow_rub(problem.machine(values), *rub,
+                         named(problem, values, eccentricity_name, problem.eccentricity_m));
 }
 
 Eigen::VectorXd start_of(const MachineFit& problem) {
@@ -203,14 +231,12 @@ Eigen::VectorXd start_of(const MachineFit& problem) {
 }
 
 /// Which residuals are of which file.
-std::vector<DataResidual> parts_of(const MachineFit& problem, const std::vector<double>& noise_m,
-                                   const Eigen::VectorXd& values, LastRamps& ramps) {
-  const scene::PreparedMachine machine = problem.machine(values);
+std::vector<DataResidual> parts_of(const MachineFit& problem, const std::vector<double>& noise_m) {
   std::vector<DataResidual> parts;
   int begin = 0;
   for (std::size_t i = 0; i < problem.data.size(); ++i) {
     const MeasuredData& data = problem.data[i];
-    const auto count = static_cast<int>(pair_of(problem, data, machine, values, ramps).measured.size());
+    const auto count = static_cast<int>(measured_of(data).size());
     parts.push_back({data.name, begin, count, eliminated_of(data), noise_m[i]});
     begin += count;
   }
@@ -244,19 +270,21 @@ double bic_of(const MachineFitResult& result, std::size_t parameters) {
 }  // namespace
 
 MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOptions& options) {
-  LeastSquares squares{problem.parameters, {}};
+  refuse_rate_of_uneven_ramps(problem);
   std::vector<double> noise_m;
-  LastRamps ramps;
+  for (const MeasuredData& data : problem.data) noise_m.push_back(rough_noise_m(data));
+  LastRamps ramps(problem);
   const Eigen::VectorXd start = start_of(problem);
-  const scene::PreparedMachine first = problem.machine(start);
-  for (const MeasuredData& data : problem.data)
-    noise_m.push_back(rough_noise_m(problem, data, first, start, ramps));
-  squares.residuals = [&](const Eigen::VectorXd& values) {
-    return residuals_of(problem, noise_m, values, ramps);
-  };
+  // Whatever is wrong with the first values is said here: a descent takes it for values that are impossible.
+  follow_rubs(problem, start);
+  residuals_of(problem, noise_m, start, ramps);
+  LeastSquares squares{
+      .parameters = problem.parameters,
+      .residuals = [&](const Eigen::VectorXd& at) { return residuals_of(problem, noise_m, at, ramps); },
+      .accepted = [&](const Eigen::VectorXd& values) { follow_rubs(problem, values); }};
   MachineFitResult result;
   result.fit = least_squares(squares, options);
-  result.data = parts_of(problem, noise_m, result.fit.value, ramps);
+  result.data = parts_of(problem, noise_m);
   LeastSquaresOptions again = options;
   again.starts = 1;
   // The first fit may have followed the noisy data and left much of the others: a few rounds find the noise
@@ -272,7 +300,7 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
     result.fit = least_squares(squares, again);
     result.fit.starts = starts;
     result.fit.agreeing = agreeing;
-    result.data = parts_of(problem, noise_m, result.fit.value, ramps);
+    result.data = parts_of(problem, noise_m);
   }
   int eliminated = 0;
   for (const DataResidual& data : result.data) eliminated += data.eliminated;
@@ -282,9 +310,9 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
 }
 
 ModelledData modelled(const MachineFit& problem, std::size_t data, const Eigen::VectorXd& values) {
-  LastRamps ramps;
-  const Pair pair = pair_of(problem, problem.data[data], problem.machine(values), values, ramps);
-  return {pair.measured, pair.modelled};
+  LastRamps ramps(problem);
+  const MeasuredData& measured = problem.data[data];
+  return {measured_of(measured), modelled_of(problem, measured, problem.machine(values), values, ramps)};
 }
 
 }  // namespace rubsweep::fit

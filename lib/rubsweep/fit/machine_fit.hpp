@@ -29,6 +29,9 @@ struct MachineFit {
   /// Lines of these orders that a machine with an eccentricity in metres has while it rubs, phi = 0 where its
   /// mark points along +x; needed with RubLines. Throws as `machine` does.
   std::function<Eigen::VectorXcd(const scene::PreparedMachine&, const RubLines&, double)> rub_lines{};
+  /// Told of the machines that the fit passes through, one after the other, from which others are found; may
+  /// be left out.
+  std::function<void(const scene::PreparedMachine&, const RubLines&, double)> follow_rub{};
 };
 
 /// Residuals of one file of data.
@@ -48,7 +51,8 @@ struct MachineFitResult {
 
 /// Fits the parameters to all data together. Data of different files count by their own noise, which is
 /// estimated from a first fit. Offsets of ring-downs, their common scale (nobody knows how hard it was
-/// struck), and run-out where asked for, are eliminated at every step.
+/// struck), and run-out where asked for, are eliminated at every step. Throws ConfigError for data that the
+/// machine, or the parameters, do not go with, and for first values that are not allowed.
 MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOptions& options);
 
 /// Model beside the data: real parts, and imaginary ones of 1X, in metres, in the order of the residuals.

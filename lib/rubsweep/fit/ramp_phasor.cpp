@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/fit/mode_set.hpp"
@@ -74,6 +75,17 @@ class Turning {
   }
   double most_gain() const { return most_gain_; }
 
+  /// Lowest and highest speed between two instants: at one of them or at a knot.
+  std::pair<double, double> speeds_between(double from_s, double to_s) const {
+    auto [low, high] = std::minmax({speed(from_s), speed(to_s)});
+    for (std::size_t k = 0; k < ramp_.knot_s.size(); ++k) {
+      if (ramp_.knot_s[k] <= from_s || ramp_.knot_s[k] >= to_s) continue;
+      low = std::min(low, 2 * pi * ramp_.knot_hz[k]);
+      high = std::max(high, 2 * pi * ramp_.knot_hz[k]);
+    }
+    return {low, high};
+  }
+
  private:
   Ramp ramp_;
   std::vector<double> turns_;  ///< at the knots
@@ -137,7 +149,7 @@ class Ramped {
       const Complex value = modes_->values(k);
       double nearest = std::abs(value.real());
       if (std::isfinite(stretch_s_)) {
-        const auto [low, high] = std::minmax({speed(t), speed(t + stretch_s_)});
+        const auto [low, high] = turning_.speeds_between(t, t + stretch_s_);
         nearest = std::abs(value - Complex(0, std::clamp(value.imag(), low, high)));
       }
       follows_[static_cast<std::size_t>(k)] = turning_.most_gain() < far_from_resonance * nearest * nearest;

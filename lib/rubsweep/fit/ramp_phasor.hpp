@@ -22,8 +22,9 @@ double speed_hz(const Ramp& ramp, double t_s);
 /// phi}) that unbalance and bow make, at ascending instants, one row each, one column for each row of `rows`
 /// (displacement = row * q). Every value is the mean over `window_turns` turns about its instant, as 1X of a
 /// recording is; 0: none. Each mode near a resonance is integrated by Gauss and Legendre's rule; one far from
-/// any follows the speed by its answer to second order. The modes are those of stretches 0.25 Hz wide, at
-/// most 64, with tables 128. Before the first instant the speed is taken to have been passed without a resonance. Throws
+/// any follows the speed by its answer to second order. Modes that change with the speed are those of the
+/// middle of stretches in which it changes by 0.25 Hz, or more where that makes more than 64 of them, with
+/// tables 128. Before the first instant the speed is taken to have been passed without a resonance. Throws
 /// ConfigError for a speed that is not above 0.
 Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
                               double eccentricity_m, const Ramp& ramp, const std::vector<double>& t_s,

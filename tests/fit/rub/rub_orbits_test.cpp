@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <future>
 #include <numbers>
 
+#include "batch/message_of.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/fit/machine_fit.hpp"
 #include "rubsweep/integrate/start.hpp"
@@ -16,6 +19,7 @@ namespace rubsweep::fit::rub {
 namespace {
 
 using Complex = std::complex<double>;
+using std::numbers::pi;
 
 constexpr double speed_hz = 70, eccentricity_m = 1.6e-4;
 constexpr int turns = 2;
@@ -55,51 +59,86 @@ Eigen::VectorXcd lines_of_a_long_run(const scene::PreparedMachine& machine) {
     lines(i) = 0;
     for (std::size_t k = 0; k < places_m.size(); ++k)
       lines(i) += places_m[k] / static_cast<double>(places_m.size()) *
-                  std::polar(1.0, -2 * std::numbers::pi * order * static_cast<double>(k) / samples);
+                  std::polar(1.0, -2 * pi * order * static_cast<double>(k) / samples);
   }
   return lines;
 }
 
+/// Angle of the shaft where a run begins, in closed form: there the quiet whirl of the Jeffcott rotor points
+/// at the wall, and the shaft is ahead of it by the lag of the response, arg(1 - r^2 + 2 i z r).
+double begin_rad(const model::Machine& machine) {
+  const auto& rotor = std::get<model::JeffcottRotor>(machine.rotor);
+  const double r = speed_hz / rotor.natural_frequency_hz;
+  return std::get<model::OneSideGeometry>(machine.stops.front().geometry).angle_deg * pi / 180 +
+         std::arg(Complex(1 - r * r, 2 * rotor.damping_ratio * r));
+}
+
+/// Lines whose phases count from another place of the shaft, after it has turned on by `angle_rad`.
+Eigen::VectorXcd turned(Eigen::VectorXcd lines, double angle_rad) {
+  for (Eigen::Index i = 0; i < lines.size(); ++i)
+    lines(i) *= std::polar(1.0, half_orders()[static_cast<std::size_t>(i)] * angle_rad);
+  return lines;
+}
+
+/// Largest difference of lines. A period of two turns may begin with either: the one that leaves less.
+double apart(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
+  double least = INFINITY;
+  for (int turn = 0; turn < turns; ++turn)
+    least = std::min(least, (a - turned(b, 2 * pi * turn)).cwiseAbs().maxCoeff());
+  return least;
+}
+
 TEST(RubOrbits, LinesAreThoseOfALongRun) {
   const scene::PreparedMachine machine = scene::prepare_machine(scene::one_side_machine());
-  RubOrbits orbits({}, {});
-  const Eigen::VectorXcd found = orbits.lines_m(machine, asked());
-  const Eigen::VectorXcd run = lines_of_a_long_run(machine);
+  const Eigen::VectorXcd found = RubOrbits({}, {}).lines_m(machine, asked());
+  const Eigen::VectorXcd run = turned(lines_of_a_long_run(machine), -begin_rad(scene::one_side_machine()));
   EXPECT_GT(std::abs(run(6)), 1e-5) << "the motion is no 1/2";
-  for (Eigen::Index i = 0; i < run.size(); ++i)
-    EXPECT_NEAR(std::abs(found(i)), std::abs(run(i)), 1e-6 * run.norm())
-        << half_orders()[static_cast<std::size_t>(i)];
-  // Both begin elsewhere on the turn: one angle, a whole number of turns apart, explains all phases.
-  double least = INFINITY;
-  for (int turn = 0; turn < turns; ++turn) {
-    const double angle = std::arg(found(7) / run(7)) + 2 * std::numbers::pi * turn;
-    double most = 0;
-    for (Eigen::Index i = 0; i < run.size(); ++i)
-      most = std::max(
-          most,
-          std::abs(found(i) - run(i) * std::polar(1.0, half_orders()[static_cast<std::size_t>(i)] * angle)));
-    least = std::min(least, most);
-  }
-  EXPECT_LT(least, 1e-6 * run.norm());
+  EXPECT_LT(apart(found, run), 1e-6 * run.norm());
+  EXPECT_GT(apart(found, turned(run, 1e-3)), 1e-4 * run.norm()) << "phases count";
+}
+
+scene::PreparedMachine with_clearance(double factor) {
+  model::Machine machine = scene::one_side_machine();
+  machine.stops.front().clearance_m *= factor;
+  return scene::prepare_machine(machine);
 }
 
 TEST(RubOrbits, ANextMachineIsReachedFromTheLastAsFromItsKick) {
-  model::Machine other = scene::one_side_machine();
-  other.stops.front().clearance_m *= 1.01;
-  RubOrbits followed({}, {}), alone({}, {});
-  followed.lines_m(scene::prepare_machine(scene::one_side_machine()), asked());
-  const Eigen::VectorXcd near = followed.lines_m(scene::prepare_machine(other), asked());
-  const Eigen::VectorXcd far = alone.lines_m(scene::prepare_machine(other), asked());
-  double least = INFINITY;
-  for (int turn = 0; turn < turns; ++turn) {
-    double most = 0;
-    for (Eigen::Index i = 0; i < far.size(); ++i)
-      most = std::max(
-          most, std::abs(near(i) - far(i) * std::polar(1.0, 2 * std::numbers::pi * turn *
-                                                                half_orders()[static_cast<std::size_t>(i)])));
-    least = std::min(least, most);
-  }
-  EXPECT_LT(least, 1e-8 * far.norm());
+  RubOrbits followed({}, {});
+  followed.follow(with_clearance(1), asked());
+  const Eigen::VectorXcd far = RubOrbits({}, {}).lines_m(with_clearance(1.01), asked());
+  EXPECT_LT(apart(followed.lines_m(with_clearance(1.01), asked()), far), 1e-8 * far.norm());
+}
+
+TEST(RubOrbits, LinesDoNotDependOnWhoElseAsked) {
+  RubOrbits one({}, {}), other({}, {});
+  AskedLines faster = asked();
+  faster.speed_hz = 71;
+  one.follow(with_clearance(1), asked());
+  one.follow(with_clearance(1), faster);
+  other.follow(with_clearance(1), faster);
+  other.follow(with_clearance(1), asked());
+  const Eigen::VectorXcd first = one.lines_m(with_clearance(1.001), asked()),
+                         second = one.lines_m(with_clearance(0.999), asked()),
+                         other_speed = one.lines_m(with_clearance(1.001), faster);
+  EXPECT_EQ(other.lines_m(with_clearance(1.001), faster), other_speed);
+  EXPECT_EQ(other.lines_m(with_clearance(0.999), asked()), second);
+  EXPECT_EQ(other.lines_m(with_clearance(1.001), asked()), first);
+  // From two threads at once.
+  auto beside = std::async(std::launch::async, [&] { return one.lines_m(with_clearance(1.001), asked()); });
+  EXPECT_EQ(one.lines_m(with_clearance(0.999), asked()), second);
+  EXPECT_EQ(beside.get(), first);
+}
+
+TEST(RubOrbits, RefusesAMotionThatRepeatsSooner) {
+  AskedLines twice = asked();
+  twice.turns = 2 * turns;
+  RubOrbits orbits({}, {});
+  const std::string message = message_of<ConfigError>([&] { orbits.lines_m(with_clearance(1), twice); });
+  EXPECT_NE(
+      message.find("a motion that is subharmonic 1/2, allowed: one in contact that repeats after 4 turns"),
+      std::string::npos)
+      << message;
 }
 
 TEST(RubOrbits, RefusesAMachineThatDoesNotRub) {
@@ -121,12 +160,7 @@ TEST(RubOrbits, AFitFindsWhatTheStopIs) {
   data.line_m = lines_of_a_long_run(with(clearance_m, stiffness));
   // The long run begins where its own smallest gap is: its lines are turned to the shaft, then to another
   // mark.
-  RubOrbits truth({}, {});
-  const Eigen::VectorXcd shaft = truth.lines_m(with(clearance_m, stiffness), asked());
-  for (Eigen::Index i = 0; i < shaft.size(); ++i)
-    data.line_m(i) =
-        std::polar(std::abs(data.line_m(i)), std::arg(shaft(i))) *
-        std::polar(1.0, data.order[static_cast<std::size_t>(i)] * mark_deg * std::numbers::pi / 180);
+  data.line_m = turned(data.line_m, mark_deg * pi / 180 - begin_rad(scene::one_side_machine()));
   RubOrbits orbits({}, {});
   MachineFit problem{.parameters = {{"clearance", 1e-3, 9e-4, 1.2e-3, 1e-3},
                                     {"stiffness", 2e6, 1e6, 4e6, 2e6},
@@ -137,6 +171,10 @@ TEST(RubOrbits, AFitFindsWhatTheStopIs) {
                      .rub_lines =
                          [&](const scene::PreparedMachine& machine, const RubLines& rub, double e) {
                            return orbits.lines_m(machine, {rub.speed_hz, e, rub.turns, rub.order});
+                         },
+                     .follow_rub =
+                         [&](const scene::PreparedMachine& machine, const RubLines& rub, double e) {
+                           orbits.follow(machine, {rub.speed_hz, e, rub.turns, rub.order});
                          }};
   const MachineFitResult result = fit_machine(problem, {});
   EXPECT_TRUE(result.fit.converged);

@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <span>
 #include <utility>
 
+#include "rubsweep/branch/continuation/orbit_newton.hpp"
 #include "rubsweep/branch/orbits/scene_orbits.hpp"
 #include "rubsweep/branch/orbits/settled_start.hpp"
 #include "rubsweep/error.hpp"
@@ -23,29 +22,12 @@ using Complex = std::complex<double>;
 
 constexpr int samples_per_turn = 256;
 
-/// The orbit near `state` by Newton's iteration, which ends a step after its change is small: the error is
-/// then about the square of it.
-std::optional<Eigen::VectorXd> closed(const branch::orbits::OrbitProblem& problem, Eigen::VectorXd state) {
-  constexpr int most_steps = 12;
-  constexpr double small = 1e-7;
-  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(state.size(), state.size());
-  for (int step = 0; step < most_steps; ++step) {
-    Eigen::VectorXd image = state;
-    Eigen::MatrixXd monodromy;
-    if (problem.returns(0, image, &monodromy) != branch::orbits::Evaluation::ok) return std::nullopt;
-    const Eigen::VectorXd change = (identity - monodromy).partialPivLu().solve(image - state);
-    if (!change.allFinite()) return std::nullopt;
-    state += change;
-    if (change.norm() < small * std::max(1.0, state.norm())) return state;
-  }
-  return std::nullopt;
-}
-
-/// Displacements of the observed point in metres at equal angles of the shaft over `turns`; empty where
-/// nothing touches or the solver fails.
+/// Displacements of the observed point in metres at equal angles of the shaft over the period; empty where
+/// nothing touches, the motion repeats sooner, or the solver fails.
 std::vector<Complex> sampled(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                              integrate::exact::modes::ModeCache& modes, const Eigen::VectorXd& state,
                              int turns) {
+  constexpr double same = 1e-6;
   const auto& observed = scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
   const integrate::run::Run run = integrate::start(response::proof::after_the_kick(scene), solver, modes);
   run.restart({state.data(), static_cast<std::size_t>(state.size())});
@@ -58,6 +40,7 @@ std::vector<Complex> sampled(const scene::Scene& scene, const integrate::run::So
     if (run.advance(request, report) != integrate::run::Outcome::ok) return {};
     touched = touched || report.touched;
     const Eigen::Map<const Eigen::MatrixXd> samples(report.samples.data(), state.size(), report.sample_count);
+    if (turn > 0 && (samples.col(0) - state).norm() < same * state.norm()) return {};
     for (Eigen::Index k = 0; k < samples.cols(); ++k) {
       const Eigen::Vector2d place_m =
           scene.length_scale_m * (observed * samples.col(k).head(state.size() / 2));
@@ -94,53 +77,66 @@ Eigen::VectorXcd lines_of(const std::vector<Complex>& places_m, const AskedLines
 
 }  // namespace
 
+struct RubOrbits::Orbit {
+  Eigen::VectorXd section_m;
+  std::vector<Complex> places_m;
+  double begin_rad = 0;
+};
+
 RubOrbits::RubOrbits(integrate::run::SolverOptions solver, response::motion::ResponseOptions options)
     : solver_(std::move(solver)), options_(std::move(options)) {}
 
-std::optional<Eigen::VectorXd> RubOrbits::last_m() const {
+std::optional<Eigen::VectorXd> RubOrbits::followed_m(const AskedLines& asked) const {
   const std::lock_guard lock(mutex_);
-  return last_m_;
+  const auto found = followed_m_.find({asked.speed_hz, asked.turns});
+  return found == followed_m_.end() ? std::nullopt : std::optional(found->second);
 }
 
-Eigen::VectorXcd RubOrbits::lines_m(const scene::PreparedMachine& machine, const AskedLines& asked) {
+RubOrbits::Orbit RubOrbits::orbit_of(const scene::PreparedMachine& machine, const AskedLines& asked) const {
   const scene::PreparedMachine there = scene::prepared_at(machine, asked.speed_hz);
   const scene::Cell cell =
       scene::build_cell(there, asked.speed_hz, scene::Eccentricity{asked.eccentricity_m});
   response::motion::Workspace workspace;
   const branch::orbits::OrbitProblem problem = branch::orbits::scene_orbits(
       [&](double) { return std::optional(cell.scene); }, asked.turns, solver_, workspace.modes);
-  const Eigen::Index states = 2 * cell.scene.structure.coordinates();
-  std::optional<Eigen::VectorXd> orbit;
-  std::vector<Complex> places_m;
+  Orbit orbit{.section_m = {}, .places_m = {}, .begin_rad = shaft_angle_at_start_rad(there, cell, asked)};
   const auto take = [&](const Eigen::VectorXd& near) {
-    orbit = closed(problem, near);
-    places_m =
-        orbit ? sampled(cell.scene, solver_, workspace.modes, *orbit, asked.turns) : std::vector<Complex>{};
+    const auto found = branch::continuation::correct_at(problem, near, 0);
+    if (!found.converged) return;
+    orbit.section_m = found.point.state * cell.scene.length_scale_m;
+    orbit.places_m = sampled(cell.scene, solver_, workspace.modes, found.point.state, asked.turns);
   };
-  if (const auto last = last_m(); last && last->size() == states) take(*last / cell.scene.length_scale_m);
-  if (places_m.empty()) {
-    if (!scene::can_run(cell.start))
-      throw ConfigError(
-          fmt::format("rub: there is no motion at {:.6g} Hz and an eccentricity of {:.6g} m, allowed: a "
-                      "machine whose quiet whirl does not touch",
-                      asked.speed_hz, asked.eccentricity_m));
-    const branch::orbits::SettledStart start =
-        branch::orbits::settle_on_orbit(cell, solver_, options_, workspace);
-    const bool repeats = start.order && asked.turns % *start.order == 0 &&
-                         start.closing == branch::orbits::Closing::with_the_shaft;
-    if (repeats) take(start.state);
-    if (places_m.empty())
-      throw ConfigError(fmt::format(
-          "rub: at {:.6g} Hz and an eccentricity of {:.6g} m the kick leads to a motion that "
-          "is {}{}, allowed: one in contact that repeats after {} turns as the recorded one",
-          asked.speed_hz, asked.eccentricity_m, to_string(start.motion_class),
-          start.order && *start.order > 1 ? fmt::format(" 1/{}", *start.order) : "", asked.turns));
-  }
-  {
-    const std::lock_guard lock(mutex_);
-    last_m_ = *orbit * cell.scene.length_scale_m;
-  }
-  return lines_of(places_m, asked, shaft_angle_at_start_rad(there, cell, asked));
+  const Eigen::Index states = 2 * cell.scene.structure.coordinates();
+  if (const auto near = followed_m(asked); near && near->size() == states)
+    take(*near / cell.scene.length_scale_m);
+  if (!orbit.places_m.empty()) return orbit;
+  if (!scene::can_run(cell.start))
+    throw ConfigError(
+        fmt::format("rub: there is no motion at {:.6g} Hz and an eccentricity of {:.6g} m, allowed: a "
+                    "machine whose quiet whirl does not touch",
+                    asked.speed_hz, asked.eccentricity_m));
+  const branch::orbits::SettledStart start =
+      branch::orbits::settle_on_orbit(cell, solver_, options_, workspace);
+  if (start.order == asked.turns && start.closing == branch::orbits::Closing::with_the_shaft)
+    take(start.state);
+  if (orbit.places_m.empty())
+    throw ConfigError(
+        fmt::format("rub: at {:.6g} Hz and an eccentricity of {:.6g} m the kick leads to a motion that "
+                    "is {}{}, allowed: one in contact that repeats after {} turns as the recorded one",
+                    asked.speed_hz, asked.eccentricity_m, to_string(start.motion_class),
+                    start.order && *start.order > 1 ? fmt::format(" 1/{}", *start.order) : "", asked.turns));
+  return orbit;
+}
+
+Eigen::VectorXcd RubOrbits::lines_m(const scene::PreparedMachine& machine, const AskedLines& asked) const {
+  const Orbit orbit = orbit_of(machine, asked);
+  return lines_of(orbit.places_m, asked, orbit.begin_rad);
+}
+
+void RubOrbits::follow(const scene::PreparedMachine& machine, const AskedLines& asked) {
+  Orbit orbit = orbit_of(machine, asked);
+  const std::lock_guard lock(mutex_);
+  followed_m_.insert_or_assign({asked.speed_hz, asked.turns}, std::move(orbit.section_m));
 }
 
 }  // namespace rubsweep::fit::rub
