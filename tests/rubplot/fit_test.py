@@ -23,7 +23,8 @@ def run_up(count=40):
 
 
 class FitPicture(figures.FigureTest):
-    def write_fit(self, rows):
+    def write_fit(self, rows, sweep="speed_hz"):
+        self.write("config.yaml", f"sweep:\n  {sweep}:\n    from: 10\n    to: 20\n")
         self.write("fitted.csv", HEADER + rows)
         self.write("parameters.csv", "parameter,value,standard_error,low_95,high_95,start,at_bound\n"
                    "rotor.damping_ratio,0.02,1e-4,0.0198,0.0202,0.03,0\neccentricity_m,1e-5,inf,-inf,inf,1e-6,0\n"
@@ -53,6 +54,15 @@ class FitPicture(figures.FigureTest):
                      "rotor.damping_ratio = 0.02 ± 0.0002", "eccentricity_m = 1e-05, not told", "mark_deg = 40 ± 2 (at its bound)"):
             self.assertIn(word, figures.words(root))
         self.assertEqual(figures.over_each_other(root), [])
+
+    def test_speeds_are_in_the_unit_of_the_configuration_or_the_one_that_is_asked_for(self):
+        self.write_fit(phasor_rows(0, "run_up", 0, run_up()), sweep="speed_rpm")
+        self.assertIn("shaft speed (rpm)", figures.words(self.draw("fit")))
+        found = fit.Fit(self.directory).files[0]
+        self.assertEqual(float(next(iter(found.upper("0"))).split()[0]), 1200)
+        words = figures.words(self.draw("fit", "--speed-unit", "hz", "--length-unit", "mm"))
+        for word in ("shaft speed (Hz)", "amplitude (mm)"):
+            self.assertIn(word, words)
 
     def test_data_of_another_kind_are_refused(self):
         self.write_fit("0,sound,0,signal,0,1,1\n")

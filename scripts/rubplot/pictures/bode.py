@@ -2,7 +2,7 @@
 
 import os
 
-from rubplot import captions, configuration, csv_table, shown_units
+from rubplot import captions, configuration, csv_table, phases, shown_units
 from rubplot.failure import Failure, require_readable
 from rubplot.gnuplot import Picture
 from rubplot.subcommand import Subcommand
@@ -35,9 +35,7 @@ class Bode:
         before = None
         for row in self._rows:
             phase = csv_table.number(row, f"sensor_{sensor}_phase_deg")
-            if before is not None:
-                phase -= 360 * round((phase - before) / 360)
-            before = phase
+            before = phase = phases.beside(phase, before)
             amplitude = self.per_metre * csv_table.number(row, f"sensor_{sensor}_amplitude_m")
             yield f"{self.speed.factor * csv_table.number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g}"
 

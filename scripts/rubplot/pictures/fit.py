@@ -4,33 +4,35 @@ import cmath
 import math
 import os
 
-from rubplot import csv_table, shown_units
+from rubplot import configuration, csv_table, phases, shown_units
 from rubplot.failure import Failure, require_readable
 from rubplot.gnuplot import Picture
 from rubplot.subcommand import Subcommand
 
 # Most files of data, and sensors of each, that a picture shows; more would not be told apart.
 MOST_FILES, MOST_SENSORS = 3, 4
-# Titles of the panels of a file, and of the axis of its points.
+# Titles of the panels of a file, and the axis of its points where that is no speed.
 _KINDS = {
-    "ring_down": ("ring-down", "time (s)"),
-    "run_up": ("1X on a ramp", "shaft speed (Hz)"),
-    "steady": ("1X at steady speeds", "shaft speed (Hz)"),
-    "rub": ("lines of a rub", "order"),
+    "ring_down": ("ring-down", shown_units.Axis("time (s)")),
+    "run_up": ("1X on a ramp", None),
+    "steady": ("1X at steady speeds", None),
+    "rub": ("lines of a rub", shown_units.Axis("order")),
 }
 
 
 class FittedFile:
     """One file of data; `series` holds for each sensor the rows (at, measured, modelled), complex but of a ring-down."""
 
-    def __init__(self, rows):
+    def __init__(self, rows, config):
         self.kind = rows[0]["kind"]
         if self.kind not in _KINDS:
             raise Failure(f"fitted.csv: a kind of data called '{self.kind}', allowed: {', '.join(_KINDS)}")
+        self.title, axis = _KINDS[self.kind]
+        self.axis = axis or shown_units.axis(config, "speed_hz")
         parts = {}
         for row in rows:
             both = tuple(csv_table.number(row, name) for name in ("measured_m", "modelled_m"))
-            parts.setdefault(row["sensor"], {}).setdefault(row["part"], []).append((csv_table.number(row, "at"), *both))
+            parts.setdefault(row["sensor"], {}).setdefault(row["part"], []).append((self.axis.factor * csv_table.number(row, "at"), *both))
         self.series = {sensor: self._joined(found) for sensor, found in sorted(parts.items(), key=lambda item: int(item[0]))}
         largest = max(abs(value) for rows_of in self.series.values() for _, *both in rows_of for value in both)
         self.per_metre, self.unit = shown_units.of_length(largest)
@@ -59,12 +61,10 @@ class FittedFile:
             if self.kind == "ring_down":
                 yield f"{at:.17g} {self.per_metre * (measured - modelled):.17g} nan"
                 continue
-            model = math.degrees(cmath.phase(modelled))
-            if before is not None and self.kind != "rub":
-                model -= 360 * round((model - before) / 360)
-            before = model
-            phase = math.degrees(cmath.phase(measured))
-            yield f"{at:.17g} {phase - 360 * round((phase - model) / 360):.17g} {model:.17g}"
+            model = phases.beside(math.degrees(cmath.phase(modelled)), before)
+            before = None if self.kind == "rub" else model
+            phase = phases.beside(math.degrees(cmath.phase(measured)), model)
+            yield f"{at:.17g} {phase:.17g} {model:.17g}"
 
 
 class Fit:
@@ -72,13 +72,15 @@ class Fit:
 
     def __init__(self, directory):
         files = {name: os.path.join(directory, f"{name}.csv") for name in ("fitted", "parameters")}
-        require_readable(*files.values())
+        written = os.path.join(directory, "config.yaml")
+        require_readable(*files.values(), written)
+        config = configuration.read_configuration(written)
         rows = {}
         for row in csv_table.read_table(files["fitted"], "data", "kind", "sensor", "part", "at", "measured_m", "modelled_m"):
             rows.setdefault(int(row["data"]), []).append(row)
         if not rows:
             raise Failure(f"{files['fitted']}: holds no data")
-        self.files = [FittedFile(rows[number]) for number in sorted(rows)][:MOST_FILES]
+        self.files = [FittedFile(rows[number], config) for number in sorted(rows)][:MOST_FILES]
         self.left_out = len(rows) - len(self.files)
         self.found = [self._sentence(row) for row in csv_table.read_table(files["parameters"])]
 
@@ -96,8 +98,7 @@ def picture(given):
     files, panels = {}, []
     for column, data in enumerate(fit.files):
         sensors = list(data.series)[:MOST_SENSORS]
-        title, axis = _KINDS[data.kind]
-        panels += [f'title_{column} = "{title}"', f'axis_{column} = "{axis}"', f'unit_{column} = "{data.unit}"',
+        panels += [f'title_{column} = "{data.title}"', f'axis_{column} = "{data.axis.label}"', f'unit_{column} = "{data.unit}"',
                    f'kind_{column} = "{data.kind}"', f"sensors_{column} = {len(sensors)}", f"nothing_left_{column} = {int(data.leaves_nothing())}"]
         for i, sensor in enumerate(sensors):
             panels.append(f'name_{column}_{i} = "sensor {sensor}"')
@@ -120,6 +121,6 @@ the numbers that were found with half the width of their 95 % intervals.""",
     source="DIR",
     heading="Fit",
     picture=picture,
-    units=("length",),
+    units=("speed", "length"),
     examples=("results/kit_fit", "results/kit_fit --output fit.svg --heading 'Kit 2, Monday'"),
 )

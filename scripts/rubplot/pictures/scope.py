@@ -3,7 +3,7 @@
 import math
 import os
 
-from rubplot import csv_table, shown_units
+from rubplot import csv_table, phases, shown_units
 from rubplot.failure import require_readable
 from rubplot.gnuplot import Picture
 from rubplot.subcommand import Subcommand
@@ -114,9 +114,7 @@ class ScopeRun:
             amplitude = self.per_metre * self._number(row, f"{direction}_amplitude_m")
             phase = self._number(row, f"{direction}_phase_deg")
             angle = math.radians(phase)
-            if before is not None:
-                phase -= 360 * round((phase - before) / 360)
-            before = phase
+            before = phase = phases.beside(phase, before)
             yield f"{self.speed.factor * self._number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g} {amplitude * math.cos(angle):.17g} {amplitude * math.sin(angle):.17g}"
 
     def spectra(self):
