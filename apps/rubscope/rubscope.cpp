@@ -26,6 +26,7 @@
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
 #include "shared/run_summary.hpp"
+#include "shared/shown_lengths.hpp"
 #include "shared/working_time.hpp"
 #include "simulated_motion.hpp"
 
@@ -39,9 +40,9 @@ constexpr std::array<std::string_view, 8> file_names{"turns.csv",    "orbit.csv"
                                                      "bode.csv",     "waterfall.csv", "measures.csv",
                                                      "compared.csv", "simulated.csv"};
 
-void add_comparison(const config::RunConfig& config, const CellArgument& cell,
-                    const recording::Recording& recording, const scope::Verdict& verdict,
-                    batch::ResultFiles& files, std::string& summary) {
+void add_comparison(const config::RunConfig& config, const CellArgument& cell, const recording::Recording& recording,
+                    const scope::Verdict& verdict, const model::ShownLengths& shown, batch::ResultFiles& files,
+                    std::string& summary) {
   if (!verdict.period)
     throw ConfigError(
         "--compare: the recorded motion repeats after no number of turns, allowed: one that does");
@@ -50,7 +51,7 @@ void add_comparison(const config::RunConfig& config, const CellArgument& cell,
       scope::compare(verdict, motion.period_m, motion.turns, recording.plane);
   files["compared.csv"] = scope::comparison_csv(comparison);
   files["simulated.csv"] = scope::simulated_orbit_csv(comparison, motion.turns, recording.plane);
-  summary += scope::comparison_summary(comparison);
+  summary += scope::comparison_summary(comparison, shown);
 }
 
 int look(const RubscopeArguments& arguments) {
@@ -76,8 +77,8 @@ int look(const RubscopeArguments& arguments) {
   scope::Verdict verdict;
   if (!changing)
     verdict = scope::judge(recording.displacement_m, recording::samples_per_revolution, recording.plane);
-  scope::ScopeTables tables = changing ? scope::tables_of_run(recording, arguments.orders)
-                                       : scope::tables_of(recording, verdict, arguments.orders);
+  scope::ScopeTables tables = changing ? scope::tables_of_run(recording, arguments.orders, arguments.shown)
+                                       : scope::tables_of(recording, verdict, arguments.orders, arguments.shown);
   const ResultDirectory made(arguments.directory, file_names);
   end_on_interrupts("nothing was written");
   batch::ResultFiles files{{"turns.csv", std::move(tables.turns_csv)},
@@ -88,13 +89,13 @@ int look(const RubscopeArguments& arguments) {
     files["orbit.csv"] = std::move(tables.orbit_csv);
     files["lines.csv"] = std::move(tables.lines_csv);
   }
-  if (compared) add_comparison(*config, compared->cell, recording, verdict, files, tables.summary);
+  if (compared) add_comparison(*config, compared->cell, recording, verdict, arguments.shown, files, tables.summary);
   working.reset();
   batch::write_result_files(files, file_names, arguments.directory,
                             {"rubscope", config::digest_of(description + text), {}});
   if (!arguments.quiet) print("{}{}", tables.summary, batch::files_line(files, arguments.directory));
   if (const auto& figure = arguments.figure) {
-    figure->draw("scope", arguments.directory, file.filename().string());
+    figure->draw("scope", arguments.directory, file.filename().string(), drawn_lengths(arguments.shown, true, true));
     if (!arguments.quiet) print("figure    {}\n", figure->file().string());
   }
   return done;

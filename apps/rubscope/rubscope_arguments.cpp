@@ -9,6 +9,7 @@
 #include "rubsweep/scope/verdict.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
+#include "shared/shown_lengths.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -29,6 +30,7 @@ po::options_description visible_options() {
   add_set(options);
   add_output(options, "write there instead of into RECORDING without its ending and with _scope");
   add_figure(options, "draw orbit, section, lines and speed");
+  add_shown_lengths(options);
   add_last(options);
   return options;
 }
@@ -113,6 +115,7 @@ RubscopeArguments parse_rubscope_arguments(int argc, const char* const* argv) {
   if (given.count("output")) arguments.directory = given["output"].as<std::string>();
   if (given.count("orders")) arguments.orders = orders_of(given["orders"].as<std::string>());
   arguments.compared = compared_of(given);
+  arguments.shown = shown_lengths_of(given);
   arguments.figure = figure_of(given);
   return arguments;
 }

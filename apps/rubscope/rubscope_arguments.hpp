@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/model/length_text.hpp"
 #include "shared/action.hpp"
 #include "shared/cell_argument.hpp"
 #include "shared/figure.hpp"
@@ -24,6 +25,7 @@ struct RubscopeArguments {
   std::filesystem::path recording = {}, instrument = {}, directory = {};
   std::vector<double> orders = {1, 2};  ///< of the Bode plot, multiples of 1/8
   std::optional<ComparedCell> compared = {};
+  model::ShownLengths shown = {};  ///< in the printed text
   std::optional<Figure> figure = {};
 };
 

@@ -10,8 +10,6 @@
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/exported_matrices.hpp"
-#include "rubsweep/config/place_of_key.hpp"
-#include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/map/map_directory.hpp"
@@ -19,9 +17,6 @@
 #include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/report/motion_kinds_csv.hpp"
-#include "rubsweep/scene/prepared_machine.hpp"
-#include "rubsweep/sweep/footprint.hpp"
-#include "rubsweep/sweep/untouched_walls.hpp"
 #include "rubsweep_arguments.hpp"
 #include "shared/child_process.hpp"
 #include "shared/exit_code.hpp"
@@ -29,9 +24,9 @@
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
 #include "shared/missing_cells.hpp"
-#include "shared/premises.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/study_questions.hpp"
 #include "shared/verdict.hpp"
 #include "watched_map.hpp"
 
@@ -117,19 +112,6 @@ int export_matrices(const RubsweepArguments& arguments, const config::RunConfig&
   return done;
 }
 
-/// A run says of a weak kick that it is one; before it there is time to say what it might be.
-void ask_of_weak_kick(const RubsweepArguments& arguments, const sweep::Study& study,
-                      const scene::PreparedMachine& prepared) {
-  const auto least_n = sweep::least_kick_force_n(study, prepared);
-  if (!least_n) return;
-  constexpr std::string_view key = "kick.force_n";
-  ask("rubsweep",
-      {fmt::format("{}: {}: {} N reach no wall from any cell (more than {:.3g} N?)",
-                   config::place_of_key(arguments.config, arguments.overrides, key), key, study.machine.kick->force_n,
-                   *least_n)},
-      arguments.quiet);
-}
-
 int perform(const RubsweepArguments& arguments) {
   if (arguments.verified) return verify(arguments);
   if (answered("rubsweep", arguments.action, rubsweep_help)) return done;
@@ -154,20 +136,11 @@ int perform(const RubsweepArguments& arguments) {
   if (arguments.matrices) return export_matrices(arguments, config);
   const sweep::Study& study = config.study;
   const int threads = batch::thread_count(arguments.threads);
-  return act(
-      arguments,
-      {.size =
-           [&] {
-             // Throws where no structure can be computed of these numbers.
-             const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
-             warn_of_premises("rubsweep", study, prepared);
-             ask_of_weak_kick(arguments, study, prepared);
-             return fmt::format("{} cells", sweep::cell_count(study.grid));
-           },
-       .explanation =
-           [&] { return report::explain_study(study) + report::describe_footprint(study, {threads}) + "\n"; },
-       .configuration = [&] { return config::print_config(config); },
-       .run = [&] { return run(arguments, config); }});
+  StudyActions actions = study_actions("rubsweep", arguments, config, [&] { return run(arguments, config); });
+  actions.explanation = [&] {
+    return report::explain_study(study) + report::describe_footprint(study, {threads}) + "\n";
+  };
+  return act(arguments, actions);
 }
 
 }  // namespace

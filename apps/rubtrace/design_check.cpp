@@ -37,18 +37,6 @@ constexpr std::array<std::string_view, 5> check_file_names{
 /// Speeds at which a rotor that is unstable without its stops is looked for.
 constexpr int premise_speeds = 121;
 
-design::SpeedRange operating_range(const DesignCheckArguments& arguments, const sweep::Study& study) {
-  if (arguments.operating) {
-    require_speed(arguments.operating_option, arguments.operating->from_hz, study.machine);
-    require_speed(arguments.operating_option, arguments.operating->to_hz, study.machine);
-    return *arguments.operating;
-  }
-  const auto [low, high] = std::ranges::minmax(study.grid.speed_hz);
-  if (low < high) return {low, high};
-  throw UsageError(
-      "--design-check: the sweep has one speed, and the operating range needs two: --operating-hz FROM:TO");
-}
-
 design::DesignQuestions questions_of(const RubtraceArguments& arguments, const sweep::Study& study) {
   const DesignCheckArguments& asked = arguments.design_check.value();
   design::DesignQuestions questions{
@@ -67,6 +55,18 @@ void warn_of(const design::SpeedRange& operating, const sweep::Study& study,
 }
 
 }  // namespace
+
+design::SpeedRange operating_range(const DesignCheckArguments& arguments, const sweep::Study& study) {
+  if (arguments.operating) {
+    require_speed(arguments.operating_option, arguments.operating->from_hz, study.machine);
+    require_speed(arguments.operating_option, arguments.operating->to_hz, study.machine);
+    return *arguments.operating;
+  }
+  const auto [low, high] = std::ranges::minmax(study.grid.speed_hz);
+  if (low < high) return {low, high};
+  throw UsageError(
+      "--design-check: the sweep has one speed, and the operating range needs two: --operating-hz FROM:TO");
+}
 
 int run_design_check(const RubtraceArguments& arguments, const config::RunConfig& config,
                      const std::filesystem::path& directory) {
@@ -94,7 +94,7 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
         {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
     end_on_interrupts("the files are written, no figure is");
   }
-  if (!arguments.quiet) print("{}{}", design::design_page(check), batch::files_line(files, directory));
+  if (!arguments.quiet) print("{}{}", design::design_page(check, arguments.shown), batch::files_line(files, directory));
   if (arguments.figure) {
     arguments.figure->draw(
         "design", directory,

@@ -3,9 +3,14 @@
 #include <filesystem>
 
 #include "rubsweep/config/run_config.hpp"
+#include "rubsweep/design/largest_over_speed.hpp"
+#include "rubsweep/sweep/study.hpp"
 #include "rubtrace_arguments.hpp"
 
 namespace rubsweep::apps {
+
+/// The range that is asked for, else that of the sweep. Throws UsageError where either is none of this machine.
+design::SpeedRange operating_range(const DesignCheckArguments& arguments, const sweep::Study& study);
 
 /// Checks the design of the arguments, writes its files into `directory` and prints the page. Returns an exit
 /// code.

@@ -28,6 +28,7 @@
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
+#include "shared/shown_lengths.hpp"
 #include "shared/working_time.hpp"
 
 namespace rubsweep::apps {
@@ -89,7 +90,7 @@ std::vector<line::LinePoint> steady_motions(const ramp::SpeedRamp& ramp, const s
 }
 
 /// Neither kick nor start: the unbalance alone brings the rotor to the wall.
-Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study) {
+Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study, const model::ShownLengths& shown) {
   study.machine.kick.reset();
   study.machine.start.reset();
   const scene::PreparedMachine machine = scene::prepare_machine(study.machine);
@@ -97,7 +98,7 @@ Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study) {
   const integrate::run::Outcome run =
       ramp::run_ramp(machine, ramp, study.solver, ramp_samples,
                      [&](const ramp::RampStretch& stretch) { record.add(stretch); });
-  ramp::RampTables tables = ramp::tables_of(record, steady_motions(ramp, study, machine));
+  ramp::RampTables tables = ramp::tables_of(record, steady_motions(ramp, study, machine), shown);
   return {{{"envelope.csv", std::move(tables.envelope_csv)},
            {"orbits.csv", std::move(tables.orbits_csv)},
            {"spectrogram.csv", std::move(tables.spectrogram_csv)},
@@ -118,12 +119,13 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   const model::Machine& described = study.machine;
   const scene::PreparedMachine machine = scene::prepare_machine(described);
   if (arguments.run_up && !arguments.quiet) warn_of_ramp(*arguments.run_up, study, machine);
-  if (arguments.with_stops) return run_up_with_stops(*arguments.run_up, study);
+  if (arguments.with_stops) return run_up_with_stops(*arguments.run_up, study, arguments.shown);
   if (arguments.campbell) return campbell_diagram(*arguments.campbell, described);
   const identify::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
   if (const auto& ramp = arguments.run_up) {
-    return outcome_of(identify::tables_of(identify::run_up(
-        machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s, ramp->eccentricity_m, sampling)));
+    return outcome_of(identify::tables_of(
+        identify::run_up(machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s, ramp->eccentricity_m, sampling),
+        arguments.shown));
   }
   if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
   const double slowest_hz = identify::lowest_frequency_hz(machine);
@@ -167,7 +169,8 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
   if (!arguments.quiet) print("{}{}", summary, batch::files_line(files, directory));
   if (arguments.figure) {
     const auto [picture, heading] = drawing_of(arguments);
-    arguments.figure->draw(picture, directory, heading);
+    const bool is_bode = arguments.run_up && !arguments.with_stops;
+    arguments.figure->draw(picture, directory, heading, drawn_lengths(arguments.shown, is_bode, is_bode));
     if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
   }
   if (run == integrate::run::Outcome::ok) return done;

@@ -12,6 +12,7 @@
 
 #include "design_check.hpp"
 #include "experiment.hpp"
+#include "experiment_questions.hpp"
 #include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/cell_config.hpp"
 #include "rubsweep/config/print_config.hpp"
@@ -39,6 +40,8 @@
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
 #include "shared/run_summary.hpp"
+#include "shared/shown_lengths.hpp"
+#include "shared/study_questions.hpp"
 #include "shared/working_time.hpp"
 
 namespace rubsweep::apps {
@@ -105,8 +108,8 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
 
 /// Adds the readings of the probes, and returns their verdict beside that of the section.
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
-                           const sweep::Study& study, response::motion::Workspace& workspace,
-                           batch::ResultFiles& files) {
+                           const sweep::Study& study, const model::ShownLengths& shown,
+                           response::motion::Workspace& workspace, batch::ResultFiles& files) {
   files["sensors.csv"] = identify::sensors_csv({.from_hz = speed_hz,
                                                 .sample_s = probes.sample_s,
                                                 .samples = static_cast<int>(trace.readings_m.rows())},
@@ -120,7 +123,7 @@ std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probe
   const auto spectrum = trace::probe_spectrum(z, probes.sample_s, speed_hz, turns, period.period.value_or(1),
                                               workspace.spectrum);
   files["probe_spectrum.csv"] = trace::spectrum_csv(spectrum, speed_hz);
-  return trace::probe_summary(period, *pair, probes);
+  return trace::probe_summary(period, *pair, probes, shown);
 }
 
 trace::TraceOptions options_of(const RubtraceArguments& arguments, const sweep::Study& study,
@@ -134,24 +137,28 @@ trace::TraceOptions options_of(const RubtraceArguments& arguments, const sweep::
 
 /// Files and text of the motion, added to those of the row.
 void add_trace(const trace::Trace& trace, const trace::TraceOptions& options, const sweep::Study& study,
-               const sweep::Row& row, double length_scale_m, response::motion::Workspace& workspace,
-               batch::ResultFiles& files, std::string& summary) {
+               const sweep::Row& row, double length_scale_m, const model::ShownLengths& shown,
+               response::motion::Workspace& workspace, batch::ResultFiles& files, std::string& summary) {
   const trace::TraceWindow window = trace::last_window(trace, options, row.order, workspace.spectrum);
   files["trajectory.csv"] = trace::trajectory_csv(trace);
   files["section.csv"] = trace::section_csv(trace);
   files["events.csv"] = trace::events_csv(trace);
   files["spectrum.csv"] = trace::spectrum_csv(window.spectrum, options.speed_hz);
-  summary += trace::trace_summary(trace, window, length_scale_m);
+  summary += trace::trace_summary(trace, window, length_scale_m, shown);
   if (options.probes)
-    summary += look_by_probes(trace, *options.probes, options.speed_hz, study, workspace, files);
+    summary += look_by_probes(trace, *options.probes, options.speed_hz, study, shown, workspace, files);
 }
 
-int run(const RubtraceArguments& arguments, config::RunConfig config) {
-  const scene::Place place{arguments.place.speed_hz.value(),
-                           unbalance_of(arguments.place, config.study.machine)};
-  config.study.grid = sweep::grid_of(place);
-  keep_units(arguments.place, config.study);
+/// The study of the cell alone.
+void reduce_to_cell(const PlaceArguments& place, sweep::Study& study) {
+  study.grid = sweep::grid_of(scene::Place{place.speed_hz.value(), unbalance_of(place, study.machine)});
+  keep_units(place, study);
+}
+
+/// `config` has no cell but this one.
+int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
+  const scene::Place place = sweep::place_of(study.grid, 0);
   trace::TraceOptions options = options_of(arguments, study, place.speed_hz);
   const scene::PreparedMachine prepared =
       scene::prepared_at(scene::prepare_machine(study.machine), place.speed_hz);
@@ -170,7 +177,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
       {"config.yaml", config::print_config(config)},
       {"motion.csv", report::map_comments() + report::map_header(study) + report::unit_header(study.grid) +
                          "\n" + report::map_line(row, study) + report::unit_cells(row, study.grid) + "\n"}};
-  std::string summary = report::motion_summary(row);
+  std::string summary = report::motion_summary(row, arguments.shown);
 
   // A second run of the cell: the first one, which classifies, ends where the motion is proven and takes
   // other samples, so that its steps are not those of a trace of all revolutions.
@@ -181,7 +188,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   if (scene::can_run(cell.start)) {
     trace = trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,
                              study.solver, options);
-    add_trace(trace, options, study, row, cell.scene.length_scale_m, workspace, files, summary);
+    add_trace(trace, options, study, row, cell.scene.length_scale_m, arguments.shown, workspace, files, summary);
   }
   working.reset();
   {
@@ -194,7 +201,7 @@ int run(const RubtraceArguments& arguments, config::RunConfig config) {
   count_in_summary("revolutions", static_cast<std::size_t>(trace.revolutions));
   if (!arguments.quiet) print("{}{}", summary, batch::files_line(files, directory));
   if (arguments.figure && trace.revolutions > 0) {
-    arguments.figure->draw("trace", directory, "One cell under the lens");
+    arguments.figure->draw("trace", directory, "One cell under the lens", drawn_lengths(arguments.shown, true, false));
     if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
   }
   if (!scene::can_run(cell.start)) return cannot_start(cell.start);
@@ -219,11 +226,15 @@ int perform(RubtraceArguments arguments) {
     const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);
     ramp->eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
   }
-  if (arguments.design_check) return run_design_check(arguments, config, directory_of(arguments, config));
-  if (arguments.free_response || arguments.run_up || arguments.campbell) {
-    return run_experiment(arguments, config, directory_of(arguments, config));
+  if (arguments.design_check || arguments.free_response || arguments.run_up || arguments.campbell) {
+    return act(arguments, experiment_actions(arguments, config, [&] {
+                 const fs::path directory = directory_of(arguments, config);
+                 return arguments.design_check ? run_design_check(arguments, config, directory)
+                                               : run_experiment(arguments, config, directory);
+               }));
   }
-  return run(arguments, std::move(config));
+  if (arguments.place.speed_hz) reduce_to_cell(arguments.place, config.study);
+  return act(arguments, study_actions("rubtrace", arguments, config, [&] { return run(arguments, config); }));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "rubsweep/model/rpm.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
+#include "shared/shown_lengths.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -25,13 +26,14 @@ constexpr std::string_view examples =
     "  rubtrace configs/minimal.yaml --speed-rpm 3240 --unbalance-g-mm 240 --output /tmp/trace\n"
     "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
     "/tmp/trace\n"
-    "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --figure /tmp/trace.png\n"
+    "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --length-unit um --figure /tmp/trace.png\n"
     "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
     "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
     "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5 --figure /tmp/bode.png\n"
     "  rubtrace configs/minimal.yaml --run-up 20:60:1 --eccentricity-m 2e-4 --with-stops --figure "
     "/tmp/run_up.png\n"
     "  rubtrace configs/rotor_kit.yaml --campbell 0:400\n"
+    "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5 --explain\n"
     "  rubtrace configs/gallery/bearing_table.yaml --design-check --figure /tmp/design.png\n\n";
 
 constexpr std::string_view written_files =
@@ -112,7 +114,9 @@ po::options_description visible_options() {
              "FILE.png, .svg "
              "or .pdf");
   add_output(options, "write there instead of output.directory + _trace");
+  add_shown_lengths(options);
   add_set(options);
+  add_actions(options, "say what is simulated, what is left out and why, run nothing");
   add_last(options);
   return options;
 }
@@ -235,7 +239,7 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   arguments.with_stops = given.count("with-stops") != 0;
   read_design_check(given, arguments);
   if (arguments.with_stops && !arguments.run_up) throw UsageError("--with-stops belongs to --run-up");
-  if (arguments.figure && arguments.free_response)
+  if (given.count("figure") != 0 && arguments.free_response)
     throw UsageError("--figure belongs to a trace, to --campbell, to --run-up or to --design-check");
   const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
   if (static_cast<int>(arguments.free_response) + arguments.run_up.has_value() +
@@ -280,10 +284,14 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
 RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
   const po::variables_map given = read_study_command_line(argc, argv, visible_options());
   RubtraceArguments arguments{study_arguments(given, "rubtrace")};
-  if (arguments.action != Action::run) return arguments;
-  arguments.figure = figure_of(given);
+  if (arguments.action == Action::help || arguments.action == Action::version) return arguments;
+  if (arguments.action == Action::run) arguments.figure = figure_of(given);
   arguments.place = read_place(given);
+  arguments.shown = shown_lengths_of(given);
   if (read_experiment(given, arguments)) return arguments;
+  // Without a cell they are about the whole sweep.
+  const bool names_cell = arguments.place.speed_hz || arguments.place.has_unbalance();
+  if (arguments.action != Action::run && !names_cell) return arguments;
   if (!arguments.place.speed_hz) throw UsageError("the shaft speed is needed: --speed-hz S or --speed-rpm N");
   if (!arguments.place.has_unbalance())
     throw UsageError(fmt::format("the unbalance is needed, one way: {}", unbalance_options));

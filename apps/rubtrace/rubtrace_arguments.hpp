@@ -4,6 +4,7 @@
 #include <string>
 
 #include "rubsweep/design/largest_over_speed.hpp"
+#include "rubsweep/model/length_text.hpp"
 #include "rubsweep/ramp/speed_ramp.hpp"
 #include "shared/action.hpp"
 #include "shared/figure.hpp"
@@ -37,6 +38,7 @@ struct RubtraceArguments : StudyArguments {
   double noise_m = 0;
   bool probes = false;                ///< the sensors look at a trace, too
   std::optional<Figure> figure = {};  ///< drawn of a trace, a Campbell diagram or a run-up with stops
+  model::ShownLengths shown = {};     ///< in the printed text
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};
 };

@@ -37,7 +37,7 @@ expect_files campbell campbell.csv config.yaml critical_speeds.csv lock_speeds.c
 [[ $(count_rows campbell/critical_speeds.csv "whirl == 'forward' and 110 < speed_hz < 120") == 1 &&
   $(count_rows campbell/critical_speeds.csv "whirl == 'backward' and 95 < speed_hz < 105") == 1 ]] ||
   fail "the second mode does not part: $(<campbell/critical_speeds.csv)"
-expect_contains stdout 'critical  29.8568 Hz, mode 2, forward'
+expect_contains stdout 'critical  29.8568 Hz (1791.41 rpm), mode 2, forward'
 # A directory never mixes two experiments.
 expect_exit 0 "$kit" --free-response --duration-s 0.1 --set rotor.modes=2 --output campbell --quiet
 expect_files campbell config.yaml identification.csv sensors.csv

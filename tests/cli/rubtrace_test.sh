@@ -12,7 +12,7 @@ expect_header() {
 }
 
 # Command line.
-expect_help speed-hz speed-rpm whirl-ratio eccentricity-m unbalance-g-mm revolutions last-revolutions free-response run-up with-stops campbell design-check operating-hz operating-rpm kick-speeds threads figure duration-s sample-s noise-m
+expect_help speed-hz speed-rpm whirl-ratio eccentricity-m unbalance-g-mm revolutions last-revolutions free-response run-up with-stops campbell design-check operating-hz operating-rpm kick-speeds threads figure duration-s sample-s noise-m length-unit peak-to-peak check explain print-config
 expect_usage_error 'a configuration file is needed' "${rub[@]}"
 expect_usage_error 'the shaft speed is needed' "$minimal" --whirl-ratio 0.6
 expect_usage_error 'the unbalance is needed, one way' "$minimal" --speed-hz 90
@@ -33,6 +33,45 @@ expect_usage_error '--last-revolutions: allowed: a number >= 1' "$minimal" "${ru
 expect_usage_error '--output: allowed: the name of a directory' "$minimal" "${rub[@]}" --output ''
 expect_usage_error "unrecognised option '--revolution' (did you mean '--revolutions'?)" "$minimal" "${rub[@]}" --revolution 3
 expect_usage_error 'too many positional options' "$minimal" "$minimal" "${rub[@]}"
+
+expect_usage_error "--length-unit: 'inch' is not allowed, allowed: mm, um, mil" "$minimal" "${rub[@]}" --length-unit inch
+expect_usage_error '--check, --explain and --print-config exclude each other' "$minimal" "${rub[@]}" --check --explain
+expect_usage_error 'the shaft speed is needed' "$minimal" --whirl-ratio 0.6 --check
+
+# Questions about the cell, about an experiment, and about the whole sweep where neither is named; nothing is run.
+expect_exit 0 "$minimal" "${rub[@]}" --check
+[[ $(<stdout) == "$minimal: ok, 1 cells" ]] || fail 'another answer to --check'
+expect_exit 0 "$minimal" --check
+[[ $(<stdout) == "$minimal: ok, 24 cells" ]] || fail 'another answer to --check of the sweep'
+expect_exit 0 "$minimal" "${rub[@]}" --check --set kick.force_n=4
+expect_matches stderr '^rubtrace: question: --set kick\.force_n=4: kick\.force_n: 4 N reach no wall from any cell'
+expect_exit 0 "$minimal" "${rub[@]}" --check --quiet --set kick.force_n=4
+expect_empty stdout
+expect_empty stderr
+expect_exit 2 "$minimal" --check --set rotor.mass_kg=-1
+expect_matches stderr '^--set rotor\.mass_kg=-1: rotor\.mass_kg: -1 is out of range'
+expect_exit 1 "$minimal" --speed-hz 4500 --whirl-ratio 0.6 --explain
+expect_exit 0 "$minimal" --speed-rpm 5400 --whirl-ratio 0.6 --explain
+expect_contains stdout 'rotor: Jeffcott'
+expect_matches stdout '^sweep: 1 cells, speed 5400 rpm \(90 Hz\), whirl ratio 0\.6$'
+expect_exit 0 "$minimal" "${rub[@]}" --explain
+mv stdout of_cell
+"$sweep" "$minimal" --explain --set sweep.speed_hz=90 --set sweep.whirl_ratio=0.6 | grep -v ' of memory, ' >of_sweep
+expect_same of_cell of_sweep
+expect_exit 0 "$minimal" "${rub[@]}" --print-config
+expect_contains <(tr -d ' \n' <stdout) 'speed_hz:values:[90]'
+expect_exit 0 "$minimal" --run-up 20:60:10 --eccentricity-m 1e-4 --with-stops --explain
+expect_contains stdout 'experiment: run-up with the stops by 10 Hz a second, eccentricity 0.0001 m, 20 to 60 Hz (1200 to 3600 rpm)'
+expect_contains stdout 'rotor: Jeffcott'
+expect_exit 0 "$minimal" --campbell 0:100 --check
+[[ $(<stdout) == "$minimal: ok, Campbell diagram without the stops, 101 speeds, 0 to 100 Hz (0 to 6000 rpm)" ]] ||
+  fail 'another answer to --check of a Campbell diagram'
+expect_exit 0 "$minimal" --free-response --explain
+expect_contains stdout 'experiment: response to the kick at standstill without the stops, 2 s'
+expect_exit 0 "$minimal" --design-check --check
+expect_contains stdout 'ok, design check over the operating range, 50 to 150 Hz (3000 to 9000 rpm)'
+expect_missing results
+rm -f of_cell of_sweep
 
 # A value of an axis over keys is that of the cell.
 expect_exit 0 "$minimal" "${rub[@]}" --set 'sweep.x={key: rotor.mass_kg, values: [2]}' --output of_axis
@@ -77,11 +116,20 @@ expect_header trace/section.csv revolution,t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,cas
 expect_header trace/spectrum.csv order,frequency_hz,amplitude_m $((64 * 128))
 [[ $(header_of trace/events.csv) == t_s,stop,from,to ]] || fail 'events.csv has another header'
 expect_whole_rows trace/motion.csv
-expect_contains stdout 'cell      90 Hz, whirl ratio 0.6, '
+expect_contains stdout 'cell      90 Hz (5400 rpm), whirl ratio 0.6, '
 expect_contains stdout 'motion    subharmonic 1/2, '
 expect_contains stdout 'contact   0.5 hits per revolution'
 expect_matches stdout '^lines     [-+]0\.5X '
 expect_contains stdout 'files     results/minimal_trace: config.yaml events.csv motion.csv'
+
+# The same text in other units; the files are the same.
+expect_exit 0 "$minimal" "${rub[@]}" --revolutions 64 --output in_metres
+sed -nE 's/^lines +\+0\.5X ([0-9.e-]+) m,.*/\1/p' stdout >metres
+expect_exit 0 "$minimal" "${rub[@]}" --revolutions 64 --output in_mils --length-unit mil --peak-to-peak
+sed -nE 's/^lines +\+0\.5X ([0-9.e-]+) mil peak to peak,.*/\1/p' stdout >mils
+awk "BEGIN {ratio = $(<mils) * 25.4e-6 / (2 * $(<metres)); exit !(ratio > 0.999 && ratio < 1.001)}" ||
+  fail "$(<mils) mil peak to peak are not $(<metres) m"
+for file in trajectory.csv motion.csv spectrum.csv; do expect_same in_metres/$file in_mils/$file; done
 
 # The row is that of the map, and the configuration beside it makes that map.
 rubtrace=$rubsweep rubsweep=$sweep

@@ -33,8 +33,8 @@ TEST(CampbellTables, HaveARowForEachPointSpeedAndPlace) {
             "mode,whirl,speed_hz,frequency_hz,position_m,x_real,x_imag,y_real,y_imag\n"
             "3,backward,41.5,41.5,0,1,0,0,1\n3,backward,41.5,41.5,0.5,0.5,0.25,0,0\n");
   EXPECT_EQ(tables.summary,
-            "mode 3    40 Hz at 10 Hz, 42 Hz at 20 Hz (mixed), unstable at some speeds\n"
-            "critical  41.5 Hz, mode 3, backward, damping ratio 0.02\n");
+            "mode 3    40 Hz at 10 Hz (600 rpm), 42 Hz at 20 Hz (1200 rpm) (mixed), unstable at some speeds\n"
+            "critical  41.5 Hz (2490 rpm), mode 3, backward, damping ratio 0.02\n");
 }
 
 TEST(CampbellTables, HaveARowForEachLockSpeed) {
@@ -43,7 +43,7 @@ TEST(CampbellTables, HaveARowForEachLockSpeed) {
                    {.number = 2, .points = {{0, 10, 0.02, 1}, {40, 10, 0.02, 1}}}};
   const CampbellTables tables = tables_of(diagram);
   EXPECT_EQ(tables.lock_speeds_csv, "speed_hz,p,first_mode,q,second_mode\n20,3,2,1,1\n30,2,2,1,1\n");
-  EXPECT_NE(tables.summary.find("lock      30 Hz, 2 turns of mode 2 to 1 of mode 1 in the turning frame\n"),
+  EXPECT_NE(tables.summary.find("lock      30 Hz (1800 rpm), 2 turns of mode 2 to 1 of mode 1 in the turning frame\n"),
             std::string::npos)
       << tables.summary;
 }

@@ -49,9 +49,9 @@ TEST(ExperimentTables, OfARunUp) {
             "resonance_frequency_hz,0,9.75\nresonance_damping_ratio,0,0.02\nresonance_misfit,0,0.001\n"
             "critical_speed_hz,1,11\nspeed_of_largest_1x_hz,1,11\nlargest_amplitude_m,1,2e-04\n");
   EXPECT_EQ(tables.summary,
-            "sensor 0 (0 deg)  1X largest at 10 Hz of this ramp, 0.0001 m; "
+            "sensor 0 (0 deg)  1X largest at 10 Hz (600 rpm) of this ramp, 0.0001 m; "
             "resonance by a fit to the ramp at 9.75 Hz, damping ratio 0.02, misfit 0.001\n"
-            "sensor 1 (90 deg)  1X largest at 11 Hz of this ramp, 0.0002 m; resonance: no single mode fits\n"
+            "sensor 1 (90 deg)  1X largest at 11 Hz (660 rpm) of this ramp, 0.0002 m; resonance: no single mode fits\n"
             "sensor 2 (45 deg)  does not see the unbalance\n");
 }
 
@@ -67,7 +67,7 @@ TEST(ExperimentTables, OfARunUpThatPassesNoCriticalSpeed) {
                .largest_amplitude_m = {2e-4}};
   ExperimentTables tables = tables_of(run_up);
   EXPECT_TRUE(tables.summary.ends_with(
-      "no largest 1X inside: of what was measured, 10 to 11 Hz, 1X is largest at an end, 0.0002 m\n"));
+      "no largest 1X inside: of what was measured, 10 to 11 Hz (600 to 660 rpm), 1X is largest at an end, 0.0002 m\n"));
   EXPECT_EQ(tables.identification_csv, "quantity,sensor,value\nlargest_amplitude_m,0,2e-04\n");
   run_up.bode = {{}};
   EXPECT_NE(tables_of(run_up).summary.find("run up more slowly"), std::string::npos);

@@ -27,7 +27,8 @@ run 'rubsweep my.yaml --output map --figure map.png --report'
 holds map/map.csv
 holds map/report.html
 holds map.png
-run 'rubtrace my.yaml --speed-rpm 7000 --whirl-ratio 0.6 --output orbit --figure orbit.png'
+run 'rubtrace my.yaml --speed-rpm 7000 --whirl-ratio 0.6 --check'
+run 'rubtrace my.yaml --speed-rpm 7000 --whirl-ratio 0.6 --length-unit um --output orbit --figure orbit.png'
 holds orbit/trajectory.csv
 holds orbit.png
 run 'ls -s --block-size=1K'

@@ -53,7 +53,8 @@ TEST(RampTables, HaveARowForEachPoint) {
   EXPECT_EQ(tables.quasi_static_csv, "speed_hz,class,order,peak_displacement_m\n15,non_contact,,0.002\n");
   EXPECT_EQ(tables.rub_csv, "source,from_hz,to_hz\nramp,15,15.625\n");
   EXPECT_EQ(tables.summary,
-            "peak      0.005 m at 15.5 Hz, largest contact force 7 N\nrubs      15 to 15.625 Hz\nsteadily  "
+            "peak      0.005 m at 15.5 Hz (930 rpm), largest contact force 7 N\nrubs      15 to 15.625 Hz (900 to "
+            "937.5 rpm)\nsteadily  "
             "nowhere\n");
 }
 

@@ -25,9 +25,16 @@ TEST(ExplainStudy, BeginsWithTheSceneAtTheLowestSpeed) {
 TEST(ExplainStudy, GridWhateverItsOrder) {
   sweep::Study study = sweep::one_side_study({75, 50, 90}, {0.6, 0.1});
   EXPECT_TRUE(says(explain_study(study),
-                   "sweep: 6 cells, 3 speeds from 50 to 90 Hz, 2 whirl ratios from 0.1 to 0.6\n"));
+                   "sweep: 6 cells, 3 speeds from 50 to 90 Hz (3000 to 5400 rpm), 2 whirl ratios from 0.1 to 0.6\n"));
   study.grid.measure = sweep::UnbalanceMeasure::eccentricity_m;
-  EXPECT_TRUE(says(explain_study(study), "2 eccentricities (m) from 0.1 to 0.6\n"));
+  EXPECT_TRUE(says(explain_study(study), "2 eccentricities from 0.1 to 0.6 m\n"));
+}
+
+TEST(ExplainStudy, OneValueIsSaidByItself) {
+  sweep::Study study = sweep::one_side_study({75}, {0.4});
+  EXPECT_TRUE(says(explain_study(study), "\nsweep: 1 cells, speed 75 Hz (4500 rpm), whirl ratio 0.4\n"));
+  study.grid.written_speed = {.key = "speed_rpm", .unit = "rpm", .units_per_si = 60};
+  EXPECT_TRUE(says(explain_study(study), "\nsweep: 1 cells, speed 4500 rpm (75 Hz), whirl ratio 0.4\n"));
 }
 
 TEST(ExplainStudy, SolverAndHowACellEnds) {

@@ -9,11 +9,12 @@ namespace {
 
 TEST(ExplainTables, ShowsTheCoefficientsAtTheSpeedsOfTheSweep) {
   const std::string text = explain_tables(scene::table_machine(), {80, 40, 55});
-  EXPECT_NE(text.find("support 1 at 0.4 m: table of 5 speeds from 20 to 120 Hz"), std::string::npos) << text;
-  EXPECT_NE(text.find("at 40 Hz: kxx 26000 kxy 900 kyx -800 kyy 25000 cxx 70 cxy 2 cyx 2 cyy 70\n"),
+  EXPECT_NE(text.find("support 1 at 0.4 m: table of 5 speeds from 20 to 120 Hz (1200 to 7200 rpm)"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("at 40 Hz (2400 rpm): kxx 26000 kxy 900 kyx -800 kyy 25000 cxx 70 cxy 2 cyx 2 cyy 70\n"),
             std::string::npos)
       << text;
-  EXPECT_NE(text.find("at 80 Hz: kxx 33000"), std::string::npos) << text;
+  EXPECT_NE(text.find("at 80 Hz (4800 rpm): kxx 33000"), std::string::npos) << text;
   EXPECT_EQ(text.find("mxx"), std::string::npos) << text;
   EXPECT_EQ(explain_tables(scene::light_shaft_machine(), {40}), "");
 }

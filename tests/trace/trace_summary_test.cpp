@@ -55,6 +55,19 @@ TEST(TraceSummary, ShowsPeaksHitsLinesAndEffort) {
       "effort    700.0 right-hand sides, 100.0 steps, 2.5 refused, 4.00 mode switches per revolution\n");
 }
 
+TEST(TraceSummary, SaysLengthsAsTheyAreAskedFor) {
+  Trace trace;
+  trace.revolutions = 4;
+  trace.turns.assign(4, {.peak_displacement_m = 2e-3, .peak_contact_force_n = 50});
+  TraceWindow window;
+  window.turns = 4;
+  window.contact = facts_of_last(trace, 4);
+  window.spectrum = spectrum_of({{2, 7e-4}});
+  const std::string text = trace_summary(trace, window, 1e-3, {model::LengthUnit::um, true});
+  EXPECT_NE(text.find("peak      2 clearances, 2000 um, 50 N; "), std::string::npos) << text;
+  EXPECT_NE(text.find("lines     +0.5X 1400 um peak to peak\n"), std::string::npos) << text;
+}
+
 TEST(TraceSummary, OfARunWithoutARevolutionSaysSo) {
   EXPECT_EQ(trace_summary({}, {}, 1e-3), "run       0 revolutions, no contact\n");
 }

@@ -6,41 +6,48 @@
 #include <optional>
 
 #include "rubsweep/design/vibration_limit.hpp"
-#include "rubsweep/model/rpm.hpp"
+#include "rubsweep/model/speed_text.hpp"
 
 namespace rubsweep::design {
 namespace {
 
 std::string_view verdict(bool met) { return met ? "ok" : "NOT MET"; }
 
-std::string speed(double hz) { return fmt::format("{:.5g} Hz ({:.5g} rpm)", hz, model::rpm_per_hz * hz); }
+std::string speed(double hz) { return model::speed_text(hz, 5); }
 
 std::string at(const std::optional<double>& position_m) {
   return position_m ? fmt::format(" at {:.4g} m", *position_m) : "";
 }
 
-double um(double metres) { return 1e6 * metres; }
+/// Lengths on the page.
+class Lengths {
+ public:
+  explicit Lengths(const model::ShownLengths& shown) : shown_(shown) {}
+  std::string operator()(double length_m) const { return model::length_text(length_m, shown_, model::LengthUnit::um); }
+
+ private:
+  model::ShownLengths shown_;
+};
 
 std::string_view end_of_scale(double scale) {
   if (scale == largest_scale_factor) return ", the most";
   return scale == smallest_scale_factor ? ", the least" : "";
 }
 
-std::string vibration_lines(const DesignCheck& check) {
-  std::string text =
-      fmt::format("vibration {:.4g} um peak to peak allowed at the probes\n", um(check.vibration_limit_m));
-  text += fmt::format("unbalance eccentricity {:.4g} um\n", um(check.eccentricity_m));
+std::string vibration_lines(const DesignCheck& check, const Lengths& length) {
+  std::string text = fmt::format("vibration {} peak to peak allowed at the probes\n", length(check.vibration_limit_m));
+  text += fmt::format("unbalance eccentricity {}\n", length(check.eccentricity_m));
   for (std::size_t k = 0; k < check.probes.size(); ++k) {
     const ProbeResponse& probe = check.probes[k];
-    text += fmt::format("  probe {}{}: {:.4g} um at {}: {}\n", k, at(probe.position_m),
-                        um(probe.major_axis_m.value), speed(probe.major_axis_m.speed_hz),
-                        verdict(probe.major_axis_m.value <= check.vibration_limit_m));
+    text +=
+        fmt::format("  probe {}{}: {} at {}: {}\n", k, at(probe.position_m), length(probe.major_axis_m.value),
+                    speed(probe.major_axis_m.speed_hz), verdict(probe.major_axis_m.value <= check.vibration_limit_m));
   }
-  return text + fmt::format("scale     x {:.4g}{}, eccentricity {:.4g} um in all that follows\n", check.scale,
-                            end_of_scale(check.scale), um(check.scale * check.eccentricity_m));
+  return text + fmt::format("scale     x {:.4g}{}, eccentricity {} in all that follows\n", check.scale,
+                            end_of_scale(check.scale), length(check.scale * check.eccentricity_m));
 }
 
-std::string clearance_lines(const DesignCheck& check) {
+std::string clearance_lines(const DesignCheck& check, const Lengths& length) {
   std::string text = fmt::format("clearance major axis against {:.4g} % of the diametral clearance\n",
                                  100 * clearance_share);
   for (const ClearanceMargin& one : check.clearances) {
@@ -49,10 +56,9 @@ std::string clearance_lines(const DesignCheck& check) {
                           speed(one.speed_hz));
       continue;
     }
-    text +=
-        fmt::format("  stop {}{}: {:.4g} um of {:.4g} um at {}, margin {:.1f} %: {}\n", one.stop,
-                    at(one.position_m), um(one.major_axis_m), um(clearance_share * one.diametral_clearance_m),
-                    speed(one.speed_hz), 100 * one.margin, verdict(one.margin >= 0));
+    text += fmt::format("  stop {}{}: {} of {} at {}, margin {:.1f} %: {}\n", one.stop, at(one.position_m),
+                        length(one.major_axis_m), length(clearance_share * one.diametral_clearance_m),
+                        speed(one.speed_hz), 100 * one.margin, verdict(one.margin >= 0));
   }
   return text;
 }
@@ -103,10 +109,11 @@ std::string kick_lines(const DesignCheck& check) {
 
 }  // namespace
 
-std::string design_page(const DesignCheck& check) {
+std::string design_page(const DesignCheck& check, const model::ShownLengths& shown) {
+  const Lengths length(shown);
   return fmt::format("operating {} to {}, clearances from {} on\n", speed(check.operating.from_hz),
                      speed(check.operating.to_hz), speed(check.whole.from_hz)) +
-         vibration_lines(check) + clearance_lines(check) + whip_lines(check) + lock_lines(check) +
+         vibration_lines(check, length) + clearance_lines(check, length) + whip_lines(check) + lock_lines(check) +
          kick_lines(check);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/response/spectrum/orbit_shape.hpp"
 
 namespace rubsweep::identify {
@@ -55,20 +56,20 @@ std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& lo
   std::string text;
   for (const CampbellMode& mode : diagram.modes) {
     const CampbellPoint &first = mode.points.front(), &last = mode.points.back();
-    text += fmt::format("mode {:<4} {:.5g} Hz at {:.5g} Hz, {:.5g} Hz at {:.5g} Hz ({})", mode.number,
-                        first.frequency_hz, first.speed_hz, last.frequency_hz, last.speed_hz,
+    text += fmt::format("mode {:<4} {:.5g} Hz at {}, {:.5g} Hz at {} ({})", mode.number, first.frequency_hz,
+                        model::speed_text(first.speed_hz, 5), last.frequency_hz, model::speed_text(last.speed_hz, 5),
                         whirl_of(last.forward_share));
     const bool unstable = std::ranges::any_of(mode.points, [](const auto& p) { return p.damping_ratio < 0; });
     text += unstable ? ", unstable at some speeds\n" : "\n";
   }
   for (const CriticalSpeed& critical : diagram.critical_speeds) {
-    text += fmt::format("critical  {:.6g} Hz, mode {}, {}, damping ratio {:.4g}\n", critical.speed_hz,
+    text += fmt::format("critical  {}, mode {}, {}, damping ratio {:.4g}\n", model::speed_text(critical.speed_hz),
                         critical.mode, whirl_of(critical.forward_share), critical.damping_ratio);
   }
   if (diagram.critical_speeds.empty()) text += "critical  none in this range of speeds\n";
   for (const LockSpeed& lock : locks) {
-    text += fmt::format("lock      {:.6g} Hz, {} turns of mode {} to {} of mode {} in the turning frame\n",
-                        lock.speed_hz, lock.p, lock.first, lock.q, lock.second);
+    text += fmt::format("lock      {}, {} turns of mode {} to {} of mode {} in the turning frame\n",
+                        model::speed_text(lock.speed_hz), lock.p, lock.first, lock.q, lock.second);
   }
   return text;
 }

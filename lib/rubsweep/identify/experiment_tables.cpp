@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/model/speed_text.hpp"
 
 namespace rubsweep::identify {
 namespace {
@@ -48,16 +49,16 @@ std::string resonance_text(const std::optional<RampResonance>& fit) {
                      fit->misfit > large_misfit ? ": noise or more than one mode, not to be relied on" : "");
 }
 
-std::string why_none(const RunUp& run_up, std::size_t sensor) {
+std::string why_none(const RunUp& run_up, std::size_t sensor, const model::ShownLengths& shown) {
   if (!run_up.sees[sensor]) return "does not see the unbalance";
   const auto& plot = run_up.bode[sensor];
   if (plot.empty()) {
     return fmt::format("no largest 1X: no {} revolutions with enough samples, run up more slowly",
                        bode_revolutions);
   }
-  return fmt::format(
-      "no largest 1X inside: of what was measured, {:.5g} to {:.5g} Hz, 1X is largest at an end, {:.4g} m",
-      plot.front().speed_hz, plot.back().speed_hz, run_up.largest_amplitude_m[sensor]);
+  return fmt::format("no largest 1X inside: of what was measured, {}, 1X is largest at an end, {}",
+                     model::speed_range_text(plot.front().speed_hz, plot.back().speed_hz, 5),
+                     model::amplitude_text(run_up.largest_amplitude_m[sensor], shown, model::LengthUnit::m));
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ ExperimentTables tables_of(const FreeResponse& response) {
   return tables;
 }
 
-ExperimentTables tables_of(const RunUp& run_up) {
+ExperimentTables tables_of(const RunUp& run_up, const model::ShownLengths& shown) {
   ExperimentTables tables = begun(run_up.run, run_up.signal_m);
   for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
     const std::optional<double> top_hz = run_up.speed_of_largest_1x_hz[i];
@@ -114,9 +115,10 @@ ExperimentTables tables_of(const RunUp& run_up) {
     }
     tables.summary +=
         fmt::format("sensor {} ({} deg)  {}\n", i, run_up.angle_deg[i],
-                    top_hz ? fmt::format("1X largest at {:.5g} Hz of this ramp, {:.4g} m; {}", *top_hz,
-                                         largest_m, resonance_text(run_up.resonance[i]))
-                           : why_none(run_up, i));
+                    top_hz ? fmt::format("1X largest at {} of this ramp, {}; {}", model::speed_text(*top_hz, 5),
+                                         model::amplitude_text(largest_m, shown, model::LengthUnit::m),
+                                         resonance_text(run_up.resonance[i]))
+                           : why_none(run_up, i, shown));
   }
   tables.bode_csv = bode_csv(run_up.bode);
   return tables;

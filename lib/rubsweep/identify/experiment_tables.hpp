@@ -3,6 +3,7 @@
 #include <string>
 
 #include "rubsweep/identify/experiment.hpp"
+#include "rubsweep/model/length_text.hpp"
 
 namespace rubsweep::identify {
 
@@ -18,6 +19,7 @@ struct ExperimentTables {
 std::string sensors_csv(const LinearRun& run, const Eigen::MatrixXd& signal_m);
 
 ExperimentTables tables_of(const FreeResponse& response);
-ExperimentTables tables_of(const RunUp& run_up);
+/// The summary says amplitudes as asked for, in m otherwise.
+ExperimentTables tables_of(const RunUp& run_up, const model::ShownLengths& shown = {});
 
 }  // namespace rubsweep::identify

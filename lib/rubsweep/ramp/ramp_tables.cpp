@@ -6,6 +6,7 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/line/line_tables.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/response/motion/classify.hpp"
 
 namespace rubsweep::ramp {
@@ -77,7 +78,7 @@ void add(std::span<const RubbingSpan> spans, const char* source, RampTables& tab
 std::string spans_text(const char* label, const std::vector<RubbingSpan>& spans) {
   std::string text;
   for (const RubbingSpan& span : spans)
-    text += fmt::format("{}{:.5g} to {:.5g} Hz", text.empty() ? "" : ", ", span.from_hz, span.to_hz);
+    text += (text.empty() ? "" : ", ") + model::speed_range_text(span.from_hz, span.to_hz, 5);
   return fmt::format("{:<9} {}\n", label, text.empty() ? "nowhere" : text);
 }
 
@@ -96,7 +97,8 @@ std::vector<RubbingSpan> rubbing_spans(std::span<const line::LinePoint> points) 
   return spans;
 }
 
-RampTables tables_of(const RampRecord& record, std::span<const line::LinePoint> quasi_static) {
+RampTables tables_of(const RampRecord& record, std::span<const line::LinePoint> quasi_static,
+                     const model::ShownLengths& shown) {
   RampTables tables{.envelope_csv = envelope_csv(record.envelope()),
                     .orbits_csv = orbits_csv(record.orbits()),
                     .spectrogram_csv = spectrogram_csv(record.spectra()),
@@ -112,9 +114,10 @@ RampTables tables_of(const RampRecord& record, std::span<const line::LinePoint> 
     peak_m = std::max(peak_m, at.peak_displacement_m);
     force_n = std::max(force_n, at.peak_contact_force_n);
   }
-  tables.summary = fmt::format("peak      {:.4g} m at {:.5g} Hz, largest contact force {:.4g} N\n", peak_m,
-                               peak_hz, force_n) +
-                   spans_text("rubs", spans) + spans_text("steadily", steady);
+  tables.summary =
+      fmt::format("peak      {} at {}, largest contact force {:.4g} N\n",
+                  model::length_text(peak_m, shown, model::LengthUnit::m), model::speed_text(peak_hz, 5), force_n) +
+      spans_text("rubs", spans) + spans_text("steadily", steady);
   return tables;
 }
 

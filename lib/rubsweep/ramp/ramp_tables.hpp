@@ -4,6 +4,7 @@
 #include <string>
 
 #include "rubsweep/line/follow_line.hpp"
+#include "rubsweep/model/length_text.hpp"
 #include "rubsweep/ramp/ramp_record.hpp"
 
 namespace rubsweep::ramp {
@@ -21,7 +22,9 @@ struct RampTables {
 /// Speeds between which neighbouring cells all rub, in the order of the points.
 std::vector<RubbingSpan> rubbing_spans(std::span<const line::LinePoint> points);
 
-/// `quasi_static`: the cells of the same speeds one after the other, in the order of the ramp.
-RampTables tables_of(const RampRecord& record, std::span<const line::LinePoint> quasi_static);
+/// The summary says lengths as asked for, in m otherwise. `quasi_static`: the cells of the same speeds one after the
+/// other, in the order of the ramp.
+RampTables tables_of(const RampRecord& record, std::span<const line::LinePoint> quasi_static,
+                     const model::ShownLengths& shown = {});
 
 }  // namespace rubsweep::ramp

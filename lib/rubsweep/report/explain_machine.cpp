@@ -8,6 +8,7 @@
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/contact/hertz_line.hpp"
 #include "rubsweep/contact/restitution.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/report/describe_modes.hpp"
 #include "rubsweep/report/explain_matrices.hpp"
@@ -177,11 +178,11 @@ std::string explain_rotating_damping(const scene::PreparedMachine& prepared, con
                        kit.rotating_damping_ratio.front());
   const double highest_hz = 20 * prepared.reduction->frequency_hz[0](0);
   const auto from_hz = structure::instability_hz(prepared.assembly, highest_hz);
-  return fmt::format(
-      "  damping that turns with the shaft: ratio {} and so on by mode; the quiet whirl is {}\n",
-      kit.rotating_damping_ratio.front(),
-      from_hz ? fmt::format("unstable from {:.6g} Hz on and grows until it touches", *from_hz)
-              : fmt::format("stable up to {:.4g} Hz", highest_hz));
+  return fmt::format("  damping that turns with the shaft: ratio {} and so on by mode; the quiet whirl is {}\n",
+                     kit.rotating_damping_ratio.front(),
+                     from_hz
+                         ? fmt::format("unstable from {} on and grows until it touches", model::speed_text(*from_hz))
+                         : "stable up to " + model::speed_text(highest_hz, 4));
 }
 
 std::string explain_shaft(const model::RotorKit& kit) {
@@ -216,11 +217,11 @@ std::string explain_kit(const scene::PreparedMachine& prepared, const model::Rot
 std::string explain_rotating_damping(const model::JeffcottRotor& rotor) {
   if (rotor.rotating_damping_ratio == 0) return "";
   return fmt::format(
-      "  damping that turns with the shaft: ratio {}; from {:.6g} Hz on the quiet whirl is unstable and "
+      "  damping that turns with the shaft: ratio {}; from {} on the quiet whirl is unstable and "
       "grows "
       "until it touches\n",
       rotor.rotating_damping_ratio,
-      rotor.natural_frequency_hz * (1 + rotor.damping_ratio / rotor.rotating_damping_ratio));
+      model::speed_text(rotor.natural_frequency_hz * (1 + rotor.damping_ratio / rotor.rotating_damping_ratio)));
 }
 
 std::string explain_rotor(const scene::PreparedMachine& prepared, bool by_tables) {

@@ -9,6 +9,7 @@
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/integrate/start.hpp"
+#include "rubsweep/model/rpm.hpp"
 #include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/explain_machine.hpp"
 #include "rubsweep/report/explain_tables.hpp"
@@ -94,16 +95,23 @@ std::string explain_axis(const sweep::KeyAxis& axis) {
                      axis.spacing && axis.spacing->logarithmic ? ", logarithmic" : "");
 }
 
-/// "31 speeds from 3000 to 12000 rpm (50 to 200 Hz), logarithmic".
+/// "31 speeds from 3000 to 12000 rpm (50 to 200 Hz), logarithmic"; one value by itself.
 std::string explain_place_axis(const std::vector<double>& values, const sweep::WrittenAxis& written,
-                               std::string_view what, std::string_view si_unit) {
+                               std::string_view one, std::string_view many, std::string_view si_unit) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  std::string text = fmt::format("{} {} from ", values.size(), what);
+  const auto span = [&](std::string_view from, std::string_view to) {
+    return values.size() == 1 ? std::string(from) : fmt::format("{} to {}", from, to);
+  };
+  std::string text = values.size() == 1 ? std::string(one) + " " : fmt::format("{} {} from ", values.size(), many);
   if (written.is_si()) {
-    text += fmt::format("{} to {}{}", *least, *most, si_unit);
+    text += span(fmt::format("{}", *least), fmt::format("{}", *most)) + std::string(si_unit);
+    if (si_unit == " Hz") {
+      text += fmt::format(" ({} rpm)", span(fmt::format("{:.6g}", model::rpm_per_hz * *least),
+                                            fmt::format("{:.6g}", model::rpm_per_hz * *most)));
+    }
   } else {
-    text += fmt::format("{} to {} {} ({:.6g} to {:.6g}{})", sweep::in_units(written, *least),
-                        sweep::in_units(written, *most), written.unit, *least, *most, si_unit);
+    text += fmt::format("{} {} ({}{})", span(sweep::in_units(written, *least), sweep::in_units(written, *most)),
+                        written.unit, span(fmt::format("{:.6g}", *least), fmt::format("{:.6g}", *most)), si_unit);
   }
   return written.spacing && written.spacing->logarithmic ? text + ", logarithmic" : text;
 }
@@ -112,12 +120,17 @@ std::string explain_sweep(const sweep::Grid& grid) {
   const bool by_ratio = grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
   const bool in_metres = grid.written_unbalance.is_si();
   return fmt::format("sweep: {} cells, {}, {}\n", sweep::cell_count(grid),
-                     explain_place_axis(grid.speed_hz, grid.written_speed, "speeds", " Hz"),
+                     explain_place_axis(grid.speed_hz, grid.written_speed, "speed", "speeds", " Hz"),
                      explain_place_axis(grid.unbalance, grid.written_unbalance,
+                                        by_ratio    ? "whirl ratio"
+                                        : in_metres ? "eccentricity"
+                                                    : "unbalance",
                                         by_ratio    ? "whirl ratios"
-                                        : in_metres ? "eccentricities (m)"
+                                        : in_metres ? "eccentricities"
                                                     : "unbalances",
-                                        by_ratio || in_metres ? "" : " m of eccentricity"));
+                                        by_ratio    ? ""
+                                        : in_metres ? " m"
+                                                    : " m of eccentricity"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::report {
@@ -16,7 +17,7 @@ std::string place_of(const model::Support& support) {
 
 std::string explain_coefficients(const model::SupportTable& table, double speed_hz) {
   const structure::SupportCurves curves = structure::curves_of(table);
-  std::string text = fmt::format("    at {:.6g} Hz:", speed_hz);
+  std::string text = fmt::format("    at {}:", model::speed_text(speed_hz));
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const bool none = std::ranges::all_of(table.columns[c], [](double value) { return value == 0; });
     if (!none) text += fmt::format(" {} {:.6g}", model::support_coefficients[c], curves[c](speed_hz));
@@ -36,9 +37,9 @@ std::string explain_tables(const model::Machine& machine, std::vector<double> sp
   for (std::size_t i = 0; i < kit->supports.size(); ++i) {
     const auto& table = kit->supports[i].table;
     if (!table) continue;
-    text += fmt::format(
-        "  support {} at {}: table of {} speeds from {:.6g} to {:.6g} Hz, monotone cubics between\n", i,
-        place_of(kit->supports[i]), table->speed_hz.size(), table->speed_hz.front(), table->speed_hz.back());
+    text += fmt::format("  support {} at {}: table of {} speeds from {}, monotone cubics between\n", i,
+                        place_of(kit->supports[i]), table->speed_hz.size(),
+                        model::speed_range_text(table->speed_hz.front(), table->speed_hz.back()));
     for (const double speed_hz : shown) text += explain_coefficients(*table, speed_hz);
   }
   return text;

@@ -4,10 +4,16 @@
 
 #include <cmath>
 
+#include "rubsweep/model/speed_text.hpp"
+
 namespace rubsweep::report {
 namespace {
 
 std::string number_or_none(double value) { return std::isnan(value) ? "none" : fmt::format("{:.6g}", value); }
+
+std::string length_or_none(double length_m, const model::ShownLengths& shown) {
+  return std::isnan(length_m) ? "none" : model::length_text(length_m, shown, model::LengthUnit::m, 6);
+}
 
 std::string motion_text(const sweep::Row& row) {
   std::string text(to_string(row.motion_class));
@@ -28,9 +34,9 @@ std::string motion_text(const sweep::Row& row) {
 
 }  // namespace
 
-std::string motion_summary(const sweep::Row& row) {
-  return fmt::format("cell      {:.6g} Hz, whirl ratio {}, eccentricity {} m\nmotion    {}\n", row.speed_hz,
-                     number_or_none(row.whirl_ratio), number_or_none(row.eccentricity_m), motion_text(row));
+std::string motion_summary(const sweep::Row& row, const model::ShownLengths& shown) {
+  return fmt::format("cell      {}, whirl ratio {}, eccentricity {}\nmotion    {}\n", model::speed_text(row.speed_hz),
+                     number_or_none(row.whirl_ratio), length_or_none(row.eccentricity_m, shown), motion_text(row));
 }
 
 }  // namespace rubsweep::report

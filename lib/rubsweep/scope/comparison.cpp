@@ -121,7 +121,10 @@ std::string simulated_orbit_csv(const Comparison& comparison, int turns, bool pl
   return text;
 }
 
-std::string comparison_summary(const Comparison& comparison) {
+std::string comparison_summary(const Comparison& comparison, const model::ShownLengths& shown) {
+  const auto amplitude = [&](std::complex<double> line_m) {
+    return model::amplitude_text(std::abs(line_m), shown, model::LengthUnit::um);
+  };
   std::string text = fmt::format(
       "compared  the simulated motion leaves {:.3g} % of the energy; its lines are off by {:.3g} standard "
       "uncertainties (root mean square of {}), with the mark {:.4g} turns behind its begin\n",
@@ -130,9 +133,8 @@ std::string comparison_summary(const Comparison& comparison) {
   std::ranges::sort(lines, std::greater{}, &ComparedLine::difference);
   lines.resize(std::min<std::size_t>(lines.size(), 3));
   for (const ComparedLine& line : lines) {
-    text += fmt::format(
-        "          {:+.4g}X: measured {:.4g} um, simulated {:.4g} um, {:.3g} uncertainties apart\n",
-        line.order, 1e6 * std::abs(line.measured_m), 1e6 * std::abs(line.simulated_m), line.difference);
+    text += fmt::format("          {:+.4g}X: measured {}, simulated {}, {:.3g} uncertainties apart\n", line.order,
+                        amplitude(line.measured_m), amplitude(line.simulated_m), line.difference);
   }
   return text;
 }

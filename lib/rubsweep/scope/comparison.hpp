@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/model/length_text.hpp"
 #include "rubsweep/scope/verdict.hpp"
 
 namespace rubsweep::scope {
@@ -40,6 +41,6 @@ std::string comparison_csv(const Comparison& comparison);
 /// turns, x_m, y_m of the simulated orbit.
 std::string simulated_orbit_csv(const Comparison& comparison, int turns, bool plane);
 /// Lines for a terminal: misfit, and the lines that differ most.
-std::string comparison_summary(const Comparison& comparison);
+std::string comparison_summary(const Comparison& comparison, const model::ShownLengths& shown = {});
 
 }  // namespace rubsweep::scope

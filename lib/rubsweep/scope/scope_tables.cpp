@@ -9,6 +9,7 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/identify/ramp_resonance.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/numerics/straight_line.hpp"
 #include "rubsweep/recording/turns.hpp"
 #include "rubsweep/scope/order_history.hpp"
@@ -17,6 +18,7 @@ namespace rubsweep::scope {
 namespace {
 
 using batch::csv_number;
+using model::LengthUnit;
 using recording::Recording;
 using recording::samples_per_revolution;
 
@@ -88,28 +90,28 @@ std::string period_text(const Verdict& verdict) {
 }
 
 /// Doubts that noise and length leave.
-std::string doubt_text(const Verdict& verdict, double mean_speed_hz) {
+std::string doubt_text(const Verdict& verdict, double mean_speed_hz, const model::ShownLengths& shown) {
+  const auto line = [&](double amplitude_m) { return model::amplitude_text(amplitude_m, shown, LengthUnit::um, 2); };
   if (const auto& doubt = verdict.doubtful) {
-    return fmt::format(
-        "1/{} or 1/{}: {:.2g} s more would tell (a line of {:.2g} um, seen from {:.2g} um on)\n",
-        *verdict.period, doubt->turns, std::max(doubt->more_turns, 1.0) / mean_speed_hz,
-        1e6 * doubt->amplitude_m, 1e6 * verdict.visible_m);
+    return fmt::format("1/{} or 1/{}: {:.2g} s more would tell (a line of {}, seen from {} on)\n", *verdict.period,
+                       doubt->turns, std::max(doubt->more_turns, 1.0) / mean_speed_hz, line(doubt->amplitude_m),
+                       line(verdict.visible_m));
   }
   if (verdict.longest_period < max_period) {
     return fmt::format(
         "periods of more than {} turns cannot be told by {} turns; {:.2g} s more would tell up to {}\n",
         verdict.longest_period, verdict.turns, (3 * max_period - verdict.turns) / mean_speed_hz, max_period);
   }
-  if (!verdict.period)
-    return fmt::format("lines of {:.2g} um or more stand beside every period\n", 1e6 * verdict.visible_m);
-  return fmt::format("no line of {:.2g} um or more belongs to another period\n", 1e6 * verdict.visible_m);
+  if (!verdict.period) return fmt::format("lines of {} or more stand beside every period\n", line(verdict.visible_m));
+  return fmt::format("no line of {} or more belongs to another period\n", line(verdict.visible_m));
 }
 
 std::string speed_text(const Recording& recording, const std::vector<double>& speeds_hz) {
   const auto [slowest, fastest] = std::ranges::minmax(speeds_hz);
   const double mean_hz = recording.turns() / (recording.turn_begin_s.back() - recording.turn_begin_s.front());
-  return fmt::format("speed     {:.6g} Hz ({:.6g} to {:.6g}), {} turns, {:.4g} readings a turn\n", mean_hz,
-                     slowest, fastest, recording.turns(), recording.sampling_rate_hz / mean_hz);
+  return fmt::format("speed     {}, {}, {} turns, {:.4g} readings a turn\n", model::speed_text(mean_hz),
+                     model::speed_range_text(slowest, fastest, 5), recording.turns(),
+                     recording.sampling_rate_hz / mean_hz);
 }
 
 std::string findings_text(const Recording& recording) {
@@ -137,7 +139,8 @@ Ramp ramp_of(const std::vector<OrderPoint>& points) {
 }
 
 /// Largest 1X of one direction and the mode behind it, where the speed changes evenly.
-std::string run_text(const std::vector<OrderPoint>& points, bool y, std::string& measures) {
+std::string run_text(const std::vector<OrderPoint>& points, bool y, const model::ShownLengths& shown,
+                     std::string& measures) {
   constexpr double even = 0.02;
   std::vector<identify::BodePoint> plot;
   for (const OrderPoint& point : points) {
@@ -146,8 +149,8 @@ std::string run_text(const std::vector<OrderPoint>& points, bool y, std::string&
   }
   const char name = y ? 'y' : 'x';
   const auto top = std::ranges::max_element(plot, {}, &identify::BodePoint::amplitude_m);
-  std::string text =
-      fmt::format("1X in {}    largest at {:.5g} Hz, {:.4g} um", name, top->speed_hz, 1e6 * top->amplitude_m);
+  std::string text = fmt::format("1X in {}    largest at {}, {}", name, model::speed_text(top->speed_hz, 5),
+                                 model::amplitude_text(top->amplitude_m, shown, LengthUnit::um));
   measures += fmt::format("speed_of_largest_1x_{}_hz,{},\n", name, csv_number(top->speed_hz));
   const Ramp ramp = ramp_of(points);
   if (ramp.largest_error > even)
@@ -158,15 +161,15 @@ std::string run_text(const std::vector<OrderPoint>& points, bool y, std::string&
   measures +=
       fmt::format("resonance_{0}_hz,{1},\ndamping_ratio_{0},{2},\nmisfit_{0},{3},\n", name,
                   csv_number(fit->frequency_hz), csv_number(fit->damping_ratio), csv_number(fit->misfit));
-  return text +
-         fmt::format(
-             "; a mode of {:.5g} Hz, damping ratio {:.3g}, explains {:.4g} to {:.4g} Hz but for {:.2g} %\n",
-             fit->frequency_hz, fit->damping_ratio, fit->from_hz, fit->to_hz, 100 * fit->misfit);
+  return text + fmt::format("; a mode of {:.5g} Hz, damping ratio {:.3g}, explains {} but for {:.2g} %\n",
+                            fit->frequency_hz, fit->damping_ratio, model::speed_range_text(fit->from_hz, fit->to_hz, 4),
+                            100 * fit->misfit);
 }
 
 }  // namespace
 
-ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const std::vector<double>& orders) {
+ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const std::vector<double>& orders,
+                      const model::ShownLengths& shown) {
   const std::vector<double> speeds_hz = recording::turn_speeds_hz(recording.turn_begin_s);
   const double mean_hz = recording.turns() / (recording.turn_begin_s.back() - recording.turn_begin_s.front());
   // A line of one probe has the noise of half as many numbers as one of two.
@@ -195,16 +198,19 @@ ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const 
   if (verdict.whirl) measure("forward_share", verdict.forward_share, verdict.forward_share_uncertainty);
   tables.summary = speed_text(recording, speeds_hz);
   tables.summary +=
-      fmt::format("motion    {}\n          {}", period_text(verdict), doubt_text(verdict, mean_hz));
-  tables.summary += fmt::format("size      {:.4g} um peak to peak", 1e6 * peak_to_peak_m(verdict, false));
+      fmt::format("motion    {}\n          {}", period_text(verdict), doubt_text(verdict, mean_hz, shown));
+  tables.summary += fmt::format("size      {} peak to peak",
+                                model::length_text(peak_to_peak_m(verdict, false), shown, LengthUnit::um));
   if (recording.plane)
-    tables.summary += fmt::format(" in x, {:.4g} um in y", 1e6 * peak_to_peak_m(verdict, true));
-  tables.summary += fmt::format("; a line has {:.2g} um of noise\n", 1e6 * verdict.noise_m);
+    tables.summary += " in x, " + model::length_text(peak_to_peak_m(verdict, true), shown, LengthUnit::um) + " in y";
+  tables.summary +=
+      fmt::format("; a line has {} of noise\n", model::amplitude_text(verdict.noise_m, shown, LengthUnit::um, 2));
   tables.summary += findings_text(recording);
   return tables;
 }
 
-ScopeTables tables_of_run(const Recording& recording, const std::vector<double>& orders) {
+ScopeTables tables_of_run(const Recording& recording, const std::vector<double>& orders,
+                          const model::ShownLengths& shown) {
   const std::vector<double> speeds_hz = recording::turn_speeds_hz(recording.turn_begin_s);
   ScopeTables tables{.turns_csv = turns_csv(recording, speeds_hz),
                      .orbit_csv = {},
@@ -221,8 +227,8 @@ ScopeTables tables_of_run(const Recording& recording, const std::vector<double>&
       "motion    changes with the speed, by {:.4g} Hz a second; from_s and to_s in the description take a "
       "steady stretch\n",
       ramp.rate_hz_per_s);
-  tables.summary += run_text(one_x, false, tables.measures_csv);
-  if (recording.plane) tables.summary += run_text(one_x, true, tables.measures_csv);
+  tables.summary += run_text(one_x, false, shown, tables.measures_csv);
+  if (recording.plane) tables.summary += run_text(one_x, true, shown, tables.measures_csv);
   tables.summary += findings_text(recording);
   return tables;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/model/length_text.hpp"
 #include "rubsweep/recording/recording.hpp"
 #include "rubsweep/scope/verdict.hpp"
 
@@ -22,12 +23,14 @@ struct ScopeTables {
   std::string summary;
 };
 
-/// `verdict` is that of the recording's displacement; `orders`, multiples of 1/8, go into the Bode plot.
-ScopeTables tables_of(const recording::Recording& recording, const Verdict& verdict,
-                      const std::vector<double>& orders);
+/// `verdict` is that of the recording's displacement; `orders`, multiples of 1/8, go into the Bode plot. The summary
+/// says lengths as asked for, in um otherwise.
+ScopeTables tables_of(const recording::Recording& recording, const Verdict& verdict, const std::vector<double>& orders,
+                      const model::ShownLengths& shown = {});
 
 /// The same of a run-up or coast-down (speed_changes), which has no motion that repeats: 1X and, where the
 /// speed changes evenly, the mode behind it (identify::fit_ramp_resonance). Needs history_turns.
-ScopeTables tables_of_run(const recording::Recording& recording, const std::vector<double>& orders);
+ScopeTables tables_of_run(const recording::Recording& recording, const std::vector<double>& orders,
+                          const model::ShownLengths& shown = {});
 
 }  // namespace rubsweep::scope

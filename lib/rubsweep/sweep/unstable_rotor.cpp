@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/structure/stability.hpp"
 
 namespace rubsweep::sweep {
@@ -69,11 +70,11 @@ std::string where_rotor_is_unstable(const Study& study, const scene::PreparedMac
   }
   if (found.unstable == 0) return "";
   return fmt::format(
-      "unstable rotor: at {} of {} speeds looked at, from {:.6g} to {:.6g} Hz, a free vibration of the rotor "
-      "without its stops grows (by {:.3g} 1/s at {:.6g} Hz): the quiet whirl does not last, kicked or not, "
+      "unstable rotor: at {} of {} speeds looked at, from {}, a free vibration of the rotor "
+      "without its stops grows (by {:.3g} 1/s at {}): the quiet whirl does not last, kicked or not, "
       "and nothing but the stops limits the motion; rows say {}, rubtrace --campbell shows the modes\n",
-      found.unstable, found.looked_at, found.lowest_hz, found.highest_hz, found.growth_per_s, found.growth_hz,
-      unstable_rotor);
+      found.unstable, found.looked_at, model::speed_range_text(found.lowest_hz, found.highest_hz), found.growth_per_s,
+      model::speed_text(found.growth_hz), unstable_rotor);
 }
 
 }  // namespace rubsweep::sweep

@@ -9,17 +9,21 @@
 namespace rubsweep::trace {
 namespace {
 
+using model::LengthUnit;
 using response::spectrum::SpectralLine;
 
-std::string peaks(const response::motion::ContactFacts& facts, double clearance_m) {
-  return fmt::format("{:.4g} clearances, {:.4g} N", facts.peak_displacement_m / clearance_m,
+std::string peaks(const response::motion::ContactFacts& facts, double clearance_m, const model::ShownLengths& shown) {
+  const std::string length =
+      shown.unit ? ", " + model::length_text(facts.peak_displacement_m, shown, LengthUnit::m) : std::string();
+  return fmt::format("{:.4g} clearances{}, {:.4g} N", facts.peak_displacement_m / clearance_m, length,
                      facts.peak_contact_force_n);
 }
 
-std::string lines_text(const std::vector<SpectralLine>& lines) {
+std::string lines_text(const std::vector<SpectralLine>& lines, const model::ShownLengths& shown) {
   std::string text;
   for (const SpectralLine& line : lines) {
-    text += fmt::format("{}{:+.4g}X {:.4g} m", text.empty() ? "" : ", ", line.order, line.amplitude_m);
+    text += fmt::format("{}{:+.4g}X {}", text.empty() ? "" : ", ", line.order,
+                        model::amplitude_text(line.amplitude_m, shown, LengthUnit::m));
   }
   return text.empty() ? "none" : text;
 }
@@ -46,7 +50,8 @@ std::string effort_text(const integrate::run::Effort& effort, long revolutions) 
 
 }  // namespace
 
-std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m) {
+std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m,
+                          const model::ShownLengths& shown) {
   const std::string run =
       fmt::format("run       {} revolutions, {}\n", trace.revolutions,
                   trace.last_contact_revolution
@@ -59,23 +64,23 @@ std::string trace_summary(const Trace& trace, const TraceWindow& window, double 
                    "contact   {:.4g} hits per revolution, {:.3g} % of the time, in the last {} revolutions\n"
                    "lines     {}\n"
                    "effort    {}\n",
-                   peaks(whole, clearance_m), peaks(window.contact, clearance_m), window.turns,
-                   static_cast<double>(window.contact.hits) / window.turns,
-                   100 * window.contact.contact_fraction, window.turns,
-                   lines_text(largest_lines(window.spectrum, 5, clearance_m)),
+                   peaks(whole, clearance_m, shown), peaks(window.contact, clearance_m, shown), window.turns,
+                   static_cast<double>(window.contact.hits) / window.turns, 100 * window.contact.contact_fraction,
+                   window.turns, lines_text(largest_lines(window.spectrum, 5, clearance_m), shown),
                    effort_text(trace.effort, trace.revolutions));
 }
 
-std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, const Probes& probes) {
+std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, const Probes& probes,
+                          const model::ShownLengths& shown) {
   const std::string what = period.period
                                ? *period.period == 1 ? std::string("repeats every turn")
                                                      : fmt::format("repeats after {} turns", *period.period)
                                : std::string("repeats after none of the numbers of turns looked for");
   return fmt::format(
-      "probes    {} by {} readings of sensors {} ({:g} deg) and {} ({:g} deg) every {:g} s, noise {:g} m: "
+      "probes    {} by {} readings of sensors {} ({:g} deg) and {} ({:g} deg) every {:g} s, noise {}: "
       "{:.2g} % of the energy off the lines, {:.2g} % allowed\n",
-      what, period.readings, pair.first, probes.angle_deg[pair.first], pair.second,
-      probes.angle_deg[pair.second], probes.sample_s, probes.noise_m, 100 * period.unexplained_share,
+      what, period.readings, pair.first, probes.angle_deg[pair.first], pair.second, probes.angle_deg[pair.second],
+      probes.sample_s, model::length_text(probes.noise_m, shown, LengthUnit::m, 6), 100 * period.unexplained_share,
       100 * period.allowed_share);
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/model/length_text.hpp"
 #include "rubsweep/response/motion/motion.hpp"
 #include "rubsweep/trace/probe_period.hpp"
 #include "rubsweep/trace/trace_run.hpp"
@@ -10,8 +11,9 @@
 namespace rubsweep::trace {
 
 /// Summary of a trace for a terminal: peaks, hits, the largest lines and the effort.
-/// `clearance_m` is that of the kicked stop.
-std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m);
+/// `clearance_m` is that of the kicked stop. Lengths as asked for, lines in m otherwise and peaks in clearances alone.
+std::string trace_summary(const Trace& trace, const TraceWindow& window, double clearance_m,
+                          const model::ShownLengths& shown = {});
 
 /// The `count` largest lines but 0X, largest first; only those above both neighbours (one line spread over
 /// several by an incomplete period is one line) and above the floor of significance (1e-3 of the largest,
@@ -20,6 +22,7 @@ std::vector<response::spectrum::SpectralLine> largest_lines(const response::spec
                                                             std::size_t count, double clearance_m);
 
 /// Verdict of a pair of probes on the same run, one line. `angle_deg`: of all probes.
-std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, const Probes& probes);
+std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, const Probes& probes,
+                          const model::ShownLengths& shown = {});
 
 }  // namespace rubsweep::trace

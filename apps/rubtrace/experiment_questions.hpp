@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+
+#include "rubsweep/config/run_config.hpp"
+#include "rubtrace_arguments.hpp"
+#include "shared/action.hpp"
+
+namespace rubsweep::apps {
+
+/// Answers to --check, --explain and --print-config about the experiment or design check that the arguments
+/// ask for; `run` carries it out. Arguments and configuration must outlive it. Throws UsageError and
+/// ConfigError where the machine has not the speeds that are asked for.
+StudyActions experiment_actions(const RubtraceArguments& arguments, const config::RunConfig& config,
+                                std::function<int()> run);
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,49 @@
+#include "shared/study_questions.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "rubsweep/config/place_of_key.hpp"
+#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/report/explain_study.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
+#include "rubsweep/sweep/grid.hpp"
+#include "rubsweep/sweep/untouched_walls.hpp"
+#include "shared/premises.hpp"
+#include "shared/program.hpp"
+
+namespace rubsweep::apps {
+namespace {
+
+/// A run says of a weak kick that it is one; before it there is time to say what it might be.
+void ask_about_weak_kick(std::string_view program, const StudyArguments& arguments, const sweep::Study& study,
+                         const scene::PreparedMachine& prepared) {
+  const auto least_n = sweep::least_kick_force_n(study, prepared);
+  if (!least_n) return;
+  constexpr std::string_view key = "kick.force_n";
+  ask(program,
+      {fmt::format("{}: {}: {} N reach no wall from any cell (more than {:.3g} N?)",
+                   config::place_of_key(arguments.config, arguments.overrides, key), key, study.machine.kick->force_n,
+                   *least_n)},
+      arguments.quiet);
+}
+
+}  // namespace
+
+StudyActions study_actions(std::string_view program, const StudyArguments& arguments,
+                           const config::RunConfig& config, std::function<int()> run) {
+  return {.size =
+              [&, program] {
+                // Throws where no structure can be computed of these numbers.
+                const scene::PreparedMachine prepared = scene::prepare_machine(config.study.machine);
+                warn_of_premises(program, config.study, prepared);
+                ask_about_weak_kick(program, arguments, config.study, prepared);
+                return fmt::format("{} cells", sweep::cell_count(config.study.grid));
+              },
+          .explanation = [&] { return report::explain_study(config.study); },
+          .configuration = [&] { return config::print_config(config); },
+          .run = std::move(run)};
+}
+
+}  // namespace rubsweep::apps

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "rubsweep/config/run_config.hpp"
+#include "shared/action.hpp"
+
+namespace rubsweep::apps {
+
+/// Answers of every program to --check, --explain and --print-config about the cells of a study, with
+/// warnings and questions as they go. `run` is what the program does otherwise. Program, arguments and
+/// configuration must outlive it.
+StudyActions study_actions(std::string_view program, const StudyArguments& arguments,
+                           const config::RunConfig& config, std::function<int()> run);
+
+}  // namespace rubsweep::apps
