@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/batch/progress_mode.hpp"
 #include "shared/action.hpp"
 
 namespace rubsweep::apps {

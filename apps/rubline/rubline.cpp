@@ -17,6 +17,7 @@
 #include "rubsweep/batch/axis.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/progress.hpp"
 #include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/line_keys.hpp"
 #include "rubsweep/config/print_config.hpp"

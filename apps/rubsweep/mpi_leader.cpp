@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mpi_messages.hpp"
+#include "rubsweep/batch/lap_time.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/map_csv.hpp"
@@ -32,7 +33,9 @@ MpiLeader::MpiLeader(MapJob& job, int ranks)
     log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks}));
     return;
   }
-  const std::size_t cells = job.directory->missing().size();
+  const sweep::Grid& grid = job.config.study.grid;
+  const std::size_t cells = job.directory->missing().size(), speeds = grid.speed_hz.size();
+  log_.progress().expect({speeds, sweep::cell_count(grid) / speeds, job.directory->missing()});
   // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
   if (log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks})))
     pilots_ = pilot_count(cells, static_cast<std::size_t>(threads) * static_cast<std::size_t>(ranks));
@@ -129,7 +132,7 @@ bool MpiLeader::serve() {
   {
     const std::lock_guard lock(mutex_);
     for (const mpi::FinishedCell& finished : report->finished) {
-      log_.add_of_other_process(finished.line);
+      log_.add_of_other_process(finished.cell, finished.line);
       note(finished.cell, finished.line);
     }
   }
@@ -141,12 +144,14 @@ bool MpiLeader::serve() {
 
 void MpiLeader::compute() {
   for (batch::Chunk chunk = own_chunk(); !chunk.empty(); chunk = own_chunk()) {
+    const batch::LapTime time;
     sweep::run_cells(
         job_.config.study, chunk, job_.arguments.threads,
         [&](std::size_t cell, const sweep::Row& row) {
+          const double seconds = time.lap_s();
           const std::string line = report::map_line(row, job_.config.study);
           const std::lock_guard lock(mutex_);
-          log_.add(cell, line);
+          log_.add(cell, line, seconds);
           note(cell, line);
         },
         ending_);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/batch/progress_mode.hpp"
 #include "rubsweep/map/map_directory.hpp"
 #include "shared/action.hpp"
 #include "shared/figure.hpp"

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "rubsweep/batch/lap_time.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/map/refined_cells.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
@@ -42,7 +43,12 @@ MissingCells::MissingCells(const SweepRun& how, const sweep::Study& study, map::
       study_(study),
       directory_(directory),
       stop_(catch_interrupts()),
-      log_(directory, how.quiet ? batch::ProgressMode::never : how.progress) {}
+      log_(directory, how.quiet ? batch::ProgressMode::never : how.progress) {
+  // Which cells a refinement wants is not known beforehand.
+  if (study.grid.refinement) return;
+  const std::size_t speeds = study.grid.speed_hz.size();
+  log_.progress().expect({speeds, sweep::cell_count(study.grid) / speeds, directory.missing()});
+}
 
 /// Computes round after round of the cells that the refinement of those before needs. Shards at work at the
 /// same time wait for each other's.
@@ -118,15 +124,16 @@ bool MissingCells::run() {
 }
 
 void MissingCells::run_cells(std::span<const std::size_t> cells) {
+  const batch::LapTime time;
   sweep::run_cells(
-      study_, cells, how_.threads, [this](std::size_t cell, const sweep::Row& row) { write_down(cell, row); },
-      stop_);
+      study_, cells, how_.threads,
+      [&](std::size_t cell, const sweep::Row& row) { write_down(cell, row, time.lap_s()); }, stop_);
 }
 
-void MissingCells::write_down(std::size_t cell, const sweep::Row& row) {
+void MissingCells::write_down(std::size_t cell, const sweep::Row& row, double seconds) {
   const std::string line = report::map_line(row, study_);
   const std::lock_guard lock(mutex_);
-  log_.add(cell, line);
+  log_.add(cell, line, seconds);
 }
 
 bool MissingCells::say_progress(const std::string& text) {

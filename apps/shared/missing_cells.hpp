@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/batch/progress_mode.hpp"
 #include "rubsweep/map/cell_log.hpp"
 #include "rubsweep/map/map_directory.hpp"
 #include "rubsweep/sweep/row.hpp"
@@ -41,7 +41,7 @@ class MissingCells {
   bool all_finished() const { return log_.finished() == directory_.missing().size(); }
   bool run_refined();
   void run_cells(std::span<const std::size_t> cells);
-  void write_down(std::size_t cell, const sweep::Row& row);
+  void write_down(std::size_t cell, const sweep::Row& row, double seconds);
   bool say_progress(const std::string& text);
   void refresh();
   void leave();

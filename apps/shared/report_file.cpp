@@ -9,6 +9,7 @@
 #include <string>
 
 #include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/batch/progress.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"

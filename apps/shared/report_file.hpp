@@ -5,7 +5,7 @@
 #include <functional>
 #include <string_view>
 
-#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/batch/progress_mode.hpp"
 #include "rubsweep/page/map_table.hpp"
 #include "rubsweep/page/report_page.hpp"
 #include "rubsweep/sweep/study.hpp"

@@ -24,7 +24,7 @@ TEST(CellLog, ACellOfAnotherProcessIsShownAndStaysInItsOwnJournal) {
   MapDirectory directory = map.begin();
   {
     CellLog log(directory, batch::ProgressMode::never);
-    log.add_of_other_process(SmallMap::line(3));
+    log.add_of_other_process(3, SmallMap::line(3));
     EXPECT_EQ(log.finished(), 1u);
     EXPECT_TRUE(batch::read_whole_file(directory.partial()).ends_with('\n' + SmallMap::line(3) + '\n'));
   }

@@ -36,13 +36,21 @@ std::string hours_minutes_seconds(double duration_s) {
 }
 
 std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before,
-                          double recent_s_per_cell) {
+                          double recent_s_per_cell, std::optional<double> left_s) {
   const std::size_t percent = total == 0 ? 100 : 100 * done / total;
   std::string line = fmt::format("{}/{} cells, {}%", done, total, percent);
   if (done == done_before || elapsed_s <= 0) return line;
   const double rate = static_cast<double>(done - done_before) / elapsed_s;
-  const double left_s = static_cast<double>(total - done) * std::max(1 / rate, recent_s_per_cell);
-  return line + fmt::format(", {} cells/s, {} left", rate_text(rate), hours_minutes_seconds(left_s));
+  if (!left_s) left_s = static_cast<double>(total - done) * std::max(1 / rate, recent_s_per_cell);
+  return line + fmt::format(", {} cells/s, {} left", rate_text(rate), hours_minutes_seconds(*left_s));
+}
+
+std::optional<double> time_left_s(const CellsLeft& cells, double elapsed_s, double waited_s) {
+  const std::optional<double> one_by_one_s = cells.one_by_one_s();
+  if (!one_by_one_s || elapsed_s <= 0) return std::nullopt;
+  if (cells.left() == 0) return 0;
+  const double busy = std::max(1.0, cells.finished_s() / elapsed_s);
+  return std::max(*one_by_one_s / std::min(busy, static_cast<double>(cells.left())), waited_s);
 }
 
 Progress::Progress(std::size_t total, ProgressMode mode, std::FILE* stream, std::size_t done_before)
@@ -63,6 +71,11 @@ void Progress::advance(std::size_t cells) {
   if (now - drawn_ < (in_place_ ? redraw_interval : line_interval)) return;
   draw(line());
   drawn_ = now;
+}
+
+void Progress::finish_cell(std::size_t cell, std::optional<double> seconds) {
+  if (cells_) cells_->finish(cell, seconds);
+  advance();
 }
 
 void Progress::refresh() {
@@ -99,7 +112,13 @@ double Progress::recent_s_per_cell() const {
 }
 
 std::string Progress::line() const {
-  return progress_line(done_, total_, elapsed_s(), done_before_, recent_s_per_cell());
+  const double elapsed = elapsed_s();
+  std::optional<double> left_s;
+  if (cells_ && !ends_.empty()) {
+    const double waited_s = std::chrono::duration<double>(Clock::now() - ends_.back()).count();
+    left_s = time_left_s(*cells_, elapsed, waited_s);
+  }
+  return progress_line(done_, total_, elapsed, done_before_, recent_s_per_cell(), left_s);
 }
 
 void Progress::end_line() {

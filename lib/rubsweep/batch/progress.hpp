@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdio>
 #include <deque>
+#include <optional>
 #include <string>
+#include <utility>
+
+#include "rubsweep/batch/cells_left.hpp"
+#include "rubsweep/batch/progress_mode.hpp"
 
 namespace rubsweep::batch {
-
-/// `automatic`: only when the stream is a terminal.
-enum class ProgressMode { automatic, always, never };
 
 /// "0:07:02", also for days: "50:00:00".
 std::string hours_minutes_seconds(double duration_s);
@@ -17,14 +19,21 @@ std::string hours_minutes_seconds(double duration_s);
 /// "132/1320 cells, 10%, 45.2 cells/s, 0:00:26 left" after `elapsed_s` seconds, which did not go into the
 /// first `done_before` cells. The rate and the time left are missing as long as nothing tells them (no cell
 /// or no time yet). The percentage is rounded down. Cells are not alike: where the last ones took longer than
-/// the average, `recent_s_per_cell`, so may those that are left, and that time is said.
+/// the average, `recent_s_per_cell`, so may those that are left, and that time is said. Where their neighbours tell how
+/// long they take, `left_s`, that is said instead.
 std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before = 0,
-                          double recent_s_per_cell = 0);
+                          double recent_s_per_cell = 0, std::optional<double> left_s = {});
+
+/// Time until the cells that are left are finished, by their neighbours: they keep as many threads busy as those before
+/// them did in `elapsed_s` seconds, where there are so many of them. `waited_s` seconds without a finished cell promise
+/// as many more. Empty where nothing was measured.
+std::optional<double> time_left_s(const CellsLeft& cells, double elapsed_s, double waited_s);
 
 /// A line that counts finished cells: on a terminal rewritten in place at most ten times a second, in a file
-/// or a pipe one line after another, every ten seconds. The time left is what the average cell says, or what
-/// as many last cells as are left say, whichever is longer. Time counts from construction; `done_before`
-/// cells were finished by then. Not for use by several threads at once.
+/// or a pipe one line after another, every ten seconds. The time left is what the neighbours of the cells left say,
+/// where it is known which these are, else what the average cell says, or what as many last cells as are left say,
+/// whichever is longer. Time counts from construction; `done_before` cells were finished by then. Not for use by
+/// several threads at once.
 class Progress {
  public:
   Progress(std::size_t total, ProgressMode mode, std::FILE* stream = stderr, std::size_t done_before = 0);
@@ -32,8 +41,14 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// Tells which cells are to be finished, before any is.
+  void expect(CellsLeft cells) { cells_ = std::move(cells); }
+
   /// Counts so many more finished cells.
   void advance(std::size_t cells = 1);
+
+  /// Counts a finished cell that was expected, and the seconds that it took on its thread, where they are known.
+  void finish_cell(std::size_t cell, std::optional<double> seconds);
 
   /// Draws the line anew, as time goes by while no cell is finished; on a terminal at most once a second.
   void refresh();
@@ -62,6 +77,7 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   Clock::time_point drawn_ = start_;
   std::size_t drawn_width_ = 0;
+  std::optional<CellsLeft> cells_{};
   std::deque<Clock::time_point> ends_;  ///< of the last cells, as many as are left, within reason
 };
 

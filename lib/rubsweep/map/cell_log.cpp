@@ -12,15 +12,17 @@ CellLog::CellLog(const MapDirectory& directory, batch::ProgressMode mode)
       partial_(directory.partial()),
       progress_(directory.cells(), mode, stderr, directory.finished()) {}
 
-void CellLog::add(std::size_t cell, const std::string& line) {
+void CellLog::add(std::size_t cell, const std::string& line, std::optional<double> seconds) {
   journal_.append(cell, line);
-  add_of_other_process(line);
+  show(cell, line, seconds);
 }
 
-void CellLog::add_of_other_process(const std::string& line) {
+void CellLog::add_of_other_process(std::size_t cell, const std::string& line) { show(cell, line, {}); }
+
+void CellLog::show(std::size_t cell, const std::string& line, std::optional<double> seconds) {
   partial_.append(directory_.in_map(line));
   ++finished_;
-  progress_.advance();
+  progress_.finish_cell(cell, seconds);
 }
 
 void CellLog::refresh() {

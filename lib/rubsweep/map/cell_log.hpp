@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,11 +19,11 @@ class CellLog {
   /// Opens both files; the directory must outlive it. Throws IoError.
   CellLog(const MapDirectory& directory, batch::ProgressMode mode);
 
-  /// Writes down a cell with its line of the map. Throws IoError.
-  void add(std::size_t cell, const std::string& line);
+  /// Writes down a cell with its line of the map, and the seconds that it took on its thread. Throws IoError.
+  void add(std::size_t cell, const std::string& line, std::optional<double> seconds = {});
 
   /// Counts and shows a cell that the journal of another process holds.
-  void add_of_other_process(const std::string& line);
+  void add_of_other_process(std::size_t cell, const std::string& line);
 
   /// Number of added cells.
   std::size_t finished() const { return finished_; }
@@ -36,6 +37,8 @@ class CellLog {
   void close();
 
  private:
+  void show(std::size_t cell, const std::string& line, std::optional<double> seconds);
+
   const MapDirectory& directory_;
   batch::Journal journal_;
   batch::LineLog partial_;
