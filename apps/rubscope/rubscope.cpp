@@ -75,8 +75,7 @@ int look(const RubscopeArguments& arguments) {
     throw ConfigError(file.string() +
                       ": the speed changes, allowed with --compare: a steady one, or from_s and to_s");
   scope::Verdict verdict;
-  if (!changing)
-    verdict = scope::judge(recording.displacement_m, recording::samples_per_revolution, recording.plane);
+  if (!changing) verdict = scope::judge(recording);
   scope::ScopeTables tables = changing ? scope::tables_of_run(recording, arguments.orders, arguments.shown)
                                        : scope::tables_of(recording, verdict, arguments.orders, arguments.shown);
   const ResultDirectory made(arguments.directory, file_names);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <random>
 
 namespace rubsweep::recording {
 namespace {
@@ -31,6 +33,28 @@ TEST(Findings, ClippedIsNotTheFlatTopOfACoarseConverter) {
 TEST(Findings, ReadingsAtFullScaleAreClippedHoweverShort) {
   EXPECT_TRUE(of_readings({0, 9.5, 3, -9}, 10).empty());
   EXPECT_EQ(of_readings({0, 9.5, 3, -10}, 10), std::vector<std::string>{"'x' is clipped below"});
+}
+
+TEST(Findings, AliasingOfVibrationBesideHalfTheSamplingRate) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, 0.01);
+  std::vector<double> clean, noisy, folded;
+  for (int k = 0; k < 3000; ++k) {
+    clean.push_back(std::sin(0.3 * k) + 0.2 * std::sin(0.9 * k + 1));
+    noisy.push_back(clean.back() + noise(random));
+    folded.push_back(noisy.back() + 0.1 * std::cos(0.96 * std::numbers::pi * k));
+  }
+  EXPECT_TRUE(of_readings(clean).empty());
+  EXPECT_TRUE(of_readings(noisy).empty());
+  ASSERT_EQ(of_readings(folded).size(), 1u);
+  EXPECT_TRUE(of_readings(folded).front().starts_with("'x' vibrates just below half the sampling rate"));
+}
+
+TEST(Findings, FewReadingsATurnAreClippedToo) {
+  std::vector<double> clipped;
+  for (int k = 0; k < 1000; ++k)
+    clipped.push_back(std::fmin(40 * std::cos(0.05 * std::numbers::pi * k) + 0.01 * std::sin(4 * k), 25));
+  EXPECT_EQ(of_readings(clipped), std::vector<std::string>{"'x' is clipped above"});
 }
 
 TEST(Findings, MarksOfAKeyphasor) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -40,8 +41,27 @@ TEST(MarkFit, RoundedMarksComeBackToTheirPlaces) {
     const auto truth = turns_s(400, 70.1, rate);
     const auto marks = rounded(truth, step_s);
     EXPECT_GT(largest_error(marks, truth), 0.45 * step_s);
-    EXPECT_LT(largest_error(smoothed_marks_s(marks, step_s), truth), 0.05 * step_s) << rate;
+    EXPECT_LT(largest_error(smoothed_marks(marks, step_s).t_s, truth), 0.05 * step_s) << rate;
   }
+}
+
+TEST(MarkFit, FewMarksComeBackToAShareOfASample) {
+  // 32 turns of 20 to 200 samples.
+  const double step_s = 2e-4;
+  std::vector<double> errors;
+  for (int i = 0; i < 200; ++i) {
+    const double samples = 20 * std::pow(10, i / 199.0);
+    for (const double change : {0.0, 3e-3}) {
+      const double f = 1 / (samples * step_s), turns = 32;
+      const auto truth = turns_s(static_cast<int>(turns) + 1, f, change * f * f / turns);
+      errors.push_back(largest_error(smoothed_marks(rounded(truth, step_s), step_s).t_s, truth) / step_s);
+    }
+  }
+  std::ranges::sort(errors);
+  EXPECT_LT(errors[errors.size() / 2], 0.12);
+  EXPECT_LT(errors[errors.size() * 9 / 10], 0.45);
+  // Half a sample from mark to curve, and half of one from mark to truth.
+  EXPECT_LT(errors.back(), 0.5 + smoothing_bound);
 }
 
 TEST(MarkFit, ASpeedThatSwaysKeepsItsSway) {
@@ -50,14 +70,14 @@ TEST(MarkFit, ASpeedThatSwaysKeepsItsSway) {
   auto truth = turns_s(800, 70.1, 0);
   for (std::size_t k = 0; k < truth.size(); ++k)
     truth[k] += 8 * step_s * std::sin(2 * pi * static_cast<double>(k) / 100);
-  EXPECT_LT(largest_error(smoothed_marks_s(rounded(truth, step_s), step_s), truth), 0.6 * step_s);
+  EXPECT_LT(largest_error(smoothed_marks(rounded(truth, step_s), step_s).t_s, truth), 0.6 * step_s);
 }
 
 TEST(MarkFit, MarksThatNoSmoothCurveExplainsStay) {
   auto marks = turns_s(200, 50, 0);
   for (std::size_t k = 0; k < marks.size(); k += 2) marks[k] += 1e-3;
-  EXPECT_EQ(smoothed_marks_s(marks, 1e-4), marks);
-  EXPECT_EQ(smoothed_marks_s(marks, 0), marks);
+  EXPECT_EQ(smoothed_marks(marks, 1e-4).t_s, marks);
+  EXPECT_EQ(smoothed_marks(marks, 0).t_s, marks);
 }
 
 TEST(MarkFit, MissingMarksAreFilledAndThoseTooManyDropped) {

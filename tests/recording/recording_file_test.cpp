@@ -23,6 +23,8 @@ TEST(RecordingFile, TheFirstBytesSayWhatItIs) {
   // No such files: who is asked to open them says so.
   EXPECT_NE(fault("/nowhere/a.csv", "RIFF....WAVE").find("allowed: a WAV file"), std::string::npos);
   EXPECT_NE(fault("/nowhere/a.dat", "MATLAB 5.0 MAT-file").find("MATLAB file"), std::string::npos);
+  EXPECT_NE(fault("/nowhere/a.mat", "\x89HDF\r\n").find("a.mat: is HDF5 without MATLAB's head, allowed: "),
+            std::string::npos);
   EXPECT_NE(fault("/nowhere/a.mat", "old").find("MATLAB file"), std::string::npos);
 }
 

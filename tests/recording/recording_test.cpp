@@ -111,7 +111,9 @@ TEST(Recording, RefusesWhatCannotBeUsed) {
   EXPECT_EQ(fault(ellipse(), misspelt), "f.csv: has no column 'C', allowed: 't', 'A', 'B', 'KP'");
   Channels stuck = ellipse();
   stuck.channels[3].values.assign(4000, -6.0);
-  EXPECT_EQ(fault(stuck, two_probes), "f.csv: 'KP': the keyphasor's signal does not change");
+  EXPECT_EQ(fault(stuck, two_probes),
+            "f.csv: 'KP': the keyphasor's signal does not change, "
+            "allowed: one that a mark changes every turn");
   Instrument slow = two_probes;
   slow.keyphasor.reset();
   slow.speed_hz = 1e12;

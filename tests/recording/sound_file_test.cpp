@@ -51,5 +51,29 @@ TEST(SoundFile, DamagedOnesAreNamed) {
   fs::remove(file);
 }
 
+TEST(SoundFile, OneThatWasCutShortIsRefused) {
+  const fs::path file = fs::temp_directory_path() / "sound_file_test_cut.wav";
+  SF_INFO info{.frames = 0,
+               .samplerate = 12800,
+               .channels = 1,
+               .format = SF_FORMAT_WAV | SF_FORMAT_PCM_16,
+               .sections = 0,
+               .seekable = 0};
+  SNDFILE* sound = sf_open(file.c_str(), SFM_WRITE, &info);
+  const std::vector<double> frames(1000, 0.5);
+  ASSERT_EQ(sf_writef_double(sound, frames.data(), 1000), 1000);
+  sf_close(sound);
+  EXPECT_EQ(read_sound_file(file).rows(), 1000u);
+  fs::resize_file(file, 1044);
+  try {
+    read_sound_file(file);
+    ADD_FAILURE() << "it was read";
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              file.string() + ": breaks off after 1044 of 2044 bytes, allowed: a whole WAV file");
+  }
+  fs::remove(file);
+}
+
 }  // namespace
 }  // namespace rubsweep::recording

@@ -34,7 +34,7 @@ int turns_after_verdict(const model::JeffcottRotor& rotor, double speed_hz, bool
 }  // namespace
 
 int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz) {
-  constexpr double left = 1e-3, most = 1e6;
+  constexpr double left = 1e-5, most = 1e6;
   const double turns =
       -std::log(left) * speed_hz / (2 * std::numbers::pi * damping_ratio * natural_frequency_hz);
   return static_cast<int>(std::ceil(std::min(turns, most)));

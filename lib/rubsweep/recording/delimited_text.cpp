@@ -133,6 +133,8 @@ std::string quoted(std::string_view cell) {
 
 Channels read_delimited_text(std::string_view text, const std::string& name) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    refuse(name, 1, 1, "is text in UTF-16", "text in UTF-8 or ASCII");
   if (text.find('\0') != std::string_view::npos) refuse(name, 1, 1, "is no text", "a table of numbers");
   Channels table;
   std::optional<NumberStyle> style;

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <iterator>
+#include <numbers>
 
 namespace rubsweep::recording {
 namespace {
@@ -12,14 +15,50 @@ constexpr std::size_t fewest_equal = 5;
 constexpr double largest_change = 0.01;
 constexpr double fewest_readings = 20;
 
-/// Smallest step from one reading to the next: that of the converter, where there is one.
+/// Smallest distance of two readings that differ: the step of the converter, where there is one.
 double smallest_step(std::span<const double> readings) {
+  std::vector<double> sorted;
+  std::ranges::copy_if(readings, std::back_inserter(sorted),
+                       [](double value) { return std::isfinite(value); });
+  std::ranges::sort(sorted);
   double smallest = INFINITY;
-  for (std::size_t k = 1; k < readings.size(); ++k) {
-    const double step = std::abs(readings[k] - readings[k - 1]);
-    if (step > 0) smallest = std::fmin(smallest, step);
-  }
+  for (std::size_t k = 1; k < sorted.size(); ++k)
+    if (sorted[k] > sorted[k - 1]) smallest = std::fmin(smallest, sorted[k] - sorted[k - 1]);
   return smallest;
+}
+
+/// Mean square of a signal in a narrow band about `share` of half the sampling rate.
+double energy_near(std::span<const double> readings, double share) {
+  constexpr std::size_t block = 32;
+  double energy = 0;
+  std::size_t blocks = 0;
+  for (std::size_t begin = 0; begin + block <= readings.size(); begin += block, ++blocks) {
+    std::complex<double> sum = 0;
+    double weights = 0;
+    for (std::size_t k = 0; k < block; ++k) {
+      // Hann's window, so that the shaft's own motion far below does not leak into the band.
+      const double weight =
+          1 - std::cos(2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(block));
+      sum += weight * readings[begin + k] *
+             std::polar(1.0, -std::numbers::pi * share * static_cast<double>(begin + k));
+      weights += weight;
+    }
+    const double square = std::norm(sum / weights);
+    if (!std::isfinite(square)) continue;  // a gap
+    energy += square;
+  }
+  return blocks > 0 ? energy / static_cast<double>(blocks) : 0;
+}
+
+/// A line that stands out just below half the sampling rate, where an instrument with a filter lets nothing
+/// through.
+bool vibrates_near_half_the_rate(std::span<const double> readings) {
+  constexpr double many_times = 30;
+  constexpr std::size_t fewest = 256, enough = 1 << 18;
+  if (readings.size() < fewest) return false;
+  if (readings.size() > enough) readings = readings.subspan((readings.size() - enough) / 2, enough);
+  const double middle = std::max(energy_near(readings, 0.5), energy_near(readings, 0.7));
+  return energy_near(readings, 0.95) > many_times * middle;
 }
 
 /// Whether readings stay at a value for long and come to it by more than `step`: the top of a rounded curve
@@ -65,6 +104,11 @@ void add_findings(const Channel& channel, const Channels& table, std::optional<d
                                    : below        ? "below"
                                                   : "above"));
   }
+  if (vibrates_near_half_the_rate(readings))
+    findings.push_back(
+        fmt::format("'{}' vibrates just below half the sampling rate: what vibrates above that is folded to "
+                    "other orders (aliasing), and a filter or a higher rate would keep it away",
+                    column));
 }
 
 void add_mark_findings(const TurnMarks& marks, const std::string& column,

@@ -14,7 +14,7 @@ double middle_threshold(std::span<const double> signal) {
   std::ranges::sort(sorted);
   const std::size_t outside = sorted.size() / 1000;
   if (sorted.empty() || !(sorted[outside] < sorted[sorted.size() - 1 - outside]))
-    throw ConfigError("the keyphasor's signal does not change");
+    throw ConfigError("the keyphasor's signal does not change, allowed: one that a mark changes every turn");
   return (sorted[outside] + sorted[sorted.size() - 1 - outside]) / 2;
 }
 

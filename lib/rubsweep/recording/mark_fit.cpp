@@ -169,31 +169,33 @@ TurnMarks numbered_marks(std::span<const double> marks_s) {
   return numbered;
 }
 
-std::vector<double> smoothed_marks_s(std::span<const double> marks_s, double resolution_s) {
+SmoothMarks smoothed_marks(std::span<const double> marks_s, double resolution_s) {
   const auto count = static_cast<Eigen::Index>(marks_s.size());
-  std::vector<double> smoothed(marks_s.begin(), marks_s.end());
-  if (resolution_s == 0) return smoothed;
+  SmoothMarks smooth{.t_s = {marks_s.begin(), marks_s.end()}};
+  if (resolution_s == 0) return smooth;
   // About the first mark and in units of a mark's room: long recordings keep their digits.
   const Eigen::VectorXd marks =
       (Eigen::Map<const Eigen::VectorXd>(marks_s.data(), count).array() - marks_s.front()) / resolution_s;
-  constexpr double bound = 0.52;
   // The first curve within the bounds may lie at them all along: the next one, which holds it, is nearer to
   // the truth.
   std::optional<Eigen::VectorXd> fit;
   bool held = false;
-  for (int degree = 1; degree <= 5 && count >= 4 * degree && !(fit && held); ++degree) {
+  const auto take = [&](const Base& base) {
     held = fit.has_value();
-    if (auto next = within(polynomials(count, degree), marks, bound)) fit = std::move(next);
-  }
+    if (auto next = within(base, marks, smoothing_bound)) {
+      fit = std::move(next);
+      smooth.degree = static_cast<int>(base.cols()) - 1;
+    }
+  };
+  for (int degree = 1; degree <= 5 && count >= 4 * degree && !(fit && held); ++degree)
+    take(polynomials(count, degree));
   constexpr Eigen::Index marks_a_piece = 4;
-  for (Eigen::Index pieces = 2; count >= marks_a_piece * pieces && !(fit && held); pieces *= 2) {
-    held = fit.has_value();
-    if (auto next = within(splines(count, pieces), marks, bound)) fit = std::move(next);
-  }
-  if (!fit) return smoothed;
+  for (Eigen::Index pieces = 2; count >= marks_a_piece * pieces && !(fit && held); pieces *= 2)
+    take(splines(count, pieces));
+  if (!fit) return smooth;
   for (Eigen::Index k = 0; k < count; ++k)
-    smoothed[static_cast<std::size_t>(k)] = marks_s.front() + resolution_s * (*fit)(k);
-  return smoothed;
+    smooth.t_s[static_cast<std::size_t>(k)] = marks_s.front() + resolution_s * (*fit)(k);
+  return smooth;
 }
 
 }  // namespace rubsweep::recording

@@ -6,6 +6,7 @@
 
 #include "rubsweep/recording/channels.hpp"
 #include "rubsweep/recording/instrument.hpp"
+#include "rubsweep/recording/shaft_turns.hpp"
 
 namespace rubsweep::recording {
 
@@ -18,10 +19,12 @@ struct Recording {
   std::vector<double> turn_begin_s{};  ///< one more than there are turns
   /// Displacement x + iy in metres, samples_per_revolution of every turn; of one probe its reading, real.
   std::vector<std::complex<double>> displacement_m{};
-  bool plane = false;                   ///< two probes
+  bool plane = false;  ///< two probes
+  AngleDoubt angle_doubt{};
   std::vector<std::string> findings{};  ///< what is wrong with the numbers, sentences without a full stop
 
   int turns() const { return static_cast<int>(turn_begin_s.size()) - 1; }
+  double mean_speed_hz() const { return turns() / (turn_begin_s.back() - turn_begin_s.front()); }
 };
 
 /// Fewest whole turns that are worth to be looked at.

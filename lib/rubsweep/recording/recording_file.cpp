@@ -1,5 +1,6 @@
 #include "rubsweep/recording/recording_file.hpp"
 
+#include "rubsweep/error.hpp"
 #include "rubsweep/recording/delimited_text.hpp"
 #include "rubsweep/recording/matlab_file.hpp"
 #include "rubsweep/recording/sound_file.hpp"
@@ -9,9 +10,13 @@ namespace rubsweep::recording {
 Channels read_recording_file(const std::filesystem::path& file, std::string_view bytes) {
   const bool sound = bytes.starts_with("RIFF") || bytes.starts_with("RIFX") || bytes.starts_with("RF64");
   if (sound) return read_sound_file(file);
+  // MATLAB's own HDF5 begins with its words, and not with the mark of HDF5.
+  if (bytes.starts_with("\x89HDF"))
+    throw ConfigError(file.string() +
+                      ": is HDF5 without MATLAB's head, allowed: a MATLAB file of version 4, 5 or 7.3, which "
+                      "Octave writes with save -v7");
   // Version 4 has no words at its begin, only its ending tells it.
-  if (bytes.starts_with("MATLAB ") || bytes.starts_with("\x89HDF") || file.extension() == ".mat")
-    return read_matlab_file(file);
+  if (bytes.starts_with("MATLAB ") || file.extension() == ".mat") return read_matlab_file(file);
   return read_delimited_text(bytes, file.string());
 }
 

@@ -7,6 +7,8 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/response/spectrum/discrete_lines.hpp"
+#include "rubsweep/scope/mean_period.hpp"
+#include "rubsweep/scope/repeating_angles.hpp"
 
 namespace rubsweep::scope {
 namespace {
@@ -24,10 +26,15 @@ constexpr double suspicion = 0.2;
 
 int longest_period_in(int turns) { return std::min(max_period, turns / fewest_periods); }
 
-/// Lines that are looked at: |order| up to most_order, but not 0X.
+/// A spectrum of which the lines up to an order are looked at.
+struct Lines : FullSpectrum {
+  double most_order = 0;
+};
+
+/// Lines that are looked at, but not 0X.
 template <class Look>
-void for_lines(const FullSpectrum& spectrum, Look look) {
-  const int last = static_cast<int>(most_order * spectrum.turns);
+void for_lines(const Lines& spectrum, Look look) {
+  const int last = static_cast<int>(spectrum.most_order * spectrum.turns);
   for (int k = std::max(-last, spectrum.first_line()); k <= std::min(last, spectrum.last_line()); ++k)
     if (k != 0) look(k, spectrum.amplitude(k));
 }
@@ -35,8 +42,13 @@ void for_lines(const FullSpectrum& spectrum, Look look) {
 /// Whether line k of so many turns stands at a multiple of 1/n.
 bool on_comb(int k, int turns, int n) { return static_cast<long>(k) * n % turns == 0; }
 
-/// Standard deviation of each component of a line, by the median of those that belong to no period.
-double noise_of(const FullSpectrum& spectrum) {
+/// Standard deviation of each component of a line, and its own relative variance.
+struct Noise {
+  double deviation_m = 0, variance = 0;
+};
+
+/// By the median of the lines that belong to no period.
+Noise noise_of(const Lines& spectrum) {
   std::vector<double> between, all;
   for_lines(spectrum, [&](int k, double amplitude) {
     bool belongs = false;
@@ -49,23 +61,29 @@ double noise_of(const FullSpectrum& spectrum) {
   std::vector<double>& lines = between.size() >= fewest_lines ? between : all;
   const auto middle = lines.begin() + static_cast<std::ptrdiff_t>(lines.size() / 2);
   std::ranges::nth_element(lines, middle);
-  return *middle / std::sqrt(2 * std::numbers::ln2);
+  // The median of a Rayleigh distribution is s sqrt(2 ln 2), where its density is ln 2 / median.
+  constexpr double root = 2 * std::numbers::ln2;
+  return {*middle / std::sqrt(root), 1 / (root * root * static_cast<double>(lines.size()))};
 }
 
 struct Threshold {
   double noise_m = 0, suspicious_m = 0, visible_m = 0, largest_m = 0;
 };
 
-Threshold threshold_of(const FullSpectrum& spectrum) {
-  Threshold threshold{.noise_m = noise_of(spectrum)};
+Threshold threshold_of(const Lines& spectrum) {
+  const Noise noise = noise_of(spectrum);
+  Threshold threshold{.noise_m = noise.deviation_m};
   int count = 0;
   for_lines(spectrum, [&](int, double amplitude) {
     ++count;
     threshold.largest_m = std::max(threshold.largest_m, amplitude);
   });
-  // Noise alone is above s sqrt(2 ln(count / p)) in one of the lines with probability p.
+  // Noise alone is above s sqrt(2 ln(count / p)) in one of the lines with probability p. Where s is itself a
+  // guess of relative variance v, the mean of exp(-t^2 s^2 / 2) asks for t^2 / (1 + t^2 v) in place of t^2.
   const auto reached = [&](double probability) {
-    return threshold.noise_m * std::sqrt(2 * std::log(count / probability));
+    constexpr double most = 0.75;
+    const double square = 2 * std::log(count / probability);
+    return noise.deviation_m * std::sqrt(square / (1 - std::min(square * noise.variance, most)));
   };
   const double floor_m = smallest_share * threshold.largest_m;
   threshold.suspicious_m = std::max(reached(suspicion), floor_m);
@@ -74,7 +92,7 @@ Threshold threshold_of(const FullSpectrum& spectrum) {
 }
 
 /// Largest line that is no multiple of 1/n; with a period, among the multiples of 1 / period.
-double largest_beside(const FullSpectrum& spectrum, int n, int period = 0) {
+double largest_beside(const Lines& spectrum, int n, int period = 0) {
   double largest = 0;
   for_lines(spectrum, [&](int k, double amplitude) {
     if (!on_comb(k, spectrum.turns, n) && (period == 0 || on_comb(k, spectrum.turns, period)))
@@ -83,38 +101,16 @@ double largest_beside(const FullSpectrum& spectrum, int n, int period = 0) {
   return largest;
 }
 
-/// The last whole periods of n turns.
-std::span<const Complex> whole_periods(std::span<const Complex> samples, int samples_per_revolution, int n) {
-  const std::size_t period = static_cast<std::size_t>(n) * static_cast<std::size_t>(samples_per_revolution);
-  return samples.last(samples.size() / period * period);
-}
-
-std::vector<Complex> mean_period(std::span<const Complex> samples, std::size_t length) {
-  std::vector<Complex> mean(length);
-  for (std::size_t k = 0; k < samples.size(); ++k) mean[k % length] += samples[k];
-  for (Complex& z : mean) z /= static_cast<double>(samples.size() / length);
-  return mean;
-}
-
 std::vector<MeasuredLine> lines_of(std::span<const Complex> orbit, int turns) {
-  std::vector<MeasuredLine> lines;
   const int last = std::min(static_cast<int>(most_order * turns), static_cast<int>(orbit.size()) / 2 - 1);
-  const std::size_t count = orbit.size();
-  std::vector<Complex> roots(count);
-  for (std::size_t j = 0; j < count; ++j)
-    roots[j] = std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(count));
-  for (int k = -last; k <= last; ++k) {
-    Complex sum = 0;
-    const std::size_t step = k < 0 ? count - static_cast<std::size_t>(-k) : static_cast<std::size_t>(k);
-    for (std::size_t j = 0, root = 0; j < count; ++j, root = (root + step) % count)
-      sum += orbit[j] * roots[root];
-    lines.push_back({static_cast<double>(k) / turns, sum / static_cast<double>(orbit.size())});
-  }
+  std::vector<MeasuredLine> lines;
+  for (int k = -last; const Complex amplitude_m : lines_of_period(orbit, last))
+    lines.push_back({static_cast<double>(k++) / turns, amplitude_m});
   return lines;
 }
 
 /// A longer period of which a line is suspicious.
-std::optional<DoubtfulPeriod> doubtful_period(const FullSpectrum& spectrum, int period, int longest,
+std::optional<DoubtfulPeriod> doubtful_period(const Lines& spectrum, int period, int longest,
                                               const Threshold& threshold) {
   for (int n = 2 * period; n <= longest; n += period) {
     if (spectrum.turns % n != 0) continue;
@@ -127,19 +123,36 @@ std::optional<DoubtfulPeriod> doubtful_period(const FullSpectrum& spectrum, int 
   return std::nullopt;
 }
 
+/// Samples of whole turns, and how they were read.
+struct Motion {
+  std::span<const Complex> samples;
+  std::size_t per_turn = 0;
+  Reading reading;
+
+  double most_order_looked_at() const {
+    constexpr double flat_share = 0.4;
+    return std::min(most_order, flat_share * reading.readings_per_turn);
+  }
+  std::vector<Complex> repeating_after(int turns) const {
+    return at_repeating_angles(samples, static_cast<int>(per_turn), turns, most_order_looked_at(),
+                               reading.angle_doubt);
+  }
+};
+
 /// Spectrum of the last whole periods of n turns.
-FullSpectrum spectrum_of_periods(std::span<const Complex> samples, int samples_per_revolution, int n,
-                                 SpectrumWorkspace& workspace) {
-  const auto window = whole_periods(samples, samples_per_revolution, n);
-  return response::spectrum::full_spectrum(window, static_cast<int>(window.size()) / samples_per_revolution,
-                                           workspace);
+Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples, int n,
+                          SpectrumWorkspace& workspace) {
+  const auto window = whole_periods(samples, static_cast<std::size_t>(n) * motion.per_turn);
+  const int turns = static_cast<int>(window.size() / motion.per_turn);
+  return {response::spectrum::full_spectrum(window, turns, workspace), motion.most_order_looked_at()};
 }
 
-/// Shortest period beside which no line is visible, if any, and a longer one that cannot be ruled out.
-void find_period(std::span<const Complex> samples, int samples_per_revolution, SpectrumWorkspace& workspace,
-                 Verdict& verdict) {
-  for (int n = 1; n <= verdict.longest_period && !verdict.period; ++n) {
-    const FullSpectrum spectrum = spectrum_of_periods(samples, samples_per_revolution, n, workspace);
+/// Shortest period beside which no line is visible, if any, and a longer one that cannot be ruled out; the
+/// samples that show it.
+std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
+  for (int n = 1; n <= verdict.longest_period; ++n) {
+    std::vector<Complex> samples = motion.repeating_after(n);
+    const Lines spectrum = spectrum_of_periods(motion, samples, n, workspace);
     const Threshold threshold = threshold_of(spectrum);
     if (largest_beside(spectrum, n) > threshold.visible_m) continue;
     verdict.period = n;
@@ -147,10 +160,12 @@ void find_period(std::span<const Complex> samples, int samples_per_revolution, S
     verdict.noise_m = threshold.noise_m;
     verdict.visible_m = threshold.visible_m;
     for (int m = 2 * n; m <= verdict.longest_period && !verdict.doubtful; m += n) {
-      const FullSpectrum longer = spectrum_of_periods(samples, samples_per_revolution, m, workspace);
+      const Lines longer = spectrum_of_periods(motion, samples, m, workspace);
       verdict.doubtful = doubtful_period(longer, n, m, threshold_of(longer));
     }
+    return samples;
   }
+  return {motion.samples.begin(), motion.samples.end()};
 }
 
 MeasuredClass aperiodic_class(std::span<const Complex> samples, SpectrumWorkspace& workspace) {
@@ -162,12 +177,11 @@ MeasuredClass aperiodic_class(std::span<const Complex> samples, SpectrumWorkspac
 
 /// Mean orbit of a period and its lines; without a period the last turns, as many lines as a figure can show,
 /// each with the noise of so much fewer turns.
-void take_orbit(std::span<const Complex> samples, int samples_per_revolution, Verdict& verdict) {
-  const auto per_turn = static_cast<std::size_t>(samples_per_revolution);
+void take_orbit(std::span<const Complex> samples, std::size_t per_turn, Verdict& verdict) {
   if (verdict.period) {
     const int n = *verdict.period;
-    verdict.orbit_m = mean_period(whole_periods(samples, samples_per_revolution, n),
-                                  static_cast<std::size_t>(n) * per_turn);
+    const std::size_t length = static_cast<std::size_t>(n) * per_turn;
+    verdict.orbit_m = mean_period(whole_periods(samples, length), length);
     verdict.lines = lines_of(verdict.orbit_m, n);
     return;
   }
@@ -213,25 +227,29 @@ std::string_view to_string(MeasuredClass value) {
   throw SolverError("measured class: no such enumerator");
 }
 
-Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolution, bool plane) {
-  const int turns = static_cast<int>(displacement_m.size()) / samples_per_revolution;
+Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolution, bool plane,
+              const Reading& reading) {
+  const Motion motion{displacement_m, static_cast<std::size_t>(samples_per_revolution), reading};
+  const int turns = static_cast<int>(displacement_m.size() / motion.per_turn);
   if (turns < fewest_periods + 1) throw SolverError("judge: too few turns");
   SpectrumWorkspace workspace;
   Verdict verdict{.longest_period = longest_period_in(turns)};
-  const Threshold first = threshold_of(response::spectrum::full_spectrum(displacement_m, turns, workspace));
+  const Threshold first = threshold_of(spectrum_of_periods(motion, displacement_m, 1, workspace));
   verdict.turns = turns;
   verdict.noise_m = first.noise_m;
   verdict.visible_m = first.visible_m;
-  if (first.largest_m <= first.noise_m * std::sqrt(2 * std::log(2 * most_order * turns / false_alarm))) {
+  std::vector<Complex> samples;
+  if (first.largest_m <= first.visible_m) {
+    samples.assign(displacement_m.begin(), displacement_m.end());
     verdict.period = 1;
     verdict.motion = MeasuredClass::at_rest;
   } else {
-    find_period(displacement_m, samples_per_revolution, workspace, verdict);
+    samples = find_period(motion, workspace, verdict);
     verdict.motion = !verdict.period       ? aperiodic_class(displacement_m, workspace)
                      : *verdict.period > 1 ? MeasuredClass::subharmonic
                                            : MeasuredClass::synchronous;
   }
-  take_orbit(displacement_m, samples_per_revolution, verdict);
+  take_orbit(samples, motion.per_turn, verdict);
   if (plane && verdict.motion != MeasuredClass::at_rest) {
     verdict.shape = response::spectrum::orbit_kind(
         verdict.orbit_m, response::spectrum::full_spectrum(
@@ -239,6 +257,11 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
     measure_whirl(verdict);
   }
   return verdict;
+}
+
+Verdict judge(const recording::Recording& recording) {
+  return judge(recording.displacement_m, recording::samples_per_revolution, recording.plane,
+               {recording.sampling_rate_hz / recording.mean_speed_hz(), recording.angle_doubt});
 }
 
 }  // namespace rubsweep::scope

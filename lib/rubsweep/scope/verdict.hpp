@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/recording/recording.hpp"
 #include "rubsweep/response/spectrum/orbit_shape.hpp"
 
 namespace rubsweep::scope {
@@ -53,6 +55,12 @@ struct Verdict {
 inline constexpr int max_period = 8;
 inline constexpr double most_order = 8;
 
+/// How a motion was read.
+struct Reading {
+  double readings_per_turn = INFINITY;  ///< > 0
+  recording::AngleDoubt angle_doubt{};
+};
+
 /// Judges whole turns of a motion, `samples_per_revolution` equally spaced ones each; `plane`: x + iy of two
 /// probes, else the reading of one. Needs 4 turns or more. A period of n turns is told by three of them or
 /// more.
@@ -60,8 +68,14 @@ inline constexpr double most_order = 8;
 /// Noise is the median amplitude of the lines between the multiples of 1/1 to 1/8 (of every other line where
 /// there are too few), read as that of a Rayleigh distribution. A line is visible when noise alone would
 /// raise one of all lines as high in a hundredth of all recordings, and above a thousandth of the largest
-/// line. The period is the smallest number of turns beside whose multiples nothing is visible.
-/// docs/method.md, "Period of a recording".
-Verdict judge(std::span<const std::complex<double>> displacement_m, int samples_per_revolution, bool plane);
+/// line. The period is the smallest number of turns beside whose multiples nothing is visible, at the angles
+/// at which the motion repeats best after that many turns: within the doubt that the marks leave. Lines above
+/// 0.4 of the readings of a turn are not looked at: there is no order between those and half of them whose
+/// noise the interpolation of the readings leaves as it is. docs/method.md, "Period of a recording".
+Verdict judge(std::span<const std::complex<double>> displacement_m, int samples_per_revolution, bool plane,
+              const Reading& reading = {});
+
+/// Judges a recording.
+Verdict judge(const recording::Recording& recording);
 
 }  // namespace rubsweep::scope

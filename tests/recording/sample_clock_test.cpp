@@ -1,0 +1,64 @@
+#include "rubsweep/recording/sample_clock.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::recording {
+namespace {
+
+Channels table() {
+  Channels channels;
+  channels.channels = {{"t", "ms", {}}, {"x", "um", {}}};
+  for (int k = 0; k < 100; ++k) {
+    channels.channels[0].values.push_back(5 + 0.5 * k);
+    channels.channels[1].values.push_back(k);
+  }
+  return channels;
+}
+
+std::string fault(const Channels& channels, const Instrument& instrument) {
+  try {
+    clock_of(channels, instrument, "f.csv");
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SampleClock, TimesOfAColumnARateOrTheFile) {
+  const SampleClock column = clock_of(table(), {.time = "t"}, "f.csv");
+  EXPECT_NEAR(column.first_s, 5e-3, 1e-15);
+  EXPECT_NEAR(column.rate_hz, 2000, 1e-9);
+  EXPECT_EQ(clock_of(table(), {.sampling_rate_hz = 50}, "f.csv").rate_hz, 50);
+  Channels sound = table();
+  sound.sampling_rate_hz = 8000;
+  EXPECT_EQ(clock_of(sound, {}, "f.wav").rate_hz, 8000);
+  EXPECT_EQ(fault(table(), {}),
+            "f.csv: says no times, allowed: with time or sampling_rate_hz in its description");
+}
+
+TEST(SampleClock, TimesThatDoNotRiseAreRefused) {
+  Channels still = table();
+  still.channels[0].values.assign(100, 0.0);
+  EXPECT_EQ(fault(still, {.time = "t"}),
+            "f.csv: reading 2: 't' does not rise from 0 to 0, allowed: times one after the other");
+}
+
+TEST(SampleClock, TwoColumnsOfOneNameAreRefused) {
+  Channels twice = table();
+  twice.channels[1].name = "t";
+  EXPECT_EQ(fault(twice, {.time = "t"}), "f.csv: has two columns 't', allowed: names that differ");
+  EXPECT_EQ(find_channel(table(), "x", "f.csv").unit, "um");
+}
+
+TEST(SampleClock, AStretchOutsideOfTheRecordingIsRefused) {
+  EXPECT_EQ(fault(table(), {.time = "t", .from_s = 3}),
+            "f.csv: lasts from 0.005 to 0.0545 s, allowed: from_s and to_s that leave some of it");
+  EXPECT_EQ(fault(table(), {.time = "t", .to_s = 0.001}),
+            "f.csv: lasts from 0.005 to 0.0545 s, allowed: from_s and to_s that leave some of it");
+  EXPECT_EQ(fault(table(), {.time = "t", .from_s = 0.01, .to_s = 0.02}), "");
+}
+
+}  // namespace
+}  // namespace rubsweep::recording
