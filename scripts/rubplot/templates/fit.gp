@@ -30,7 +30,7 @@ do for [format in formats] {
   set tics nomirror out
   set grid linecolor rgb "#E4E4E4"
   do for [c = 0:columns - 1] {
-    set lmargin at screen (c + (columns == 1 ? 0.13 : 0.19)) / columns
+    set lmargin at screen (c + (columns == 1 ? 0.13 : 0.21)) / columns
     set rmargin at screen (c + 0.97) / columns
     ring = of("kind", c) eq "ring_down"
     rub = of("kind", c) eq "rub"
@@ -46,7 +46,7 @@ do for [format in formats] {
     if (!ring) { set yrange [0:*] }
     if (rub) { set offsets 0.2, 0.2, 0, 0 }
     set label 2 sprintf(ring ? "reading (%s)" : "amplitude (%s)", of("unit", c)) center rotate by 90 \
-      at screen (c + (columns == 1 ? 0.02 : 0.035)) / columns, screen 1 - 285 / high
+      at screen (c + (columns == 1 ? 0.02 : 0.025)) / columns, screen 1 - 285 / high
     set label 3 "" . of("title", c) at graph 0.5, screen 1 - 72 / high center noenhanced
     set key at graph 0.5, screen 1 - 106 / high center center horizontal samplen 1.5 noenhanced font ",16"
     if (rub) {
@@ -71,7 +71,7 @@ do for [format in formats] {
     set format x "% h"
     set yrange [*:*]
     set label 2 (ring ? sprintf("left (%s)", of("unit", c)) : "phase (deg)") center rotate by 90 \
-      at screen (c + (columns == 1 ? 0.02 : 0.035)) / columns, screen 1 - 615 / high
+      at screen (c + (columns == 1 ? 0.02 : 0.025)) / columns, screen 1 - 615 / high
     if (!ring) { set ytics 90 }
     if (of("nothing_left", c)) { set yrange [-1:1] }
     plot for [i = 0:last] lower(c, i) using 1:2 with points pointtype 7 pointsize (rub ? 1.2 : 0.45) \

@@ -38,15 +38,15 @@ do for [format in formats] {
       dashtype 2 linewidth 1.2 linecolor rgb mark
   }
 
-  set lmargin at screen 0.09
+  set lmargin at screen 0.105
   set rmargin at screen 0.49
   set tmargin at screen 0.86
   set bmargin at screen 0.52
   set xrange [V_min:V_max]
   set yrange [0:*]
   set format x ""
-  set label 2 sprintf("amplitude (%s)", unit) at screen 0.02, 0.69 center rotate by 90
-  set key at screen 0.29, 0.94 center top horizontal maxrows 2 Left reverse samplen 2 noenhanced
+  set label 2 sprintf("amplitude (%s)", unit) at screen 0.015, 0.69 center rotate by 90
+  set key at screen 0.29, 0.94 center top horizontal maxrows 2 Left reverse samplen 1.5 width -7 font ",16" noenhanced
   plot for [i = 0:curves - 1] file(i) using 1:2 with lines linewidth 2 linecolor rgb colours[i + 1] \
       title value(sprintf("name_%d", i)), \
     NaN with lines dashtype 2 linewidth 1.2 linecolor rgb mark \
@@ -60,7 +60,7 @@ do for [format in formats] {
   set yrange [*:*]
   set ytics 90
   set xlabel ARG5
-  set label 2 "phase of 1X (deg)" at screen 0.02, 0.29 center rotate by 90
+  set label 2 "phase of 1X (deg)" at screen 0.015, 0.29 center rotate by 90
   plot for [i = 0:(curves > 1 ? 1 : 0)] file(i) using 1:3 with lines linewidth 2 linecolor rgb colours[i + 1]
   do for [k = 1:words(resonances)] { unset arrow k }
 
@@ -71,15 +71,18 @@ do for [format in formats] {
   set size ratio -1
   set xrange [-widest:widest]
   set yrange [-widest:widest]
-  set xtics autofreq
-  set ytics autofreq
+  # Numbers at the axes of a small square: two to a side, of one digit.
+  power = 10.0 ** floor(log10(0.5 * widest))
+  step = power * floor(0.5 * widest / power + 0.5)
+  set xtics step
+  set ytics step
   set xlabel sprintf("1X in polar form (%s): phase 0° to the right", unit)
   unset label 2
   plot for [i = 0:(curves > 1 ? 1 : 0)] file(i) using 4:5 with lines linewidth 2 linecolor rgb colours[i + 1]
   set size noratio
 
   set lmargin at screen 0.60
-  set rmargin at screen 0.90
+  set rmargin at screen 0.88
   set tmargin at screen 0.41
   set bmargin at screen 0.11
   unset grid
@@ -87,11 +90,12 @@ do for [format in formats] {
   set yrange [V_min:V_max]
   set xtics 2
   set xlabel "order"
+  set ytics autofreq
   set label 2 ARG5 at screen 0.53, 0.26 center rotate by 90
   set logscale cb
   set cbrange [1e-3 * S_max:S_max]
   set format cb "10^{%L}"
-  set cblabel sprintf("amplitude (%s)", unit)
+  set cblabel sprintf("amplitude (%s)", unit) offset character 1.5, 0
   set palette defined (0 "#FFFFFF", 1 "#AACCE8", 2 "#4477AA", 3 "#332288", 4 "#220022")
   plot "spectra" using 1:2:3 with points pointtype 5 pointsize 0.5 palette
   unset multiplot
