@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <complex>
 
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/contact/friction_law.hpp"
@@ -25,6 +26,8 @@ class Equations {
     Eigen::VectorXd force = scene_.constant_n - scene_.structure.stiffness * q -
                             scene_.structure.damping * v + std::cos(phase) * scene_.harmonic_n.real() -
                             std::sin(phase) * scene_.harmonic_n.imag();
+    if (scene_.second_harmonic_n.size() > 0)
+      force += (scene_.second_harmonic_n * std::polar(1.0, 2 * phase)).real();
     for (std::size_t i = 0; i < relative_.size(); ++i)
       force -= relative_[i].transpose() * on_casing(scene_.contacts[i], relative_[i] * q, relative_[i] * v);
     Eigen::VectorXd result(2 * n);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 #include "rubsweep/contact/force_law.hpp"
@@ -99,9 +100,11 @@ class Stepping {
   void step(Vector& q, Vector& v, double time_s, SteppedTurn& turn) {
     const Vector middle = q + h_ / 2 * v;
     const double phase = scene_.speed_rad_per_s * (time_s + h_ / 2);
-    const Vector base = forward_ * v + h_ * (scene_.constant_n - stiffness_ * middle +
-                                             std::cos(phase) * scene_.harmonic_n.real() -
-                                             std::sin(phase) * scene_.harmonic_n.imag());
+    Vector base = forward_ * v +
+                  h_ * (scene_.constant_n - stiffness_ * middle + std::cos(phase) * scene_.harmonic_n.real() -
+                        std::sin(phase) * scene_.harmonic_n.imag());
+    if (scene_.second_harmonic_n.size() > 0)
+      base += h_ * (scene_.second_harmonic_n * std::polar(1.0, 2 * phase)).real();
     Vector next = v;
     // The damper's force depends on the velocity in the middle, which these passes find.
     for (int pass = 0; pass < 3; ++pass) next = passed(base, middle, (v + next) / 2, v);

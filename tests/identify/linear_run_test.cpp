@@ -8,8 +8,10 @@
 #include <numbers>
 
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/scene/constant_load.hpp"
 #include "rubsweep/structure/system_at.hpp"
 #include "scene/kit_machine.hpp"
+#include "scene/misaligned_machine.hpp"
 #include "scene/table_machine.hpp"
 
 namespace rubsweep::identify {
@@ -96,6 +98,29 @@ TEST(LinearRun, AtConstantSpeedAKitStaysOnItsQuietMotion) {
   // Twenty samples a turn miss the extremes by no more than 1 - cos(pi / 20) of the amplitude.
   EXPECT_GT(signal.maxCoeff() - signal.minCoeff(),
             std::cos(pi / 20) * (whole.maxCoeff() - whole.minCoeff()) - 1e-9);
+}
+
+/// At a constant speed the run stays on the quiet motion of both orders; the phasor of 1X knows of one.
+TEST(LinearRun, AMisalignedCouplingForcesTwicePerTurn) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(scene::MisalignedRotor{}.machine());
+  const SensorRows sensors = sensor_rows(prepared);
+  LinearRun run{.from_hz = 19, .eccentricity_m = 1e-5, .sample_s = 0.003, .samples = 100};
+  const double w = 2 * pi * run.from_hz;
+  const structure::LinearSystem system = structure::system_at(prepared.assembly, w);
+  for (const bool all : {true, false}) {
+    run.driven = all ? Driven::by_all : Driven::in_phase;
+    const Eigen::VectorXd load =
+        all ? scene::constant_load_n(prepared) : Eigen::VectorXd(Eigen::VectorXd::Zero(system.coordinates()));
+    const scene::QuietMotion quiet =
+        scene::quiet_motion(system, w, 1e-5 * w * w * system.unbalance_kg, load,
+                            all ? prepared.assembly.second_n : Eigen::VectorXcd());
+    const Eigen::MatrixXd signal = run_linear(prepared, run, sensors.rows);
+    for (const int k : {0, 17, 99}) {
+      const Eigen::VectorXd expected =
+          sensors.rows * quiet.displacement(shaft_angle_rad(run, k * run.sample_s));
+      EXPECT_LT((signal.row(k).transpose() - expected).norm(), 1e-7 * expected.norm()) << all << ' ' << k;
+    }
+  }
 }
 
 /// Each impulse J = 0.02 N s at 0.4 rad to x starts a free oscillation, z(t) = J / (m wd) e^{-zeta w0 t} sin

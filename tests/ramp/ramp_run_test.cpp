@@ -14,6 +14,7 @@
 #include "rubsweep/identify/linear_run.hpp"
 #include "rubsweep/ramp/ramp_record.hpp"
 #include "scene/kit_machine.hpp"
+#include "scene/misaligned_machine.hpp"
 #include "scene/table_machine.hpp"
 
 namespace rubsweep::ramp {
@@ -103,6 +104,10 @@ void expect_as_without_stops(model::Machine machine, const SpeedRamp& ramp) {
 TEST(RampRun, FarFromTheStopsIsThatWithoutStops) {
   expect_as_without_stops(scene::one_side_machine(), {20, 40, 10, 5e-5});
   expect_as_without_stops(scene::one_side_machine(), {40, 20, -10, 5e-5});
+}
+
+TEST(RampRun, WithAMisalignedCouplingIsThatWithoutStops) {
+  expect_as_without_stops(scene::MisalignedRotor{}.machine(), {12, 28, 8, 2e-5});
 }
 
 TEST(RampRun, WithDampingThatTurnsIsThatWithoutStops) {

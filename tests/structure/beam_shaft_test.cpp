@@ -220,30 +220,6 @@ TEST(BeamShaft, ATaperIsCutWhereANodeStands) {
             1e-12 * end.stiffness.norm());
 }
 
-/// A coupling that is bored off its centre rests where its second half stands beside the first.
-TEST(BeamShaft, CouplingsOutOfLineRestWithTheirEndsApart) {
-  model::RotorKit kit;
-  kit.shaft = {steel_segment(0.2, 0.02), steel_segment(0.3, 0.02)};
-  kit.supports = {isotropic_support(0, 1e6), isotropic_support(0.5, 1e6)};
-  kit.couplings = {{.position_m = 0.2,
-                    .lateral_stiffness_n_per_m = 1e7,
-                    .angular_stiffness_nm_per_rad = 1e4,
-                    .parallel_offset_m = 1e-4,
-                    .parallel_phase_deg = 90,
-                    .angular_offset_rad = 2e-3,
-                    .angular_phase_deg = 180}};
-  const BeamShaft shaft = assemble_beam_shaft(kit, {});
-  Eigen::VectorXcd line = Eigen::VectorXcd::Zero(shaft.coordinates());
-  const Eigen::Index behind = shaft.deflection(0.2) + 2;
-  for (Eigen::Index w = behind; w < shaft.coordinates(); w += 2) {
-    line(w) =
-        std::complex<double>(-2e-3 * (shaft.node_position_m[static_cast<std::size_t>(w / 2)] - 0.2), 1e-4);
-    line(w + 1) = -2e-3;
-  }
-  const Eigen::VectorXcd load = misalignment_load(shaft, kit);
-  EXPECT_LT((shaft.elastic * line - load).norm(), 1e-9 * load.norm());
-}
-
 TEST(BeamShaft, AStationWithoutNodeIsAnError) {
   EXPECT_THROW(assemble_beam_shaft(everything(), {}).deflection(0.4321), SolverError);
 }

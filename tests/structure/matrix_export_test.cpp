@@ -150,6 +150,13 @@ TEST(MatrixExport, RefusesWhatMatricesCannotSay) {
   EXPECT_EQ(
       refused([](auto& kit) { kit.couplings[0].parallel_offset_m = 1e-4; }),
       "rotor.couplings: join ends out of line and cannot be said by matrices, allowed: couplings in line");
+  EXPECT_EQ(refused([](auto& kit) { kit.couplings[0].angular_misalignment_rad = 1e-4; }),
+            "rotor.couplings: join machines out of line and cannot be said by matrices, allowed: machines in "
+            "line");
+  EXPECT_EQ(
+      refused([](auto& kit) { kit.couplings[0].lateral_asymmetry_ratio = 0.1; }),
+      "rotor.couplings: have an asymmetry ratio and cannot be said by matrices, allowed: couplings that "
+      "are equally stiff all around");
   model::Machine jeffcott;
   jeffcott.rotor = model::JeffcottRotor{1, 30, 0.01};
   EXPECT_EQ(message_of<ConfigError>([&] { machine_by_matrices(jeffcott); }),

@@ -114,6 +114,12 @@ TEST(EnergyBalance, ClosesForARotorKitByItsCoordinates) {
   expect_closed(cell.scene, 12);
 }
 
+TEST(EnergyBalance, ClosesWithAForceOfTwiceTheSpeed) {
+  scene::Scene scene = test::cell_of({}).scene;
+  scene.second_harmonic_n = std::polar(0.6, 0.4) * scene.harmonic_n.conjugate();
+  expect_closed(scene, 12);
+}
+
 TEST(EnergyBalance, HasNoForcingBesideTorsion) {
   scene::Scene scene = test::cell_of({}).scene;
   scene.twist.emplace();

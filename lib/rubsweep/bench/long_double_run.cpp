@@ -65,6 +65,10 @@ LongDoubleRun::LongDoubleRun(const scene::Scene& scene, Real tolerance)
   stiffness_ = inverse_mass_ * system.stiffness.cast<Real>() / (speed_ * speed_);
   harmonic_cosine_ = inverse_mass_ * scene.harmonic_n.real().cast<Real>() / newtons;
   harmonic_sine_ = inverse_mass_ * scene.harmonic_n.imag().cast<Real>() / newtons;
+  if (scene.second_harmonic_n.size() > 0) {
+    second_cosine_ = inverse_mass_ * scene.second_harmonic_n.real().cast<Real>() / newtons;
+    second_sine_ = inverse_mass_ * scene.second_harmonic_n.imag().cast<Real>() / newtons;
+  }
   constant_ = inverse_mass_ * scene.constant_n.cast<Real>() / newtons;
   for (const scene::Pulse& pulse : scene.pulses) {
     const Real start = -Real(pulse.elapsed_s) * speed_;
@@ -119,6 +123,8 @@ void LongDoubleRun::derivative(const State& state, State& slope, Real phase, Rea
   const auto q = displacements(state), v = velocities(state);
   Vector acceleration = constant_ + harmonic_cosine_ * std::cos(phase) - harmonic_sine_ * std::sin(phase) -
                         damping_ * v - stiffness_ * q;
+  if (second_cosine_.size() > 0)
+    acceleration += second_cosine_ * std::cos(2 * phase) - second_sine_ * std::sin(2 * phase);
   for (const Pulse& pulse : pulses_) {
     if (middle <= pulse.start || middle >= pulse.end) continue;
     const Real share = (phase - pulse.start) / (pulse.end - pulse.start);

@@ -73,6 +73,7 @@ class LongDoubleRun {
   std::vector<Pulse> pulses_;
   Matrix inverse_mass_, damping_, stiffness_;  ///< the last two premultiplied by the first
   Vector harmonic_cosine_, harmonic_sine_, constant_;
+  Vector second_cosine_, second_sine_;  ///< empty without a second harmonic
   Real length_m_, speed_, tolerance_;
   Real phase_ = 0, usual_length_ = Real(0.01);
   State state_;

@@ -30,6 +30,11 @@ std::complex<double> turned_back(const LinearRun& run) {
   return run.driven == Driven::quarter_behind ? std::complex<double>(0, -1) : 1;
 }
 
+/// Forces of twice the shaft's frequency have no part in the phasor of 1X.
+bool feels_second(const scene::PreparedMachine& prepared, const LinearRun& run) {
+  return run.driven == Driven::by_all && prepared.assembly.second_n.size() > 0;
+}
+
 class Structure {
  public:
   Structure(const scene::PreparedMachine& prepared, const LinearRun& run, const Eigen::VectorXd& constant_n)
@@ -47,6 +52,7 @@ class Structure {
     bow_ = prepared.assembly.bow_n.size() > 0
                ? Eigen::VectorXcd(turned_back(run) * solve(prepared.assembly.bow_n))
                : Eigen::VectorXcd(Eigen::VectorXcd::Zero(unbalance_.size()));
+    if (feels_second(prepared, run)) second_ = solve(prepared.assembly.second_n);
     constant_ = mass_.solve(constant_n);
   }
 
@@ -68,6 +74,7 @@ class Structure {
     const std::complex<double> turn = std::polar(1.0, shaft_angle_rad(run_, t));
     const std::complex<double> centrifugal = std::complex<double>(speed * speed, -gain) * turn;
     acceleration = constant_ + (unbalance_ * centrifugal + bow_ * turn).real();
+    if (second_.size() > 0) acceleration += (second_ * (turn * turn)).real();
     acceleration.noalias() -= stiffness_ * q;
     acceleration.noalias() -= damping_ * v;
     acceleration.noalias() -= speed * (gyroscopic_ * v);
@@ -107,6 +114,7 @@ class Structure {
   numerics::SymmetricFactors mass_;
   Eigen::MatrixXd stiffness_, damping_, gyroscopic_, circulatory_;
   Eigen::VectorXcd unbalance_, bow_;
+  Eigen::VectorXcd second_;  ///< empty: none
   Eigen::VectorXd constant_;
   std::vector<Pulse> pulses_;
   std::vector<Tabled> tables_;
@@ -120,7 +128,9 @@ State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run
   const structure::LinearSystem system = structure::system_at(prepared.assembly, w);
   Eigen::VectorXcd force = turned_back(run) * run.eccentricity_m * w * w * system.unbalance_kg;
   if (prepared.assembly.bow_n.size() > 0) force += turned_back(run) * prepared.assembly.bow_n;
-  const scene::QuietMotion quiet = scene::quiet_motion(system, w, force, constant_n);
+  const scene::QuietMotion quiet =
+      scene::quiet_motion(system, w, force, constant_n,
+                          feels_second(prepared, run) ? prepared.assembly.second_n : Eigen::VectorXcd());
   const Eigen::VectorXd q = quiet.displacement(0), v = w * quiet.velocity(0);
   State state(q.begin(), q.end());
   state.insert(state.end(), v.begin(), v.end());

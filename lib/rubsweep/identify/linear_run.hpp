@@ -12,16 +12,16 @@ namespace rubsweep::identify {
 /// phasor A that changes with the speed: `in_phase` gives its real part times e^{i phi}, `quarter_behind` the
 /// imaginary one, because forces a quarter turn behind give the response of a quarter turn ago.
 enum class Driven {
-  by_all,          ///< also weight, kick and faulty bearings
+  by_all,          ///< also weight, kick, faulty bearings and forces of twice the shaft's frequency
   in_phase,        ///< unbalance and bow alone
   quarter_behind,  ///< the same, turned back by a quarter turn
 };
 
 /// The structure of a machine without its contacts, while the shaft's angle is phi = 2 pi (from t + rate t^2
 /// / 2): the preliminary experiments on a rotor. The unbalance forces e Re(U (phi'^2 - i phi'') e^{i phi}), a
-/// bow Re(bow e^{i phi}). The gyroscopic moment and the damping that turns with the shaft follow phi'; the
-/// torque that turns a disc acts along the disc's own axis, which leaves no further term of phi'' (angles
-/// small). Faulty bearings strike whenever phi says so.
+/// bow Re(bow e^{i phi}), couplings of unequal stiffness Re(second e^{2 i phi}). The gyroscopic moment and
+/// the damping that turns with the shaft follow phi'; the torque that turns a disc acts along the disc's own
+/// axis, which leaves no further term of phi'' (angles small). Faulty bearings strike whenever phi says so.
 struct LinearRun {
   double from_hz = 0;  ///< >= 0; above 0 the run starts on the quiet motion there, at 0 at rest
   double rate_hz_per_s = 0;

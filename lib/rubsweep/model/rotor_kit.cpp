@@ -193,6 +193,16 @@ bool has_misalignment(const RotorKit& kit) {
   });
 }
 
+bool has_standing_misalignment(const RotorKit& kit) {
+  return std::ranges::any_of(kit.couplings, [](const Coupling& coupling) {
+    return coupling.parallel_misalignment_m != 0 || coupling.angular_misalignment_rad != 0;
+  });
+}
+
+bool is_asymmetric(const Coupling& coupling) {
+  return coupling.lateral_asymmetry_ratio != 0 || coupling.angular_asymmetry_ratio != 0;
+}
+
 bool has_tables(const RotorKit& kit) {
   return std::ranges::any_of(kit.supports, [](const Support& support) { return support.table.has_value(); });
 }
@@ -281,6 +291,12 @@ void validate(const RotorKit& kit, const std::string& path) {
                kit.bow->shape);
   }
   if (kit.torsion) require_fields(*kit.torsion, path + "torsion.");
+  if (kit.torsion && std::ranges::any_of(kit.couplings, is_asymmetric)) {
+    throw ConfigError(
+        path +
+        "torsion: is given beside a coupling with an asymmetry ratio, whose force does not know "
+        "the angle of torsion, allowed: couplings that are equally stiff all around");
+  }
   for (const auto& [name, ratios] : {std::pair("damping_ratio", &kit.damping_ratio),
                                      {"rotating_damping_ratio", &kit.rotating_damping_ratio}}) {
     if (ratios->empty()) throw ConfigError(path + name + ": at least one number is needed");

@@ -151,8 +151,15 @@ Support with_table(Support support, SupportTable table);
 
 /// Elastic joint that cuts the shaft at an inner station into two ends. Its halves may be bored off their
 /// centres: without load, the axis of the end behind it stands parallel_offset_m beside that of the end
-/// before it and leans by angular_offset_rad. Both turn with the shaft, their phases count from its mark.
+/// before it and leans by angular_offset_rad. Both turn with the shaft, their phases count from its mark. The
+/// machine behind it may stand out of line: the axis of its bearings stands parallel_misalignment_m beside
+/// that of the machine before it, and leans by angular_misalignment_rad, in a direction that does not turn.
+/// Displacements on either side count from the axis of that side. A coupling whose stiffness is k (1 + ratio)
+/// along the stiff axis, which turns with the shaft, and k (1 - ratio) across it then forces twice per
+/// revolution.
 struct Coupling {
+  static constexpr Range asymmetry_range{.low = 0, .high = 0.3};  ///< the force is one to first order
+
   double position_m = required;
   double lateral_stiffness_n_per_m = required;
   double angular_stiffness_nm_per_rad = required;
@@ -160,6 +167,13 @@ struct Coupling {
   double parallel_phase_deg = 0;
   double angular_offset_rad = 0;
   double angular_phase_deg = 0;
+  double parallel_misalignment_m = 0;
+  double parallel_misalignment_angle_deg = 0;  ///< from +x towards +y
+  double angular_misalignment_rad = 0;
+  double angular_misalignment_angle_deg = 0;
+  double lateral_asymmetry_ratio = 0;
+  double angular_asymmetry_ratio = 0;
+  double stiff_axis_phase_deg = 0;  ///< from the mark on the shaft
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, positive);
@@ -169,6 +183,13 @@ struct Coupling {
     visit("parallel_phase_deg", self.parallel_phase_deg, any_finite);
     visit("angular_offset_rad", self.angular_offset_rad, physical::tilt_rad);
     visit("angular_phase_deg", self.angular_phase_deg, any_finite);
+    visit("parallel_misalignment_m", self.parallel_misalignment_m, physical::amplitude_m);
+    visit("parallel_misalignment_angle_deg", self.parallel_misalignment_angle_deg, any_finite);
+    visit("angular_misalignment_rad", self.angular_misalignment_rad, physical::tilt_rad);
+    visit("angular_misalignment_angle_deg", self.angular_misalignment_angle_deg, any_finite);
+    visit("lateral_asymmetry_ratio", self.lateral_asymmetry_ratio, asymmetry_range);
+    visit("angular_asymmetry_ratio", self.angular_asymmetry_ratio, asymmetry_range);
+    visit("stiff_axis_phase_deg", self.stiff_axis_phase_deg, any_finite);
   }
 };
 
@@ -266,8 +287,14 @@ double shaft_length_m(const RotorKit& kit);
 /// Whether some damping turns with the shaft.
 bool has_rotating_damping(const RotorKit& kit);
 
-/// Whether some coupling joins its two ends out of line.
+/// Whether some coupling joins its two ends out of line, as they turn.
 bool has_misalignment(const RotorKit& kit);
+
+/// Whether some coupling joins machines that stand out of line.
+bool has_standing_misalignment(const RotorKit& kit);
+
+/// Whether a coupling is not equally stiff all around.
+bool is_asymmetric(const Coupling& coupling);
 
 /// Whether the coefficients of some support follow a table.
 bool has_tables(const RotorKit& kit);

@@ -23,6 +23,7 @@ struct RampForces {
   double acceleration = 0;      ///< its rate per radian of the reference rotation
   Eigen::VectorXcd unbalance;   ///< M^-1 e U / L: forces Re(unbalance (W^2 - i W') e^{i phi})
   Eigen::VectorXcd bow;         ///< M^-1 b / (L reference speed^2): forces Re(bow e^{i phi}); empty: none
+  Eigen::VectorXcd second;      ///< the same, forces Re(second e^{2 i phi}); empty: none
   Eigen::MatrixXd circulatory;  ///< M^-1 C / reference speed: forces -W circulatory u; empty: none
   Eigen::MatrixXd gyroscopic;   ///< M^-1 G: forces -W gyroscopic u'; empty: none
   std::vector<RampSupport> supports;
@@ -64,6 +65,9 @@ class RampDynamics : private integrate::law::OwnSystem<N>, public integrate::law
                  imaginary = speed * speed * sine - change * cosine;
     acceleration += forces_.unbalance.real() * real - forces_.unbalance.imag() * imaginary;
     if (forces_.bow.size() > 0) acceleration += forces_.bow.real() * cosine - forces_.bow.imag() * sine;
+    if (forces_.second.size() > 0)
+      acceleration += forces_.second.real() * (cosine * cosine - sine * sine) -
+                      forces_.second.imag() * (2 * sine * cosine);
     if (forces_.gyroscopic.size() > 0) {
       const typename Base::ConstMap v(&state[0] + n, n);
       acceleration.noalias() -= speed * (forces_.gyroscopic * v);

@@ -34,7 +34,8 @@ void set_start(const scene::PreparedMachine& machine, const SpeedRamp& ramp, sce
   const double w = cell.scene.speed_rad_per_s;
   Eigen::VectorXcd force = ramp.eccentricity_m * w * w * machine.assembly.system.unbalance_kg;
   if (machine.assembly.bow_n.size() > 0) force += machine.assembly.bow_n;
-  const scene::QuietMotion quiet = scene::quiet_motion(cell.scene.structure, w, force, cell.scene.constant_n);
+  const scene::QuietMotion quiet =
+      scene::quiet_motion(cell.scene.structure, w, force, cell.scene.constant_n, machine.assembly.second_n);
   scene.displacement_m = quiet.displacement(0);
   scene.velocity_m_per_s = w * quiet.velocity(0);
 }
@@ -50,6 +51,7 @@ scene::Scene reference_scene(const scene::PreparedMachine& machine, const SpeedR
   scene.structure.damping = machine.assembly.system.damping;
   scene.structure.stiffness = machine.assembly.system.stiffness;
   scene.harmonic_n = Eigen::VectorXcd::Zero(scene.structure.coordinates());
+  scene.second_harmonic_n.resize(0);
   scene.pulses.clear();
   set_start(machine, ramp, scene);
   return scene;
@@ -69,6 +71,8 @@ RampForces forces_of(const scene::PreparedMachine& machine, const SpeedRamp& ram
   forces.acceleration = 2 * pi * ramp.rate_hz_per_s / (reference * reference);
   forces.unbalance = ramp.eccentricity_m / scale.length_m * solved(assembly.system.unbalance_kg);
   if (assembly.bow_n.size() > 0) forces.bow = solved(assembly.bow_n) / scale.unit_acceleration_m_per_s2();
+  if (assembly.second_n.size() > 0)
+    forces.second = solved(assembly.second_n) / scale.unit_acceleration_m_per_s2();
   if (assembly.gyroscopic.size() > 0) forces.gyroscopic = mass.solve(assembly.gyroscopic);
   if (assembly.circulatory.size() > 0) forces.circulatory = mass.solve(assembly.circulatory) / reference;
   forces.reference_rad_per_s = reference;

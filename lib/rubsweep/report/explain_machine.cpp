@@ -193,10 +193,20 @@ std::string explain_shaft(const model::RotorKit& kit) {
       kit.bow ? ", residual bow" : "", kit.torsion ? ", torsion against the drive (1 coordinate)" : "");
 }
 
+/// Couplings that are not equally stiff all around.
+std::string explain_second_harmonic(const scene::PreparedMachine& prepared) {
+  if (prepared.assembly.second_n.size() == 0) return "";
+  return "  couplings that are stiffer along one axis: a force twice per revolution, whatever the unbalance; "
+         "the whirl "
+         "ratio is that of both together\n"
+         "    left out: how the vibration itself modulates their stiffness\n";
+}
+
 std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit, bool by_tables) {
   const structure::Reduction& reduction = *prepared.reduction;
   std::string text = kit.matrices ? explain_matrices(kit) : explain_shaft(kit);
   text += explain_rotating_damping(prepared, kit, by_tables);
+  text += explain_second_harmonic(prepared);
   const std::string faults = explain_faults(kit);
   text += faults;
   text += "  reduced in x to " + explain_plane(reduction, 0);

@@ -10,6 +10,7 @@
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/scene/constant_load.hpp"
 #include "rubsweep/scene/given_start.hpp"
+#include "rubsweep/scene/two_orders.hpp"
 #include "rubsweep/scene/unbalance.hpp"
 #include "rubsweep/structure/system_at.hpp"
 
@@ -61,6 +62,10 @@ std::complex<double> phase_to_smallest_gap(const QuietMotion& unit, const struct
                                            const Contact& first, const Eigen::Vector2d& wall) {
   const Eigen::RowVectorXd row = wall.transpose() * relative_map(system, first);
   const std::complex<double> amplitude = row.cast<std::complex<double>>() * unit.amplitude;
+  if (unit.second_amplitude.size() > 0) {
+    const std::complex<double> second = row.cast<std::complex<double>>() * unit.second_amplitude;
+    return std::polar(1.0, largest_value(amplitude, second).phase_rad);
+  }
   const double modulus = std::abs(amplitude);
   return modulus > 0 && std::isfinite(modulus) ? std::conj(amplitude) / modulus : 1.0;
 }
@@ -82,17 +87,20 @@ void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, d
              unbalance);
 }
 
-/// Unbalance on top of a bow that is already there; both ways of saying it as in set_unbalance.
+/// Unbalance on top of a bow, or of forces at twice the speed, that are already there; both ways of saying it
+/// as in set_unbalance.
 void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaining_m, const QuietMotion& bow,
                           const QuietMotion& unit) {
   const structure::LinearSystem& structure = cell.scene.structure;
   const Contact& contact = cell.scene.contacts.front();
   const auto excursion = [&](double e) {
-    return quiet_penetration({bow.mean, bow.amplitude + e * unit.amplitude}, structure, contact).amplitude;
+    return quiet_penetration({bow.mean, bow.amplitude + e * unit.amplitude, bow.second_amplitude}, structure,
+                             contact)
+        .amplitude;
   };
   const double slope = quiet_penetration(unit, structure, contact).amplitude;
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const bool related = remaining_m > 0 && std::isfinite(slope) && slope > 0;
+  const bool related = remaining_m > 0 && std::isfinite(slope) && slope > 0 && std::isfinite(excursion(0));
   const auto reaching = [&](double wanted_m) {
     return eccentricity_reaching(wanted_m, excursion(0), slope, excursion).value_or(none);
   };
@@ -182,7 +190,7 @@ Twist twist_of(const PreparedMachine& prepared, double eccentricity_m, std::comp
 void start_on_quiet_motion(Cell& cell) {
   Scene& scene = cell.scene;
   const double w = scene.speed_rad_per_s;
-  cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n);
+  cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n, scene.second_harmonic_n);
   scene.displacement_m = cell.quiet.displacement(0);
   scene.velocity_m_per_s = w * cell.quiet.velocity(0);
   if (touches_anywhere(cell)) start_at_rest(cell);
@@ -202,10 +210,12 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
   const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
   const Eigen::Vector2d wall = nearest_wall(unit, scene.structure, first);
   if (prepared.machine.kick) scene.pulses.push_back(pulse_of(*prepared.machine.kick, wall, assembly));
-  const bool bowed = assembly.bow_n.size() > 0;
+  const bool bowed = assembly.bow_n.size() > 0 || assembly.second_n.size() > 0;
+  const Eigen::VectorXcd bow_n =
+      assembly.bow_n.size() > 0 ? assembly.bow_n : Eigen::VectorXcd(0 * unit_force);
   QuietMotion bow;
   if (bowed) {
-    bow = quiet_motion(scene.structure, w, assembly.bow_n, scene.constant_n);
+    bow = quiet_motion(scene.structure, w, bow_n, scene.constant_n, assembly.second_n);
     set_unbalance_on_bow(cell, unbalance, -mean, bow, unit);
   } else {
     set_unbalance(cell, unbalance, -mean, amplitude_per_m);
@@ -219,13 +229,15 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
   if (bowed) bow.amplitude += cell.eccentricity_m * unit.amplitude;
   const std::complex<double> phase = phase_to_smallest_gap(bowed ? bow : unit, scene.structure, first, wall);
   if (bowed) {
-    scene.harmonic_n = phase * (assembly.bow_n + cell.eccentricity_m * unit_force);
+    scene.harmonic_n = phase * (bow_n + cell.eccentricity_m * unit_force);
+    scene.second_harmonic_n = phase * phase * assembly.second_n;
   } else {
     scene.harmonic_n = cell.eccentricity_m * phase * unit_force;
   }
   if (assembly.twist)
     scene.twist = twist_of(prepared, cell.eccentricity_m, phase * phase_of_kick(prepared.machine));
   scene.harmonic_n *= phase_of_kick(prepared.machine);
+  scene.second_harmonic_n *= std::pow(phase_of_kick(prepared.machine), 2);
   start_on_quiet_motion(cell);
   start_in_given_state(scene, prepared);
   return cell;

@@ -51,10 +51,11 @@ struct Cell {
 /// stop's wall unless it has an angle of its own. Where the quiet motion itself reaches a wall, the rotor
 /// starts at rest in its static position instead, or as far on the way to it as the walls let it, with the
 /// same phase of the unbalance and without the kick: that motion is what a machine does that is switched on.
-/// A bow of the shaft stays what it is whatever the unbalance; where two eccentricities give the whirl ratio,
-/// the larger one is taken. A state that the machine gives (start_in_given_state) has the last word.
-/// speed_hz > 0, and within the tables of all supports (structure::refuse_beyond_tables). A machine with tables
-/// has the same coordinates at all speeds; prepared_at gives one with those of a single speed.
+/// A bow of the shaft, and forces of twice the speed, stay what they are whatever the unbalance; where two
+/// eccentricities give the whirl ratio, the larger one is taken. A state that the machine gives
+/// (start_in_given_state) has the last word. speed_hz > 0, and within the tables of all supports
+/// (structure::refuse_beyond_tables). A machine with tables has the same coordinates at all speeds;
+/// prepared_at gives one with those of a single speed.
 Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance);
 
 /// The same for a single cell, prepared at its speed. Throws ConfigError where `machine` is not valid.

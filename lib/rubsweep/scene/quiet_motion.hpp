@@ -6,22 +6,25 @@
 
 namespace rubsweep::scene {
 
-/// Steady motion of a structure that touches nothing: q(t) = mean + Re(amplitude e^{i w t}).
+/// Steady motion of a structure that touches nothing: q(t) = mean + Re(amplitude e^{i w t} + second_amplitude
+/// e^{2 i w t}).
 struct QuietMotion {
   Eigen::VectorXd mean;
   Eigen::VectorXcd amplitude;
+  Eigen::VectorXcd second_amplitude{};  ///< empty: none
 
   Eigen::VectorXd displacement(double phase_rad) const;
   /// Per radian of phase; multiply by the speed for m/s.
   Eigen::VectorXd velocity(double phase_rad) const;
 };
 
-/// Closed form: K mean = constant, (K - w^2 M + i w C) amplitude = harmonic. Not finite at an undamped
-/// resonance or where the stiffness is singular.
+/// Closed form: K mean = constant, (K - w^2 M + i w C) amplitude = harmonic, and the same at 2 w for a second
+/// harmonic, if there is one. Not finite at an undamped resonance or where the stiffness is singular.
 QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_rad_per_s,
-                         const Eigen::VectorXcd& harmonic_n, const Eigen::VectorXd& constant_n);
+                         const Eigen::VectorXcd& harmonic_n, const Eigen::VectorXd& constant_n,
+                         const Eigen::VectorXcd& second_harmonic_n = {});
 
-/// Penetration of one contact under a quiet motion, in metres.
+/// Penetration of one contact under a quiet motion, in metres, as contact::excursion has it.
 contact::Excursion quiet_penetration(const QuietMotion& motion, const structure::LinearSystem& structure,
                                      const Contact& contact);
 

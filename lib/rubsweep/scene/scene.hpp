@@ -51,13 +51,15 @@ struct Twist {
 
 /// All that one run simulates, at one speed: a linear structure, what drives it, and the contacts between its
 /// points. The solvers know nothing else; a new rotor or a new stop changes what fills this, not what reads
-/// it. What drives it is the sum of a force that turns with the shaft, a constant one, any number of pulses
-/// (forces over a while, which may overlap) and any number of impulse trains (jumps of the velocities).
+/// it. What drives it is the sum of a force that turns with the shaft, perhaps one of twice its frequency, a
+/// constant one, any number of pulses (forces over a while, which may overlap) and any number of impulse
+/// trains (jumps of the velocities).
 struct Scene {
   structure::LinearSystem structure;
   std::vector<Contact> contacts;
   double speed_rad_per_s = 0;   ///< > 0; one revolution lasts 2 pi / speed
   Eigen::VectorXcd harmonic_n;  ///< n: force Re(harmonic_n e^{i speed t})
+  Eigen::VectorXcd second_harmonic_n{};  ///< n or empty: force Re(second_harmonic_n e^{2 i speed t})
   Eigen::VectorXd constant_n;   ///< n: force that does not change
   std::vector<Pulse> pulses;
   std::vector<structure::ImpulseTrain> impulses;

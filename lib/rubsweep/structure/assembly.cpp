@@ -26,7 +26,7 @@ void refuse_unusable(const Assembly& assembly) {
   bool finite = system.mass.allFinite() && system.damping.allFinite() && system.stiffness.allFinite() &&
                 system.unbalance_kg.allFinite() && system.weight_kg.allFinite() &&
                 assembly.gyroscopic.allFinite() && assembly.circulatory.allFinite() &&
-                assembly.bow_n.allFinite() && assembly.static_n.allFinite();
+                assembly.bow_n.allFinite() && assembly.second_n.allFinite() && assembly.static_n.allFinite();
   for (const Point& point : system.points) finite = finite && point.map.allFinite();
   for (const ImpulseTrain& train : assembly.impulses) finite = finite && train.impulse_ns.allFinite();
   if (!finite) {

@@ -20,6 +20,8 @@ struct Assembly {
   double unbalance_inertia_kg = 0;    ///< times e^2: what an eccentricity e adds to the polar inertia
   Eigen::VectorXcd bow_n;  ///< n or empty: a residual bow and couplings out of line force Re(bow_n e^{i w t})
                            ///< at any speed w
+  Eigen::VectorXcd second_n;  ///< n or empty: couplings of unequal stiffness force Re(second_n e^{2 i w t})
+                              ///< at any speed w
   Eigen::VectorXd static_n;                       ///< n or empty: loads beside the weight that do not change
   std::vector<ImpulseTrain> impulses;             ///< of faulty bearings
   std::vector<int> rotor_points;                  ///< one per stop

@@ -200,23 +200,6 @@ Eigen::VectorXd support_gap(const BeamShaft& shaft, const model::RotorKit& kit, 
   return gap;
 }
 
-Eigen::VectorXcd misalignment_load(const BeamShaft& shaft, const model::RotorKit& kit) {
-  Eigen::VectorXcd load = Eigen::VectorXcd::Zero(shaft.coordinates());
-  for (const auto& coupling : kit.couplings) {
-    // A joint at rest with its ends apart by d pushes each of them by stiffness times d.
-    const Eigen::Index w = shaft.deflection(coupling.position_m);
-    const auto force =
-        phasor(coupling.lateral_stiffness_n_per_m * coupling.parallel_offset_m, coupling.parallel_phase_deg);
-    const auto moment = phasor(coupling.angular_stiffness_nm_per_rad * coupling.angular_offset_rad,
-                               coupling.angular_phase_deg);
-    load(w) -= force;
-    load(w + 1) -= moment;
-    load(w + 2) += force;
-    load(w + 3) += moment;
-  }
-  return load;
-}
-
 Eigen::VectorXd least_bent_line(const BeamShaft& shaft, const model::BowPoints& points) {
   const auto n = static_cast<Eigen::Index>(2 * shaft.node_position_m.size());
   const auto count = static_cast<Eigen::Index>(points.position_m.size());

@@ -54,9 +54,6 @@ BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<doub
 /// Displacement of a support against what it stands on, per coordinate of one plane, n.
 Eigen::VectorXd support_gap(const BeamShaft& shaft, const model::RotorKit& kit, std::size_t support);
 
-/// Load of couplings whose two ends are out of line, n, in the x plane: its parts force Re(load e^{i w t}).
-Eigen::VectorXcd misalignment_load(const BeamShaft& shaft, const model::RotorKit& kit);
-
 /// Deflections and angles, n, of the least bent line through given points, which must be nodes: the smallest
 /// elastic energy. At least two different positions.
 Eigen::VectorXd least_bent_line(const BeamShaft& shaft, const model::BowPoints& points);

@@ -1,5 +1,6 @@
 #include "rubsweep/structure/kit_assembly.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -8,6 +9,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/overloaded.hpp"
+#include "rubsweep/structure/coupling_loads.hpp"
 #include "rubsweep/structure/reduce_to_modes.hpp"
 
 namespace rubsweep::structure {
@@ -44,7 +46,8 @@ class KitBuilder {
     if (model::has_rotating_damping(kit_)) add_rotating_damping();
     if (kit_.torsion) add_torsion();
     if (kit_.bow || model::has_misalignment(kit_)) add_bow();
-    if (!kit_.static_loads.empty()) add_static_loads();
+    if (!kit_.static_loads.empty() || model::has_standing_misalignment(kit_)) add_static_loads();
+    if (std::ranges::any_of(kit_.couplings, model::is_asymmetric)) add_twice_per_turn();
     add_faults();
     add_points();
     result_.assembly.tables =
@@ -159,6 +162,22 @@ class KitBuilder {
           lateral_.scatter(0, load.force_x_n * basis(0).row(w).transpose()) +
           lateral_.scatter(1, load.force_y_n * basis(1).row(w).transpose());
     }
+    if (!model::has_standing_misalignment(kit_)) return;
+    const Eigen::VectorXcd load = standing_misalignment_load(shaft_, kit_);
+    result_.assembly.static_n.head(lateral()) += lateral_.scatter(0, basis(0).transpose() * load.real()) +
+                                                 lateral_.scatter(1, basis(1).transpose() * load.imag());
+  }
+
+  /// In the full model, so that the position at rest at the couplings does not depend on the modes kept.
+  void add_twice_per_turn() {
+    const std::complex<double> i(0, 1);
+    Eigen::VectorXcd load = standing_misalignment_load(shaft_, kit_) -
+                            i * machine_.gravity_m_per_s2 * shaft_.weight_kg.cast<std::complex<double>>();
+    for (const model::StaticLoad& given : kit_.static_loads)
+      load(shaft_.deflection(given.position_m)) += std::complex<double>(given.force_x_n, given.force_y_n);
+    result_.assembly.second_n = Eigen::VectorXcd::Zero(system().coordinates());
+    result_.assembly.second_n.head(lateral()) =
+        turning(twice_per_turn_load(shaft_, kit_, position_at_rest(shaft_, load)));
   }
 
   /// An impulse on the shaft, and the other way on the pedestal, if there is one.

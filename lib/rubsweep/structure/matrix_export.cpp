@@ -1,5 +1,6 @@
 #include "rubsweep/structure/matrix_export.hpp"
 
+#include <algorithm>
 #include <complex>
 #include <limits>
 #include <memory>
@@ -25,6 +26,10 @@ void refuse_what_matrices_cannot_say(const model::RotorKit& kit) {
   if (kit.bow) refuse("rotor.bow", "is a line of the shaft without load", "no bow");
   if (kit.torsion) refuse("rotor.torsion", "is no lateral motion", "no torsion");
   if (model::has_misalignment(kit)) refuse("rotor.couplings", "join ends out of line", "couplings in line");
+  if (model::has_standing_misalignment(kit))
+    refuse("rotor.couplings", "join machines out of line", "machines in line");
+  if (std::ranges::any_of(kit.couplings, model::is_asymmetric))
+    refuse("rotor.couplings", "have an asymmetry ratio", "couplings that are equally stiff all around");
   for (std::size_t i = 0; i < kit.supports.size(); ++i) {
     const model::Support& support = kit.supports[i];
     if (stays_a_support(support) && (support.at_housing || support.on_housing))

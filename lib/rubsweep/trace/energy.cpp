@@ -12,6 +12,7 @@ namespace {
 Eigen::VectorXd forcing_n(const scene::Scene& scene, double turns) {
   const std::complex<double> turn = std::polar(1.0, 2 * std::numbers::pi * (turns - std::floor(turns)));
   Eigen::VectorXd force = scene.constant_n + (scene.harmonic_n * turn).real();
+  if (scene.second_harmonic_n.size() > 0) force += (scene.second_harmonic_n * (turn * turn)).real();
   for (const scene::Pulse& pulse : scene.pulses) {
     const double since_s = turns * scene.period_s() + pulse.elapsed_s;
     if (since_s >= 0 && since_s < pulse.duration_s)

@@ -46,7 +46,9 @@ TEST(GuardMotionSection, AForceThatEndsInUnitsOfLength) {
 TEST(GuardMotionBegunAtPhase, TurnsForceAndImpulses) {
   scene::Scene scene = driven_mass(0);
   scene.impulses.push_back({Eigen::Vector2d(1, 0), 2, 0.25});
+  scene.second_harmonic_n = Eigen::Vector2cd(2, 0);
   const scene::Scene later = begun_at_phase(scene, std::numbers::pi / 2);
+  EXPECT_NEAR(std::abs(later.second_harmonic_n(0) + 2.0), 0, 1e-15);
   EXPECT_NEAR(std::abs(later.harmonic_n(0) - std::complex<double>(0, 3)), 0, 1e-15);
   // Two impulses a turn, the first one an eighth of a turn after the start: a quarter later it is the next
   // one.

@@ -132,6 +132,25 @@ TEST(RotorKit, NumbersThatNoMachineHasAreRefusedInTheirPlace) {
             std::string::npos);
 }
 
+TEST(RotorKit, AnAsymmetricCouplingStandsBesideNoTorsion) {
+  const std::string file = test_file("rotor_kit.yaml");
+  for (const std::string key : {"lateral_asymmetry_ratio", "angular_asymmetry_ratio"}) {
+    const std::string place = "rotor.couplings.0." + key + "=";
+    EXPECT_NE(
+        message_of(file, {place + "0.1"}, "kit.yaml")
+            .find("rotor.torsion: is given beside a coupling with an asymmetry ratio, whose force does not "
+                  "know the angle of torsion, allowed: couplings that are equally stiff all around"),
+        std::string::npos);
+    EXPECT_NE(message_of(file, {place + "0.4"}, "kit.yaml")
+                  .find("is out of range, allowed: a number >= 0 and <= 0.3"),
+              std::string::npos);
+    EXPECT_NE(message_of(file, {place + "-0.1"}, "kit.yaml").find("is out of range"), std::string::npos);
+  }
+  auto machine = read_run_config_text(file, "kit.yaml", {}).study.machine;
+  model::kit_of(machine)->couplings[0].lateral_asymmetry_ratio = 0.1;
+  EXPECT_THROW(model::validate(*model::kit_of(machine), "rotor."), ConfigError);
+}
+
 TEST(RotorKit, AJeffcottRotorHasNoPlaces) {
   EXPECT_NE(message_of(test_file("minimal.yaml"), {"stops.0.position_m=0.1"})
                 .find("stops.0.position_m: unknown key"),

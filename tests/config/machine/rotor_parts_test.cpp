@@ -20,6 +20,8 @@ const std::vector<std::string> built{"rotor.housings=[{mass_kg: 2}, {mass_kg: 3,
                                      "rotor.clearances_from=sag",
                                      "rotor.couplings.0.parallel_offset_m=1e-5",
                                      "rotor.couplings.0.angular_offset_rad=1e-3",
+                                     "rotor.couplings.0.parallel_misalignment_m=2e-4",
+                                     "rotor.couplings.0.angular_misalignment_angle_deg=30",
                                      "rotor.discs=[{position_m: 0.25, geometry: {outer_diameter_m: 0.1, "
                                      "width_m: 0.01, density_kg_per_m3: 7850}}]"};
 
@@ -42,6 +44,8 @@ TEST(RotorParts, ReadEveryKey) {
   EXPECT_EQ(kit.static_loads.at(0).force_y_n, -5);
   EXPECT_TRUE(kit.clearances_from_sag);
   EXPECT_EQ(kit.couplings.at(0).parallel_offset_m, 1e-5);
+  EXPECT_EQ(kit.couplings.at(0).parallel_misalignment_m, 2e-4);
+  EXPECT_EQ(kit.couplings.at(0).angular_misalignment_angle_deg, 30);
   EXPECT_NO_THROW(model::validate(kit, "rotor."));
   EXPECT_NEAR(kit.discs.at(0).mass_kg, 7850 * 3.14159265358979323846 / 4 * 0.01 * 0.01, 1e-14);
 }

@@ -47,6 +47,7 @@ TEST(SymmetryRotationallySymmetric, NotWithAnAnisotropicStructureOrForcing) {
   EXPECT_FALSE(without([](auto& s) { s.structure.mass(0, 1) = 1e-9; }));
   EXPECT_FALSE(without([](auto& s) { s.structure.points[0].map(0, 0) = 0.5; }));
   EXPECT_FALSE(without([](auto& s) { s.harmonic_n(1) *= 0.99; }));
+  EXPECT_FALSE(without([](auto& s) { s.second_harmonic_n = 1e-9 * s.harmonic_n; }));
   EXPECT_FALSE(without([](auto& s) { s.impulses.push_back({Eigen::Vector4d(1, 0, 0, 0), 2, 0}); }));
   EXPECT_FALSE(without([](auto& s) { s.harmonic_n = s.harmonic_n.conjugate().eval(); }));
   // Gyroscopic and cross-coupled terms turn with the frame.

@@ -66,6 +66,7 @@ void SectionGuards::enter_modes(const State& state, const ArmedGuard& guard) {
 
 scene::Scene begun_at_phase(scene::Scene scene, double phase_rad) {
   scene.harmonic_n *= std::polar(1.0, phase_rad);
+  scene.second_harmonic_n *= std::polar(1.0, 2 * phase_rad);
   for (structure::ImpulseTrain& train : scene.impulses) {
     const double periods = train.phase_periods - train.multiple * phase_rad / (2 * std::numbers::pi);
     const double rest = periods - std::floor(periods);

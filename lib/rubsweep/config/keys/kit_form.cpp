@@ -179,7 +179,15 @@ Key couplings() {
        {"parallel_offset_m", "distance of the axes of halves that are bored off their centres"},
        {"parallel_phase_deg", "angle of that distance from the mark on the shaft"},
        {"angular_offset_rad", "lean of the axis of the end behind it"},
-       {"angular_phase_deg", "angle of that lean from the mark on the shaft"}});
+       {"angular_phase_deg", "angle of that lean from the mark on the shaft"},
+       {"parallel_misalignment_m", "distance at which the machine behind it stands beside the one before it"},
+       {"parallel_misalignment_angle_deg", "direction of that distance, from +x towards +y"},
+       {"angular_misalignment_rad", "lean of the axis of the machine behind it"},
+       {"angular_misalignment_angle_deg", "direction of that lean, from +x towards +y"},
+       {"lateral_asymmetry_ratio",
+        "share by which the lateral stiffness is larger along its stiff axis, and smaller across it"},
+       {"angular_asymmetry_ratio", "the same of the angular stiffness"},
+       {"stiff_axis_phase_deg", "angle of the stiff axis from the mark on the shaft"}});
   return may("couplings", list_of(map_of(std::move(keys)), 1, most_parts), "elastic joints of the shaft");
 }
 

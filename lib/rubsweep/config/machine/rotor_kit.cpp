@@ -211,6 +211,15 @@ void refuse_tables(const yaml::Value& supports, yaml::Section& section, const mo
     refuse(*bow, "is a mode, and the modes follow the tables of the supports", "position_m and deflection_m");
 }
 
+void refuse_torsion(yaml::Section& section, const model::RotorKit& kit) {
+  const auto torsion = section.find("torsion");
+  if (torsion && std::ranges::any_of(kit.couplings, model::is_asymmetric))
+    refuse(
+        *torsion,
+        "is given beside a coupling with an asymmetry ratio, whose force does not know the angle of torsion",
+        "couplings that are equally stiff all around");
+}
+
 void read_kit_rest(yaml::Section& section, model::RotorKit& kit) {
   const auto list = [&](std::string_view name, auto& parts) {
     using Part = typename std::remove_reference_t<decltype(parts)>::value_type;
@@ -248,6 +257,7 @@ model::RotorKit read_rotor_kit(yaml::Section& section) {
   read_kit_rest(section, kit);
   if (supports && section.is_sound()) refuse_loose_shaft(*supports, kit);
   if (supports && section.is_sound()) refuse_tables(*supports, section, kit);
+  if (section.is_sound()) refuse_torsion(section, kit);
   return kit;
 }
 

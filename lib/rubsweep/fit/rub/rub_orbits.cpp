@@ -58,6 +58,10 @@ double shaft_angle_at_start_rad(const scene::PreparedMachine& machine, const sce
   Eigen::VectorXcd force =
       asked.eccentricity_m * speed_rad_per_s * speed_rad_per_s * machine.assembly.system.unbalance_kg;
   if (machine.assembly.bow_n.size() > 0) force += machine.assembly.bow_n;
+  // Without any force at 1X that of twice the frequency tells the angle, up to half a turn, after which it
+  // repeats.
+  if (force.isZero(0) && machine.assembly.second_n.size() > 0)
+    return std::arg(machine.assembly.second_n.dot(cell.scene.second_harmonic_n)) / 2;
   return std::arg(force.dot(cell.scene.harmonic_n));
 }
 

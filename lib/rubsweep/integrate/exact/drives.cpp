@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "rubsweep/integrate/run/second_harmonic.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
 
 namespace rubsweep::integrate::exact {
@@ -31,6 +32,11 @@ Drives::Drives(const scene::Scene& scene, const Eigen::MatrixXd& inverse_mass,
         drive_of(Complex(0, -pulse.force_n) * (per_force * pulse.direction.template cast<Complex>()),
                  std::numbers::pi / pulse.duration_s, system));
   }
+  for (const run::HarmonicPart& part : run::second_harmonic(scene)) {
+    pulses_.push_back(drive_of(Complex(0, -1) * (per_force * part.top_n.cast<Complex>()),
+                               2 * scene.speed_rad_per_s, system));
+    ahead_rad_.push_back(4 * std::numbers::pi * part.turns_ahead);
+  }
   acting_.reserve(pulses_.size());
 }
 
@@ -38,10 +44,16 @@ void Drives::start(double phase_rad, Phasors& phasors) {
   phasors.shaft = std::polar(1.0, phase_rad);
   acting_.clear();
   phasors.pulses.clear();
+  for (std::size_t k = 0; k < ahead_rad_.size(); ++k) {
+    acting_.push_back(pulses_.size() - ahead_rad_.size() + k);
+    phasors.pulses.push_back(std::polar(1.0, 2 * phase_rad + ahead_rad_[k]));
+  }
 }
 
 void Drives::start(double phase_rad, const run::PulseTimes& times, double time_s, Phasors& phasors) {
-  start(phase_rad, phasors);
+  phasors.shaft = std::polar(1.0, phase_rad);
+  acting_.clear();
+  phasors.pulses.clear();
   for (const std::size_t i : times.acting()) {
     acting_.push_back(i);
     phasors.pulses.push_back(std::polar(1.0, times.angle_rad(i, time_s)));

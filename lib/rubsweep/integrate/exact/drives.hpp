@@ -27,7 +27,8 @@ struct Phasors {
   std::vector<std::complex<double>> pulses{};
 };
 
-/// Harmonic forces on an exact motion: the unbalance, and those of the scene's pulses that act now.
+/// Harmonic forces on an exact motion: the unbalance, and those of the scene's pulses that act now. The parts
+/// of a second harmonic are pulses that always act.
 class Drives {
  public:
   /// `system`: the scaled one, with time in seconds.
@@ -45,7 +46,7 @@ class Drives {
     return fastest;
   }
 
-  /// Sets the phasors for a phase of the shaft; no pulse acts from here on.
+  /// Sets the phasors for a phase of the shaft; no pulse of the scene acts from here on.
   void start(double phase_rad, Phasors& phasors);
   /// The same, with the pulses that act at `time_s` in the revolution of `times`, which counts seconds.
   void start(double phase_rad, const run::PulseTimes& times, double time_s, Phasors& phasors);
@@ -83,6 +84,7 @@ class Drives {
 
   Drive unbalance_;
   std::vector<Drive> pulses_;
+  std::vector<double> ahead_rad_;  ///< of the last of these, those that always act: angles at phase 0
   std::vector<std::size_t> acting_;
 };
 

@@ -74,6 +74,8 @@ std::optional<StickingMode> StickingMode::make(const System& system, const std::
   const Eigen::Index n = system.coordinates();
   const auto m = static_cast<Eigen::Index>(std::ranges::count(sticks, true));
   if (m == 0 || m > n) return std::nullopt;
+  const auto always = [](const auto& pulse) { return pulse.always_elapsed.has_value(); };
+  if (std::ranges::any_of(system.pulses, always)) return std::nullopt;
   StickingMode mode;
   const Eigen::MatrixXd pushes = mode.take_contacts(system, modes, sticks, m);
   const Eigen::FullPivLU<Eigen::MatrixXd> mobility(mode.rows_ * pushes);

@@ -52,7 +52,8 @@ class StickingMode {
 
   /// Mode of each contact, and which of them stick; those that touch and do not stick must have no friction.
   /// Empty where the mode has no closed form of this kind: contacts whose frictions the motion does not
-  /// determine, no equilibrium, an undamped resonance, vibrations that are nearly dependent.
+  /// determine, no equilibrium, an undamped resonance, vibrations that are nearly dependent. Nor is a force
+  /// of twice the shaft's frequency part of the form.
   static std::optional<StickingMode> make(const System& system, const std::vector<contact::Mode>& modes,
                                           const std::vector<bool>& sticks);
 

@@ -201,8 +201,8 @@ class Dynamics : public ContactStates<N, Smoothed> {
   double smoothing_width() const { return smoothing_width_; }
   long rhs_calls() const { return rhs_calls_; }
 
-  /// Sets the pulses of the system that act from here on, in radians; `pulses` must outlive this. None acts
-  /// before.
+  /// Sets the pulses of the system that act from here on, in radians; `pulses` must outlive this. Before,
+  /// the second harmonic alone acts.
   void follow(const run::PulseTimes& pulses) { pulses_ = &pulses; }
 
  private:
@@ -214,8 +214,12 @@ class Dynamics : public ContactStates<N, Smoothed> {
 
   template <class Visit>
   void for_each_acting_pulse(const Visit& visit) const {
-    if (pulses_ == nullptr) return;
-    for (const std::size_t i : pulses_->acting()) visit(system_.pulses[i], pulses_->elapsed(i));
+    if (pulses_ != nullptr) {
+      for (const std::size_t i : pulses_->acting()) visit(system_.pulses[i], pulses_->elapsed(i));
+      return;
+    }
+    for (const auto& pulse : system_.pulses)
+      if (pulse.always_elapsed) visit(pulse, *pulse.always_elapsed);
   }
 
   /// Friction over spring force, which is none of a contact that sticks, and its derivative by the scaled

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "rubsweep/integrate/run/second_harmonic.hpp"
+
 namespace rubsweep::integrate::run {
 
 PulseTimes::PulseTimes(const scene::Scene& scene, const StateScale& scale, double period) : period_(period) {
@@ -10,13 +12,23 @@ PulseTimes::PulseTimes(const scene::Scene& scene, const StateScale& scale, doubl
     pulses_.push_back({.duration = pulse.force_n != 0 ? scale.duration(pulse.duration_s) : 0,
                        .elapsed_at_start = scale.duration(pulse.elapsed_s)});
   }
+  for (const HarmonicPart& part : second_harmonic(scene)) {
+    const double elapsed = period * part.turns_ahead;
+    pulses_.push_back({.duration = period / 4,
+                       .elapsed_at_start = elapsed,
+                       .elapsed = elapsed,
+                       .acts = true,
+                       .always = true});
+  }
   acting_.reserve(pulses_.size());
+  list_acting();
 }
 
 bool PulseTimes::begin_turn(long revolution) {
   if (pulses_.empty()) return false;
-  for (Pulse& pulse : pulses_)
-    pulse.elapsed = period_ * static_cast<double>(revolution) + pulse.elapsed_at_start;
+  for (Pulse& pulse : pulses_) {
+    if (!pulse.always) pulse.elapsed = period_ * static_cast<double>(revolution) + pulse.elapsed_at_start;
+  }
   return look(0);
 }
 
@@ -26,7 +38,7 @@ bool PulseTimes::look(double time) {
   bool changed = false;
   next_change_ = std::numeric_limits<double>::infinity();
   for (Pulse& pulse : pulses_) {
-    if (pulse.duration == 0) continue;
+    if (pulse.duration == 0 || pulse.always) continue;
     const double begin = -pulse.elapsed, end = pulse.duration - pulse.elapsed;
     const bool acts = begin <= time && time < end;
     changed = changed || acts != pulse.acts;
@@ -34,12 +46,15 @@ bool PulseTimes::look(double time) {
     if (begin > time) next_change_ = std::min(next_change_, begin);
     if (end > time) next_change_ = std::min(next_change_, end);
   }
-  if (!changed) return false;
+  if (changed) list_acting();
+  return changed;
+}
+
+void PulseTimes::list_acting() {
   acting_.clear();
   for (std::size_t i = 0; i < pulses_.size(); ++i) {
     if (pulses_[i].acts) acting_.push_back(i);
   }
-  return true;
 }
 
 double PulseTimes::angle_rad(std::size_t i, double time) const {

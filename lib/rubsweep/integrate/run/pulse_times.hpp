@@ -9,9 +9,9 @@
 
 namespace rubsweep::integrate::run {
 
-/// Times of the half-sine pulses of a run, revolution by revolution. Any number of them may overlap. Instants
-/// count from the start of the revolution, in the time of a StateScale; no memory is allocated once they are
-/// made.
+/// Times of the half-sine pulses of a run, revolution by revolution. Any number of them may overlap. Behind
+/// those of the scene come the parts of its second harmonic, which act from the first. Instants count from
+/// the start of the revolution, in the time of a StateScale; no memory is allocated once they are made.
 class PulseTimes {
  public:
   /// `period`: of a revolution, in the time of the scale.
@@ -26,7 +26,8 @@ class PulseTimes {
   double next_change() const { return next_change_; }
   /// Numbers of the pulses of the scene that act now, ascending.
   const std::vector<std::size_t>& acting() const { return acting_; }
-  /// Angle of the half-sine of pulse `i` at `time` in the revolution, from 0 to pi while it acts.
+  /// Angle of the half-sine of pulse `i` at `time` in the revolution, from 0 to pi while it acts; of a part
+  /// of the second harmonic, that of its sine.
   double angle_rad(std::size_t i, double time) const;
   /// Time from the start of pulse `i` to that of the revolution.
   double elapsed(std::size_t i) const { return pulses_[i].elapsed; }
@@ -37,9 +38,11 @@ class PulseTimes {
     double elapsed_at_start = 0;  ///< at the start of revolution 0; below 0: it begins later
     double elapsed = 0;           ///< at the start of the present one
     bool acts = false;
+    bool always = false;
   };
 
   bool look(double time);
+  void list_acting();
 
   std::vector<Pulse> pulses_;
   double period_ = 0;

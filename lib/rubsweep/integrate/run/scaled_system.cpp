@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/integrate/run/second_harmonic.hpp"
 #include "rubsweep/numerics/cholesky.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
@@ -70,6 +71,12 @@ void scale_forcing(const scene::Scene& scene, const MassFactor& mass, ScaledSyst
   for (const scene::Pulse& pulse : scene.pulses) {
     system.pulses.push_back({.top = mass.solve(pulse.direction) * (pulse.force_n / unit),
                              .rate = std::numbers::pi / system.scale.duration(pulse.duration_s)});
+  }
+  const double period = system.scale.duration(scene.period_s());
+  for (const HarmonicPart& part : second_harmonic(scene)) {
+    system.pulses.push_back({.top = mass.solve(part.top_n) / unit,
+                             .rate = 4 * std::numbers::pi / period,
+                             .always_elapsed = period * part.turns_ahead});
   }
 }
 

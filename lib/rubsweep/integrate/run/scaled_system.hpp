@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "rubsweep/contact/wall.hpp"
@@ -39,6 +40,9 @@ template <int N>
 struct ScaledPulse {
   Eigen::Matrix<double, N, 1> top;
   double rate = 0;  ///< angle of the half-sine per radian of rotation
+  /// Not empty: a part of the second harmonic, which always acts. Time from its start to that of every
+  /// revolution.
+  std::optional<double> always_elapsed{};
 };
 
 /// The casing behind a contact. Nothing but the contact and its own spring acts on it, so that its vibration
@@ -75,7 +79,8 @@ struct ScaledSystem {
   Vector stiffness_diagonal, damping_diagonal;
   Matrix stiffness, damping;
   Vector cosine, sine, constant;
-  std::vector<ScaledPulse<N>> pulses;    ///< as those of the scene; PulseTimes says when they act
+  /// As those of the scene, then the parts of its second harmonic; PulseTimes says when they act.
+  std::vector<ScaledPulse<N>> pulses;
   Eigen::Matrix<double, 2, N> observed;  ///< (x, y) of the observed point in units of L
   std::vector<ScaledContact<N>> contacts;
   std::vector<ScaledCasing<N>> casings;  ///< the moving ones

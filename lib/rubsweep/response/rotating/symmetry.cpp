@@ -34,7 +34,8 @@ bool rotationally_symmetric(const scene::Scene& scene) {
   const auto& s = scene.structure;
   return std::ranges::all_of(scene.contacts, [](const auto& c) { return contact::centred(c.wall); }) &&
          scene.constant_n.isZero(0) && scene.impulses.empty() && turns_forward(scene.harmonic_n) &&
-         isotropic(s.mass) && isotropic(s.damping) && isotropic(s.stiffness) &&
+         scene.second_harmonic_n.size() == 0 && isotropic(s.mass) && isotropic(s.damping) &&
+         isotropic(s.stiffness) &&
          std::ranges::all_of(s.points, [](const auto& p) { return isotropic(p.map); });
 }
 

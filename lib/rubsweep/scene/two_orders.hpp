@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+
+namespace rubsweep::scene {
+
+/// The top of a motion of two orders, and where in the revolution it is.
+struct TopOfMotion {
+  double value = 0;
+  double phase_rad = 0;  ///< 0 to 2 pi, the first of equal ones
+};
+
+/// Largest value of Re(first e^{i phase} + second e^{2 i phase}). Infinite, at phase 0, where a number is not
+/// finite.
+TopOfMotion largest_value(std::complex<double> first, std::complex<double> second);
+
+/// Largest length of the vector Re(first e^{i phase} + second e^{2 i phase}), whose components are real.
+TopOfMotion largest_distance(const Eigen::Vector2cd& first, const Eigen::Vector2cd& second);
+
+}  // namespace rubsweep::scene
