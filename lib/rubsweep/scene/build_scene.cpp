@@ -237,7 +237,7 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
   if (assembly.twist)
     scene.twist = twist_of(prepared, cell.eccentricity_m, phase * phase_of_kick(prepared.machine));
   scene.harmonic_n *= phase_of_kick(prepared.machine);
-  scene.second_harmonic_n *= std::pow(phase_of_kick(prepared.machine), 2);
+  scene.second_harmonic_n *= phase_of_kick(prepared.machine) * phase_of_kick(prepared.machine);
   start_on_quiet_motion(cell);
   start_in_given_state(scene, prepared);
   return cell;

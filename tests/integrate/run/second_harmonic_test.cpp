@@ -45,8 +45,8 @@ TEST(SecondHarmonic, ItActsAlways) {
   EXPECT_EQ(times.acting(), (std::vector<std::size_t>{1, 2}));
   for (const long revolution : {1L, 7L, 100'000'000L}) {
     EXPECT_FALSE(times.begin_turn(revolution));
-    EXPECT_EQ(times.angle_rad(1, 0.3), 2 * (0.3 + pi / 4));
-    EXPECT_EQ(times.angle_rad(2, 0.3), 2 * 0.3);
+    EXPECT_DOUBLE_EQ(times.angle_rad(1, 0.3), 2 * (0.3 + pi / 4));
+    EXPECT_DOUBLE_EQ(times.angle_rad(2, 0.3), 2 * 0.3);
   }
 }
 
