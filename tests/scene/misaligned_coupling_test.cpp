@@ -67,7 +67,7 @@ TEST(MisalignedCoupling, ThePositionAtRestIsThatOfSpringsInSeries) {
 }
 
 /// A shaft that may follow the misalignment strains nothing, and one that weight bends shakes without any.
-TEST(MisalignedCoupling, WhatStrainsTheCouplingDecides) {
+TEST(MisalignedCoupling, TheStrainOfTheCouplingDecides) {
   MisalignedRotor free;
   free.behind_n_per_m = 1e-3;
   const double strained = prepare_machine(MisalignedRotor{}.machine()).assembly.second_n.norm();
@@ -184,7 +184,7 @@ class TurningStiffness {
   double speed_;
 };
 
-/// What is left out of the force is of second order in the asymmetry.
+/// The part of the force that is left out is of second order in the asymmetry.
 TEST(MisalignedCoupling, FirstOrderIsEnoughForTheLineAtTwiceTheSpeed) {
   for (const double share : {0.2, 0.5, 0.8}) {
     for (const double ratio : {0.05, 0.1, 0.2}) {

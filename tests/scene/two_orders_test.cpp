@@ -68,7 +68,7 @@ TEST(TwoOrders, NothingIsAboveTheTop) {
   }
 }
 
-TEST(TwoOrders, WhatIsNotFiniteReachesEverywhere) {
+TEST(TwoOrders, NumbersThatAreNotFiniteReachEverywhere) {
   const double none = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(largest_value(none, 1).value, inf);
   EXPECT_EQ(largest_distance({1, inf}, {0, 1}).value, inf);
