@@ -4,7 +4,7 @@ source "$(dirname "$0")/support.sh"
 
 # 30 Hz (1 + 0.02 / 0.05) = 42 Hz is where the damping that turns with the shaft takes over.
 turning=("$minimal" --set rotor.rotating_damping_ratio=0.05 --set 'sweep={speed_hz: {values: [35, 90]}, whirl_ratio: {values: [0.4]}}')
-warning='warning: unstable rotor: at 1 of 2 speeds looked at, from 90 to 90 Hz, a free vibration of the rotor without its stops grows'
+warning='warning: unstable rotor: at 1 of 2 speeds looked at, from 90 to 90 Hz (5400 to 5400 rpm), a free vibration of the rotor without its stops grows'
 expect_exit 0 "${turning[@]}" --check
 expect_contains stderr "rubsweep: $warning"
 expect_exit 0 "${turning[@]}" --explain

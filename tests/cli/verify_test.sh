@@ -82,7 +82,7 @@ killed_at 10 killed "${quick[@]}"
 expect_exit 7 --verify killed
 expect_contains stderr 'map.journal: the map is not finished'
 expect_exit 0 "${map[@]}" --set sweep.refine.levels=1 --output refined
-expect_whole refined map.csv config.yaml
+expect_whole refined map.csv painted.csv config.yaml
 source=refined
 expect_earlier 'lacks' "sed -i '\$d' map.csv"
 exec 9>map/map.lock

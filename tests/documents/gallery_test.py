@@ -59,7 +59,8 @@ def main(top, *directories):
         return 77
     wrong = list(unlike_others(os.path.join(top, "configs", "gallery"), text))
     with tempfile.TemporaryDirectory() as work:
-        os.symlink(os.path.join(top, "configs"), os.path.join(work, "configs"))
+        for name in ("configs", "scripts"):
+            os.symlink(os.path.join(top, name), os.path.join(work, name))
         for heading, commands, pictures in sections(text):
             if "rubsweep-mpi" in commands and not shutil.which("rubsweep-mpi", path=environment["PATH"]):
                 print(f"left out, as there is no rubsweep-mpi: {heading}")
