@@ -56,7 +56,7 @@ int perform(const RubdataArguments& arguments) {
   if (answered("rubdata", arguments.action, rubdata_help)) return done;
   const dataset::DataStudy study = read_study(arguments);
   if (arguments.action == Action::check) {
-    print("{}: ok, {} recordings\n", arguments.config.string(), study.recordings);
+    if (!arguments.quiet) print("{}: ok, {} recordings\n", arguments.config.string(), study.recordings);
     return done;
   }
   batch::require_threads(arguments.threads, 1);

@@ -9,6 +9,8 @@ expect_exit 0 --help
 expect_contains stdout 'rubdata STUDY.yaml'
 expect_exit 0 "$config" --check
 [[ $(<stdout) == "$config: ok, 500 recordings" ]] || fail 'another answer to --check'
+expect_exit 0 "$config" --check --quiet
+expect_empty stdout
 expect_missing results
 
 sed -e 's/^recordings: .*/recordings: 15/' -e 's/^recordings_per_machine: .*/recordings_per_machine: 3/' "$config" >study.yaml

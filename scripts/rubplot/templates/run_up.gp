@@ -79,7 +79,7 @@ do for [format in formats] {
   set offsets 0, 0, graph 0.05, graph 0.05
   set format x ""
   # Not as labels of the axes: beside a fixed margin these may come over the numbers.
-  set label 4 "displacement (mm)" at screen 0.018, 0.65 center rotate by 90
+  set label 4 "displacement (mm)" at screen 0.011, 0.65 center rotate by 90
   set key at screen 0.47, 0.847 center top horizontal Left reverse samplen 2 maxrows 1
     plot "envelope" using 1:2:3 with filledcurves linecolor rgb rotor fillstyle solid 0.35 noborder title "y", \
     "envelope" using 1:4 with lines linewidth 1.2 linecolor rgb rotor title "largest distance", \
