@@ -45,7 +45,6 @@ TEST(TwoOrders, TwoCirclesReachTheSumOfTheirRadii) {
 
 /// No phase of a fine grid is above the top, and the top is met.
 TEST(TwoOrders, NothingIsAboveTheTop) {
-  const Complex i(0, 1);
   for (int seed = 0; seed < 40; ++seed) {
     const auto number = [&](int k) { return std::polar(1 + std::sin(seed + 3.0 * k), 1.7 * seed * k + k); };
     const Eigen::Vector2cd first(number(1), number(2)), second(number(3), number(4));
