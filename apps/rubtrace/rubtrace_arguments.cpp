@@ -2,18 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "rubsweep/identify/experiment.hpp"
-#include "rubsweep/model/range.hpp"
 #include "rubsweep/model/rpm.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 #include "shared/shown_lengths.hpp"
+#include "speed_ranges.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -26,7 +24,8 @@ constexpr std::string_view examples =
     "  rubtrace configs/minimal.yaml --speed-rpm 3240 --unbalance-g-mm 240 --output /tmp/trace\n"
     "  rubtrace configs/minimal.yaml --speed-hz 54 --eccentricity-m 3e-4 --revolutions 100 --output "
     "/tmp/trace\n"
-    "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --length-unit um --figure /tmp/trace.png\n"
+    "  rubtrace configs/minimal.yaml --speed-hz 90 --whirl-ratio 0.6 --length-unit um --figure "
+    "/tmp/trace.png\n"
     "  rubtrace configs/rotor_kit.yaml --speed-hz 70 --whirl-ratio 0.6 --sample-s 1e-3 --noise-m 2e-6\n"
     "  rubtrace configs/rotor_kit.yaml --free-response --noise-m 1e-6\n"
     "  rubtrace configs/rotor_kit.yaml --run-up 10:60:1 --eccentricity-m 2e-5 --figure /tmp/bode.png\n"
@@ -128,71 +127,9 @@ std::optional<long> count_of(const po::variables_map& given, const char* name) {
   return value;
 }
 
-/// The finite numbers between the colons of a text; empty where one is none.
-std::optional<std::vector<double>> numbers_between_colons(const std::string& text) {
-  std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::string part = text.substr(begin, text.find(':', begin) - begin);
-    std::size_t used = 0;
-    try {
-      numbers.push_back(std::stod(part, &used));
-    } catch (const std::logic_error&) {
-      return std::nullopt;
-    }
-    if (used != part.size() || !model::contains(model::any_finite, numbers.back())) return std::nullopt;
-    begin += part.size() + 1;
-  }
-  return numbers;
-}
-
-ramp::SpeedRamp ramp_of(const std::string& text) {
-  const auto numbers = numbers_between_colons(text);
-  if (!numbers || numbers->size() != 3) {
-    throw UsageError(
-        fmt::format("--run-up: '{}' is not allowed, allowed: FROM:TO:RATE, three numbers", text));
-  }
-  const ramp::SpeedRamp ramp{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
-  if (ramp.from_hz <= 0 || ramp.to_hz <= 0 || (ramp.to_hz - ramp.from_hz) * ramp.rate_hz_per_s <= 0) {
-    throw UsageError("--run-up: allowed: speeds > 0, and a rate that leads from the first to the second");
-  }
-  return ramp;
-}
-
-CampbellSpeeds campbell_speeds_of(const std::string& text) {
-  constexpr double most = 10000;
-  const auto numbers = numbers_between_colons(text);
-  CampbellSpeeds speeds;
-  bool good = numbers && (numbers->size() == 2 || numbers->size() == 3);
-  if (good && numbers->size() == 3) {
-    const double count = (*numbers)[2];
-    good = count >= 2 && count <= most && count == std::floor(count);
-    if (good) speeds.count = static_cast<int>(count);
-  }
-  if (good) {
-    speeds.from_hz = (*numbers)[0];
-    speeds.to_hz = (*numbers)[1];
-    good = speeds.from_hz >= 0 && speeds.to_hz > speeds.from_hz;
-  }
-  if (good) return speeds;
-  throw UsageError(
-      fmt::format("--campbell: '{}' is not allowed, allowed: FROM:TO or FROM:TO:COUNT with 0 <= FROM < TO "
-                  "and a COUNT from 2 to "
-                  "{}",
-                  text, most));
-}
-
 /// Whether the sensors are to look at a trace, too.
 bool asks_for_probes(const po::variables_map& given) {
   return !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
-}
-
-design::SpeedRange operating_range_of(const char* option, const std::string& text, double per_hz) {
-  const auto numbers = numbers_between_colons(text);
-  if (!numbers || numbers->size() != 2 || (*numbers)[0] <= 0 || (*numbers)[1] <= (*numbers)[0]) {
-    throw UsageError(
-        fmt::format("--{}: '{}' is not allowed, allowed: FROM:TO with 0 < FROM < TO", option, text));
-  }
-  return {(*numbers)[0] / per_hz, (*numbers)[1] / per_hz};
 }
 
 /// The check of a design, and what belongs to it alone.

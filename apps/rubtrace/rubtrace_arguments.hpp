@@ -3,20 +3,13 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/design/largest_over_speed.hpp"
 #include "rubsweep/model/length_text.hpp"
-#include "rubsweep/ramp/speed_ramp.hpp"
 #include "shared/action.hpp"
 #include "shared/figure.hpp"
 #include "shared/place_arguments.hpp"
+#include "speed_ranges.hpp"
 
 namespace rubsweep::apps {
-
-/// Speeds of a Campbell diagram, evenly spaced.
-struct CampbellSpeeds {
-  double from_hz = 0, to_hz = 0;
-  int count = 101;
-};
 
 /// A check of the design.
 struct DesignCheckArguments {
@@ -33,8 +26,8 @@ struct RubtraceArguments : StudyArguments {
   bool with_stops = false;                      ///< of the run-up
   std::optional<CampbellSpeeds> campbell = {};  ///< and another one
   std::optional<DesignCheckArguments> design_check = {};
-  double duration_s = 2;                        ///< of the free response
-  double sample_s = 1e-3;                       ///< of the sensors
+  double duration_s = 2;   ///< of the free response
+  double sample_s = 1e-3;  ///< of the sensors
   double noise_m = 0;
   bool probes = false;                ///< the sensors look at a trace, too
   std::optional<Figure> figure = {};  ///< drawn of a trace, a Campbell diagram or a run-up with stops

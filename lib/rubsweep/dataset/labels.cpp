@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "rubsweep/batch/csv_table.hpp"
@@ -45,8 +47,8 @@ std::string of_cause(const DataStudy& study, const LabelledRecording& recording)
 using S = const DataStudy&;
 using R = const LabelledRecording&;
 
-const std::vector<Column>& columns() {
-  static const std::vector<Column> all{
+std::vector<Column> recording_columns() {
+  return {
       {{"recording", "number of the recording, from 0"}, [](S, R r) { return std::to_string(r.index); }},
       {{"file", "its file"}, [](S s, R r) { return file_of(s, r); }},
       {{"split", "part of the set, by machine: no machine is in two of them"},
@@ -65,6 +67,11 @@ const std::vector<Column>& columns() {
       {{"proof", "evidence for the class, as in map.csv; empty: none"},
        [](S, R r) { return r.motion.proof ? std::string(to_string(*r.motion.proof)) : std::string(); }},
       {{"speed_hz", "shaft speed"}, [](S, R r) { return number(r.speed_hz); }},
+  };
+}
+
+std::vector<Column> machine_columns() {
+  return {
       {{"mass_kg", "mass of the rotor"}, [](S s, R) { return number(s.fixed.rotor_mass_kg); }},
       {{"natural_frequency_hz", "natural frequency of the rotor"},
        [](S, R r) { return number(value_of(r.values, Unknown::natural_frequency)); }},
@@ -96,6 +103,11 @@ const std::vector<Column>& columns() {
          const Cause cause = s.candidates[r.candidate].cause;
          return touches(s, r) && cause != Cause::annular ? number(r.stop_angle_deg) : std::string();
        }},
+  };
+}
+
+std::vector<Column> motion_columns() {
+  return {
       {{"kick_ratio",
         "velocity that the kick gave, over clearance times natural angular frequency; empty: no kick"},
        [](S, R r) { return of_kick(r, value_of(r.values, Unknown::kick_ratio)); }},
@@ -117,6 +129,15 @@ const std::vector<Column>& columns() {
       {{"gain_y", "gain of the probe in y"},
        [](S, R r) { return r.gain.size() > 1 ? number(r.gain[1]) : std::string(); }},
   };
+}
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> all = [] {
+    std::vector<Column> columns = recording_columns();
+    std::ranges::move(machine_columns(), std::back_inserter(columns));
+    std::ranges::move(motion_columns(), std::back_inserter(columns));
+    return columns;
+  }();
   return all;
 }
 

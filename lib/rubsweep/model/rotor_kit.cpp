@@ -137,6 +137,36 @@ void validate_shaft(const RotorKit& kit, const std::string& path) {
   }
 }
 
+void validate_supports(const RotorKit& kit, const std::string& path) {
+  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
+    const std::string name = fmt::format("{}supports.{}.", path, i);
+    validate(kit.supports[i], kit, name);
+    if (kit.supports[i].pedestal) require_fields(*kit.supports[i].pedestal, name + "pedestal.");
+    if (kit.supports[i].fault) require_fields(*kit.supports[i].fault, name + "fault.");
+    if (kit.supports[i].table) validate(*kit.supports[i].table, name + "table.");
+  }
+  for (const int plane : {0, 1}) {
+    if (kit.matrices || supports_hold(kit, plane))
+      continue;  // the stiffness matrix holds, or its factors say no
+    throw ConfigError(
+        fmt::format("{}supports: they leave the shaft{} free to move in {}, allowed: supports that hold it",
+                    path, kit.housings.empty() ? "" : " or a housing", plane == 0 ? "x" : "y"));
+  }
+  if (const Range common = table_speeds_hz(kit); has_tables(kit) && !(common.low <= common.high))
+    throw ConfigError(path + "supports: their tables have no speed in common, allowed: tables that overlap");
+}
+
+void validate_bow(const Bow& bow, const RotorKit& kit, const std::string& path) {
+  if (has_tables(kit) && std::holds_alternative<BowMode>(bow.shape))
+    throw ConfigError(
+        path + "bow.mode: the modes follow the tables of the supports, allowed: position_m and deflection_m");
+  require(path + "bow.phase_deg", bow.phase_deg, any_finite);
+  std::visit(
+      overloaded{[&](const BowMode& mode) { validate(mode, path + "bow."); },
+                 [&](const BowPoints& points) { validate(points, path + "bow.", shaft_length_m(kit)); }},
+      bow.shape);
+}
+
 }  // namespace
 
 bool supports_hold(const RotorKit& kit, int plane) {
@@ -264,32 +294,8 @@ void validate(const RotorKit& kit, const std::string& path) {
     require(fmt::format("{}couplings.{}.position_m", path, i), kit.couplings[i].position_m,
             coupling_places(kit));
   }
-  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
-    const std::string name = fmt::format("{}supports.{}.", path, i);
-    validate(kit.supports[i], kit, name);
-    if (kit.supports[i].pedestal) require_fields(*kit.supports[i].pedestal, name + "pedestal.");
-    if (kit.supports[i].fault) require_fields(*kit.supports[i].fault, name + "fault.");
-    if (kit.supports[i].table) validate(*kit.supports[i].table, name + "table.");
-  }
-  for (const int plane : {0, 1}) {
-    if (kit.matrices || supports_hold(kit, plane))
-      continue;  // the stiffness matrix holds, or its factors say no
-    throw ConfigError(
-        fmt::format("{}supports: they leave the shaft{} free to move in {}, allowed: supports that hold it",
-                    path, kit.housings.empty() ? "" : " or a housing", plane == 0 ? "x" : "y"));
-  }
-  if (const Range common = table_speeds_hz(kit); has_tables(kit) && !(common.low <= common.high))
-    throw ConfigError(path + "supports: their tables have no speed in common, allowed: tables that overlap");
-  if (kit.bow) {
-    if (has_tables(kit) && std::holds_alternative<BowMode>(kit.bow->shape))
-      throw ConfigError(
-          path +
-          "bow.mode: the modes follow the tables of the supports, allowed: position_m and deflection_m");
-    require(path + "bow.phase_deg", kit.bow->phase_deg, any_finite);
-    std::visit(overloaded{[&](const BowMode& mode) { validate(mode, path + "bow."); },
-                          [&](const BowPoints& points) { validate(points, path + "bow.", length); }},
-               kit.bow->shape);
-  }
+  validate_supports(kit, path);
+  if (kit.bow) validate_bow(*kit.bow, kit, path);
   if (kit.torsion) require_fields(*kit.torsion, path + "torsion.");
   if (kit.torsion && std::ranges::any_of(kit.couplings, is_asymmetric)) {
     throw ConfigError(

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "rubsweep/design/largest_over_speed.hpp"
+#include "rubsweep/ramp/speed_ramp.hpp"
+
+namespace rubsweep::apps {
+
+/// Speeds of a Campbell diagram, evenly spaced.
+struct CampbellSpeeds {
+  double from_hz = 0, to_hz = 0;
+  int count = 101;
+};
+
+/// Reads FROM:TO:RATE of --run-up, in Hz and Hz/s. Throws UsageError.
+ramp::SpeedRamp ramp_of(const std::string& text);
+
+/// Reads FROM:TO or FROM:TO:COUNT of --campbell, in Hz. Throws UsageError.
+CampbellSpeeds campbell_speeds_of(const std::string& text);
+
+/// Reads FROM:TO of `option`, of which there are `per_hz` in 1 Hz. Throws UsageError.
+design::SpeedRange operating_range_of(const char* option, const std::string& text, double per_hz);
+
+}  // namespace rubsweep::apps
