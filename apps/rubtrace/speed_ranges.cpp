@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rubsweep/model/range.hpp"
-#include "shared/command_line.hpp"
+#include "shared/program.hpp"
 
 namespace rubsweep::apps {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/integrate/start.hpp"
@@ -10,14 +11,14 @@
 
 namespace rubsweep::integrate::exact {
 
-/// A turn of parameter set A with contact, well after the kick.
+/// A turn of a scene with contact, well after the kick; by default of parameter set A.
 struct RubbingTurn {
-  scene::Scene scene = test::cell_of({}).scene;
+  scene::Scene scene;
   modes::ModeCache modes;
   std::vector<double> start, end;
   Eigen::MatrixXd transition;
 
-  RubbingTurn() {
+  explicit RubbingTurn(scene::Scene given = test::cell_of({}).scene) : scene(std::move(given)) {
     const run::Run kicked = integrate::start(scene, {}, modes);
     run::TurnReport turn;
     do {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/SVD>
+#include <complex>
 #include <random>
 
 #include "integrate/exact/rubbing_turn.hpp"
@@ -25,8 +26,8 @@ VectorXd vector_of(const std::vector<double>& x) {
   return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 
-TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
-  RubbingTurn turn;
+/// Follows a turn from places in a ball about its start.
+void expect_deviations_below_their_bound(RubbingTurn turn) {
   const MatrixXd identity = MatrixXd::Identity(8, 8);
   std::vector<double> section = turn.start;
   const auto tube = tube_of(turn.scene, turn.modes, section, identity, identity);
@@ -53,6 +54,18 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
   }
   // The bound is no more than some orders of magnitude too large.
   EXPECT_GT(largest_share, 1e-4);
+}
+
+TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
+  expect_deviations_below_their_bound(RubbingTurn());
+}
+
+TEST(ExactTube, CarriesAForceOfTwiceTheShaftsFrequency) {
+  scene::Scene scene = test::cell_of({}).scene;
+  scene.second_harmonic_n = std::polar(0.3, 0.7) * scene.harmonic_n;
+  const RubbingTurn plain, forced(scene);
+  EXPECT_GT((vector_of(plain.start) - vector_of(forced.start)).norm(), 1e-3);
+  expect_deviations_below_their_bound(forced);
 }
 
 TEST(ExactTube, AFlightHasNoDeviation) {
