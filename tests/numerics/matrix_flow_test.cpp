@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/numerics/pair_flow.hpp"
 #include "rubsweep/numerics/step_table.hpp"
 
@@ -72,7 +72,7 @@ TEST(MatrixFlowBound, IsNeverExceededAndNotFarAbove) {
   const MatrixXd a = generator_of(k, c);
   RowVectorXd row(4);
   row << 1, -2, 0.5, 0.1;
-  const double fastest = spectral_radius(a), horizon = 2;
+  const double fastest = dense::spectral_radius(a), horizon = 2;
   const RowVectorXd bound = FlowBound(a, horizon, fastest).of(row);
   RowVectorXd largest = RowVectorXd::Zero(4);
   for (int i = 0; i <= 3000; ++i)

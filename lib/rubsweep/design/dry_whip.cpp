@@ -12,8 +12,8 @@
 #include "rubsweep/contact/friction_bounds.hpp"
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/design/unbalance_response.hpp"
-#include "rubsweep/numerics/lu.hpp"
-#include "rubsweep/numerics/self_adjoint.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
+#include "rubsweep/numerics/dense/self_adjoint.hpp"
 #include "rubsweep/structure/system_at.hpp"
 
 namespace rubsweep::design {
@@ -37,7 +37,7 @@ struct WhirlInStop {
     // x = Re(conj(z) e^{i w t}), y = Re(i conj(z) e^{i w t}).
     const Eigen::Vector2cd backward(1, i);
     const Eigen::Vector2cd moved =
-        rows * numerics::solve(dynamic, Eigen::VectorXcd(rows.transpose() * backward));
+        rows * numerics::dense::solve(dynamic, Eigen::VectorXcd(rows.transpose() * backward));
     return std::conj((moved(0) - i * moved(1)) / 2.0);
   }
 
@@ -54,7 +54,7 @@ std::vector<double> frequencies_rad_per_s(const WhirlInStop& whirl) {
   const Eigen::MatrixXd tied = free + whirl.stiffness_n_per_m * whirl.map.transpose() * whirl.map;
   std::vector<double> found;
   for (const Eigen::MatrixXd& stiffness : {free, tied}) {
-    for (const double square : numerics::self_adjoint_eigenvalues(stiffness, whirl.system.mass))
+    for (const double square : numerics::dense::self_adjoint_eigenvalues(stiffness, whirl.system.mass))
       if (square > 0) found.push_back(std::sqrt(square));
   }
   std::ranges::sort(found);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/structure/system_at.hpp"
 
 namespace rubsweep::fit {
@@ -21,7 +21,7 @@ ModeSet modes_at(const scene::PreparedMachine& prepared, double speed_rad_per_s)
   generator.topRightCorner(n, n) = typical * Eigen::MatrixXd::Identity(n, n);
   generator.bottomLeftCorner(n, n) = -mass.solve(system.stiffness) / typical;
   generator.bottomRightCorner(n, n) = -mass.solve(system.damping);
-  numerics::GeneralModes found = numerics::general_modes(generator, true);
+  numerics::dense::GeneralModes found = numerics::dense::general_modes(generator, true);
   if (!found.converged) throw SolverError("modes: the eigenvalue iteration does not converge");
   ModeSet modes{std::move(found.values), std::move(found.vectors), {}, mass.inverse()};
   modes.vectors.bottomRows(n) *= typical;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/structure/beam_shaft.hpp"
 #include "rubsweep/structure/jeffcott.hpp"
@@ -34,7 +34,7 @@ void add_deflection(const structure::BeamShaft& shaft, std::size_t plane, const 
   constexpr double nothing = 1e-9;
   const Eigen::MatrixXd stiffness = shaft.plane_stiffness(plane), mass = shaft.plane_mass(plane);
   Eigen::MatrixXd& shapes = modes.bases[plane];
-  Eigen::VectorXd shape = numerics::CholeskyFactors(stiffness).solve(force);
+  Eigen::VectorXd shape = numerics::dense::CholeskyFactors(stiffness).solve(force);
   const double whole = std::sqrt(shape.dot(mass * shape));
   for (int pass = 0; pass < 2; ++pass)  // twice is enough: rounding of the first is taken out
     shape -= shapes * (shapes.transpose() * (mass * shape));

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/scene/constant_load.hpp"
 #include "rubsweep/structure/system_at.hpp"
@@ -111,7 +111,7 @@ class Structure {
   }
 
   LinearRun run_;
-  numerics::SymmetricFactors mass_;
+  numerics::dense::SymmetricFactors mass_;
   Eigen::MatrixXd stiffness_, damping_, gyroscopic_, circulatory_;
   Eigen::VectorXcd unbalance_, bow_;
   Eigen::VectorXcd second_;  ///< empty: none
@@ -142,7 +142,7 @@ State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run
 class ImpulsesOnARamp {
  public:
   ImpulsesOnARamp(const scene::PreparedMachine& prepared, const LinearRun& run) : run_(run) {
-    const numerics::SymmetricFactors mass(prepared.assembly.system.mass);
+    const numerics::dense::SymmetricFactors mass(prepared.assembly.system.mass);
     if (run.driven != Driven::by_all) return;
     for (const auto& train : prepared.assembly.impulses)
       trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});

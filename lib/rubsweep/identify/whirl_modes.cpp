@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
-#include "rubsweep/numerics/orthogonal.hpp"
-#include "rubsweep/numerics/self_adjoint.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/orthogonal.hpp"
+#include "rubsweep/numerics/dense/self_adjoint.hpp"
 
 namespace rubsweep::identify {
 namespace {
@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 constexpr double same_root = 1e-7;  ///< of its size: rounding of a double root, and far below any split
 
 /// lower^-1 matrix lower^-T.
-Eigen::MatrixXd normalised(const numerics::CholeskyFactors& mass, const Eigen::MatrixXd& matrix) {
+Eigen::MatrixXd normalised(const numerics::dense::CholeskyFactors& mass, const Eigen::MatrixXd& matrix) {
   const Eigen::MatrixXd half = mass.solve_lower(matrix);
   return mass.solve_lower(half.transpose()).transpose();
 }
@@ -53,7 +53,7 @@ std::vector<WhirlMode> WhirlProblem::at(double speed_hz) const {
   const Eigen::MatrixXd stiffness = stiffness_ + 2 * pi * speed_hz * circulatory_;
   generator.bottomLeftCorner(n, n) = -stiffness * rad_per_s_.cwiseInverse().asDiagonal();
   generator.bottomRightCorner(n, n) = -damping_ - 2 * pi * speed_hz * gyroscopic_;
-  const numerics::GeneralModes all = numerics::general_modes(generator, true);
+  const numerics::dense::GeneralModes all = numerics::dense::general_modes(generator, true);
   if (!all.converged) throw SolverError("whirl modes: the iteration does not converge");
   std::vector<WhirlMode> modes;
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
@@ -89,10 +89,11 @@ void WhirlProblem::part_by_direction(std::vector<WhirlMode>& modes) const {
     if (count < 2) continue;
     Eigen::MatrixXcd states(2 * n, count);
     for (Eigen::Index k = 0; k < count; ++k) states.col(k) = modes[begin + static_cast<std::size_t>(k)].state;
-    const Eigen::MatrixXcd base = numerics::orthonormal_columns(states, count);
+    const Eigen::MatrixXcd base = numerics::dense::orthonormal_columns(states, count);
     const Eigen::MatrixXcd places = base.topRows(n);
     // Most backward first.
-    const auto directions = numerics::self_adjoint_modes(Eigen::MatrixXcd(places.adjoint() * spin_ * places));
+    const auto directions =
+        numerics::dense::self_adjoint_modes(Eigen::MatrixXcd(places.adjoint() * spin_ * places));
     const Eigen::MatrixXcd parted = base * directions.vectors;
     for (Eigen::Index k = 0; k < count; ++k) {
       WhirlMode& mode = modes[begin + static_cast<std::size_t>(k)];

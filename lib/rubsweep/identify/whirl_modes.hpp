@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/identify/free_rotor.hpp"
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 
 namespace rubsweep::identify {
 
@@ -41,7 +41,7 @@ class WhirlProblem {
   void part_by_direction(std::vector<WhirlMode>& modes) const;
 
   FreeRotor tabled_;  ///< where supports follow the speed, else empty
-  numerics::CholeskyFactors mass_;
+  numerics::dense::CholeskyFactors mass_;
   Eigen::VectorXd rad_per_s_;  ///< w
   Eigen::MatrixXd stiffness_, damping_, gyroscopic_, circulatory_;
   Eigen::MatrixXcd spin_;  ///< i spin, of the first n numbers of a state

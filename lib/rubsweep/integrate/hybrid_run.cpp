@@ -11,6 +11,7 @@
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/integrate/run/work_bound.hpp"
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 
 namespace rubsweep::integrate {
 namespace {
@@ -84,7 +85,6 @@ class HybridRun {
 
  private:
   using TaylorRun = taylor::TaylorRun<N>;
-  static constexpr double full_turn = 2 * std::numbers::pi;
 
   /// Makes a turn in which friction leaves saturation: Taylor pieces until it is saturated again, and closed
   /// forms in between. The run stands where the first of these pieces begins.
@@ -134,13 +134,14 @@ class HybridRun {
   /// there is no such stretch, or where so many short ones were met that pieces continue for a while.
   bool stick(const run::TurnRequest& request, run::TurnReport& report) {
     const double phase = taylor_->phase_rad();
-    if (static_cast<double>(run_.revolution()) * full_turn + phase < end_of_pulses_rad_) return false;
+    if (static_cast<double>(run_.revolution()) * numerics::full_turn + phase < end_of_pulses_rad_)
+      return false;
     if (pieces_to_wait_ > 0) return --pieces_to_wait_, false;
     if (!sticking_) sticking_ = std::make_unique<exact::StickingStretch>(scene_);
     held_.phase_rad = phase;
     held_.state = taylor_->section();
     held_.tangent_vectors = taylor_->tangents();
-    if (!sticking_->go_on(request, taylor_->modes(), taylor_->slips(), full_turn - before_the_end,
+    if (!sticking_->go_on(request, taylor_->modes(), taylor_->slips(), numerics::full_turn - before_the_end,
                           options_.max_steps_per_revolution, held_, report)) {
       pieces_to_wait_ = wait_ = std::clamp(2 * wait_, 1, longest_wait);
       return false;

@@ -7,7 +7,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 #include "rubsweep/ramp/ramp_dynamics.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
@@ -59,7 +59,7 @@ scene::Scene reference_scene(const scene::PreparedMachine& machine, const SpeedR
 
 RampForces forces_of(const scene::PreparedMachine& machine, const SpeedRamp& ramp, const StateScale& scale) {
   const structure::Assembly& assembly = machine.assembly;
-  const numerics::SymmetricFactors mass(assembly.system.mass);
+  const numerics::dense::SymmetricFactors mass(assembly.system.mass);
   const auto solved = [&](const Eigen::VectorXcd& force) {
     const std::complex<double> i(0, 1);
     return Eigen::VectorXcd(mass.solve(Eigen::VectorXd(force.real())).cast<std::complex<double>>() +

@@ -14,7 +14,7 @@
 namespace rubsweep::response {
 namespace {
 
-constexpr std::size_t blocks = 8;
+constexpr std::size_t trend_blocks = 8;
 
 /// Squared distance of every row from the one `order` turns later.
 void square_distances(std::span<const double> rows, std::size_t width, std::size_t order,
@@ -38,23 +38,23 @@ double mean(std::span<const double> values) {
 
 /// Slope of ln distance per turn, with its error bar.
 void fit_rate(std::span<const double> squares, ClosestReturn& result) {
-  const std::size_t length = squares.size() / blocks;
-  const auto kept = squares.last(blocks * length);
+  const std::size_t length = squares.size() / trend_blocks;
+  const auto kept = squares.last(trend_blocks * length);
   std::vector<double> places, logs;
-  for (std::size_t b = 0; b < blocks; ++b) {
-    places.push_back(static_cast<double>(b) - (blocks - 1) / 2.0);
+  for (std::size_t b = 0; b < trend_blocks; ++b) {
+    places.push_back(static_cast<double>(b) - (trend_blocks - 1) / 2.0);
     logs.push_back(std::log(mean(kept.subspan(b * length, length))) / 2);
   }
   const auto [level, slope] = boost::math::statistics::simple_ordinary_least_squares(places, logs);
   double residual = 0, spread = 0;
-  for (std::size_t b = 0; b < blocks; ++b) {
+  for (std::size_t b = 0; b < trend_blocks; ++b) {
     const double error = logs[b] - level - slope * places[b];
-    residual += error * error / (blocks - 2);
+    residual += error * error / (trend_blocks - 2);
     spread += places[b] * places[b];
   }
   result.rate = slope / static_cast<double>(length);
   result.rate_error_bar =
-      student_quantile(blocks - 2) * std::sqrt(residual / spread) / static_cast<double>(length);
+      student_quantile(trend_blocks - 2) * std::sqrt(residual / spread) / static_cast<double>(length);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void fit_rate(std::span<const double> squares, ClosestReturn& result) {
 ClosestReturn closest_return(std::span<const double> rows, int states, int max_order) {
   const auto width = static_cast<std::size_t>(states);
   if (states < 1 || max_order < 1 || rows.size() % width != 0 ||
-      rows.size() / width < static_cast<std::size_t>(max_order) + 2 * blocks + 1) {
+      rows.size() / width < static_cast<std::size_t>(max_order) + 2 * trend_blocks + 1) {
     throw SolverError(fmt::format("{} numbers are no section of {} states for returns up to {} turns",
                                   rows.size(), states, max_order));
   }

@@ -12,7 +12,7 @@
 namespace rubsweep::response {
 namespace {
 
-constexpr long first_look = 200;  ///< turns after the first that is watched
+constexpr long first_watch = 200;  ///< turns after the first that is watched
 /// Exponent of a torus by smooth weights, of all turns and of either half. On 281 cells of an annular map
 /// these told all 237 tori from 29 chaotic motions and 15 others.
 constexpr double torus_exponent = 2e-4, torus_half_exponent = 8e-4;
@@ -30,7 +30,7 @@ TorusWatch::TorusWatch(const scene::Scene& scene, const motion::ResponseOptions&
               .rows = {},
               .contributions = {}},
       direction_(first_disturbance(motion_.states).normalized()),
-      look_(settled_after + std::max(first_look, 2L * options.window_revolutions)),
+      look_(settled_after + std::max(first_watch, 2L * options.window_revolutions)),
       record_begin_(last_windows()) {
   if (!wanted || !worth_a_look()) end();
 }

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/ring/divergence.hpp"
 
 namespace rubsweep::ring {
@@ -156,7 +156,7 @@ class Search {
     if (kind == Kind::zero_crossing) {
       return [this](double speed) {
         const double scaled = speed / form_.reference_rad_per_s;
-        return numerics::determinant(form_.stiffness - scaled * scaled * form_.softening);
+        return numerics::dense::determinant(form_.stiffness - scaled * scaled * form_.softening);
       };
     }
     if (kind == Kind::axis_crossing) {

@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 
 namespace rubsweep::ring {
 
 std::vector<double> divergence_speeds(const NormalForm& form) {
   // 1 / O^2 rather than O^2: K2 may be singular (loads without mass), K0 holds every spring.
-  const Eigen::MatrixXd inverse = numerics::solve_full_pivot(form.stiffness, form.softening);
-  const Eigen::VectorXcd roots = numerics::eigenvalues(inverse);
+  const Eigen::MatrixXd inverse = numerics::dense::solve_full_pivot(form.stiffness, form.softening);
+  const Eigen::VectorXcd roots = numerics::dense::eigenvalues(inverse);
   if (roots.hasNaN()) throw SolverError("divergence: the eigenvalue iteration did not converge");
   const double largest = roots.cwiseAbs().maxCoeff();
   std::vector<double> speeds;

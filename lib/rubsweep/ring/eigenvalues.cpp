@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 
 namespace rubsweep::ring {
 namespace {
@@ -17,8 +17,9 @@ using Eigen::MatrixXd;
 /// Where several roots merge at once Eigen's own limit may be too low.
 constexpr Index iterations_per_row = 4000;
 
-numerics::GeneralModes solve(const MatrixXd& matrix, bool with_vectors) {
-  numerics::GeneralModes modes = numerics::general_modes(matrix, with_vectors, iterations_per_row);
+numerics::dense::GeneralModes solve(const MatrixXd& matrix, bool with_vectors) {
+  numerics::dense::GeneralModes modes =
+      numerics::dense::general_modes(matrix, with_vectors, iterations_per_row);
   if (!modes.converged) throw SolverError("the eigenvalue iteration did not converge");
   return modes;
 }
@@ -30,12 +31,12 @@ Eigen::VectorXcd eigenvalues(const NormalForm& form, double speed_rad_per_s) {
 }
 
 Spectrum spectrum(const NormalForm& form, double speed_rad_per_s) {
-  numerics::GeneralModes all = solve(state_matrix(form, speed_rad_per_s), true);
+  numerics::dense::GeneralModes all = solve(state_matrix(form, speed_rad_per_s), true);
   Spectrum result;
   result.vectors = std::move(all.vectors);
   result.values = form.reference_rad_per_s * all.values;
   // Rows of the inverse are the left eigenvectors, scaled to y^H x = 1.
-  const MatrixXcd left = numerics::inverse(result.vectors);
+  const MatrixXcd left = numerics::dense::inverse(result.vectors);
   const MatrixXcd moved = state_matrix_slope(form, speed_rad_per_s) * result.vectors;
   result.slopes.resize(result.values.size());
   for (Index i = 0; i < result.values.size(); ++i) {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 
 namespace rubsweep::ring {
 
@@ -17,7 +17,7 @@ NormalForm normal_form(const System& system) {
   const auto scaled = [&](const MatrixXd& matrix) -> MatrixXd {
     return scale.asDiagonal() * matrix * scale.asDiagonal();
   };
-  const numerics::LuFactors mass(scaled(matrices.mass));
+  const numerics::dense::LuFactors mass(scaled(matrices.mass));
   if (!(mass.reciprocal_condition() > 1e-12)) {
     throw ConfigError("the mass matrix is singular: friction cancels the inertia of a load");
   }

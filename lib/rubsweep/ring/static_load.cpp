@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/ring/assembly.hpp"
 
 namespace rubsweep::ring {
@@ -18,8 +18,8 @@ StaticLoad static_load(const System& system, double speed_rad_per_s) {
   const double speed2 = speed_rad_per_s * speed_rad_per_s, radius = system.ring.radius_m.value();
   const Matrices matrices = assemble(system);
   const Eigen::VectorXd rest =
-      numerics::solve_full_pivot(matrices.stiffness - speed2 * matrices.softening,
-                                 Eigen::VectorXd(matrices.force + speed2 * matrices.centrifugal));
+      numerics::dense::solve_full_pivot(matrices.stiffness - speed2 * matrices.softening,
+                                        Eigen::VectorXd(matrices.force + speed2 * matrices.centrifugal));
   const auto coordinates = load_coordinates(system);
   StaticLoad result;
   for (std::size_t j = 0; j < system.loads.size(); ++j) {

@@ -1,6 +1,6 @@
 #include "rubsweep/scene/constant_load.hpp"
 
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 
 namespace rubsweep::scene {
 
@@ -22,7 +22,7 @@ Eigen::Vector2d sag_m(const PreparedMachine& prepared, std::size_t stop) {
   const auto& points = assembly.system.points;
   const Eigen::VectorXd load = static_load_n(prepared);
   if (load.isZero(0)) return Eigen::Vector2d::Zero();
-  const Eigen::VectorXd q = numerics::solve(assembly.system.stiffness, load);
+  const Eigen::VectorXd q = numerics::dense::solve(assembly.system.stiffness, load);
   Eigen::Vector2d sag = points[static_cast<std::size_t>(assembly.rotor_points[stop])].map * q;
   if (const auto casing = assembly.casing_points[stop])
     sag -= points[static_cast<std::size_t>(*casing)].map * q;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/orthogonal.hpp"
+#include "rubsweep/numerics/dense/orthogonal.hpp"
 
 namespace rubsweep::scene {
 namespace {
@@ -34,10 +34,11 @@ Eigen::VectorXd brought_to(const Wanted& wanted, const Eigen::VectorXd& state,
     rows.row(i) = row;
     values(i) = value;
   }
-  const Eigen::MatrixXd shapes = numerics::least_norm_solution(matrix, Eigen::MatrixXd(rows.transpose()));
+  const Eigen::MatrixXd shapes =
+      numerics::dense::least_norm_solution(matrix, Eigen::MatrixXd(rows.transpose()));
   const Eigen::VectorXd missing = values - rows * state;
   const Eigen::VectorXd changed =
-      state + shapes * numerics::least_norm_solution(Eigen::MatrixXd(rows * shapes), missing);
+      state + shapes * numerics::dense::least_norm_solution(Eigen::MatrixXd(rows * shapes), missing);
   if (!((rows * changed - values).norm() <= largest_miss * missing.norm()))
     throw ConfigError("start: the structure cannot be brought there, allowed: points that move freely");
   return changed;

@@ -2,8 +2,8 @@
 
 #include <complex>
 
-#include "rubsweep/numerics/lu.hpp"
-#include "rubsweep/numerics/orthogonal.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
+#include "rubsweep/numerics/dense/orthogonal.hpp"
 #include "rubsweep/scene/two_orders.hpp"
 
 namespace rubsweep::scene {
@@ -27,9 +27,9 @@ namespace {
 /// An undamped part at its own frequency makes the matrix singular, which matters only where something drives
 /// that part: else it rests (the solution of least norm).
 Eigen::VectorXcd amplitude_of(const Eigen::MatrixXcd& dynamic_stiffness, const Eigen::VectorXcd& harmonic_n) {
-  Eigen::VectorXcd amplitude = numerics::solve(dynamic_stiffness, harmonic_n);
+  Eigen::VectorXcd amplitude = numerics::dense::solve(dynamic_stiffness, harmonic_n);
   if (amplitude.allFinite()) return amplitude;
-  const Eigen::VectorXcd least = numerics::least_norm_solution(dynamic_stiffness, harmonic_n);
+  const Eigen::VectorXcd least = numerics::dense::least_norm_solution(dynamic_stiffness, harmonic_n);
   const double defect = (dynamic_stiffness * least - harmonic_n).norm();
   return defect <= 1e-12 * harmonic_n.norm() ? least : amplitude;
 }
@@ -63,7 +63,7 @@ QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_
         amplitude_of(dynamic_stiffness(structure, 2 * speed_rad_per_s), second_harmonic_n);
   }
   motion.mean = constant_n.isZero(0) ? Eigen::VectorXd(Eigen::VectorXd::Zero(constant_n.size()))
-                                     : numerics::solve(structure.stiffness, constant_n);
+                                     : numerics::dense::solve(structure.stiffness, constant_n);
   return motion;
 }
 

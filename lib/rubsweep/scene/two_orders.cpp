@@ -3,13 +3,13 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
+
+#include "rubsweep/numerics/full_turn.hpp"
 
 namespace rubsweep::scene {
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
 /// Samples of a revolution. The functions below have no order above 4, so at most four tops in it: tops
 /// nearer than two samples differ by no more than 1e-5 of the motion, and each top of the samples is refined.
 constexpr int samples = 256;
@@ -36,17 +36,17 @@ double polished(const Function& at, double phase_rad) {
 template <class Function>
 TopOfMotion top_of(const Function& at) {
   std::vector<double> values;
-  for (int k = 0; k < samples; ++k) values.push_back(at(full_turn * k / samples).value);
+  for (int k = 0; k < samples; ++k) values.push_back(at(numerics::full_turn * k / samples).value);
   const auto sampled = [&](int k) { return values[static_cast<std::size_t>((k + samples) % samples)]; };
   TopOfMotion top{-std::numeric_limits<double>::infinity(), 0};
   for (int k = 0; k < samples; ++k) {
     if (sampled(k) < sampled(k - 1) || sampled(k) <= sampled(k + 1)) continue;
     const auto below = [&](double phase_rad) { return -at(phase_rad).value; };
-    const double found = boost::math::tools::brent_find_minima(below, full_turn * (k - 1) / samples,
-                                                               full_turn * (k + 1) / samples, 26)
+    const double found = boost::math::tools::brent_find_minima(below, numerics::full_turn * (k - 1) / samples,
+                                                               numerics::full_turn * (k + 1) / samples, 26)
                              .first;
     const double phase_rad = polished(at, found), value = at(phase_rad).value;
-    if (value > top.value) top = {value, phase_rad < 0 ? phase_rad + full_turn : phase_rad};
+    if (value > top.value) top = {value, phase_rad < 0 ? phase_rad + numerics::full_turn : phase_rad};
   }
   return std::isfinite(top.value) ? top : TopOfMotion{values.front(), 0};
 }

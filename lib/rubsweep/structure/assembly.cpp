@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 
 namespace rubsweep::structure {
 
@@ -37,7 +37,7 @@ void refuse_unusable(const Assembly& assembly) {
   }
   // Each mass against its own size: a rotor of a tonne may have a casing of a gramme.
   const Eigen::VectorXd scale = system.mass.diagonal().cwiseSqrt().cwiseInverse();
-  const numerics::CholeskyFactors factor(scale.asDiagonal() * system.mass * scale.asDiagonal());
+  const numerics::dense::CholeskyFactors factor(scale.asDiagonal() * system.mass * scale.asDiagonal());
   if (!scale.allFinite() || !factor.positive_definite()) {
     throw ConfigError(
         "rotor, stops: their numbers leave a motion without mass, allowed: masses less far apart");

@@ -3,21 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <string>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/structure/beam_element.hpp"
 #include "rubsweep/structure/beam_mesh.hpp"
 #include "rubsweep/structure/matrix_shaft.hpp"
+#include "rubsweep/structure/phasor.hpp"
 
 namespace rubsweep::structure {
 namespace {
-
-std::complex<double> phasor(double amplitude, double phase_deg) {
-  return std::polar(amplitude, phase_deg * std::numbers::pi / 180);
-}
 
 /// The same coefficient at both ends of a spring or damper between two coordinates.
 void connect(Eigen::MatrixXd& matrix, Eigen::Index a, Eigen::Index b, double value) {
@@ -128,15 +124,18 @@ BeamShaft assemble_matrices(const model::RotorKit& kit, std::vector<double> stat
   add_places(kit, stations);
   for (const double station : stations) {
     if (!find_deflection(shaft.node_position_m, station))
-      throw ConfigError("rotor.degrees_of_freedom: has no node at " + std::to_string(station) +
-                        " m, where a stop, kick, sensor, load or support stands, allowed: such places at nodes");
+      throw ConfigError(
+          "rotor.degrees_of_freedom: has no node at " + std::to_string(station) +
+          " m, where a stop, kick, sensor, load or support stands, allowed: such places at nodes");
   }
   const Eigen::Index first = shaft.coordinates();
   Eigen::Index n = first;
   for (const auto& support : kit.supports) n += support.pedestal ? 1 : 0;
-  const auto enlarge = [&](Eigen::MatrixXd& matrix) { matrix.conservativeResizeLike(Eigen::MatrixXd::Zero(n, n)); };
-  for (Eigen::MatrixXd* matrix : {&shaft.mass, &shaft.gyroscopic, &shaft.damping, &shaft.elastic, &shaft.added_mass[0],
-                                  &shaft.added_mass[1]})
+  const auto enlarge = [&](Eigen::MatrixXd& matrix) {
+    matrix.conservativeResizeLike(Eigen::MatrixXd::Zero(n, n));
+  };
+  for (Eigen::MatrixXd* matrix : {&shaft.mass, &shaft.gyroscopic, &shaft.damping, &shaft.elastic,
+                                  &shaft.added_mass[0], &shaft.added_mass[1]})
     enlarge(*matrix);
   for (PlanePairs* pairs : {&shaft.support_stiffness, &shaft.support_damping}) {
     for (auto& row : *pairs) std::ranges::for_each(row, enlarge);
@@ -215,7 +214,7 @@ Eigen::VectorXd least_bent_line(const BeamShaft& shaft, const model::BowPoints& 
     right(n + i) = points.deflection_m[index];
   }
   Eigen::VectorXd line = Eigen::VectorXd::Zero(shaft.coordinates());
-  line.head(n) = numerics::solve_full_pivot(system, right).head(n);
+  line.head(n) = numerics::dense::solve_full_pivot(system, right).head(n);
   return line;
 }
 

@@ -1,18 +1,14 @@
 #include "rubsweep/structure/coupling_loads.hpp"
 
 #include <complex>
-#include <numbers>
 
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
+#include "rubsweep/structure/phasor.hpp"
 
 namespace rubsweep::structure {
 namespace {
 
 using Complex = std::complex<double>;
-
-Complex phasor(double amplitude, double phase_deg) {
-  return std::polar(amplitude, phase_deg * std::numbers::pi / 180);
-}
 
 /// Force and moment of a joint on the end behind it; the end before it feels the opposite.
 void push_ends(Eigen::VectorXcd& load, Eigen::Index before, Complex force, Complex moment) {
@@ -71,7 +67,7 @@ Eigen::VectorXcd position_at_rest(const BeamShaft& shaft, const Eigen::VectorXcd
   }
   Eigen::VectorXd both(2 * n);
   both << load.real(), load.imag();
-  const Eigen::VectorXd position = numerics::solve(stiffness, both);
+  const Eigen::VectorXd position = numerics::dense::solve(stiffness, both);
   Eigen::VectorXcd at_rest(n);
   at_rest.real() = position.head(n);
   at_rest.imag() = position.tail(n);

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/cholesky.hpp"
-#include "rubsweep/numerics/self_adjoint.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
+#include "rubsweep/numerics/dense/self_adjoint.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -81,7 +81,7 @@ PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiff
     throw ConfigError(
         "rotor: its numbers give a mass or stiffness that is no finite number, allowed: less extreme ones");
   }
-  const numerics::CholeskyFactors factor(stiffness);
+  const numerics::dense::CholeskyFactors factor(stiffness);
   if (!factor.positive_definite()) {
     throw ConfigError(
         "rotor.supports: they leave the shaft free to move as a whole, or are so much stiffer or softer than "
@@ -91,7 +91,7 @@ PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiff
   const Eigen::MatrixXd half = factor.solve_lower(mass);
   Eigen::MatrixXd inverse = factor.solve_lower(half.transpose());
   inverse = (inverse + inverse.transpose().eval()) / 2;
-  const auto all = numerics::self_adjoint_modes(inverse);
+  const auto all = numerics::dense::self_adjoint_modes(inverse);
   const Eigen::VectorXd& values = all.values;
   const Eigen::Index n = values.size();
   Eigen::Index kept = 0;

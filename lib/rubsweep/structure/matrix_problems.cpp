@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 #include "rubsweep/structure/matrix_layout.hpp"
 
 namespace rubsweep::structure {
@@ -115,7 +115,7 @@ void add_mass_problems(const model::ShaftMatrices& matrices, std::vector<MatrixP
          "a positive definite matrix"});
     return;
   }
-  if (heavy.empty() || !numerics::CholeskyFactors(part).positive_definite())
+  if (heavy.empty() || !numerics::dense::CholeskyFactors(part).positive_definite())
     problems.push_back(
         {"mass", heavy.empty() ? "is zero" : "is not positive definite: some motion has no kinetic energy",
          "a positive definite matrix"});

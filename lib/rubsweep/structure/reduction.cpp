@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/cholesky.hpp"
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/structure/reduce_to_modes.hpp"
 
 namespace rubsweep::structure {
@@ -24,7 +24,7 @@ constexpr const char* too_extreme =
 /// One plane before the reduction: all modes that may be kept, and the deflection by a force at each stop.
 struct Plane {
   Eigen::MatrixXd mass, stiffness;
-  numerics::CholeskyFactors factor;
+  numerics::dense::CholeskyFactors factor;
   PlaneModes modes;
   std::vector<Eigen::Index> seen;  ///< of `modes`
 };
@@ -34,7 +34,7 @@ Plane study_plane(const BeamShaft& shaft, std::size_t index, const std::vector<d
   plane.stiffness = shaft.plane_stiffness(index);
   plane.mass = shaft.plane_mass(index);
   plane.modes = plane_modes(plane.mass, plane.stiffness, model::RotorKit::most_modes);
-  plane.factor = numerics::CholeskyFactors(plane.stiffness);
+  plane.factor = numerics::dense::CholeskyFactors(plane.stiffness);
   std::vector<double> compliance;
   for (const double place : places_m) {
     const Eigen::Index w = shaft.deflection(place);
@@ -290,7 +290,7 @@ Eigen::MatrixXcd receptance(const BeamShaft& shaft, const PlaneBases& bases, con
       (system.stiffness - rad_per_s * rad_per_s * system.mass).cast<std::complex<double>>();
   dynamic += i * rad_per_s * (system.damping + speed_rad_per_s * system.gyroscopic);
   const Eigen::MatrixXcd forces = rows(forces_m).transpose().cast<std::complex<double>>();
-  return rows(responses_m).cast<std::complex<double>>() * numerics::solve(dynamic, forces);
+  return rows(responses_m).cast<std::complex<double>>() * numerics::dense::solve(dynamic, forces);
 }
 
 double modal_mass_kg(const BeamShaft& shaft, const Reduction& reduction, std::size_t plane, Eigen::Index j,

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "rubsweep/numerics/cholesky.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/structure/system_at.hpp"
 
 namespace rubsweep::structure {
@@ -16,7 +16,7 @@ constexpr int bisections = 30;
 
 Eigen::VectorXcd rates_per_s(const Eigen::MatrixXd& inertia, const Eigen::MatrixXd& damping,
                              const Eigen::MatrixXd& stiffness) {
-  const numerics::SymmetricFactors mass(inertia);
+  const numerics::dense::SymmetricFactors mass(inertia);
   const Eigen::Index n = inertia.rows();
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   generator.topRightCorner(n, n).setIdentity();
@@ -32,7 +32,7 @@ Eigen::VectorXcd rates_per_s(const Eigen::MatrixXd& inertia, const Eigen::Matrix
     generator.bottomLeftCorner(n, n) *= std::ldexp(1.0, -order);
   }
   // NaN where they are unknown: no vibration is reported to grow.
-  return numerics::eigenvalues(generator);
+  return numerics::dense::eigenvalues(generator);
 }
 
 Eigen::VectorXcd rates_per_s(const Assembly& assembly, double speed_rad_per_s) {

@@ -12,7 +12,7 @@
 #include "rubsweep/branch/orbits/settled_start.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/structure/tabled_support.hpp"
 #include "scene/table_machine.hpp"
@@ -42,7 +42,7 @@ double modulus_at(double r, double w) {
       0, 0, 0, 1,   //
       -(1 - w * w + stiffness), 2 * zeta * w, -2 * zeta, 2 * w, -2 * zeta * w,
       -(1 - w * w + stiffness * (1 - 1 / r)), -2 * w, -2 * zeta;
-  return std::exp(2 * std::numbers::pi / w * numerics::eigenvalues(a).real().maxCoeff());
+  return std::exp(2 * std::numbers::pi / w * numerics::dense::eigenvalues(a).real().maxCoeff());
 }
 
 TEST(SceneOrbits, FullAnnularRubWithItsFoldAndItsStability) {

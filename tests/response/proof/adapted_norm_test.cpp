@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -44,7 +44,7 @@ TEST(AdaptedNorms, EveryTurnOfAPeriodContracts) {
       monodromy = turn * monodromy;
     }
     const double wanted = std::uniform_real_distribution(0.1, 0.9999)(random);
-    const double factor = std::cbrt(wanted / numerics::spectral_radius(monodromy));
+    const double factor = std::cbrt(wanted / numerics::dense::spectral_radius(monodromy));
     for (MatrixXd& turn : turns) turn *= factor;
     const auto norms = adapted_norms(turns);
     ASSERT_TRUE(norms);

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "rubsweep/integrate/run/scaled_system.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
@@ -41,7 +41,7 @@ TEST(RotatingEquilibriumFind, FullAnnularRubAndTheMultiplierOfItsSection) {
   auto section = on_circle;
   MatrixXd monodromy = MatrixXd::Identity(4, 4);
   ASSERT_TRUE(map.carry(section, monodromy));
-  EXPECT_NEAR(circle->floquet_modulus, numerics::spectral_radius(monodromy), 1e-6);
+  EXPECT_NEAR(circle->floquet_modulus, numerics::dense::spectral_radius(monodromy), 1e-6);
 }
 
 /// y' = A (y - 1) + quadratic: a focus that the sign of `damping` makes stable.
@@ -63,7 +63,7 @@ TEST(RotatingEquilibriumFind, FindsAStablePointWithItsModulus) {
   ASSERT_TRUE(circle);
   EXPECT_LT((circle->state - VectorXd::Ones(2)).norm(), 1e-12);
   EXPECT_NEAR(circle->floquet_modulus, std::exp(-0.2 * std::numbers::pi), 1e-12);
-  EXPECT_NEAR(numerics::spectral_radius(circle->transition), circle->floquet_modulus, 1e-12);
+  EXPECT_NEAR(numerics::dense::spectral_radius(circle->transition), circle->floquet_modulus, 1e-12);
 }
 
 TEST(RotatingEquilibriumFind, RefusesAnUnstablePoint) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "rubsweep/branch/orbits/multipliers.hpp"
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/numerics/newton.hpp"
 
 namespace rubsweep::branch::continuation {
@@ -124,7 +124,7 @@ class OrbitIteration {
     }
     VectorXd right(n + 1);
     right << -defect_, 0;
-    const VectorXd step = numerics::solve(bordered(found.point.monodromy, slope_, direction_), right);
+    const VectorXd step = numerics::dense::solve(bordered(found.point.monodromy, slope_, direction_), right);
     if (!step.allFinite()) return false;
     at_ += step;
     return true;
@@ -189,12 +189,12 @@ bool complete(const orbits::OrbitProblem& problem, const VectorXd& direction, Br
   if (!best_difference(problem, point, slope)) return false;
   VectorXd right = VectorXd::Zero(direction.size());
   right(right.size() - 1) = 1;
-  VectorXd tangent = numerics::solve(bordered(point.monodromy, slope, direction), right);
+  VectorXd tangent = numerics::dense::solve(bordered(point.monodromy, slope, direction), right);
   if (!tangent.allFinite() || !(tangent.norm() > 0)) return false;
   tangent.normalize();
   if (tangent.dot(direction) < 0) tangent = -tangent;
   point.tangent = tangent;
-  point.branching = numerics::determinant(bordered(point.monodromy, slope, tangent));
+  point.branching = numerics::dense::determinant(bordered(point.monodromy, slope, tangent));
   point.multipliers = orbits::multipliers_of(point.monodromy);
   point.unstable = orbits::count_outside(point.multipliers);
   return true;

@@ -5,9 +5,9 @@
 #include <complex>
 #include <limits>
 
-#include "rubsweep/numerics/eigenvalues.hpp"
-#include "rubsweep/numerics/lu.hpp"
-#include "rubsweep/numerics/singular_values.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
+#include "rubsweep/numerics/dense/singular_values.hpp"
 
 namespace rubsweep::branch::curves {
 namespace {
@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Solution of the singular system in the space of all but the last singular value.
-VectorXd solve_but_last(const numerics::SingularValues& svd, const VectorXd& right) {
+VectorXd solve_but_last(const numerics::dense::SingularValues& svd, const VectorXd& right) {
   const Eigen::Index rank = right.size() - 1;
   return svd.v.leftCols(rank) *
          (svd.u.leftCols(rank).transpose() * right).cwiseQuotient(svd.values.head(rank));
@@ -27,7 +27,7 @@ struct SumAndProduct {
 };
 
 SumAndProduct nearest_pair(const MatrixXd& monodromy) {
-  const Eigen::VectorXcd multipliers = numerics::eigenvalues(monodromy);
+  const Eigen::VectorXcd multipliers = numerics::dense::eigenvalues(monodromy);
   SumAndProduct nearest;
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < multipliers.size(); ++i) {
@@ -47,7 +47,7 @@ SumAndProduct nearest_pair(const MatrixXd& monodromy) {
 std::optional<Condition> singular_condition(const MonodromyJet& jet, double sign) {
   const Eigen::Index n = jet.here.rows(), last = n - 1;
   const MatrixXd one = MatrixXd::Identity(n, n);
-  const numerics::SingularValues svd = numerics::singular_values(jet.here - sign * one);
+  const numerics::dense::SingularValues svd = numerics::dense::singular_values(jet.here - sign * one);
   const VectorXd left = svd.u.col(last), right = svd.v.col(last);
   const auto beside = jet.along(right);
   if (!beside) return std::nullopt;
@@ -64,7 +64,8 @@ std::optional<Condition> singular_condition(const MonodromyJet& jet, double sign
   critical.quadratic = condition.by_state.dot(right);
   // Kuznetsov, Elements of Applied Bifurcation Theory, (5.50) and (5.53), six times.
   const VectorXd squared = slope * right;
-  const VectorXd answer = sign > 0 ? solve_but_last(svd, squared) : numerics::solve(jet.here - one, squared);
+  const VectorXd answer =
+      sign > 0 ? solve_but_last(svd, squared) : numerics::dense::solve(jet.here - one, squared);
   const MatrixXd bend = (beside->ahead - 2 * jet.here + beside->behind) / (beside->step * beside->step);
   critical.cubic = left.dot(bend * right) - 3 * condition.by_state.dot(answer);
   return condition;
@@ -75,8 +76,8 @@ std::optional<Condition> pair_condition(const MonodromyJet& jet) {
   const Eigen::Index n = m.rows();
   if (n < 2) return std::nullopt;
   const auto [sum, product] = nearest_pair(m);
-  const numerics::SingularValues svd =
-      numerics::singular_values(m * m - sum * m + product * MatrixXd::Identity(n, n));
+  const numerics::dense::SingularValues svd =
+      numerics::dense::singular_values(m * m - sum * m + product * MatrixXd::Identity(n, n));
   const MatrixXd left = svd.u.rightCols(2), right = svd.v.rightCols(2);
   const Eigen::Matrix2d overlap = left.transpose() * right;
   const Eigen::MatrixXd weighed = overlap.inverse() * left.transpose();  // 2 x n

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "rubsweep/branch/orbits/multipliers.hpp"
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/numerics/newton.hpp"
 
 namespace rubsweep::branch::curves {
@@ -45,7 +45,7 @@ class CurveIteration {
     found.extended = extend(system_, found.at, difference_steps_);
     found.evaluation = found.extended.evaluation;
     if (found.evaluation != orbits::Evaluation::ok) return std::nullopt;
-    const numerics::LuFactors lu(bordered(found.extended, direction_));
+    const numerics::dense::LuFactors lu(bordered(found.extended, direction_));
     if (!(lu.reciprocal_condition() > least_condition)) {
       found.singular = true;
       return std::nullopt;
@@ -99,7 +99,7 @@ CurveCorrection correct(const ExtendedSystem& system, const continuation::Positi
 
 std::optional<CurvePoint> completed(const ExtendedSystem& system, const CurveCorrection& found,
                                     const continuation::Position& direction, double arclength) {
-  const numerics::LuFactors lu(bordered(found.extended, direction));
+  const numerics::dense::LuFactors lu(bordered(found.extended, direction));
   VectorXd along = VectorXd::Zero(direction.size());
   along(along.size() - 1) = 1;
   CurvePoint point;

@@ -5,7 +5,7 @@
 #include <complex>
 #include <limits>
 
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 
 namespace rubsweep::branch::orbits {
 namespace {
@@ -21,7 +21,7 @@ void for_each_pair(const Eigen::VectorXcd& multipliers, const Visit& visit) {
 }  // namespace
 
 Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy) {
-  Eigen::VectorXcd multipliers = numerics::eigenvalues(monodromy);
+  Eigen::VectorXcd multipliers = numerics::dense::eigenvalues(monodromy);
   std::stable_sort(multipliers.begin(), multipliers.end(),
                    [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
   for (Eigen::Index i = 0; i + 1 < multipliers.size(); ++i) {

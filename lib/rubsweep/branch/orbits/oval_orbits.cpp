@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include "rubsweep/branch/orbits/approaches.hpp"
 #include "rubsweep/branch/orbits/orbit_accuracy.hpp"
 #include "rubsweep/branch/orbits/whole_turns.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 #include "rubsweep/numerics/recently_used.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/response/rotating/rotating_flow.hpp"
@@ -25,7 +25,6 @@ using response::rotating::RotatingArc;
 using response::rotating::RotatingField;
 using response::rotating::RotatingFlow;
 
-constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double nearest_maximum = 0.2;  ///< share of a loop: farther off it is not the one that was expected
 constexpr double landed_rad = 1e-9;      ///< the rest is one small step along the motion
 constexpr int most_steps = 12;
@@ -104,12 +103,12 @@ class OvalOrbits {
     OvalScene* at = scene_at(parameter);
     if (at == nullptr) return Evaluation::infeasible;
     const Eigen::Index n = state.size() - 1;
-    const double loop_rad = full_turn * state(n);
+    const double loop_rad = numerics::full_turn * state(n);
     if (!(loop_rad > 0) || !std::isfinite(loop_rad)) return Evaluation::failed;
     const VectorXd y = state.head(n);
     const auto landing = land(*at, y, loops * loop_rad, std::min(loops, 1.0) * loop_rad);
     if (!landing) return Evaluation::failed;
-    state << landing->y, landing->angle_rad / (loops * full_turn);
+    state << landing->y, landing->angle_rad / (loops * numerics::full_turn);
     if (monodromy == nullptr) return Evaluation::ok;
     const auto arc = at->flow.from(y, landing->angle_rad);
     if (!arc || !arc->transition.allFinite()) return Evaluation::failed;
@@ -118,7 +117,7 @@ class OvalOrbits {
     const Eigen::RowVectorXd angle_by_start = -(slope.transpose() * arc->transition) / slope.dot(rate);
     *monodromy = MatrixXd::Zero(n + 1, n + 1);
     monodromy->topLeftCorner(n, n) = arc->transition + rate * angle_by_start;
-    monodromy->bottomLeftCorner(1, n) = angle_by_start / (loops * full_turn);
+    monodromy->bottomLeftCorner(1, n) = angle_by_start / (loops * numerics::full_turn);
     return Evaluation::ok;
   }
 
@@ -133,7 +132,7 @@ class OvalOrbits {
       facts.sections.push_back(section);
     }
     const Eigen::Index n = state.size() - 1;
-    const double period_rad = loops_ * full_turn * state(n);
+    const double period_rad = loops_ * numerics::full_turn * state(n);
     if (loops_ == 1) add_half_way(*at, state, facts);
     const auto arc = at->sampled_flow.from(state.head(n), period_rad);
     if (!arc) return std::nullopt;
@@ -156,11 +155,11 @@ class OvalOrbits {
     OvalScene* at = scene_at(parameter);
     if (at == nullptr) return std::nullopt;
     const double turns = state(state.size() - 1);
-    auto arc = at->sampled_flow.from(state.head(state.size() - 1), loops_ * full_turn * turns);
+    auto arc = at->sampled_flow.from(state.head(state.size() - 1), loops_ * numerics::full_turn * turns);
     if (!arc) return std::nullopt;
     ContactPassages passages;
     passages.approaches = approaches_of(
-        at->scene, {std::move(arc->samples), full_turn / samples_per_turn, false}, arc->switches);
+        at->scene, {std::move(arc->samples), numerics::full_turn / samples_per_turn, false}, arc->switches);
     passages.switches = std::move(arc->switches);
     // As every orbit has them: 2 pi for each turn of its order.
     for (Approach& approach : passages.approaches) approach.phase_rad /= turns;
@@ -173,7 +172,7 @@ class OvalOrbits {
   /// by the maximum half a period on, where there is one.
   static void add_half_way(const OvalScene& at, const VectorXd& state, OrbitFacts& facts) {
     const Eigen::Index n = state.size() - 1;
-    const double half_rad = full_turn * state(n) / 2;
+    const double half_rad = numerics::full_turn * state(n) / 2;
     const auto landing = land(at, state.head(n), half_rad, half_rad);
     if (!landing) return;
     facts.sections.push_back(state);
@@ -217,12 +216,12 @@ std::optional<VectorXd> oval_state(const scene::Scene& scene, const integrate::r
   if (!arc || arc->samples.cols() == 0) return std::nullopt;
   Eigen::Index farthest = 0;
   (at.observed() * arc->samples.topRows(point.size() / 2)).colwise().squaredNorm().maxCoeff(&farthest);
-  const double angle = full_turn * static_cast<double>(farthest) / samples_per_turn;
+  const double angle = numerics::full_turn * static_cast<double>(farthest) / samples_per_turn;
   const VectorXd near = response::rotating::turned(arc->samples.col(farthest), -angle);
   const auto landing = land(at, near, period_rad, period_rad);
   if (!landing) return std::nullopt;
   VectorXd state(point.size() + 1);
-  state << landing->y, period_rad / full_turn;
+  state << landing->y, period_rad / numerics::full_turn;
   return state;
 }
 

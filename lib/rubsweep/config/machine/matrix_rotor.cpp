@@ -12,7 +12,7 @@
 #include "rubsweep/config/machine/rotor_kit.hpp"
 #include "rubsweep/config/machine/shaft_matrices.hpp"
 #include "rubsweep/config/yaml/number.hpp"
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 #include "rubsweep/structure/beam_shaft.hpp"
 
 namespace rubsweep::config::machine {
@@ -44,7 +44,7 @@ bool refuse_excluded(yaml::Section& section) {
 void refuse_loose_matrices(yaml::Section& section, const model::RotorKit& kit) {
   const structure::BeamShaft shaft = structure::assemble_beam_shaft(kit, {});
   for (const std::size_t plane : {0U, 1U}) {
-    if (numerics::CholeskyFactors(shaft.plane_stiffness(plane)).positive_definite()) continue;
+    if (numerics::dense::CholeskyFactors(shaft.plane_stiffness(plane)).positive_definite()) continue;
     refuse(*section.find("stiffness"),
            fmt::format("is not positive definite: the rotor is free to move in {}", plane == 0 ? "x" : "y"),
            "the stiffness of a rotor that is held, or supports that hold it");

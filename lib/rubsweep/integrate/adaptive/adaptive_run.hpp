@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/integrate/run/work_bound.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 
 namespace rubsweep::integrate::adaptive {
 
@@ -35,7 +35,7 @@ class AdaptiveRun {
       : system_(run::scale<Law::coordinates>(scene)),
         dynamics_(system_, options.smoothing_m / system_.scale.length_m, of_the_law...),
         method_(make_step_method(options)),
-        pulses_(scene, system_.scale, full_turn),
+        pulses_(scene, system_.scale, numerics::full_turn),
         impulses_(scene),
         max_steps_(options.max_steps_per_revolution),
         max_evaluations_(run::most_evaluations_of_a_turn(options)),
@@ -58,7 +58,7 @@ class AdaptiveRun {
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
   /// Moves no tangent vectors.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
-                       double end_phase = full_turn) {
+                       double end_phase = numerics::full_turn) {
     end_phase_ = end_phase;
     StepObserver observer(request, report);
     const long limit = steps_ + refused_ + max_steps_;
@@ -82,7 +82,6 @@ class AdaptiveRun {
   }
 
  private:
-  static constexpr double full_turn = 2 * std::numbers::pi;
   static constexpr double smallest_size = 1e-14;
 
   void begin() {
@@ -305,7 +304,7 @@ class AdaptiveRun {
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
   /// A slip that starts at zero and leaves it, per contact.
   std::vector<bool> just_moved_;
-  double end_phase_ = full_turn;
+  double end_phase_ = numerics::full_turn;
   long revolution_ = 0;
   long steps_ = 0, refused_ = 0, switches_ = 0;
 };

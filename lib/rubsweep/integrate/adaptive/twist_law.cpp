@@ -3,14 +3,14 @@
 #include <complex>
 
 #include "rubsweep/integrate/run/state_scale.hpp"
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 
 namespace rubsweep::integrate::adaptive {
 
 TwistLaw twist_law(const scene::Scene& scene) {
   const scene::Twist& twist = *scene.twist;
   const run::StateScale scale = run::state_scale(scene);
-  const numerics::SymmetricFactors mass(scene.structure.mass);
+  const numerics::dense::SymmetricFactors mass(scene.structure.mass);
   const auto solved = [&](const Eigen::VectorXcd& force) {
     Eigen::VectorXcd solution(force.size());
     solution.real() = mass.solve(Eigen::VectorXd(force.real()));

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/numerics/certified_step.hpp"
 #include "rubsweep/numerics/cubic_maximum.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
 /// Spacing of cubics in radians of a vibration: they miss its peaks by less than h^4 / 384 of its amplitude:
 /// 2e-9 for the unbalance's own vibration, 1e-6 for faster ones, which are small beside it.
 constexpr double peak_step = 0.03, fast_peak_step = 0.15;
@@ -116,14 +115,14 @@ void StickingStretch::pass(const run::TurnRequest& request, double duration_rad,
   mode_->move(duration_rad, flows_, motion_);
   mode_->move_tangents(duration_rad, flows_, place.tangent_vectors);
   report.touched = true;
-  report.contact_fraction += duration_rad / full_turn;
+  report.contact_fraction += duration_rad / numerics::full_turn;
 }
 
 void StickingStretch::put_samples(const run::TurnRequest& request, double duration_rad,
                                   run::TurnReport& report) {
   const auto states = static_cast<std::size_t>(state_.size());
   for (int& k = report.sample_count; k < request.samples_per_revolution; ++k) {
-    const double ahead = full_turn * k / request.samples_per_revolution - motion_.phase_rad;
+    const double ahead = numerics::full_turn * k / request.samples_per_revolution - motion_.phase_rad;
     if (!(ahead < duration_rad)) return;
     at_ = motion_;
     mode_->put_flows(ahead, flows_);

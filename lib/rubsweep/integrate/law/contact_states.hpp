@@ -10,7 +10,7 @@
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/law/contact_motion.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
-#include "rubsweep/numerics/orthogonal.hpp"
+#include "rubsweep/numerics/dense/orthogonal.hpp"
 
 namespace rubsweep::integrate::law {
 
@@ -221,8 +221,8 @@ class ContactStates {
       push.col(k) = tangential_push(system_.contacts[i], f);
     }
     const Eigen::MatrixXd mobility_of_all = mobility(stuck, state);
-    by_u += push * numerics::least_norm_solution(mobility_of_all, need_u);
-    by_v += push * numerics::least_norm_solution(mobility_of_all, need_v);
+    by_u += push * numerics::dense::least_norm_solution(mobility_of_all, need_u);
+    by_v += push * numerics::dense::least_norm_solution(mobility_of_all, need_v);
   }
 
   const run::ScaledSystem<N>& system_;

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 
 namespace rubsweep::integrate::run {
 
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
-const double last_phase = std::nextafter(full_turn, 0.0);
+const double last_phase = std::nextafter(numerics::full_turn, 0.0);
 
 }  // namespace
 
@@ -25,7 +24,7 @@ Impulses::TrainPosition Impulses::position(const Train& train, long revolution) 
 
 Impulses::Impulses(const scene::Scene& scene) : elapsed_revolutions_(scene.elapsed_revolutions) {
   if (scene.impulses.empty()) return;
-  const numerics::SymmetricFactors mass(scene.structure.mass);
+  const numerics::dense::SymmetricFactors mass(scene.structure.mass);
   std::size_t most = 0;
   for (const auto& train : scene.impulses) {
     trains_.push_back({mass.solve(train.impulse_ns), train.multiple, train.phase_periods});
@@ -43,7 +42,7 @@ void Impulses::begin_turn(long revolution) {
                         end = position(train, elapsed_revolutions_ + revolution + 1);
     for (double k = begin.next; k < end.next; ++k) {
       const double periods = k - begin.whole + train.phase_periods - begin.rest;
-      instants_.push_back({std::clamp(full_turn * (periods / train.multiple), 0.0, last_phase), i});
+      instants_.push_back({std::clamp(numerics::full_turn * (periods / train.multiple), 0.0, last_phase), i});
     }
   }
   if (trains_.size() > 1)

@@ -5,13 +5,13 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/run/second_harmonic.hpp"
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
 namespace rubsweep::integrate::run {
 namespace {
 
-using MassFactor = numerics::SymmetricFactors;
+using MassFactor = numerics::dense::SymmetricFactors;
 
 template <int N>
 ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene& scene,

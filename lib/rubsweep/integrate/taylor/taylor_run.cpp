@@ -8,7 +8,7 @@
 #include "rubsweep/integrate/taylor/joint_event.hpp"
 #include "rubsweep/integrate/taylor/step_length.hpp"
 #include "rubsweep/integrate/taylor/step_peaks.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
 
 namespace rubsweep::integrate::taylor {
@@ -30,7 +30,8 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       motion_(system_, series),
       tangents_(system_),
       clock_(run::TurnClock::in_radians(scene, system_.scale)),
-      structure_rate_(numerics::spectral_radius(numerics::generator_of(system_.stiffness, system_.damping))),
+      structure_rate_(
+          numerics::dense::spectral_radius(numerics::generator_of(system_.stiffness, system_.damping))),
       creep_(series.creep_above),
       max_steps_(run::most_pieces_of_a_turn(options)),
       state_(run::scaled_initial_state(scene)),
@@ -222,7 +223,7 @@ bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration
 
 template <int N>
 void TaylorRun<N>::put_samples(run::TurnReport& report, double end_phase) {
-  const auto due = [this](int k) { return full_turn * k / samples_wanted_; };
+  const auto due = [this](int k) { return numerics::full_turn * k / samples_wanted_; };
   const int first = report.sample_count;
   int& next = report.sample_count;
   while (next < samples_wanted_ && due(next) < end_phase) ++next;
@@ -242,7 +243,7 @@ void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duratio
   }
   if (touching) {
     report.touched = true;
-    report.contact_fraction += duration / full_turn;
+    report.contact_fraction += duration / numerics::full_turn;
   }
   if (peaks_wanted_) note_peaks(motion_, system_, dynamics_.modes(), fastest, duration, states_, report);
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "rubsweep/integrate/taylor/expansion.hpp"
 #include "rubsweep/integrate/taylor/joint_event.hpp"
 #include "rubsweep/integrate/taylor/tangent_expansion.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 
 namespace rubsweep::integrate::taylor {
 
@@ -35,7 +35,7 @@ class TaylorRun {
 
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
-                       double end_phase = full_turn);
+                       double end_phase = numerics::full_turn);
 
   /// As SeriesOptions::accuracy, from the next piece on.
   void set_series_accuracy(double accuracy) { motion_.set_accuracy(accuracy); }
@@ -73,8 +73,6 @@ class TaylorRun {
   const run::Effort& effort() const { return effort_; }
 
  private:
-  static constexpr double full_turn = 2 * std::numbers::pi;
-
   void ask(const run::TurnRequest& request);
   void begin_tangents(const Eigen::MatrixXd& vectors, double accuracy);
   void enter_by_state();

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "rubsweep/numerics/cholesky.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
@@ -30,7 +30,7 @@ std::optional<AdaptedNorms> adapted_norms(const std::vector<MatrixXd>& transitio
   const MatrixXd identity = MatrixXd::Identity(size, size);
   MatrixXd monodromy = identity;
   for (const MatrixXd& turn : transitions) monodromy = turn * monodromy;
-  const double modulus = numerics::spectral_radius(monodromy);
+  const double modulus = numerics::dense::spectral_radius(monodromy);
   if (!(modulus < 1)) return std::nullopt;
   const auto turns = static_cast<double>(transitions.size());
   AdaptedNorms norms;
@@ -48,7 +48,7 @@ std::optional<AdaptedNorms> adapted_norms(const std::vector<MatrixXd>& transitio
   for (std::size_t i = transitions.size(); i-- > 0;) {
     square = identity +
              transitions[i].transpose() * square * transitions[i] / (norms.contraction * norms.contraction);
-    const numerics::CholeskyFactors factor(square);
+    const numerics::dense::CholeskyFactors factor(square);
     if (!factor.positive_definite()) return std::nullopt;
     norms.norm[i] = factor.upper();
   }

@@ -1,7 +1,7 @@
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 
-#include "rubsweep/numerics/eigenvalues.hpp"
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/numerics/newton.hpp"
 
 namespace rubsweep::response::proof {
@@ -59,7 +59,8 @@ struct OrbitNewton {
     if (!back) return std::nullopt;
     const double error = largest(back->defect);
     exactly = error < nearly_closed;
-    next_step = numerics::solve(MatrixXd::Identity(x.size(), x.size()) - back->monodromy, back->defect);
+    next_step =
+        numerics::dense::solve(MatrixXd::Identity(x.size(), x.size()) - back->monodromy, back->defect);
     return error;
   }
 
@@ -71,7 +72,7 @@ struct OrbitNewton {
   }
 
   bool step(int i) {
-    if (numerics::spectral_radius(back->monodromy) > (i == 0 ? hopeless_from_afar : 1)) return false;
+    if (numerics::dense::spectral_radius(back->monodromy) > (i == 0 ? hopeless_from_afar : 1)) return false;
     x += next_step;
     return x.allFinite() && largest(x - start) <= farthest_orbit;
   }
@@ -100,7 +101,7 @@ std::optional<StableOrbit> find_orbit(const TurnMap& turn, const TurnMap& roughl
   OrbitNewton found{.turn = turn, .roughly = roughly, .start = start, .order = order};
   if (!numerics::newton(found, newton_limits)) return std::nullopt;
   StableOrbit orbit{.order = found.back->order, .sections = {}, .transitions = {}, .floquet_modulus = 0};
-  orbit.floquet_modulus = numerics::spectral_radius(found.back->monodromy);
+  orbit.floquet_modulus = numerics::dense::spectral_radius(found.back->monodromy);
   if (!(orbit.floquet_modulus < largest_floquet_modulus) || !list_turns(turn, found.x, orbit))
     return std::nullopt;
   return orbit;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "rubsweep/contact/wall.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
-#include "rubsweep/numerics/orthogonal.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/orthogonal.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
@@ -22,7 +22,7 @@ constexpr double slow_from = 0.5;  ///< of a disturbance left after a turn
 
 /// A basis of the eigenvectors that are slow and that no contact sees.
 MatrixXd slow_directions(const MatrixXd& monodromy, double turns, const MatrixXd& seen) {
-  const numerics::Eigenvectors all = numerics::eigenvectors(monodromy);
+  const numerics::dense::Eigenvectors all = numerics::dense::eigenvectors(monodromy);
   MatrixXd basis(monodromy.rows(), 0);
   const auto add = [&basis](const VectorXd& direction) {
     basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
@@ -41,7 +41,7 @@ MatrixXd slow_directions(const MatrixXd& monodromy, double turns, const MatrixXd
 /// Orthonormal columns: the first are across the columns of `basis`, the last ones span them.
 MatrixXd across_and_along(const MatrixXd& basis) {
   const Index along = basis.cols(), size = basis.rows();
-  const MatrixXd whole = numerics::orthonormal_columns(basis, size);
+  const MatrixXd whole = numerics::dense::orthonormal_columns(basis, size);
   MatrixXd sorted(size, size);
   sorted << whole.rightCols(size - along), whole.leftCols(along);
   return sorted;

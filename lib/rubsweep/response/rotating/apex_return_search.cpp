@@ -1,7 +1,6 @@
 #include "rubsweep/response/rotating/apex_return_search.hpp"
 
-#include <numbers>
-
+#include "rubsweep/numerics/full_turn.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 
@@ -9,7 +8,6 @@ namespace rubsweep::response::rotating {
 namespace {
 
 constexpr int most_maxima = 32;
-constexpr double full_turn = 2 * std::numbers::pi;
 /// Smallest radial speed, as a share of |z| |z'|: a distance from the centre that changes more slowly is
 /// constant, as on a circle, and its maxima are those of rounding.
 constexpr double constant_rate = 1e-12;
@@ -22,7 +20,7 @@ ApexReturnSearch::ApexReturnSearch(const scene::Scene& scene)
       returns_(static_cast<std::size_t>(states_), most_maxima) {}
 
 void ApexReturnSearch::add(const integrate::run::TurnReport& turn) {
-  const double spacing = full_turn / turn.sample_count;
+  const double spacing = numerics::full_turn / turn.sample_count;
   const Eigen::Index n = states_ / 2;
   // Half the rate of |z|^2, zero where it is constant.
   const auto rate = [&](const double* state) {
@@ -54,7 +52,7 @@ void ApexReturnSearch::add_maximum(const double* before, const double* here, dou
       (1 - share) * turned(a, -phase_before_rad) + share * turned(b, -phase_before_rad - spacing_rad);
   returns_.add({state.data(), static_cast<std::size_t>(states_)}, touched);
   maxima_.push_back(
-      {full_turn * static_cast<double>(turns_) + phase_before_rad + share * spacing_rad, state});
+      {numerics::full_turn * static_cast<double>(turns_) + phase_before_rad + share * spacing_rad, state});
   ++in_turn_;
 }
 

@@ -4,9 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <vector>
 
+#include "rubsweep/numerics/full_turn.hpp"
 #include "rubsweep/response/motion/classify.hpp"
 #include "rubsweep/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/response/spectrum/orbit_shape.hpp"
@@ -15,7 +15,6 @@ namespace rubsweep::response::rotating {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double full_turn = 2 * std::numbers::pi;
 
 /// w = z e^{-i phase} and its rate at one phase, in metres.
 struct Knot {
@@ -34,7 +33,7 @@ std::vector<Knot> knots_of(const scene::Scene& scene, const RotatingArc& once, i
   };
   std::vector<Knot> knots;
   for (Eigen::Index k = 0; k < once.samples.cols(); ++k) {
-    const double phase = full_turn * static_cast<double>(k) / samples_per_revolution;
+    const double phase = numerics::full_turn * static_cast<double>(k) / samples_per_revolution;
     knots.push_back(knot(phase, once.samples.col(k), phase));
   }
   knots.push_back(knot(once.angle_rad, once.end, 0));
@@ -48,8 +47,8 @@ Complex between(const Knot& a, const Knot& b, double phase_rad) {
 }
 
 /// Equidistant samples of w over the period, the end point left out: a power of two, which many cells share,
-/// because a plan for a transform of a new length takes longer than the transform. Twice as many change no line
-/// of figure 11 by 1e-10 of the clearance.
+/// because a plan for a transform of a new length takes longer than the transform. Twice as many change no
+/// line of figure 11 by 1e-10 of the clearance.
 std::vector<Complex> one_period(const std::vector<Knot>& knots) {
   const double period = knots.back().phase_rad;
   const std::size_t count = std::bit_ceil(knots.size());
@@ -84,7 +83,7 @@ void measure_lines(const spectrum::FullSpectrum& spectrum, double spacing, doubl
 
 motion::Measures measure_cycle(const scene::Scene& scene, const RotatingArc& once,
                                const motion::ResponseOptions& options, motion::Workspace& workspace) {
-  const double turns = once.angle_rad / full_turn, spacing = 1 / turns;
+  const double turns = once.angle_rad / numerics::full_turn, spacing = 1 / turns;
   const auto w = one_period(knots_of(scene, once, options.samples_per_revolution));
   motion::Measures measures;
   measures.turns = options.window_revolutions;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/numerics/eigenvalues.hpp"
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/numerics/newton.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/response/proof/linear_convergence.hpp"
@@ -17,7 +17,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr numerics::NewtonLimits newton_limits{.iterations = 8, .free_iterations = 3, .growth = 0.5};
+constexpr numerics::NewtonLimits cycle_newton{.iterations = 8, .free_iterations = 3, .growth = 0.5};
 /// Return error of a guess: none of the 40 that were farther off, of 715 in figure 11, led to the cycle that
 /// the transient came to.
 constexpr double farthest_guess = 0.08;
@@ -41,8 +41,6 @@ struct Accuracy {
 };
 constexpr Accuracy rough{.closed = 1e-5, .trivial = 1e-2, .known_within = 1e-3};
 constexpr Accuracy exact{.closed = 1e-9, .trivial = 1e-5, .known_within = 0};
-
-double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 
 struct Closed {
   VectorXd x;
@@ -75,7 +73,7 @@ class NewtonSteps {
     return matrix;
   }
 
-  numerics::LuFactors factors_;
+  numerics::dense::LuFactors factors_;
 };
 
 /// Flows, of which the rougher makes the first step: it gains as much from so far away.
@@ -111,7 +109,7 @@ struct CycleNewton {
     const std::optional<VectorXd> end = end_of_arc(i);
     if (!end || !end->allFinite()) return std::nullopt;
     next_step = steps->from(x, *end);
-    const double error = largest(*end - x);
+    const double error = (*end - x).cwiseAbs().maxCoeff();
     if (error > (i == 0 ? farthest_guess : proof::farthest_orbit)) return std::nullopt;
     return error;
   }
@@ -125,7 +123,7 @@ struct CycleNewton {
   bool step(int) {
     x += next_step.head(x.size());
     period += next_step(x.size());
-    return x.allFinite() && largest(x - start) <= proof::farthest_orbit &&
+    return x.allFinite() && (x - start).cwiseAbs().maxCoeff() <= proof::farthest_orbit &&
            std::abs(period - guess_rad) <= period_changes * guess_rad;
   }
 };
@@ -134,7 +132,7 @@ std::optional<Closed> close(const RotatingMotion& motion, const Flows& flows, co
                             double guess_rad, const Accuracy& wanted) {
   CycleNewton found{
       .motion = motion, .flows = flows, .start = start, .guess_rad = guess_rad, .wanted = wanted};
-  if (!numerics::newton(found, newton_limits)) return std::nullopt;
+  if (!numerics::newton(found, cycle_newton)) return std::nullopt;
   const VectorXd &x = found.x, &step = found.next_step;
   if (!step.allFinite()) return Closed{x, found.period, *found.arc, x, found.period};
   return Closed{x, found.period, *found.arc, x + step.head(x.size()), found.period + step(x.size())};
@@ -143,7 +141,7 @@ std::optional<Closed> close(const RotatingMotion& motion, const Flows& flows, co
 /// Largest modulus of all multipliers but the trivial one; empty when that is not where it must be or another
 /// is too large. How far the trivial one is off 1 shows how well they are known.
 std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_within) {
-  const Eigen::VectorXcd multipliers = numerics::eigenvalues(monodromy);
+  const Eigen::VectorXcd multipliers = numerics::dense::eigenvalues(monodromy);
   Eigen::Index trivial = 0;
   const double off = (multipliers.array() - 1.0).abs().minCoeff(&trivial);
   if (!(off < trivial_within)) return std::nullopt;
@@ -178,7 +176,8 @@ bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Close
       convergence.add_prediction((norm * (off - predicted)).norm(), last, norms->contraction);
       convergence.add_contraction(last, distance, norms->contraction);
     }
-    if (largest(off) < near_by || distance < followed_down * first || convergence.passed(distance, first))
+    if (off.cwiseAbs().maxCoeff() < near_by || distance < followed_down * first ||
+        convergence.passed(distance, first))
       return true;
     if (!(distance < 4 * first) || k >= patience.turns(norms->contraction, first, distance)) return false;
     predicted = across * (cycle.once.transition * off);
@@ -219,7 +218,7 @@ int parts_of(const RotatingMotion& motion, const VectorXd& x, double period_rad,
     if (!end) break;
     here = *end;
     passed_rad = period_rad / k;
-    if (largest(here - x) < returns_early) return k;
+    if ((here - x).cwiseAbs().maxCoeff() < returns_early) return k;
   }
   return 1;
 }
@@ -242,7 +241,7 @@ std::optional<LimitCycle> prove_limit_cycle(const RotatingMotion& motion, const 
                                             const std::vector<double>& periods_rad) {
   for (const double period : periods_rad) {
     const auto nearly = close(motion, {motion.at_first, motion.roughly}, start, period, rough);
-    if (!nearly || largest(motion.rate(nearly->x)) < stands_still) continue;
+    if (!nearly || motion.rate(nearly->x).cwiseAbs().maxCoeff() < stands_still) continue;
     if (!stable_modulus(nearly->once.transition, rough.trivial)) continue;
     if (!comes_near(motion, start, *nearly)) return std::nullopt;
     return smallest_cycle(motion, *nearly);

@@ -1,20 +1,18 @@
 #include "rubsweep/response/rotating/rotating_flow.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 #include <variant>
 
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 #include "rubsweep/response/rotating/variational_dynamics.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {
-
-constexpr double full_turn = 2 * std::numbers::pi;
 
 /// Accuracy above which a flow is rough: neither its derivative nor its motion need be much better, so that
 /// fewer terms and longer steps do. Newton's iteration still gains by a thousandth.
@@ -42,7 +40,7 @@ void add_measures(const integrate::run::TurnReport& turn, double left_rad, Rotat
   }
   arc.slip_reversed = arc.slip_reversed || turn.slip_reversed;
   arc.hits += turn.hits;
-  arc.contact_fraction += turn.contact_fraction * full_turn / arc.angle_rad;
+  arc.contact_fraction += turn.contact_fraction * numerics::full_turn / arc.angle_rad;
   arc.peak_displacement_m = std::max(arc.peak_displacement_m, turn.peak_displacement_m);
   arc.peak_contact_force_n = std::max(arc.peak_contact_force_n, turn.peak_contact_force_n);
   arc.peak_casing_displacement_m = std::max(arc.peak_casing_displacement_m, turn.peak_casing_displacement_m);
@@ -63,8 +61,8 @@ HowFollowed follow_by_series(integrate::taylor::TaylorRun<N>& run, const Eigen::
   if (tolerance >= rough_from) request.tangent_accuracy = tolerance;
   run.set_series_accuracy(series_accuracy_for(tolerance));
   run.resume({state.data(), static_cast<std::size_t>(states)}, 0);
-  for (double left = arc.angle_rad; left > 0; left -= full_turn) {
-    const integrate::run::Outcome ending = run.advance(request, turn, std::min(left, full_turn));
+  for (double left = arc.angle_rad; left > 0; left -= numerics::full_turn) {
+    const integrate::run::Outcome ending = run.advance(request, turn, std::min(left, numerics::full_turn));
     if (ending != integrate::run::Outcome::ok) return HowFollowed::failed;
     if (transition) request.tangent_vectors = *turn.tangent_vectors.get();
     if (samples_per_revolution > 0) append_samples(turn, states, states, arc);
@@ -100,8 +98,8 @@ std::optional<RotatingArc> follow(const scene::Scene& scene, const integrate::ru
   request.samples_per_revolution = samples_per_revolution;
   request.peaks = samples_per_revolution > 0;
   request.switches = true;
-  for (double left = angle_rad; left > 0; left -= full_turn) {
-    const double end_phase = std::min(left, full_turn);
+  for (double left = angle_rad; left > 0; left -= numerics::full_turn) {
+    const double end_phase = std::min(left, numerics::full_turn);
     if (run.advance(request, turn, end_phase) != integrate::run::Outcome::ok) return std::nullopt;
     if (samples_per_revolution > 0) append_samples(turn, states, states * (states + 1), arc);
     add_measures(turn, left, arc);
@@ -117,8 +115,9 @@ std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate
                                       double angle_rad) {
   integrate::adaptive::AdaptiveRun<integrate::law::Dynamics<N, Smoothed>> run(scene, by_dopri5(options));
   integrate::run::TurnReport turn;
-  for (double left = angle_rad; left > 0; left -= full_turn) {
-    if (run.advance({}, turn, std::min(left, full_turn)) != integrate::run::Outcome::ok) return std::nullopt;
+  for (double left = angle_rad; left > 0; left -= numerics::full_turn) {
+    if (run.advance({}, turn, std::min(left, numerics::full_turn)) != integrate::run::Outcome::ok)
+      return std::nullopt;
   }
   const Eigen::Map<const Eigen::VectorXd> end(turn.section.data(), 2 * scene.structure.coordinates());
   return turned(end, -angle_rad);

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <utility>
 
+#include "rubsweep/numerics/full_turn.hpp"
 #include "rubsweep/response/motion/classify.hpp"
 #include "rubsweep/response/motion/section.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
@@ -19,7 +19,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double full_turn = 2 * std::numbers::pi;
 constexpr int free_for_long = 16;  ///< turns
 
 /// Samples of a turn, as many as Newton's iteration needs to start well between two of them: the coarse ones
@@ -32,7 +31,7 @@ constexpr int finer = 4;
 
 /// A transient is followed until this share of its distance from a circle is left, for so many turns at most:
 /// a later look is nearer.
-constexpr double followed_down = 1e-4;
+constexpr double followed_to = 1e-4;
 constexpr proof::Patience patience_for_a_circle{.start = 200, .most = 200};
 
 /// Turns that Newton's iteration may follow while it proves nothing: each takes about twice the time of one
@@ -90,7 +89,7 @@ bool RotatingProof::comes_near_to(const RotatingEquilibrium& circle, std::span<c
   const auto norms = proof::adapted_norms(orbit.transitions);
   if (!norms) return false;
   if (!turn_map_) turn_map_.emplace(scene_, solver_, workspace_.modes, &budget_);
-  const proof::Nearness wanted{followed_down * proof::adapted_distance(section, orbit, *norms),
+  const proof::Nearness wanted{followed_to * proof::adapted_distance(section, orbit, *norms),
                                proof::on_the_orbit, true};
   return proof::comes_near([this](std::span<double> state, Eigen::MatrixXd*) { return (*turn_map_)(state); },
                            section, orbit, *norms, wanted, patience_for_a_circle);
@@ -105,7 +104,7 @@ motion::ProvenMotion RotatingProof::measured(const RotatingEquilibrium& circle) 
   displacement_m.reserve(static_cast<std::size_t>(options_.samples_per_revolution));
   for (int k = 0; k < options_.samples_per_revolution; ++k) {
     displacement_m.push_back(std::complex(z.x(), z.y()) *
-                             std::polar(1.0, full_turn * k / options_.samples_per_revolution));
+                             std::polar(1.0, numerics::full_turn * k / options_.samples_per_revolution));
   }
   std::vector<double> section(state.data(), state.data() + state.size());
   section.insert(section.end(), state.data(), state.data() + state.size());
@@ -136,7 +135,7 @@ std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd
   maxima_->add(turn);
   if (turn.sample_count >= fine_samples) many_maxima_ = maxima_->maxima_in_turn() > few_maxima;
   const double allowed = turns_for_cycles + share_for_cycles * static_cast<double>(looked_at_);
-  if (spent_on_cycles_rad_ > full_turn * allowed) return std::nullopt;
+  if (spent_on_cycles_rad_ > numerics::full_turn * allowed) return std::nullopt;
   const auto candidate = maxima_->candidate();
   if (!candidate) return std::nullopt;
   RotatingMotion motion = flows_.motion(field_);
@@ -164,7 +163,7 @@ std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd
 bool RotatingProof::returns_with_the_shaft(const LimitCycle& cycle) const {
   const double fastest = field_.rate(cycle.state).cwiseAbs().maxCoeff();
   for (int n = 1; n <= options_.max_order; ++n) {
-    const double off_rad = std::abs(std::remainder(full_turn * n, cycle.once.angle_rad));
+    const double off_rad = std::abs(std::remainder(numerics::full_turn * n, cycle.once.angle_rad));
     if (off_rad * fastest < motion::section_tolerance) return true;
   }
   return false;

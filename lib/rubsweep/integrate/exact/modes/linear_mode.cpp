@@ -9,7 +9,7 @@
 
 #include "rubsweep/integrate/exact/modes/mode_flow.hpp"
 #include "rubsweep/integrate/exact/modes/mode_views.hpp"
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
 #include "rubsweep/numerics/modal_form.hpp"
 #include "rubsweep/numerics/pair_series.hpp"
@@ -23,7 +23,7 @@ using Matrix = Eigen::MatrixXd;
 
 /// Natural frequency of the slowest oscillator, as if undamped.
 double slowest(const Matrix& stiffness) {
-  return std::sqrt(numerics::eigenvalues(stiffness).cwiseAbs().minCoeff());
+  return std::sqrt(numerics::dense::eigenvalues(stiffness).cwiseAbs().minCoeff());
 }
 
 /// Builds the linear mode of one joint contact mode.
@@ -107,7 +107,7 @@ class ModeBuilder {
   }
 
   void set_steps() {
-    mode_->fastest_rad_per_s = numerics::spectral_radius(mode_->generator);
+    mode_->fastest_rad_per_s = numerics::dense::spectral_radius(mode_->generator);
     // Both limits decide the cost alone, since the bounds are made for whatever is the longest step. A
     // vibration of amplitude a and rate w has the bound M = a w^2, and M t^2 / 2 exceeds 2 a, all that it can
     // rise by, for t > 2 / w: steps much longer than a radian of the slowest one could not be certified. In

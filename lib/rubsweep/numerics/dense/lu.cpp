@@ -1,8 +1,8 @@
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 
 #include <Eigen/LU>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
@@ -23,4 +23,4 @@ VectorXd LuFactors::solve(const VectorXd& b) const { return lu_->solve(b); }
 MatrixXd LuFactors::solve(const MatrixXd& b) const { return lu_->solve(b); }
 double LuFactors::reciprocal_condition() const { return lu_->rcond(); }
 
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

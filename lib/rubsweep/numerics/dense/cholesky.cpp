@@ -1,8 +1,8 @@
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 
 #include <Eigen/Cholesky>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -20,4 +20,4 @@ SymmetricFactors::SymmetricFactors(const MatrixXd& a)
 VectorXd SymmetricFactors::solve(const VectorXd& b) const { return ldlt_->solve(b); }
 MatrixXd SymmetricFactors::solve(const MatrixXd& b) const { return ldlt_->solve(b); }
 
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

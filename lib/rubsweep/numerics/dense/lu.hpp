@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 
 /// LU decompositions of matrices whose size is known at run time. Here so that Eigen's templates are compiled
 /// once: a source that uses one needs seconds for them.
@@ -33,4 +33,4 @@ class LuFactors {
   std::shared_ptr<const Eigen::PartialPivLU<Eigen::MatrixXd>> lu_;
 };
 
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 
 /// Eigenvalues, smallest first, and orthonormal eigenvectors of a self-adjoint matrix
 /// (SelfAdjointEigenSolver). Here so that Eigen's templates are compiled once.
@@ -20,4 +20,4 @@ Eigen::VectorXd self_adjoint_eigenvalues(const Eigen::MatrixXd& a);
 /// The w of a x = w b x with b positive definite, smallest first (GeneralizedSelfAdjointEigenSolver).
 Eigen::VectorXd self_adjoint_eigenvalues(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

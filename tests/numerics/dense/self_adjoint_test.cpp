@@ -1,10 +1,10 @@
-#include "rubsweep/numerics/self_adjoint.hpp"
+#include "rubsweep/numerics/dense/self_adjoint.hpp"
 
 #include <gtest/gtest.h>
 
 #include <complex>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 namespace {
 
 using Eigen::MatrixXcd;
@@ -35,4 +35,4 @@ TEST(SelfAdjoint, AHermitianMatrixHasRealValues) {
 }
 
 }  // namespace
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

@@ -1,11 +1,11 @@
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <complex>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 namespace {
 
 TEST(Eigenvalues, OfADampedOscillatorAreItsRates) {
@@ -67,4 +67,4 @@ TEST(Eigenvalues, OfWhatIsNotFiniteAreNotKnown) {
 }
 
 }  // namespace
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

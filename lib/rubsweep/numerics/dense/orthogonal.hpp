@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 
 /// Orthogonal decompositions of matrices whose size is known at run time. Here so that Eigen's templates are
 /// compiled once.
@@ -16,4 +16,4 @@ Eigen::VectorXcd least_norm_solution(const Eigen::MatrixXcd& a, const Eigen::Vec
 Eigen::MatrixXd orthonormal_columns(const Eigen::MatrixXd& a, Eigen::Index count);
 Eigen::MatrixXcd orthonormal_columns(const Eigen::MatrixXcd& a, Eigen::Index count);
 
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

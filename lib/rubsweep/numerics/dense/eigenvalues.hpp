@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 
 /// Eigenvalues of a real square matrix, in the order that Eigen's EigenSolver finds them; all NaN where its
 /// iteration does not converge or the matrix is not finite. Here so that its templates are compiled once.
@@ -29,4 +29,4 @@ GeneralModes general_modes(const Eigen::MatrixXd& matrix, bool with_vectors,
 /// a generator its fastest rate. NaN where the eigenvalues are.
 double spectral_radius(const Eigen::MatrixXd& matrix);
 
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

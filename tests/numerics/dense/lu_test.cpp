@@ -1,10 +1,10 @@
-#include "rubsweep/numerics/lu.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 
 #include <gtest/gtest.h>
 
 #include <complex>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 namespace {
 
 using Eigen::MatrixXcd;
@@ -53,4 +53,4 @@ TEST(Lu, KeptFactorsSolveSeveralSidesAndKnowTheirCondition) {
 }
 
 }  // namespace
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

@@ -1,8 +1,8 @@
-#include "rubsweep/numerics/cholesky.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 namespace {
 
 using Eigen::MatrixXd;
@@ -34,4 +34,4 @@ TEST(CholeskySymmetricFactors, SolveIndefiniteMatricesToo) {
 }
 
 }  // namespace
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

@@ -1,10 +1,10 @@
-#include "rubsweep/numerics/orthogonal.hpp"
+#include "rubsweep/numerics/dense/orthogonal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <complex>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 namespace {
 
 using Eigen::MatrixXcd;
@@ -36,4 +36,4 @@ TEST(Orthogonal, ColumnsAreOrthonormalAndSpanWhatTheyCameFrom) {
 }
 
 }  // namespace
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

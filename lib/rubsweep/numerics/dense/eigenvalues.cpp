@@ -1,11 +1,11 @@
-#include "rubsweep/numerics/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 namespace {
 
 using Eigen::MatrixXd;
@@ -78,4 +78,4 @@ GeneralModes general_modes(const Eigen::MatrixXd& matrix, bool with_vectors,
 
 double spectral_radius(const MatrixXd& matrix) { return eigenvalues(matrix).cwiseAbs().maxCoeff(); }
 
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 
 /// Factors of a symmetric positive definite matrix a = lower lower^T whose size is known at run time (LLT).
 /// Here so that Eigen's templates are compiled once.
@@ -33,4 +33,4 @@ class SymmetricFactors {
   std::shared_ptr<const Eigen::LDLT<Eigen::MatrixXd>> ldlt_;
 };
 
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

@@ -1,8 +1,8 @@
-#include "rubsweep/numerics/self_adjoint.hpp"
+#include "rubsweep/numerics/dense/self_adjoint.hpp"
 
 #include <Eigen/Eigenvalues>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
@@ -28,4 +28,4 @@ VectorXd self_adjoint_eigenvalues(const MatrixXd& a, const MatrixXd& b) {
   return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(a, b, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense

@@ -1,8 +1,8 @@
-#include "rubsweep/numerics/orthogonal.hpp"
+#include "rubsweep/numerics/dense/orthogonal.hpp"
 
 #include <Eigen/QR>
 
-namespace rubsweep::numerics {
+namespace rubsweep::numerics::dense {
 
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
@@ -26,4 +26,4 @@ MatrixXcd orthonormal_columns(const MatrixXcd& a, Eigen::Index count) {
   return a.householderQr().householderQ() * MatrixXcd::Identity(a.rows(), count);
 }
 
-}  // namespace rubsweep::numerics
+}  // namespace rubsweep::numerics::dense
