@@ -1,9 +1,10 @@
 #include "rubsweep/contact/dry_friction.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "rubsweep/numerics/dense/least_norm.hpp"
 
 namespace rubsweep::contact {
 namespace {
@@ -182,7 +183,7 @@ SettledSlips settle_one(double mobility, double acceleration, double limit) {
 
 StickVector holding_forces(const StickMobility& mobility, const StickVector& acceleration) {
   if (acceleration.size() == 1) return acceleration / mobility(0, 0);
-  return mobility.completeOrthogonalDecomposition().solve(acceleration);
+  return numerics::dense::least_norm_solution(Eigen::MatrixXd(mobility), Eigen::VectorXd(acceleration));
 }
 
 SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acceleration,

@@ -13,7 +13,7 @@
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/design/unbalance_response.hpp"
 #include "rubsweep/numerics/dense/lu.hpp"
-#include "rubsweep/numerics/dense/self_adjoint.hpp"
+#include "rubsweep/numerics/spectral/hermitian.hpp"
 #include "rubsweep/structure/system_at.hpp"
 
 namespace rubsweep::design {
@@ -54,7 +54,7 @@ std::vector<double> frequencies_rad_per_s(const WhirlInStop& whirl) {
   const Eigen::MatrixXd tied = free + whirl.stiffness_n_per_m * whirl.map.transpose() * whirl.map;
   std::vector<double> found;
   for (const Eigen::MatrixXd& stiffness : {free, tied}) {
-    for (const double square : numerics::dense::self_adjoint_eigenvalues(stiffness, whirl.system.mass))
+    for (const double square : numerics::spectral::generalized_eigenvalues(stiffness, whirl.system.mass))
       if (square > 0) found.push_back(std::sqrt(square));
   }
   std::ranges::sort(found);

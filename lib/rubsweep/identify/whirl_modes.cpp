@@ -6,8 +6,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/numerics/dense/orthogonal.hpp"
-#include "rubsweep/numerics/dense/self_adjoint.hpp"
+#include "rubsweep/numerics/spectral/hermitian.hpp"
 
 namespace rubsweep::identify {
 namespace {
@@ -89,11 +88,11 @@ void WhirlProblem::part_by_direction(std::vector<WhirlMode>& modes) const {
     if (count < 2) continue;
     Eigen::MatrixXcd states(2 * n, count);
     for (Eigen::Index k = 0; k < count; ++k) states.col(k) = modes[begin + static_cast<std::size_t>(k)].state;
-    const Eigen::MatrixXcd base = numerics::dense::orthonormal_columns(states, count);
+    const Eigen::MatrixXcd base = numerics::spectral::unitary_columns(states, count);
     const Eigen::MatrixXcd places = base.topRows(n);
     // Most backward first.
     const auto directions =
-        numerics::dense::self_adjoint_modes(Eigen::MatrixXcd(places.adjoint() * spin_ * places));
+        numerics::spectral::hermitian_modes(Eigen::MatrixXcd(places.adjoint() * spin_ * places));
     const Eigen::MatrixXcd parted = base * directions.vectors;
     for (Eigen::Index k = 0; k < count; ++k) {
       WhirlMode& mode = modes[begin + static_cast<std::size_t>(k)];

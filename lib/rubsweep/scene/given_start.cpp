@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/dense/orthogonal.hpp"
+#include "rubsweep/numerics/dense/least_norm.hpp"
 
 namespace rubsweep::scene {
 namespace {

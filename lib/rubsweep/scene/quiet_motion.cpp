@@ -2,8 +2,8 @@
 
 #include <complex>
 
+#include "rubsweep/numerics/dense/least_norm.hpp"
 #include "rubsweep/numerics/dense/lu.hpp"
-#include "rubsweep/numerics/dense/orthogonal.hpp"
 #include "rubsweep/scene/two_orders.hpp"
 
 namespace rubsweep::scene {

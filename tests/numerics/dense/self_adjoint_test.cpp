@@ -2,12 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <complex>
-
 namespace rubsweep::numerics::dense {
 namespace {
 
-using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
 TEST(SelfAdjoint, ModesOfTwoEqualMassesOnThreeSpringsAreInAndOutOfPhase) {
@@ -20,18 +17,6 @@ TEST(SelfAdjoint, ModesOfTwoEqualMassesOnThreeSpringsAreInAndOutOfPhase) {
   EXPECT_NEAR(modes.vectors(0, 1), -modes.vectors(1, 1), 1e-15);
   EXPECT_EQ(self_adjoint_eigenvalues(stiffness).size(), 2);
   EXPECT_NEAR(self_adjoint_eigenvalues(stiffness)(1), 3, 1e-15);
-}
-
-TEST(SelfAdjoint, AMassMatrixDividesTheSquares) {
-  const MatrixXd stiffness{{2, -1}, {-1, 2}};
-  EXPECT_NEAR(self_adjoint_eigenvalues(stiffness, MatrixXd(4 * MatrixXd::Identity(2, 2)))(0), 0.25, 1e-15);
-}
-
-TEST(SelfAdjoint, AHermitianMatrixHasRealValues) {
-  const std::complex<double> i(0, 1);
-  const auto modes = self_adjoint_modes(MatrixXcd{{0, -i}, {i, 0}});
-  EXPECT_NEAR(modes.values(0), -1, 1e-15);
-  EXPECT_NEAR(modes.values(1), 1, 1e-15);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "rubsweep/branch/continuation/orbit_newton.hpp"
-#include "rubsweep/numerics/dense/singular_values.hpp"
+#include "rubsweep/numerics/spectral/singular_values.hpp"
 
 namespace rubsweep::branch::continuation {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 Eigen::VectorXd alternating(const Eigen::MatrixXd& monodromy) {
   const Eigen::Index n = monodromy.rows();
   const Eigen::MatrixXd sum = monodromy + Eigen::MatrixXd::Identity(n, n);
-  return numerics::dense::singular_values(sum).v.col(n - 1);
+  return numerics::spectral::singular_values(sum).v.col(n - 1);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/numerics/dense/lu.hpp"
-#include "rubsweep/numerics/dense/singular_values.hpp"
+#include "rubsweep/numerics/spectral/singular_values.hpp"
 
 namespace rubsweep::branch::curves {
 namespace {
@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Solution of the singular system in the space of all but the last singular value.
-VectorXd solve_but_last(const numerics::dense::SingularValues& svd, const VectorXd& right) {
+VectorXd solve_but_last(const numerics::spectral::SingularValues& svd, const VectorXd& right) {
   const Eigen::Index rank = right.size() - 1;
   return svd.v.leftCols(rank) *
          (svd.u.leftCols(rank).transpose() * right).cwiseQuotient(svd.values.head(rank));
@@ -47,7 +47,7 @@ SumAndProduct nearest_pair(const MatrixXd& monodromy) {
 std::optional<Condition> singular_condition(const MonodromyJet& jet, double sign) {
   const Eigen::Index n = jet.here.rows(), last = n - 1;
   const MatrixXd one = MatrixXd::Identity(n, n);
-  const numerics::dense::SingularValues svd = numerics::dense::singular_values(jet.here - sign * one);
+  const numerics::spectral::SingularValues svd = numerics::spectral::singular_values(jet.here - sign * one);
   const VectorXd left = svd.u.col(last), right = svd.v.col(last);
   const auto beside = jet.along(right);
   if (!beside) return std::nullopt;
@@ -76,8 +76,8 @@ std::optional<Condition> pair_condition(const MonodromyJet& jet) {
   const Eigen::Index n = m.rows();
   if (n < 2) return std::nullopt;
   const auto [sum, product] = nearest_pair(m);
-  const numerics::dense::SingularValues svd =
-      numerics::dense::singular_values(m * m - sum * m + product * MatrixXd::Identity(n, n));
+  const numerics::spectral::SingularValues svd =
+      numerics::spectral::singular_values(m * m - sum * m + product * MatrixXd::Identity(n, n));
   const MatrixXd left = svd.u.rightCols(2), right = svd.v.rightCols(2);
   const Eigen::Matrix2d overlap = left.transpose() * right;
   const Eigen::MatrixXd weighed = overlap.inverse() * left.transpose();  // 2 x n

@@ -1,11 +1,11 @@
 #include "rubsweep/integrate/exact/sticking_mode.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {
@@ -45,17 +45,17 @@ Eigen::MatrixXd StickingMode::take_contacts(const System& system, const std::vec
 bool StickingMode::solve_vibration(const Eigen::MatrixXd& q, const Eigen::MatrixXd& along) {
   const Eigen::Index k = q.cols();
   const Eigen::MatrixXd a = to_y_ * stiffness_ * q, c = to_y_ * damping_ * q;
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(a);
-  if (!lu.isInvertible() || lu.rcond() < least_reciprocal) return false;
-  const Eigen::MatrixXd by_drift = -lu.solve(to_y_ * stiffness_ * along);
+  const numerics::dense::FullPivotFactors lu(a);
+  if (!lu.invertible() || lu.reciprocal_condition() < least_reciprocal) return false;
+  const Eigen::MatrixXd by_drift = -lu.solve(Eigen::MatrixXd(to_y_ * stiffness_ * along));
   on_drift_ += q * by_drift;
-  on_drift_rate_ = -q * lu.solve(to_y_ * damping_ * along + c * by_drift);
-  rest_ = q * lu.solve(to_y_ * constant_);
+  on_drift_rate_ = -q * lu.solve(Eigen::MatrixXd(to_y_ * damping_ * along + c * by_drift));
+  rest_ = q * lu.solve(Eigen::VectorXd(to_y_ * constant_));
   Eigen::MatrixXcd dynamic = a.cast<Complex>() + Complex(0, 1) * c.cast<Complex>();
   dynamic.diagonal().array() -= 1.0;
   const Eigen::VectorXcd side = to_y_.cast<Complex>() * drive_;
   if (!side.isZero(0)) {
-    amplitude_ = q.cast<Complex>() * dynamic.fullPivLu().solve(side);
+    amplitude_ = q.cast<Complex>() * numerics::dense::solve_full_pivot(dynamic, side);
     if (!amplitude_.allFinite() || amplitude_.cwiseAbs().maxCoeff() > largest_amplitude) return false;
   }
   form_ = numerics::modal_form(a, c);
@@ -78,14 +78,14 @@ std::optional<StickingMode> StickingMode::make(const System& system, const std::
   if (std::ranges::any_of(system.pulses, always)) return std::nullopt;
   StickingMode mode;
   const Eigen::MatrixXd pushes = mode.take_contacts(system, modes, sticks, m);
-  const Eigen::FullPivLU<Eigen::MatrixXd> mobility(mode.rows_ * pushes);
-  if (mobility.rcond() < independent) return std::nullopt;
+  const numerics::dense::FullPivotFactors mobility(mode.rows_ * pushes);
+  if (mobility.reciprocal_condition() < independent) return std::nullopt;
   mode.hold_ = mobility.solve(mode.rows_);
   const Eigen::MatrixXd along = pushes * mobility.inverse();
 
   const Eigen::Index k = n - m;
   const Eigen::MatrixXd q =
-      k > 0 ? Eigen::MatrixXd(Eigen::FullPivLU<Eigen::MatrixXd>(mode.rows_).kernel()) : Eigen::MatrixXd(n, 0);
+      k > 0 ? numerics::dense::FullPivotFactors(mode.rows_).kernel() : Eigen::MatrixXd(n, 0);
   if (q.cols() != k) return std::nullopt;
   mode.on_drift_ = along;
   mode.on_drift_rate_ = Eigen::MatrixXd::Zero(n, m);
@@ -96,7 +96,8 @@ std::optional<StickingMode> StickingMode::make(const System& system, const std::
   mode.to_y_.resize(k, n);
   if (k > 0) {
     const Eigen::MatrixXd project = Eigen::MatrixXd::Identity(n, n) - along * mode.rows_;
-    mode.to_y_ = (q.transpose() * q).ldlt().solve(q.transpose()) * project;
+    mode.to_y_ =
+        numerics::dense::SymmetricFactors(q.transpose() * q).solve(Eigen::MatrixXd(q.transpose())) * project;
     if (!mode.solve_vibration(q, along)) return std::nullopt;
   }
   mode.add_guards(system, modes, sticks);

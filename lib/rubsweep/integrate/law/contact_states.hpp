@@ -10,7 +10,7 @@
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/integrate/law/contact_motion.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
-#include "rubsweep/numerics/dense/orthogonal.hpp"
+#include "rubsweep/numerics/dense/least_norm.hpp"
 
 namespace rubsweep::integrate::law {
 

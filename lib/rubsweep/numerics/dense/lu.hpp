@@ -20,6 +20,7 @@ double determinant(const Eigen::MatrixXd& a);
 /// a^-1 b by fullPivLu, for matrices that may be close to singular.
 Eigen::VectorXd solve_full_pivot(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd solve_full_pivot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+Eigen::VectorXcd solve_full_pivot(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 
 /// Factors of a square matrix (PartialPivLU), kept for several right-hand sides.
 class LuFactors {
@@ -31,6 +32,21 @@ class LuFactors {
 
  private:
   std::shared_ptr<const Eigen::PartialPivLU<Eigen::MatrixXd>> lu_;
+};
+
+/// Factors of a matrix with pivots from all rows and columns (FullPivLU), which tell its rank.
+class FullPivotFactors {
+ public:
+  explicit FullPivotFactors(const Eigen::MatrixXd& a);
+  bool invertible() const;              ///< square and of full rank
+  double reciprocal_condition() const;  ///< estimated, in the 1-norm
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+  Eigen::MatrixXd inverse() const;
+  Eigen::MatrixXd kernel() const;  ///< basis, one vector a column; a zero column where only zero is in it
+
+ private:
+  std::shared_ptr<const Eigen::FullPivLU<Eigen::MatrixXd>> lu_;
 };
 
 }  // namespace rubsweep::numerics::dense

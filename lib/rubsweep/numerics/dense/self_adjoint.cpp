@@ -1,31 +1,22 @@
 #include "rubsweep/numerics/dense/self_adjoint.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <limits>
 
 namespace rubsweep::numerics::dense {
 
-using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-namespace {
-
-template <class Matrix>
-SelfAdjointModes<Matrix> modes_of(const Matrix& a) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(a);
+SelfAdjointModes<MatrixXd> self_adjoint_modes(const MatrixXd& a) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(a);
   return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
 }
 
-}  // namespace
-
-SelfAdjointModes<MatrixXd> self_adjoint_modes(const MatrixXd& a) { return modes_of(a); }
-SelfAdjointModes<MatrixXcd> self_adjoint_modes(const MatrixXcd& a) { return modes_of(a); }
-
 VectorXd self_adjoint_eigenvalues(const MatrixXd& a) {
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(a, Eigen::EigenvaluesOnly).eigenvalues();
-}
-VectorXd self_adjoint_eigenvalues(const MatrixXd& a, const MatrixXd& b) {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(a, b, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(a, Eigen::EigenvaluesOnly);
+  if (solver.info() == Eigen::Success) return solver.eigenvalues();
+  return VectorXd::Constant(a.rows(), std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace rubsweep::numerics::dense

@@ -13,11 +13,8 @@ struct SelfAdjointModes {
   bool converged = false;
 };
 SelfAdjointModes<Eigen::MatrixXd> self_adjoint_modes(const Eigen::MatrixXd& a);
-SelfAdjointModes<Eigen::MatrixXcd> self_adjoint_modes(const Eigen::MatrixXcd& a);
 
-/// Eigenvalues of a symmetric matrix alone, smallest first.
+/// Eigenvalues of a symmetric matrix alone, smallest first; all NaN where the iteration does not converge.
 Eigen::VectorXd self_adjoint_eigenvalues(const Eigen::MatrixXd& a);
-/// The w of a x = w b x with b positive definite, smallest first (GeneralizedSelfAdjointEigenSolver).
-Eigen::VectorXd self_adjoint_eigenvalues(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 }  // namespace rubsweep::numerics::dense

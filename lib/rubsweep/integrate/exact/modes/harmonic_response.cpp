@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/numerics/exponential_series.hpp"
 
 namespace rubsweep::integrate::exact::modes {
@@ -78,9 +79,14 @@ bool make_harmonic_response(const LinearMode<N>& mode, const Eigen::VectorXcd& f
   response.amplitude.setZero(n);
   if constexpr (N != Eigen::Dynamic) response.unrounded_amplitude.setZero(n);
   if (!force.isZero(0)) {
-    const auto factors = dynamic_stiffness<N>(mode.stiffness, mode.damping, rate).partialPivLu();
-    response.amplitude = factors.solve(Eigen::Matrix<Complex, N, 1>(force));
-    if constexpr (N != Eigen::Dynamic) refine(mode.unrounded, factors, force, response);
+    const auto dynamic = dynamic_stiffness<N>(mode.stiffness, mode.damping, rate);
+    if constexpr (N == Eigen::Dynamic) {
+      response.amplitude = numerics::dense::solve(dynamic, force);
+    } else {
+      const auto factors = dynamic.partialPivLu();
+      response.amplitude = factors.solve(Eigen::Matrix<Complex, N, 1>(force));
+      refine(mode.unrounded, factors, force, response);
+    }
     if (!response.amplitude.allFinite() || response.amplitude.cwiseAbs().maxCoeff() > largest_amplitude)
       return false;
   }

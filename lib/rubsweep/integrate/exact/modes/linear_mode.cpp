@@ -10,6 +10,7 @@
 #include "rubsweep/integrate/exact/modes/mode_flow.hpp"
 #include "rubsweep/integrate/exact/modes/mode_views.hpp"
 #include "rubsweep/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/numerics/matrix_flow.hpp"
 #include "rubsweep/numerics/modal_form.hpp"
 #include "rubsweep/numerics/pair_series.hpp"
@@ -88,8 +89,8 @@ class ModeBuilder {
   }
 
   bool find_rest() {
-    const Eigen::FullPivLU<Matrix> lu(mode_->stiffness);
-    if (!lu.isInvertible() || lu.rcond() < 1e-14) return false;
+    const numerics::dense::FullPivotFactors lu(mode_->stiffness);
+    if (!lu.invertible() || lu.reciprocal_condition() < 1e-14) return false;
     if constexpr (unrounded) {
       mode_->unrounded.rest = mode_->unrounded.stiffness.fullPivLu().solve(constant_);
       mode_->rest = mode_->unrounded.rest.template cast<double>();

@@ -1,6 +1,6 @@
 #include "rubsweep/integrate/exact/tube/exact_tube.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +11,7 @@
 #include "rubsweep/integrate/exact/tube/tube_switch.hpp"
 #include "rubsweep/integrate/run/coordinates.hpp"
 #include "rubsweep/numerics/certified_step.hpp"
+#include "rubsweep/numerics/dense/self_adjoint.hpp"
 #include "rubsweep/numerics/step_table.hpp"
 
 namespace rubsweep::integrate::exact::tube {
@@ -21,9 +22,9 @@ double spectral_norm(const Eigen::MatrixXd& matrix) {
   if (matrix.size() == 0) return 0;
   const Eigen::MatrixXd square = matrix.transpose() * matrix;
   if (!square.allFinite()) return std::numeric_limits<double>::infinity();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(square, Eigen::EigenvaluesOnly);
-  if (solver.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
-  return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
+  const Eigen::VectorXd squares = numerics::dense::self_adjoint_eigenvalues(square);
+  if (!squares.allFinite()) return std::numeric_limits<double>::infinity();
+  return std::sqrt(std::max(0.0, squares.maxCoeff()));
 }
 
 /// Follows the reference by certified steps and records the limits that the tube must keep away from.

@@ -1,12 +1,12 @@
-#include "rubsweep/numerics/dense/singular_values.hpp"
+#include "rubsweep/numerics/spectral/singular_values.hpp"
 
 #include <Eigen/SVD>
 
-namespace rubsweep::numerics::dense {
+namespace rubsweep::numerics::spectral {
 
 SingularValues singular_values(const Eigen::MatrixXd& a) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return {svd.matrixU(), svd.matrixV(), svd.singularValues()};
 }
 
-}  // namespace rubsweep::numerics::dense
+}  // namespace rubsweep::numerics::spectral

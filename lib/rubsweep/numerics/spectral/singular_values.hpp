@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace rubsweep::numerics::dense {
+namespace rubsweep::numerics::spectral {
 
 /// Singular value decomposition a = u diag(values) v^T of a square matrix (JacobiSVD), largest value first.
 /// Here so that Eigen's templates are compiled once.
@@ -12,4 +12,4 @@ struct SingularValues {
 };
 SingularValues singular_values(const Eigen::MatrixXd& a);
 
-}  // namespace rubsweep::numerics::dense
+}  // namespace rubsweep::numerics::spectral

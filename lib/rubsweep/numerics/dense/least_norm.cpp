@@ -1,4 +1,4 @@
-#include "rubsweep/numerics/dense/orthogonal.hpp"
+#include "rubsweep/numerics/dense/least_norm.hpp"
 
 #include <Eigen/QR>
 
@@ -17,13 +17,6 @@ MatrixXd least_norm_solution(const MatrixXd& a, const MatrixXd& b) {
 }
 VectorXcd least_norm_solution(const MatrixXcd& a, const VectorXcd& b) {
   return a.completeOrthogonalDecomposition().solve(b);
-}
-
-MatrixXd orthonormal_columns(const MatrixXd& a, Eigen::Index count) {
-  return a.householderQr().householderQ() * MatrixXd::Identity(a.rows(), count);
-}
-MatrixXcd orthonormal_columns(const MatrixXcd& a, Eigen::Index count) {
-  return a.householderQr().householderQ() * MatrixXcd::Identity(a.rows(), count);
 }
 
 }  // namespace rubsweep::numerics::dense

@@ -1,8 +1,8 @@
-#include "rubsweep/numerics/dense/singular_values.hpp"
+#include "rubsweep/numerics/spectral/singular_values.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rubsweep::numerics::dense {
+namespace rubsweep::numerics::spectral {
 namespace {
 
 using Eigen::MatrixXd;
@@ -24,4 +24,4 @@ TEST(SingularValues, LastColumnsAreNullVectorsOfASingularMatrix) {
 }
 
 }  // namespace
-}  // namespace rubsweep::numerics::dense
+}  // namespace rubsweep::numerics::spectral

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rubsweep::numerics::dense {
+
+/// The x of least norm among those of least |a x - b|, by completeOrthogonalDecomposition, of matrices whose
+/// size is known at run time. Here so that Eigen's templates are compiled once.
+Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+Eigen::MatrixXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+Eigen::VectorXcd least_norm_solution(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
+
+}  // namespace rubsweep::numerics::dense

@@ -1,0 +1,25 @@
+#include "rubsweep/numerics/spectral/hermitian.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+namespace rubsweep::numerics::spectral {
+
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+dense::SelfAdjointModes<MatrixXcd> hermitian_modes(const MatrixXcd& a) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXcd> solver(a);
+  return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
+}
+
+VectorXd generalized_eigenvalues(const MatrixXd& a, const MatrixXd& b) {
+  return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(a, b, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+MatrixXcd unitary_columns(const MatrixXcd& a, Eigen::Index count) {
+  return a.householderQr().householderQ() * MatrixXcd::Identity(a.rows(), count);
+}
+
+}  // namespace rubsweep::numerics::spectral
