@@ -16,7 +16,16 @@ MatrixXd least_norm_solution(const MatrixXd& a, const MatrixXd& b) {
   return a.completeOrthogonalDecomposition().solve(b);
 }
 VectorXcd least_norm_solution(const MatrixXcd& a, const VectorXcd& b) {
-  return a.completeOrthogonalDecomposition().solve(b);
+  const Eigen::Index rows = a.rows(), columns = a.cols();
+  MatrixXd parts(2 * rows, 2 * columns);
+  parts << a.real(), -a.imag(), a.imag(), a.real();
+  VectorXd sides(2 * rows);
+  sides << b.real(), b.imag();
+  const VectorXd x = least_norm_solution(parts, sides);
+  VectorXcd joined(columns);
+  joined.real() = x.head(columns);
+  joined.imag() = x.tail(columns);
+  return joined;
 }
 
 }  // namespace rubsweep::numerics::dense

@@ -8,6 +8,7 @@ namespace rubsweep::numerics::dense {
 /// size is known at run time. Here so that Eigen's templates are compiled once.
 Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+/// By real and imaginary parts, whose least squares and norm are the same.
 Eigen::VectorXcd least_norm_solution(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 
 }  // namespace rubsweep::numerics::dense
