@@ -20,6 +20,7 @@
 #include "rubsweep/identify/experiment.hpp"
 #include "rubsweep/identify/experiment_tables.hpp"
 #include "rubsweep/line/follow_line.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/ramp/ramp_record.hpp"
 #include "rubsweep/ramp/ramp_tables.hpp"
 #include "rubsweep/structure/tabled_support.hpp"
@@ -123,9 +124,10 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   if (arguments.campbell) return campbell_diagram(*arguments.campbell, described);
   const identify::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
   if (const auto& ramp = arguments.run_up) {
-    return outcome_of(identify::tables_of(
-        identify::run_up(machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s, ramp->eccentricity_m, sampling),
-        arguments.shown));
+    return outcome_of(
+        identify::tables_of(identify::run_up(machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s,
+                                             ramp->eccentricity_m, sampling),
+                            arguments.shown));
   }
   if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
   const double slowest_hz = identify::lowest_frequency_hz(machine);
@@ -142,10 +144,11 @@ std::pair<const char*, std::string> drawing_of(const RubtraceArguments& argument
   if (arguments.campbell) return {"campbell", "Campbell diagram"};
   const ramp::SpeedRamp& ramp = arguments.run_up.value();
   return {arguments.with_stops ? "run-up" : "bode",
-          fmt::format("Run-{} {}, {:.4g} to {:.4g} Hz at {:.4g} Hz/s, eccentricity {:.4g} mm",
+          fmt::format("Run-{} {}, {} at {:.4g} Hz/s, eccentricity {:.4g} mm",
                       ramp.to_hz > ramp.from_hz ? "up" : "down",
-                      arguments.with_stops ? "through rub" : "without stops", ramp.from_hz, ramp.to_hz,
-                      ramp.rate_hz_per_s, 1e3 * ramp.eccentricity_m)};
+                      arguments.with_stops ? "through rub" : "without stops",
+                      model::speed_range_text(ramp.from_hz, ramp.to_hz, 4), ramp.rate_hz_per_s,
+                      1e3 * ramp.eccentricity_m)};
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ TEST(UnitSlips, SeeTwoAxesThatAreSwapped) {
   const auto all = of_minimal(swapped);
   ASSERT_EQ(all.size(), 1U);
   EXPECT_TRUE(
-      all.front().ends_with("sweep: speeds up to 0.9 Hz and whirl ratios up to 90 (the two axes swapped?)"))
+      all.front().ends_with("sweep: speeds up to 0.9 Hz (54 rpm) and whirl ratios up to 90 (the two axes swapped?)"))
       << all.front();
 }
 
