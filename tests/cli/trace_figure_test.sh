@@ -28,7 +28,7 @@ expect_picture() {
 
 draw 0 rub --output out/first --heading Heading
 expect_picture out/first 1
-for text in Heading 'subharmonic 1/2: 90 Hz = 3 × natural frequency, whirl ratio 0.6' 'time (ms)' 'moving wall' kick 1/2X; do
+for text in Heading 'subharmonic 1/2: 90 Hz (5400 rpm) = 3 × natural frequency, whirl ratio 0.6' 'time (ms)' 'moving wall' kick 1/2X; do
   expect_contains out/first.svg "$text"
 done
 draw 0 rub --output out/last --revolutions -12
@@ -36,7 +36,7 @@ expect_picture out/last 1
 expect_contains out/last.svg 'time after revolution 88 (ms)'
 draw 0 rub quiet bare --output out/rows --revolutions 20
 expect_picture out/rows 3
-expect_contains out/rows.svg 'no contact: 54 Hz'
+expect_contains out/rows.svg 'no contact: 54 Hz (3240 rpm)'
 draw 0 bare --output out/bare --revolutions 20
 expect_picture out/bare 1
 ! grep -q 'moving wall' out/bare.svg || fail 'a rigid wall does not move'
