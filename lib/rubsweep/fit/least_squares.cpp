@@ -7,6 +7,7 @@
 #include <future>
 #include <memory>
 #include <random>
+#include <utility>
 
 #include "rubsweep/error.hpp"
 
@@ -15,11 +16,16 @@ namespace {
 
 constexpr double relative_step = 1e-5;
 
-/// Residuals and derivatives at one point, made once for all residuals.
+bool is_stopped(const LeastSquaresOptions& options) {
+  return options.stop != nullptr && options.stop->load();
+}
+
+/// Residuals and derivatives at one point, made once for all residuals; impossible once the fit is stopped.
 class Evaluation : public ceres::EvaluationCallback {
  public:
-  explicit Evaluation(const LeastSquares& problem)
+  Evaluation(const LeastSquares& problem, const LeastSquaresOptions& options)
       : problem_(problem),
+        options_(options),
         scaled_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.parameters.size()))) {}
 
   double* scaled() { return scaled_.data(); }
@@ -48,6 +54,7 @@ class Evaluation : public ceres::EvaluationCallback {
   }
 
   bool evaluate(const Eigen::VectorXd& scaled, Eigen::VectorXd& residuals) const {
+    if (is_stopped(options_)) return false;
     try {
       residuals = problem_.residuals(values_of(scaled));
       return residuals.allFinite();
@@ -86,6 +93,7 @@ class Evaluation : public ceres::EvaluationCallback {
   }
 
   const LeastSquares& problem_;
+  const LeastSquaresOptions& options_;
   Eigen::VectorXd scaled_, residuals_;
   Eigen::MatrixXd jacobian_;
   bool possible_ = false;
@@ -115,6 +123,13 @@ class Residual : public ceres::CostFunction {
   Eigen::Index row_;
 };
 
+/// Point that a descent has reached; no value before its derivatives are there.
+struct Reached {
+  Eigen::VectorXd value, residuals;
+  Eigen::MatrixXd jacobian;
+  double cost = INFINITY;
+};
+
 class Watch : public ceres::IterationCallback {
  public:
   Watch(const LeastSquares& problem, const Evaluation& evaluation, const LeastSquaresOptions& options,
@@ -123,22 +138,26 @@ class Watch : public ceres::IterationCallback {
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     if (problem_.accepted && summary.step_is_successful) problem_.accepted(evaluation_.values());
     if (options_.on_iteration) options_.on_iteration(start_, summary.iteration, summary.cost);
-    const bool stop = options_.stop != nullptr && options_.stop->load();
-    return stop ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    if ((summary.iteration == 0 || summary.step_is_successful) && evaluation_.jacobian().size() > 0)
+      reached_ = {evaluation_.values(), evaluation_.residuals(), evaluation_.jacobian(), summary.cost};
+    return is_stopped(options_) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
+
+  const Reached& reached() const { return reached_; }
 
  private:
   const LeastSquares& problem_;
   const Evaluation& evaluation_;
   const LeastSquaresOptions& options_;
   int start_;
+  Reached reached_;
 };
 
 /// Descent from one start. Empty cost (infinite) where nothing can be had there.
 LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& from,
                         const LeastSquaresOptions& options, int start, double robust_size) {
   const auto count = static_cast<Eigen::Index>(problem.parameters.size());
-  Evaluation evaluation(problem);
+  Evaluation evaluation(problem, options);
   for (Eigen::Index i = 0; i < count; ++i)
     evaluation.scaled()[i] = from(i) / problem.parameters[static_cast<std::size_t>(i)].scale;
   evaluation.PrepareForEvaluation(false, true);
@@ -170,22 +189,30 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& from
   how.update_state_every_iteration = true;
   ceres::Solver::Summary summary;
   ceres::Solve(how, &descent, &summary);
-  if (!summary.IsSolutionUsable()) return fit;
-  evaluation.PrepareForEvaluation(true, true);
-  if (!evaluation.possible()) return fit;
-  fit.value = evaluation.values();
-  fit.residuals = evaluation.residuals();
-  fit.jacobian = evaluation.jacobian();
+  fit.stopped = is_stopped(options);
+  Reached reached = watch.reached();
+  if (!fit.stopped) {
+    if (!summary.IsSolutionUsable()) return fit;
+    evaluation.PrepareForEvaluation(true, true);
+    if (evaluation.possible())
+      reached = {evaluation.values(), evaluation.residuals(), evaluation.jacobian(), summary.final_cost};
+    else if (!is_stopped(options))
+      return fit;
+    fit.stopped = is_stopped(options);
+  }
+  if (reached.value.size() == 0) return fit;
+  fit.value = std::move(reached.value);
+  fit.residuals = std::move(reached.residuals);
+  fit.jacobian = std::move(reached.jacobian);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Parameter& parameter = problem.parameters[static_cast<std::size_t>(i)];
     fit.jacobian.col(i) /= parameter.scale;
     const double room = std::min(fit.value(i) - parameter.low, parameter.high - fit.value(i));
     fit.at_bound.push_back(room < 1e-6 * (parameter.high - parameter.low));
   }
-  fit.cost = summary.final_cost;
+  fit.cost = reached.cost;
   fit.iterations = static_cast<int>(summary.iterations.size()) - 1;
   fit.converged = summary.termination_type == ceres::CONVERGENCE;
-  fit.stopped = options.stop != nullptr && options.stop->load();
   return fit;
 }
 
@@ -213,12 +240,13 @@ LeastSquaresFit least_squares(const LeastSquares& problem, const LeastSquaresOpt
   for (int k = 0; k < options.starts; ++k) {
     if (k > 0) start = drawn_start(problem, random);
     LeastSquaresFit fit = descend(problem, start, options, k, 0);
-    if (k == 0 && !(fit.cost < INFINITY))
+    if (k == 0 && !(fit.cost < INFINITY) && !is_stopped(options))
       throw SolverError("fit: the model cannot be computed at the first values of the parameters");
     costs.push_back(fit.cost);
     if (k == 0 || fit.cost < best.cost) best = std::move(fit);
-    if (best.stopped) break;
+    if (is_stopped(options)) break;
   }
+  best.stopped = is_stopped(options);
   best.starts = static_cast<int>(costs.size());
   best.agreeing =
       static_cast<int>(std::ranges::count_if(costs, [&](double cost) { return cost <= 1.01 * best.cost; }));
@@ -226,6 +254,7 @@ LeastSquaresFit least_squares(const LeastSquares& problem, const LeastSquaresOpt
     const double size = options.robust_beyond *
                         std::sqrt(best.residuals.squaredNorm() / static_cast<double>(best.residuals.size()));
     LeastSquaresFit robust = descend(problem, best.value, options, options.starts, size);
+    best.stopped = is_stopped(options);
     if (robust.cost < INFINITY) {
       robust.starts = best.starts;
       robust.agreeing = best.agreeing;
