@@ -55,6 +55,7 @@ void add_comparison(const config::RunConfig& config, const CellArgument& cell, c
 }
 
 int look(const RubscopeArguments& arguments) {
+  end_on_interrupts("nothing was written");
   const fs::path& file = arguments.recording;
   const auto& compared = arguments.compared;
   // Read before anything is computed.
@@ -79,7 +80,6 @@ int look(const RubscopeArguments& arguments) {
   scope::ScopeTables tables = changing ? scope::tables_of_run(recording, arguments.orders, arguments.shown)
                                        : scope::tables_of(recording, verdict, arguments.orders, arguments.shown);
   const ResultDirectory made(arguments.directory, file_names);
-  end_on_interrupts("nothing was written");
   batch::ResultFiles files{{"turns.csv", std::move(tables.turns_csv)},
                            {"bode.csv", std::move(tables.bode_csv)},
                            {"waterfall.csv", std::move(tables.waterfall_csv)},
@@ -90,8 +90,12 @@ int look(const RubscopeArguments& arguments) {
   }
   if (compared) add_comparison(*config, compared->cell, recording, verdict, arguments.shown, files, tables.summary);
   working.reset();
-  batch::write_result_files(files, file_names, arguments.directory,
-                            {"rubscope", config::digest_of(description + text), {}});
+  {
+    const InterruptsWait whole_set;
+    batch::write_result_files(files, file_names, arguments.directory,
+                              {"rubscope", config::digest_of(description + text), {}});
+    end_on_interrupts("the files are written");
+  }
   if (!arguments.quiet) print("{}{}", tables.summary, batch::files_line(files, arguments.directory));
   if (const auto& figure = arguments.figure) {
     figure->draw("scope", arguments.directory, file.filename().string(), drawn_lengths(arguments.shown, true, true));
