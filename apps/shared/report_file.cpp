@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string interrupted(std::string_view program) {
-  return fmt::format("{}: interrupted, no report was written; the map is as it was\n", program);
+  return fmt::format("{}: interrupted; no report was written, the map is as it was\n", program);
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ std::string comparison_figure(const MapComparison& comparison, const std::string
       "set ylabel {}\n"
       "set tics out nomirror\n"
       "{}"
-      "set tmargin at screen 0.86\n"
+      "set tmargin at screen 0.85\n"
       "set rmargin at screen 0.74\n"
       "set key at screen 0.755, graph 1 left top Left reverse samplen 1.5 spacing 1.4\n"
       "set autoscale noextend\n"
