@@ -103,7 +103,7 @@ class MapView {
       g.append("g").attr("class", "rpm").attr("transform", `translate(0,${margin.top})`)
         .call(d3.axisTop(rpm).ticks(Math.max(3, this.width / 90), "~f"));
       g.append("text").attr("class", "label").attr("text-anchor", "end").attr("x", margin.left - 8)
-        .attr("y", margin.top - 6).text("rpm");
+        .attr("y", margin.top - 9).text("rpm");
     }
     g.append("text").attr("class", "label").attr("text-anchor", "middle")
       .attr("x", (margin.left + this.width - margin.right) / 2).attr("y", this.height - 8).text(axisTitle(across));
