@@ -20,7 +20,8 @@ bool is_stopped(const LeastSquaresOptions& options) {
   return options.stop != nullptr && options.stop->load();
 }
 
-/// Residuals and derivatives at one point, made once for all residuals; impossible once the fit is stopped.
+/// Residuals and derivatives at one point, made once for all residuals. Once the fit is stopped nothing is
+/// evaluated any more, and the solver gets numbers with which it comes to its end without a complaint.
 class Evaluation : public ceres::EvaluationCallback {
  public:
   Evaluation(const LeastSquares& problem, const LeastSquaresOptions& options)
@@ -33,6 +34,10 @@ class Evaluation : public ceres::EvaluationCallback {
   Eigen::VectorXd values() const { return values_of(scaled_); }
 
   void PrepareForEvaluation(bool with_jacobian, bool new_point) override {
+    if (is_stopped(options_) && residuals_.size() > 0) {
+      leave_off();
+      return;
+    }
     if (new_point || residuals_.size() == 0) {
       possible_ = evaluate(scaled_, residuals_);
       jacobian_.resize(0, 0);
@@ -41,6 +46,8 @@ class Evaluation : public ceres::EvaluationCallback {
   }
 
   bool possible() const { return possible_; }
+  /// Whether residuals and derivatives are those of the point.
+  bool whole() const { return whole_; }
   const Eigen::VectorXd& residuals() const { return residuals_; }
   /// With respect to parameters in units of their scales.
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
@@ -90,13 +97,20 @@ class Evaluation : public ceres::EvaluationCallback {
     auto other = std::async(std::launch::async, every_second, 1);
     const bool mine = every_second(0);
     possible_ = other.get() && mine;
+    if (is_stopped(options_)) leave_off();
+  }
+
+  void leave_off() {
+    whole_ = false;
+    possible_ = true;
+    jacobian_.setZero(residuals_.size(), scaled_.size());
   }
 
   const LeastSquares& problem_;
   const LeastSquaresOptions& options_;
   Eigen::VectorXd scaled_, residuals_;
   Eigen::MatrixXd jacobian_;
-  bool possible_ = false;
+  bool possible_ = false, whole_ = true;
 };
 
 /// One residual, read from the evaluation.
@@ -138,7 +152,7 @@ class Watch : public ceres::IterationCallback {
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     if (problem_.accepted && summary.step_is_successful) problem_.accepted(evaluation_.values());
     if (options_.on_iteration) options_.on_iteration(start_, summary.iteration, summary.cost);
-    if ((summary.iteration == 0 || summary.step_is_successful) && evaluation_.jacobian().size() > 0)
+    if ((summary.iteration == 0 || summary.step_is_successful) && evaluation_.whole())
       reached_ = {evaluation_.values(), evaluation_.residuals(), evaluation_.jacobian(), summary.cost};
     return is_stopped(options_) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
@@ -194,7 +208,7 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& from
   if (!fit.stopped) {
     if (!summary.IsSolutionUsable()) return fit;
     evaluation.PrepareForEvaluation(true, true);
-    if (evaluation.possible())
+    if (evaluation.possible() && evaluation.whole())
       reached = {evaluation.values(), evaluation.residuals(), evaluation.jacobian(), summary.final_cost};
     else if (!is_stopped(options))
       return fit;
