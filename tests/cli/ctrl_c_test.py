@@ -65,7 +65,7 @@ long_runs = {
     "rubline": ("rubline", [annulus, "--along", "speed_hz", "--from", "60", "--to", "200", "--count", "10000",
                             "--whirl-ratio", "0.9"], {"config.yaml", "line.csv", "bifurcation.csv", "cascade.csv"}),
     "rubbranch": ("rubbranch", [annulus, "--cell", "70,0.6", "--from", "20", "--to", "400", "--points", "100000"], set()),
-    "rubbranch, curves": ("rubbranch", [configs / "gallery/orbit_boundaries.yaml", "--cell", "75,0.4", "--curve",
+    "rubbranch, curves": ("rubbranch", [configs / "light_casing/one_side.yaml", "--cell", "80,0.4", "--switch", "--curve",
                                         "whirl_ratio", "--points", "100000"], set()),
     "rubbranch, a map": ("rubbranch", ["--map", "map"], {"families.journal"}),
     "rubreport": ("rubreport", ["map", "--orbits", "5280", "--threads", "1"], set()),
