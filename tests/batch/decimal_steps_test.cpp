@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "rubsweep/batch/csv_table.hpp"
 
@@ -37,6 +38,12 @@ TEST(DecimalSteps, AreCountedInDecimals) {
   EXPECT_EQ(whole_steps(0, 1, 0), std::nullopt);
   EXPECT_EQ(whole_steps(0, 1, -0.1), std::nullopt);
   EXPECT_THROW(decimal_steps(0.1, 0.9, 0.3), std::invalid_argument);
+}
+
+TEST(DecimalSteps, ThatMissTheEndLieBesideIt) {
+  EXPECT_EQ(steps_beside(0.1, 0.9, 0.3), std::pair(0.7, 1.0));
+  EXPECT_EQ(steps_beside(60, 30, 8), std::pair(36.0, 28.0));
+  EXPECT_EQ(steps_beside(1.0 / 3, 1, 0.1), std::nullopt);
 }
 
 TEST(DecimalSteps, SpanNoMoreDigitsThanADoubleHolds) {

@@ -64,6 +64,13 @@ std::optional<Lattice> lattice(double from, double to, double step) {
   return Lattice{*first, *last, *size, exponent};
 }
 
+/// The value after so many steps towards the end, the double nearest to its decimal.
+double value_after(const Lattice& all, std::int64_t steps) {
+  const auto multiple = static_cast<double>(all.from + (all.to < all.from ? -steps : steps) * all.step);
+  const double power = std::pow(10.0, std::abs(all.exponent));
+  return all.exponent < 0 ? multiple / power : multiple * power;
+}
+
 }  // namespace
 
 std::optional<std::int64_t> whole_steps(double from, double to, double step) {
@@ -72,17 +79,19 @@ std::optional<std::int64_t> whole_steps(double from, double to, double step) {
   return std::abs(all->to - all->from) / all->step;
 }
 
+std::optional<std::pair<double, double>> steps_beside(double from, double to, double step) {
+  const auto all = lattice(from, to, step);
+  if (!all) return std::nullopt;
+  const std::int64_t before = std::abs(all->to - all->from) / all->step;
+  return std::pair(value_after(*all, before), value_after(*all, before + 1));
+}
+
 std::vector<double> decimal_steps(double from, double to, double step) {
   const auto count = whole_steps(from, to, step);
   if (!count) throw std::invalid_argument("decimal_steps: no whole number of steps");
   const Lattice all = *lattice(from, to, step);
-  const std::int64_t signed_step = all.to < all.from ? -all.step : all.step;
-  const double power = std::pow(10.0, std::abs(all.exponent));
   std::vector<double> values;
-  for (std::int64_t i = 0; i <= *count; ++i) {
-    const auto multiple = static_cast<double>(all.from + i * signed_step);
-    values.push_back(all.exponent < 0 ? multiple / power : multiple * power);
-  }
+  for (std::int64_t i = 0; i <= *count; ++i) values.push_back(value_after(all, i));
   return values;
 }
 

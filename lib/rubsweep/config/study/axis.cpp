@@ -78,10 +78,12 @@ AxisValues read_stepped(yaml::Section& section, const model::Range& range, doubl
   if (!section.is_sound()) return {};
   const auto steps = batch::whole_steps(spacing.from, spacing.to, spacing.step);
   if (!steps) {
-    section.refuse_together("step", {"from", "to", "step"},
-                            fmt::format("no whole number of steps of {} leads from {} to {}", spacing.step,
-                                        spacing.from, spacing.to),
-                            "a step that meets both ends, in decimals of 15 digits");
+    const auto beside = batch::steps_beside(spacing.from, spacing.to, spacing.step);
+    section.refuse_together(
+        "step", {"from", "to", "step"},
+        fmt::format("no whole number of steps of {} leads from {} to {}{}", spacing.step, spacing.from,
+                    spacing.to, beside ? fmt::format(" (to {} or {}?)", beside->first, beside->second) : ""),
+        beside ? "a step that meets both ends" : "numbers that do not span more than 15 digits");
     return {};
   }
   if (*steps >= max_axis_values) {
