@@ -63,7 +63,7 @@ TEST(Axis, RefusesStepsThatDoNotMeetTheEnd) {
       "test.yaml:6:38: sweep.speed_hz.step: no whole number of steps of 0.7 leads from 30 to 60 (to 59.4 or "
       "60.1?), allowed: a step that meets both ends");
   EXPECT_EQ(problem("speed_hz: {from: 30.000000000000007, to: 60, step: 7}"),
-            "test.yaml:6:53: sweep.speed_hz.step: no whole number of steps of 7 leads from "
+            "test.yaml:6:54: sweep.speed_hz.step: no whole number of steps of 7 leads from "
             "30.000000000000007 to 60, "
             "allowed: numbers that do not span more than 15 digits");
   EXPECT_EQ(problem("speed_hz: {from: 30, to: 60, step: 0}"),
