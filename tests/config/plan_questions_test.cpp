@@ -24,7 +24,8 @@ TEST(PlanQuestions, NameThePlaceInTheFile) {
                           "sweep.speed_hz={from: 50, to: 150, count: 3}"});
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all.front(),
-            "--set sweep.speed_hz={from: 50, to: 150, count: 3}: sweep.speed_hz: no speed is above 150 Hz (9000 rpm), "
+            "--set sweep.speed_hz={from: 50, to: 150, count: 3}: sweep.speed_hz: no speed is above 150 Hz "
+            "(9000 rpm), "
             "less than "
             "a tenth of the natural frequency (rotor.natural_frequency_hz in revolutions per minute?)");
   const auto in_file = asked({"rotor.natural_frequency_hz=3000", "stops.0.stiffness_n_per_m=1.0e8"});

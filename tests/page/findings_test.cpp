@@ -36,7 +36,8 @@ TEST(Findings, SayWhatTheMapHolds) {
   const auto said = findings(four_cells(), grid);
   for (const char* sentence :
        {"4 cells: 2 speeds from 50 to 80 Hz (3000 to 4800 rpm), 2 whirl ratios from 0.2 to 0.6.",
-        "Rub lasts in 3 cells (75.0 %), from 50 to 80 Hz (3000 to 4800 rpm); the smallest unbalance with it is whirl ratio "
+        "Rub lasts in 3 cells (75.0 %), from 50 to 80 Hz (3000 to 4800 rpm); the smallest unbalance with it "
+        "is whirl ratio "
         "0.2, "
         "at 80 Hz (4800 rpm).",
         "The most frequent rub is subharmonic 1/2: 2 cells (50.0 %), from 50 to 80 Hz (3000 to 4800 rpm).",

@@ -35,8 +35,8 @@ struct LeastSquaresOptions {
   int starts = 1;            ///< further ones are drawn between the bounds, the same in every run
   int most_iterations = 60;  ///< of each start
   std::function<void(int start, int iteration, double cost)> on_iteration{};
-  /// The best so far is returned, without waiting for the derivatives that are being made; no value where there is
-  /// none yet.
+  /// The best so far is returned, without waiting for the derivatives that are being made; no value where
+  /// there is none yet.
   const std::atomic<bool>* stop = nullptr;
 };
 
