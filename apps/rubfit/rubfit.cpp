@@ -91,8 +91,8 @@ int run(const RubfitArguments& arguments) {
     return fit::fit_machine(asked, options);
   };
   const fit::MachineFitResult result = found(problem, arguments.starts);
-  if (result.fit.value.size() == 0) return nothing_was_found();
   watch.reset();
+  if (result.fit.value.size() == 0) return nothing_was_found();
   fit::FitTables tables = fit::tables_of(problem, result);
   if (!arguments.without.empty() && !result.fit.stopped) {
     const fit::MachineFitResult less = found(without(fitted, arguments.without), arguments.starts);
