@@ -20,7 +20,6 @@
 #include "rubsweep/identify/experiment.hpp"
 #include "rubsweep/identify/experiment_tables.hpp"
 #include "rubsweep/line/follow_line.hpp"
-#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/ramp/ramp_record.hpp"
 #include "rubsweep/ramp/ramp_tables.hpp"
 #include "rubsweep/structure/tabled_support.hpp"
@@ -139,16 +138,16 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   return outcome_of(identify::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
 }
 
-/// Picture that rubplot draws of it, and its heading.
+/// Picture that rubplot draws of it, and its heading, for which rpm would be too long: they stand at the
+/// axis.
 std::pair<const char*, std::string> drawing_of(const RubtraceArguments& arguments) {
   if (arguments.campbell) return {"campbell", "Campbell diagram"};
   const ramp::SpeedRamp& ramp = arguments.run_up.value();
   return {arguments.with_stops ? "run-up" : "bode",
-          fmt::format("Run-{} {}, {} at {:.4g} Hz/s, eccentricity {:.4g} mm",
+          fmt::format("Run-{} {}, {:.4g} to {:.4g} Hz at {:.4g} Hz/s, eccentricity {:.4g} mm",
                       ramp.to_hz > ramp.from_hz ? "up" : "down",
-                      arguments.with_stops ? "through rub" : "without stops",
-                      model::speed_range_text(ramp.from_hz, ramp.to_hz, 4), ramp.rate_hz_per_s,
-                      1e3 * ramp.eccentricity_m)};
+                      arguments.with_stops ? "through rub" : "without stops", ramp.from_hz, ramp.to_hz,
+                      ramp.rate_hz_per_s, 1e3 * ramp.eccentricity_m)};
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ expect_exit 0 "$minimal" --campbell 0:100 --output jeffcott --figure pictures/je
 expect_contains pictures/jeffcott.svg 'whirl frequency (Hz)'
 ! grep -q 'place along the shaft' pictures/jeffcott.svg || fail 'a Jeffcott rotor has no shaft to bend'
 expect_exit 0 "$minimal" --run-up 24:50:8 --eccentricity-m 2e-4 --with-stops --output through --figure pictures/through.svg --quiet
-for text in 'Run-up through rub, 24 to 50 Hz (1440 to 3000 rpm)' 'at steady speed' 'order (backward &lt; 0 &lt; forward)' rubs; do
+for text in 'Run-up through rub, 24 to 50 Hz' rpm 'at steady speed' 'order (backward &lt; 0 &lt; forward)' rubs; do
   expect_contains pictures/through.svg "$text"
 done
 expect_exit 0 "$top/configs/benchmark/annulus.yaml" --run-up 50:24:-8 --eccentricity-m 1e-4 --with-stops --output through \
@@ -84,7 +84,7 @@ expect_exit 0 "$top/configs/benchmark/annulus.yaml" --run-up 50:24:-8 --eccentri
 [[ -s pictures/down.png ]] || fail 'no picture of a run-down'
 # Without stops a run-up is a Bode plot.
 expect_exit 0 "$top/configs/rotor_kit.yaml" --run-up 20:45:2 --eccentricity-m 2e-5 --output bode --figure pictures/bode.svg --quiet
-for text in 'Run-up without stops, 20 to 45 Hz (1200 to 2700 rpm)' '1X amplitude (mm)' 'phase (°)' 'resonance 29.87 Hz' 'sensor 1, at 190 mm, 90°'; do
+for text in 'Run-up without stops, 20 to 45 Hz' rpm '1X amplitude (mm)' 'phase (°)' 'resonance 29.87 Hz' 'sensor 1, at 190 mm, 90°'; do
   expect_contains pictures/bode.svg "$text"
 done
 [[ -z $(grep -o 'Warning' stderr) ]] || fail 'gnuplot complains'
