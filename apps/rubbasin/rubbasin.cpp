@@ -15,6 +15,7 @@
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/map/derived_files.hpp"
 #include "rubsweep/map/map_directory.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/report/basin_slice.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "shared/exit_code.hpp"
@@ -93,7 +94,7 @@ int write_slice(const RubbasinArguments& arguments, const Plane& plane, const co
     const bool by_ratio = config.study.grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
     const double unbalance = arguments.cell.unbalance;
     arguments.figure->draw("basin", directory,
-                           fmt::format("Basins at {:.6g} Hz, {}", arguments.cell.speed_hz,
+                           fmt::format("Basins at {}, {}", model::speed_text(arguments.cell.speed_hz),
                                        by_ratio ? fmt::format("whirl ratio {:.6g}", unbalance)
                                                 : fmt::format("eccentricity {:.6g} mm", 1e3 * unbalance)));
     if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());

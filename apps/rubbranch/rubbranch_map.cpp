@@ -25,8 +25,9 @@
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
-#include "shared/run_summary.hpp"
 #include "shared/report_file.hpp"
+#include "shared/run_summary.hpp"
+#include "shared/working_time.hpp"
 #include "shared/writable.hpp"
 
 namespace rubsweep::apps {
@@ -108,11 +109,15 @@ int run_on_map(const RubbranchArguments& arguments) {
         say(interrupted);
         std::_Exit(128 + caught_signal());
       });
+  std::optional<WorkingTime> working(std::in_place, "rubbranch",
+                                     fmt::format("follows the families of {} proven cells", proven.size()),
+                                     !arguments.quiet);
   const branch::families::Families families =
       branch::families::families_of(study, proven, arguments.threads, stop, journal.records());
   const auto checks =
       branch::families::check_labels(study, labels, families, arguments.threads, stop, journal.records());
   watch.reset();
+  working.reset();
   if (stop) {
     say(interrupted);
     return 128 + caught_signal();

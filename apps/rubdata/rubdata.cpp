@@ -16,6 +16,7 @@
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
+#include "shared/run_summary.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -66,6 +67,7 @@ int perform(const RubdataArguments& arguments) {
     return 128 + caught_signal();
   }
   set.finish();
+  count_in_summary("recordings", static_cast<std::size_t>(study.recordings));
   if (!arguments.quiet) print("{} recordings: {}\n", study.recordings, study.directory.string());
   return done;
 }

@@ -6,7 +6,9 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -64,6 +66,12 @@ class Steps {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+int nothing_was_found() {
+  say("rubfit: interrupted; nothing was written\n");
+  remove_empty_result_directories();
+  return 128 + caught_signal();
+}
+
 int run(const RubfitArguments& arguments) {
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
   ask("rubfit", config.questions, arguments.quiet);
@@ -74,18 +82,20 @@ int run(const RubfitArguments& arguments) {
   const std::atomic<bool>& stop = catch_interrupts();
   fit::LeastSquaresOptions options{
       .robust_beyond = arguments.robust_beyond, .starts = arguments.starts, .stop = &stop};
-  fit::MachineFitResult result;
-  {
+  // One model may take longer than somebody who interrupts waits.
+  std::optional<Watch> watch(
+      std::in_place, [] {}, [] { std::_Exit(nothing_was_found()); });
+  const auto found = [&](const fit::MachineFit& asked, int starts) {
     Steps steps(!arguments.quiet);
-    options.on_iteration = [&](int start, int step, double cost) {
-      steps(start, step, cost, arguments.starts);
-    };
-    result = fit::fit_machine(problem, options);
-  }
+    options.on_iteration = [&](int start, int step, double cost) { steps(start, step, cost, starts); };
+    return fit::fit_machine(asked, options);
+  };
+  const fit::MachineFitResult result = found(problem, arguments.starts);
+  watch.reset();
+  if (result.fit.value.size() == 0) return nothing_was_found();
   fit::FitTables tables = fit::tables_of(problem, result);
   if (!arguments.without.empty() && !result.fit.stopped) {
-    options.on_iteration = {};
-    const fit::MachineFitResult less = fit::fit_machine(without(fitted, arguments.without), options);
+    const fit::MachineFitResult less = found(without(fitted, arguments.without), arguments.starts);
     // An interrupted second fit leaves the first one whole.
     if (!less.fit.stopped)
       tables.summary +=

@@ -26,6 +26,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/line/follow_line.hpp"
 #include "rubsweep/line/line_tables.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "shared/exit_code.hpp"
@@ -236,11 +237,11 @@ class LineRun {
     if (!arguments_.quiet) print("figure    {}\n", figure->file().string());
   }
 
-  /// Description of all that is constant along the line: " at 75 Hz, whirl ratio 0.4".
+  /// Description of all that is constant along the line: " at 75 Hz (4500 rpm), whirl ratio 0.4".
   std::string where() const {
     const scene::Place& place = cells_.front().place;
     std::string text;
-    if (arguments_.along != "speed_hz") text = fmt::format("{:.6g} Hz", place.speed_hz);
+    if (arguments_.along != "speed_hz") text = model::speed_text(place.speed_hz);
     if (!along_unbalance(arguments_)) {
       if (!text.empty()) text += ", ";
       text += std::visit(

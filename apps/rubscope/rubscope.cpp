@@ -40,9 +40,9 @@ constexpr std::array<std::string_view, 8> file_names{"turns.csv",    "orbit.csv"
                                                      "bode.csv",     "waterfall.csv", "measures.csv",
                                                      "compared.csv", "simulated.csv"};
 
-void add_comparison(const config::RunConfig& config, const CellArgument& cell, const recording::Recording& recording,
-                    const scope::Verdict& verdict, const model::ShownLengths& shown, batch::ResultFiles& files,
-                    std::string& summary) {
+void add_comparison(const config::RunConfig& config, const CellArgument& cell,
+                    const recording::Recording& recording, const scope::Verdict& verdict,
+                    const model::ShownLengths& shown, batch::ResultFiles& files, std::string& summary) {
   if (!verdict.period)
     throw ConfigError(
         "--compare: the recorded motion repeats after no number of turns, allowed: one that does");
@@ -55,6 +55,7 @@ void add_comparison(const config::RunConfig& config, const CellArgument& cell, c
 }
 
 int look(const RubscopeArguments& arguments) {
+  end_on_interrupts("nothing was written");
   const fs::path& file = arguments.recording;
   const auto& compared = arguments.compared;
   // Read before anything is computed.
@@ -76,10 +77,10 @@ int look(const RubscopeArguments& arguments) {
                       ": the speed changes, allowed with --compare: a steady one, or from_s and to_s");
   scope::Verdict verdict;
   if (!changing) verdict = scope::judge(recording);
-  scope::ScopeTables tables = changing ? scope::tables_of_run(recording, arguments.orders, arguments.shown)
-                                       : scope::tables_of(recording, verdict, arguments.orders, arguments.shown);
+  scope::ScopeTables tables = changing
+                                  ? scope::tables_of_run(recording, arguments.orders, arguments.shown)
+                                  : scope::tables_of(recording, verdict, arguments.orders, arguments.shown);
   const ResultDirectory made(arguments.directory, file_names);
-  end_on_interrupts("nothing was written");
   batch::ResultFiles files{{"turns.csv", std::move(tables.turns_csv)},
                            {"bode.csv", std::move(tables.bode_csv)},
                            {"waterfall.csv", std::move(tables.waterfall_csv)},
@@ -88,13 +89,19 @@ int look(const RubscopeArguments& arguments) {
     files["orbit.csv"] = std::move(tables.orbit_csv);
     files["lines.csv"] = std::move(tables.lines_csv);
   }
-  if (compared) add_comparison(*config, compared->cell, recording, verdict, arguments.shown, files, tables.summary);
+  if (compared)
+    add_comparison(*config, compared->cell, recording, verdict, arguments.shown, files, tables.summary);
   working.reset();
-  batch::write_result_files(files, file_names, arguments.directory,
-                            {"rubscope", config::digest_of(description + text), {}});
+  {
+    const InterruptsWait whole_set;
+    batch::write_result_files(files, file_names, arguments.directory,
+                              {"rubscope", config::digest_of(description + text), {}});
+    end_on_interrupts("the files are written");
+  }
   if (!arguments.quiet) print("{}{}", tables.summary, batch::files_line(files, arguments.directory));
   if (const auto& figure = arguments.figure) {
-    figure->draw("scope", arguments.directory, file.filename().string(), drawn_lengths(arguments.shown, true, true));
+    figure->draw("scope", arguments.directory, file.filename().string(),
+                 drawn_lengths(arguments.shown, true, true));
     if (!arguments.quiet) print("figure    {}\n", figure->file().string());
   }
   return done;

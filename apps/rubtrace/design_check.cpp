@@ -18,6 +18,7 @@
 #include "rubsweep/design/design_check.hpp"
 #include "rubsweep/design/design_page.hpp"
 #include "rubsweep/design/design_tables.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
@@ -94,11 +95,12 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
         {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
     end_on_interrupts("the files are written, no figure is");
   }
-  if (!arguments.quiet) print("{}{}", design::design_page(check, arguments.shown), batch::files_line(files, directory));
+  if (!arguments.quiet)
+    print("{}{}", design::design_page(check, arguments.shown), batch::files_line(files, directory));
   if (arguments.figure) {
     arguments.figure->draw(
         "design", directory,
-        fmt::format("Design check, {:.4g} to {:.4g} Hz", check.operating.from_hz, check.operating.to_hz));
+        "Design check, " + model::speed_range_text(check.operating.from_hz, check.operating.to_hz, 4));
     if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
   }
   return done;

@@ -123,9 +123,10 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   if (arguments.campbell) return campbell_diagram(*arguments.campbell, described);
   const identify::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
   if (const auto& ramp = arguments.run_up) {
-    return outcome_of(identify::tables_of(
-        identify::run_up(machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s, ramp->eccentricity_m, sampling),
-        arguments.shown));
+    return outcome_of(
+        identify::tables_of(identify::run_up(machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s,
+                                             ramp->eccentricity_m, sampling),
+                            arguments.shown));
   }
   if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
   const double slowest_hz = identify::lowest_frequency_hz(machine);
@@ -137,7 +138,8 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   return outcome_of(identify::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
 }
 
-/// Picture that rubplot draws of it, and its heading.
+/// Picture that rubplot draws of it, and its heading, for which rpm would be too long: they stand at the
+/// axis.
 std::pair<const char*, std::string> drawing_of(const RubtraceArguments& arguments) {
   if (arguments.campbell) return {"campbell", "Campbell diagram"};
   const ramp::SpeedRamp& ramp = arguments.run_up.value();

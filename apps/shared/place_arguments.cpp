@@ -11,6 +11,7 @@
 #include "rubsweep/model/balance.hpp"
 #include "rubsweep/model/physical_range.hpp"
 #include "rubsweep/model/rpm.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "shared/program.hpp"
 
@@ -79,8 +80,9 @@ void require_speed(std::string_view option, double speed_hz, const model::Machin
   if (const model::RotorKit* kit = model::kit_of(machine)) {
     const model::Range reached = model::table_speeds_hz(*kit);
     if (!model::contains(reached, speed_hz))
-      throw UsageError(fmt::format("{}: the tables of the supports do not reach {} Hz, allowed: {}", option,
-                                   speed_hz, model::describe(reached)));
+      throw UsageError(fmt::format("{}: the tables of the supports do not reach {}, allowed: speeds from {}",
+                                   option, model::speed_text(speed_hz),
+                                   model::speed_range_text(reached.low, reached.high)));
   }
 }
 

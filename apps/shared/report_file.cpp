@@ -19,6 +19,7 @@
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
+#include "shared/run_summary.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -26,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string interrupted(std::string_view program) {
-  return fmt::format("{}: interrupted, no report was written; the map is as it was\n", program);
+  return fmt::format("{}: interrupted; no report was written, the map is as it was\n", program);
 }
 
 }  // namespace
@@ -81,6 +82,7 @@ int write_report(const fs::path& directory, const sweep::Study& study, std::stri
     return 128 + caught_signal();
   }
   batch::write_whole_file(options.file, *text);
+  count_in_summary("motions", cells);
   if (!options.quiet)
     print("report: {} ({:.1f} MB)\n", options.file.string(), static_cast<double>(text->size()) / 1e6);
   return done;

@@ -1,6 +1,6 @@
 """The command line of rubplot: its subcommands, its help, and what a wrong call is told.
 
-Exit codes: 0 done, 2 a wrong call, 3 a file or a program that cannot be used.
+Exit codes: 0 done, 2 a wrong call, 3 a file or a program that cannot be used, 130 interrupted.
 """
 
 import argparse
@@ -14,7 +14,7 @@ from rubplot.csv_table import TableError
 from rubplot.failure import Failure, WrongCall
 from rubplot.subcommands import ALL
 
-DONE, WRONG_CALL, CANNOT_USE = 0, 2, 3
+DONE, WRONG_CALL, CANNOT_USE, INTERRUPTED = 0, 2, 3, 130
 WIDTH = 100  # of the help, in letters
 
 
@@ -36,6 +36,8 @@ def main(arguments):
         return _say(CANNOT_USE, f"cannot use {error.filename}: {error.strerror}")
     except (Failure, TableError, ConfigurationError) as error:
         return _say(CANNOT_USE, str(error))
+    except KeyboardInterrupt:
+        return _say(INTERRUPTED, "interrupted; nothing was drawn")
     except Exception as error:  # damage that no check foresaw: a file is named, and no traceback shown
         return _say(CANNOT_USE, f"{_sources(given)}: not as a program writes it ({type(error).__name__}: {error})")
     return DONE
@@ -64,7 +66,7 @@ examples:
   rubplot line results/my_line --output bifurcation.pdf
   rubplot trace results/my_trace --heading 'A rub' --formats svg,pdf
 
-exit codes: 0 done, 2 a wrong call, 3 a file or a program that cannot be used"""
+exit codes: 0 done, 2 a wrong call, 3 a file or a program that cannot be used, 130 interrupted"""
 
 
 def parser_of(one):

@@ -106,8 +106,9 @@ def in_rpm(config):
 
 
 def speed_text(config, speed_hz):
-    """A shaft speed in the unit of the configuration, to four digits."""
-    return "%.4g rpm" % (RPM_PER_HZ * speed_hz) if in_rpm(config) else "%.4g Hz" % speed_hz
+    """A shaft speed to four digits, in rpm and before that in Hz unless the configuration is in rpm."""
+    rpm = f"{float('%.4g' % (RPM_PER_HZ * speed_hz)):.15g} rpm"  # without an exponent
+    return rpm if in_rpm(config) else "%.4g Hz (%s)" % (speed_hz, rpm)
 
 
 def _factor(config, key):

@@ -186,15 +186,15 @@ class ReportTest(unittest.TestCase):
 
     def test_the_line_below_the_map_follows_the_keys(self):
         self.click_cell(self.cell(80, 0.6))
-        self.assertIn("80 Hz, whirl ratio 0.6", self.hover())
+        self.assertIn("80 Hz (4800 rpm), whirl ratio 0.6", self.hover())
         self.browser.press("#map", RIGHT + UP)
         self.wait_for_panels(self.cell(90, 0.7))
-        self.assertIn("90 Hz, whirl ratio 0.7", self.hover())
+        self.assertIn("90 Hz (5400 rpm), whirl ratio 0.7", self.hover())
         # The mouse shows another cell, and lets go of it beside the map.
         self.browser.mouse(("move", *self.browser.run("return view.middleOf(arguments[0])", self.cell(120, 0.4))))
-        self.assertIn("120 Hz, whirl ratio 0.4", self.hover())
+        self.assertIn("120 Hz (7200 rpm), whirl ratio 0.4", self.hover())
         self.browser.mouse(("move", 5, 5))
-        self.assertIn("90 Hz, whirl ratio 0.7", self.hover())
+        self.assertIn("90 Hz (5400 rpm), whirl ratio 0.7", self.hover())
 
     def test_a_cell_without_a_motion_shows_one_of_its_kind_or_none(self):
         thinned = self.work / "thinned.html"
@@ -218,7 +218,7 @@ class ReportTest(unittest.TestCase):
         self.browser.mouse(("move", *self.browser.run("return view.middleOf(arguments[0])", cell)))
         said = self.browser.run('return document.getElementById("hover").textContent')
         force = float(self.rows[cell]["peak_contact_force_n"])
-        for part in ("80 Hz, whirl ratio 0.6", "subharmonic 1/2", f"peak contact force {force:.4g} N"):
+        for part in ("80 Hz (4800 rpm), whirl ratio 0.6", "subharmonic 1/2", f"peak contact force {force:.4g} N"):
             self.assertIn(part, said)
 
     def test_every_layer_draws_and_changes_the_picture(self):
@@ -300,7 +300,7 @@ class ReportTest(unittest.TestCase):
 
     def test_words_stand_in_the_page(self):
         text = self.browser.run("return document.body.innerText")
-        for part in ("117 cells: 13 speeds from 60 to 180 Hz", "Rub lasts in", "rotor: Jeffcott", "solver: exact"):
+        for part in ("117 cells: 13 speeds from 60 to 180 Hz (3600 to 10800 rpm)", "Rub lasts in", "rotor: Jeffcott", "solver: exact"):
             self.assertIn(part, text)
         self.assertIn("natural_frequency_hz: 30",
                       self.browser.run('return document.getElementById("configuration").textContent'))

@@ -2,6 +2,7 @@
 of what is kept. Prints how long each took to end; a hang fails, a slow machine does not.
 """
 
+import math
 import os
 import signal
 import subprocess
@@ -18,7 +19,31 @@ hang_s = 120
 chart = (configs / "ring_figure20.yaml").read_text(encoding="utf-8").replace("count: 179", "count: 9000")
 chart = chart.replace("count: 301", "count: 401")
 
-# Work that takes minutes: program, arguments, and files that it leaves behind.
+# A map, an experiment and a recording of long work, which are made beforehand: name -> commands.
+map_to_read = [("rubsweep", [stop, "--set", "sweep.speed_hz.count=132", "--set", "sweep.whirl_ratio.count=40", "--output", "map",
+                             "--quiet"])]
+prepared = {
+    "rubreport": map_to_read,
+    "rubbranch, a map": map_to_read,
+    "rubfit": [("rubtrace", [configs / "minimal.yaml", "--free-response", "--duration-s", "20", "--noise-m", "5e-6", "--output",
+                             "free", "--quiet"])],
+}
+
+
+def write_recording(path: Path) -> None:
+    """Two probes and the mark of a shaft that turns at 70 Hz, for two minutes."""
+    with open(path, "w", encoding="ascii") as file:
+        file.write("t,KP,X,Y\ns,V,um,um\n")
+        for k in range(480000):
+            turn = 2 * math.pi * 70 * k / 4000
+            mark = 1 if (70 * k) % 4000 > 200 else 0
+            file.write(f"{k / 4000:.6f},{mark},{20 * math.cos(turn):.3f},{20 * math.sin(turn) + 5 * math.cos(turn / 2):.3f}\n")
+    path.with_suffix(".yaml").write_text(
+        "time: t\nkeyphasor: {column: KP, mark: dark}\nprobes:\n  - {column: X, angle_deg: 0}\n  - {column: Y, angle_deg: 90}\n",
+        encoding="ascii")
+
+
+# Work that takes minutes, or longer than it is left alone: program, arguments, and files that it leaves behind; None: any.
 long_runs = {
     "rubsweep, short cells": ("rubsweep", [annulus], {"config.yaml", "map.journal", "map.partial.csv"}),
     "rubsweep, one long cell": (
@@ -40,8 +65,15 @@ long_runs = {
     "rubline": ("rubline", [annulus, "--along", "speed_hz", "--from", "60", "--to", "200", "--count", "10000",
                             "--whirl-ratio", "0.9"], {"config.yaml", "line.csv", "bifurcation.csv", "cascade.csv"}),
     "rubbranch": ("rubbranch", [annulus, "--cell", "70,0.6", "--from", "20", "--to", "400", "--points", "100000"], set()),
-    "rubbranch, curves": ("rubbranch", [configs / "gallery/orbit_boundaries.yaml", "--cell", "75,0.4", "--curve",
+    "rubbranch, curves": ("rubbranch", [configs / "light_casing/one_side.yaml", "--cell", "80,0.4", "--switch", "--curve",
                                         "whirl_ratio", "--points", "100000"], set()),
+    "rubbranch, a map": ("rubbranch", ["--map", "map"], {"families.journal"}),
+    "rubreport": ("rubreport", ["map", "--orbits", "5280", "--threads", "1"], set()),
+    "rubdata": ("rubdata", [configs / "recordings/rub_recordings.yaml"], None),
+    "rubfit": ("rubfit", [configs / "minimal.yaml", "--set", "rotor.damping_ratio=0.03", "--ring-down", "free/sensors.csv", "--from-s",
+                          "0.006", "--fit", "rotor.natural_frequency_hz", "--fit", "rotor.damping_ratio", "--fit",
+                          "hit_s=-0.002:0.002", "--starts", "100"], None),
+    "rubscope": ("rubscope", ["recording.csv"], set()),
     "ringstab": ("ringstab", ["chart.yaml"], {"chart.partial.csv"}),
 }
 
@@ -51,9 +83,13 @@ def processor_s(process: subprocess.Popen) -> float:
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def interrupt(name: str, program: str, arguments: list, left: set, folder: Path) -> None:
+def interrupt(name: str, program: str, arguments: list, left, folder: Path) -> None:
     output = folder / "out"
     (folder / "chart.yaml").write_text(chart, encoding="utf-8")
+    for first, words in prepared.get(name, ()):
+        subprocess.run([apps / first, *words], cwd=folder, check=False, stdout=subprocess.DEVNULL)
+    if name == "rubscope":
+        write_recording(folder / "recording.csv")
     command = [apps / program, *arguments, "--output", output]
     with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
         # Startup and reading take a small part of this.
@@ -70,7 +106,7 @@ def interrupt(name: str, program: str, arguments: list, left: set, folder: Path)
     if process.returncode != 130 or not lines or "interrupted;" not in lines[-1]:
         sys.exit(f"{name}: exit code {process.returncode}, {message!r}")
     found = {path.name for path in output.iterdir()} if output.exists() else set()
-    if found != left:
+    if left is not None and found != left:
         sys.exit(f"{name}: leaves {sorted(found)}, not {sorted(left)}")
     print(f"{name}: {time.monotonic() - begin:.2f} s: {lines[-1]}")
 

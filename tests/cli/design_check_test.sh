@@ -25,7 +25,7 @@ refused '--whirl-ratio belongs to a trace' --design-check --whirl-ratio 0.3
 refused '--operating-hz: 4500 Hz is over 100 times the lowest natural frequency' --design-check --operating-hz 50:4500
 refused '--design-check: the sweep has one speed' --design-check --set 'sweep.speed_hz={values: [60]}'
 expect_exit 1 "$table" --design-check --operating-hz 50:200
-expect_contains stderr '--operating-hz: the tables of the supports do not reach 200 Hz'
+expect_contains stderr '--operating-hz: the tables of the supports do not reach 200 Hz (12000 rpm)'
 expect_exit 2 "$top/configs/rotor_kit.yaml" --design-check --set rotor.discs.0.eccentricity_ratio=0 --kick-speeds 0
 expect_contains stderr 'rotor.discs: no disc stands off the axis'
 expect_missing results

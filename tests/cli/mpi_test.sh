@@ -24,6 +24,12 @@ for ranks in 1 2 3; do
   expect_files "ranks_$ranks" config.yaml map.csv
 done
 
+# One line of JSON of all ranks, the only one with --quiet.
+expect_mpi 0 3 "${quick[@]}" --output summed --quiet --summary json
+[[ $(wc -l <stdout) == 1 ]] || fail "not one line: $(<stdout)"
+expect_contains stdout '"program":"rubsweep-mpi"'
+expect_contains stdout '"non_contact":96'
+
 # A refined map, of which nobody knows beforehand what it wants; rounds end where a rank has nothing to do.
 refined=("$minimal" --set 'sweep={speed_hz: {from: 60, to: 100, count: 21}, whirl_ratio: {from: 0.1, to: 0.9, count: 17}, refine: {levels: 3, probes: 1}}')
 expect_exit 0 "${refined[@]}" --output refined

@@ -1,6 +1,7 @@
 """summary_test.py APPS CONFIGS: --summary json ends a run of programs with one line of JSON that says how it went."""
 
 import json
+import math
 import os
 import subprocess
 import sys
@@ -70,6 +71,34 @@ class Summary(unittest.TestCase):
         self.run_program("rubsweep", MINIMAL, "--output", "a", "--quiet")
         maps = os.path.join("a", "map.csv")
         self.assertEqual(self.run_program("rubsweep-compare", maps, maps)[0]["files"], [])
+
+    def test_measurements_and_reports(self):
+        quick = ("--duration-s", "0.3", "--noise-m", "5e-6")
+        free = self.run_program("rubtrace", MINIMAL, "--free-response", *quick, "--output", "free", "--quiet")[0]
+        self.assertIn("sensors.csv", self.names(free))
+        fit = self.run_program("rubfit", MINIMAL, "--ring-down", os.path.join("free", "sensors.csv"), "--from-s", "0.006", "--fit",
+                               "rotor.damping_ratio", "--output", "fit", "--quiet")[0]
+        self.assertEqual(fit["counts"], {"parameters": 1})
+        self.assertEqual(self.names(fit), ["config.yaml", "correlation.csv", "fitted.csv", "parameters.csv"])
+        with open(os.path.join(self.folder, "run.csv"), "w", encoding="ascii") as file:
+            file.write("t,X\ns,um\n" + "".join(f"{k / 2000},{math.cos(100 * math.pi * k / 2000)}\n" for k in range(2000)))
+        with open(os.path.join(self.folder, "run.yaml"), "w", encoding="ascii") as file:
+            file.write("time: t\nspeed_hz: 50\nprobes: [{column: X, angle_deg: 0}]\n")
+        scope = self.run_program("rubscope", "run.csv", "--output", "seen", "--quiet")[0]
+        self.assertIn(scope["counts"]["turns"], (49, 50))
+        self.assertIn("measures.csv", self.names(scope))
+        self.run_program("rubsweep", MINIMAL, "--output", "map", "--quiet")
+        report = self.run_program("rubreport", "map", "--quiet")[0]
+        self.assertEqual((report["counts"], self.names(report)), ({"motions": 24}, ["report.html"]))
+
+    def test_sets_of_recordings(self):
+        with open(os.path.join(CONFIGS, "recordings", "rub_recordings.yaml"), encoding="utf-8") as file:
+            study = file.read().replace("recordings: 500", "recordings: 4").replace("per_machine: 10", "per_machine: 2")
+        with open(os.path.join(self.folder, "study.yaml"), "w", encoding="utf-8") as file:
+            file.write(study)
+        made = self.run_program("rubdata", "study.yaml", "--output", "set", "--quiet")[0]
+        self.assertEqual(made["counts"], {"recordings": 4})
+        self.assertGreater(len(made["files"]), 4)
 
     def test_what_is_refused_has_one(self):
         summary, _ = self.run_program("rubsweep", MINIMAL, "--set", "rotor.mass_kg=-1", code=2)

@@ -28,7 +28,7 @@ expect_picture() {
 
 draw 0 rub --output out/first --heading Heading
 expect_picture out/first 1
-for text in Heading 'subharmonic 1/2: 90 Hz = 3 × natural frequency, whirl ratio 0.6' 'time (ms)' 'moving wall' kick 1/2X; do
+for text in Heading 'subharmonic 1/2: 90 Hz (5400 rpm) = 3 × natural frequency, whirl ratio 0.6' 'time (ms)' 'moving wall' kick 1/2X; do
   expect_contains out/first.svg "$text"
 done
 draw 0 rub --output out/last --revolutions -12
@@ -36,7 +36,7 @@ expect_picture out/last 1
 expect_contains out/last.svg 'time after revolution 88 (ms)'
 draw 0 rub quiet bare --output out/rows --revolutions 20
 expect_picture out/rows 3
-expect_contains out/rows.svg 'no contact: 54 Hz'
+expect_contains out/rows.svg 'no contact: 54 Hz (3240 rpm)'
 draw 0 bare --output out/bare --revolutions 20
 expect_picture out/bare 1
 ! grep -q 'moving wall' out/bare.svg || fail 'a rigid wall does not move'
@@ -76,7 +76,7 @@ expect_exit 0 "$minimal" --campbell 0:100 --output jeffcott --figure pictures/je
 expect_contains pictures/jeffcott.svg 'whirl frequency (Hz)'
 ! grep -q 'place along the shaft' pictures/jeffcott.svg || fail 'a Jeffcott rotor has no shaft to bend'
 expect_exit 0 "$minimal" --run-up 24:50:8 --eccentricity-m 2e-4 --with-stops --output through --figure pictures/through.svg --quiet
-for text in 'Run-up through rub, 24 to 50 Hz' 'at steady speed' 'order (backward &lt; 0 &lt; forward)' rubs; do
+for text in 'Run-up through rub, 24 to 50 Hz' rpm 'at steady speed' 'order (backward &lt; 0 &lt; forward)' rubs; do
   expect_contains pictures/through.svg "$text"
 done
 expect_exit 0 "$top/configs/benchmark/annulus.yaml" --run-up 50:24:-8 --eccentricity-m 1e-4 --with-stops --output through \
@@ -84,7 +84,7 @@ expect_exit 0 "$top/configs/benchmark/annulus.yaml" --run-up 50:24:-8 --eccentri
 [[ -s pictures/down.png ]] || fail 'no picture of a run-down'
 # Without stops a run-up is a Bode plot.
 expect_exit 0 "$top/configs/rotor_kit.yaml" --run-up 20:45:2 --eccentricity-m 2e-5 --output bode --figure pictures/bode.svg --quiet
-for text in 'Run-up without stops, 20 to 45 Hz' '1X amplitude (mm)' 'phase (°)' 'resonance 29.87 Hz' 'sensor 1, at 190 mm, 90°'; do
+for text in 'Run-up without stops, 20 to 45 Hz' rpm '1X amplitude (mm)' 'phase (°)' 'resonance 29.87 Hz' 'sensor 1, at 190 mm, 90°'; do
   expect_contains pictures/bode.svg "$text"
 done
 [[ -z $(grep -o 'Warning' stderr) ]] || fail 'gnuplot complains'

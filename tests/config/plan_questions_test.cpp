@@ -24,7 +24,8 @@ TEST(PlanQuestions, NameThePlaceInTheFile) {
                           "sweep.speed_hz={from: 50, to: 150, count: 3}"});
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all.front(),
-            "--set sweep.speed_hz={from: 50, to: 150, count: 3}: sweep.speed_hz: no speed is above 150 Hz, "
+            "--set sweep.speed_hz={from: 50, to: 150, count: 3}: sweep.speed_hz: no speed is above 150 Hz "
+            "(9000 rpm), "
             "less than "
             "a tenth of the natural frequency (rotor.natural_frequency_hz in revolutions per minute?)");
   const auto in_file = asked({"rotor.natural_frequency_hz=3000", "stops.0.stiffness_n_per_m=1.0e8"});
@@ -35,7 +36,7 @@ TEST(PlanQuestions, NameThePlaceInTheFile) {
 TEST(PlanQuestions, SpeedsMayBeMultiplesOfTheNaturalFrequency) {
   EXPECT_EQ(
       of({"rotor.natural_frequency_hz=100", "sweep.speed_hz={from: 1, to: 5, count: 5}"}, "sweep.speed_hz"),
-      "no speed is above 5 Hz, less than a tenth of the natural frequency (multiples of it?)");
+      "no speed is above 5 Hz (300 rpm), less than a tenth of the natural frequency (multiples of it?)");
   EXPECT_TRUE(
       asked({"rotor.natural_frequency_hz=100", "sweep.speed_hz={from: 1, to: 10, count: 5}"}).empty());
 }

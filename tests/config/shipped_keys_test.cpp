@@ -32,7 +32,8 @@ const Paths unused{
 
 /// stops.0.casing becomes stops.casing, and all axes are one section.
 std::string without_numbers(const std::string& path) {
-  static constexpr std::array of_axes{"from", "to", "count", "scale", "values", "key", "keys", "factors"};
+  static constexpr std::array of_axes{"from",   "to",  "count", "scale",  "step",
+                                      "values", "key", "keys",  "factors"};
   std::string plain, part;
   for (std::istringstream parts(path); std::getline(parts, part, '.');) {
     if (part.find_first_not_of("0123456789") == std::string::npos) continue;

@@ -53,13 +53,15 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"rotor.damping_ratio=0.5",
              "rotor.damping_ratio: 0.5 of critical damping is much for a rotor (per cent?)"},
         Case{"sweep.speed_hz={from: 60, to: 1200, count: 3}",
-             "sweep.speed_hz.to: 1200 Hz is over 20 times the lowest natural frequency (revolutions per minute?)"},
+             "sweep.speed_hz.to: 1200 Hz is over 20 times the lowest natural frequency (revolutions per "
+             "minute?)"},
         Case{"stops.0.clearance_m=0.02",
              "stops.0.clearance_m: 0.02 m is 0.5333 of contact_radius_m (millimetres?)"},
         Case{"stops.0.clearance_m=0.5e-6",
              "stops.0.clearance_m: 5e-07 m is less than a micrometre (millimetres?)"},
-        Case{"stops.0.friction={coefficient: 10}",
-             "stops.0.friction.coefficient: 10 is more friction than surfaces have that slide on (per cent?)"},
+        Case{
+            "stops.0.friction={coefficient: 10}",
+            "stops.0.friction.coefficient: 10 is more friction than surfaces have that slide on (per cent?)"},
         // 2 F T / (pi m w) = 1 mm for 47.4 N and 5 ms.
         Case{"kick={force_n: 2.0e4, duration_s: 0.005}",
              "kick.force_n: 20000 N would move the rotor by 422 clearances (millinewtons?)"},
@@ -116,8 +118,8 @@ TEST(UnitSlips, SeeTwoAxesThatAreSwapped) {
       "sweep={speed_hz: {from: 0.1, to: 0.9, count: 5}, whirl_ratio: {from: 20, to: 90, count: 5}}";
   const auto all = of_minimal(swapped);
   ASSERT_EQ(all.size(), 1U);
-  EXPECT_TRUE(
-      all.front().ends_with("sweep: speeds up to 0.9 Hz and whirl ratios up to 90 (the two axes swapped?)"))
+  EXPECT_TRUE(all.front().ends_with(
+      "sweep: speeds up to 0.9 Hz (54 rpm) and whirl ratios up to 90 (the two axes swapped?)"))
       << all.front();
 }
 

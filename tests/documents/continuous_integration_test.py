@@ -1,5 +1,6 @@
 """continuous_integration_test.py TOP PROGRAMS: the shell of the job in docs/continuous-integration.md does what it says, and the
-workflow of this repository names scripts and targets that are there."""
+workflow of this repository names scripts, targets, labels, packages and files that are there. No runner of the service is
+needed for it."""
 
 import os
 import re
@@ -67,10 +68,80 @@ class Job(unittest.TestCase):
         self.assertIn("rotor.mass_kg", said)
 
 
+def text_of(*parts):
+    with open(os.path.join(TOP, *parts), encoding="utf-8") as file:
+        return file.read()
+
+
+# Releases of the service's own actions that are known to be there.
+ACTIONS = {"actions/checkout@v4", "actions/upload-artifact@v4"}
+
+
 class Workflow(unittest.TestCase):
     def setUp(self):
-        with open(os.path.join(TOP, ".github", "workflows", "debian.yaml"), encoding="utf-8") as file:
-            self.text = file.read()
+        self.text = text_of(".github", "workflows", "debian.yaml")
+
+    def steps(self):
+        try:
+            import yaml
+        except ImportError:  # Debian: python3-yaml
+            self.skipTest("no module yaml")
+        # YAML 1.1 takes the key `on` for a truth value; the service does not.
+        read = yaml.load(self.text, yaml.BaseLoader)
+        self.assertEqual(sorted(read), ["jobs", "name", "on"])
+        (job_read,) = read["jobs"].values()
+        self.assertEqual(job_read["container"], "debian:12")
+        return job_read["steps"]
+
+    def test_each_step_is_a_shell_or_an_action_that_is_there(self):
+        for step in self.steps():
+            self.assertTrue(set(step) <= {"name", "run", "uses", "with", "if"}, step)
+            self.assertEqual(("run" in step) + ("uses" in step), 1, step)
+            if "uses" in step:
+                self.assertIn(step["uses"], ACTIONS)
+            else:
+                checked = subprocess.run(["bash", "-n"], input=step["run"], text=True, capture_output=True)
+                self.assertEqual(checked.returncode, 0, checked.stderr)
+
+    def test_its_packages_are_in_the_distribution(self):
+        if shutil.which("apt-cache") is None:
+            self.skipTest("no apt-cache")
+        lines = self.text.replace("\\\n", " ").splitlines()
+        named = [word for line in lines for word in re.split("bootstrap.sh|--no-install-recommends", line)[1:]]
+        packages = [word for words in named for word in words.split() if re.fullmatch("[a-z][a-z0-9+-]+", word)]
+        self.assertIn("lintian", packages)
+        self.assertIn("git", packages)
+        known = subprocess.run(["apt-cache", "pkgnames"], capture_output=True, text=True).stdout.split()
+        if len(known) < 10000:
+            self.skipTest("apt-get update was never run here")
+        self.assertEqual([name for name in packages if name not in known], [])
+
+    def test_its_preset_builds_where_its_files_are_taken_from(self):
+        self.assertEqual(set(re.findall(r"--preset (\w+)", self.text)), {"release"})
+        self.assertIn('"name": "release"', text_of("CMakePresets.json"))
+        self.assertIn('"binaryDir": "${sourceDir}/build/${presetName}"', text_of("CMakePresets.json"))
+        taken = set(re.findall(r"build/release/\S+", self.text))
+        self.assertEqual(taken, {"build/release/rubsweep_*.deb", "build/release/rubsweep-dev_*.deb", "build/release/docs/site/",
+                                 "build/release/*.deb", "build/release/*.tar.gz"})
+        packages = text_of("packaging", "packages.cmake")
+        self.assertIn("PROGRAMS_PACKAGE_NAME rubsweep)", packages)
+        self.assertIn("DEVELOPMENT_PACKAGE_NAME rubsweep-dev)", packages)
+        self.assertIn("FILE_NAME DEB-DEFAULT", packages)  # NAME_VERSION_ARCHITECTURE.deb
+        self.assertIn("set(site ${CMAKE_CURRENT_BINARY_DIR}/site)", text_of("docs", "CMakeLists.txt"))
+
+    def test_labels_that_its_tests_leave_out_are_there(self):
+        left_out = re.search("-LE '([^']*)'", text_of("scripts", "test.sh"))[1].split("|")
+        self.assertIn("scripts/test.sh", self.text)
+        lists = "".join(text_of(os.path.relpath(os.path.join(folder, name), TOP))
+                        for folder, _, names in os.walk(os.path.join(TOP, "tests")) for name in names
+                        if name == "CMakeLists.txt")
+        for label in left_out:
+            self.assertRegex(lists, rf'LABELS "?([a-z;]*;)?{label}\b')
+
+    def test_it_tries_the_package_as_the_package_test_does(self):
+        tried = re.search(r"first_map.sh (.*)", self.text)[1]
+        self.assertIn(f"first_map.sh {tried}'", text_of("tests", "packaging", "installed_and_purged.sh"))
+        self.assertIn("RUBSWEEP_TUTORIAL", text_of("tests", "documents", "tutorial_test.py"))
 
     def test_its_scripts_are_there(self):
         scripts = re.findall(r"(?:scripts|tests)/[\w/.]+\.sh", self.text)

@@ -47,6 +47,8 @@ def main(top, programs):
         os.symlink(os.path.join(top, "configs"), os.path.join(work, "configs"))
         environment = environment_of(programs)
         environment["PATH"] = os.pathsep.join([first, environment["PATH"]])
+        # Where somebody has no directory for it, Octave ends with an error on standard error.
+        environment["OCTAVE_HISTFILE"] = os.path.join(first, "octave_history")
         wrong += wrong_blocks(sections[0], work, environment)
         for title, section in zip(titles[1:], sections[1:]):
             if not places[title]:

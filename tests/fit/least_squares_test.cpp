@@ -80,15 +80,39 @@ TEST(LeastSquares, ImpossibleValuesAreNotTakenAndAnImpossibleStartIsAnError) {
 }
 
 TEST(LeastSquares, AStopLeavesTheBestSoFar) {
-  const std::atomic<bool> stop = true;
+  std::atomic<bool> stop = false;
   LeastSquaresOptions options;
   options.stop = &stop;
+  options.starts = 5;
   int iterations = 0;
-  options.on_iteration = [&](int, int, double) { ++iterations; };
+  double first = 0, last = 0;
+  options.on_iteration = [&](int, int iteration, double cost) {
+    (iteration == 0 ? first : last) = cost;
+    stop = ++iterations == 2;
+  };
   const LeastSquaresFit fit = least_squares({two, decay}, options);
   EXPECT_TRUE(fit.stopped);
-  EXPECT_LE(iterations, 2);
-  EXPECT_EQ(fit.value.size(), 2);
+  EXPECT_EQ(iterations, 2);
+  ASSERT_EQ(fit.value.size(), 2);
+  EXPECT_EQ(fit.cost, last);
+  EXPECT_LT(fit.cost, first);
+  EXPECT_EQ(fit.jacobian.rows(), fit.residuals.size());
+  EXPECT_NEAR(0.5 * fit.residuals.squaredNorm(), fit.cost, 1e-12 * fit.cost);
+}
+
+TEST(LeastSquares, AStopDoesNotWaitForTheDerivatives) {
+  std::atomic<bool> stop = false;
+  std::atomic<int> evaluations = 0;
+  LeastSquaresOptions options;
+  options.stop = &stop;
+  const auto stopped_at_once = [&](const Eigen::VectorXd& at) {
+    if (++evaluations == 2) stop = true;  // the first of the derivatives
+    return decay(at);
+  };
+  const LeastSquaresFit fit = least_squares({two, stopped_at_once}, options);
+  EXPECT_TRUE(fit.stopped);
+  EXPECT_EQ(fit.value.size(), 0) << "nothing was found yet";
+  EXPECT_LE(evaluations, 3) << "the other thread may have begun one";
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ run 'rubsweep --version'
 run 'rubsweep --init rotor_kit > my.yaml'
 cp my.yaml begun.yaml
 # Another clearance, and fewer speeds.
-run "sed -i -e 's/clearance_m: 5.0e-4 # 0.5 mm/clearance_m: 4.0e-4 # 0.4 mm/' -e 's/count: 13/count: 7/' my.yaml"
+run "sed -i -e 's/clearance_m: 5.0e-4 # 0.5 mm/clearance_m: 4.0e-4 # 0.4 mm/' -e 's/step: 500/step: 1000/' my.yaml"
 diff begun.yaml my.yaml || true
 rm begun.yaml
 run 'rubsweep my.yaml --check'

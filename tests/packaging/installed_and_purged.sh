@@ -18,7 +18,8 @@ files >/tmp/before
 apt-get install -y -qq --install-recommends "$package" man-db bash-completion >/tmp/apt.log 2>&1 || { cat /tmp/apt.log; exit 1; }
 dpkg --verify rubsweep
 dpkg -L rubsweep >/tmp/listed
-echo "installed: $(wc -l </tmp/listed) files and folders, $(dpkg-query -W -f='${Installed-Size}' rubsweep) KiB"
+echo "\$ apt-get install --install-recommends $(basename "$package") man-db bash-completion
+installed: $(wc -l </tmp/listed) files and folders, $(dpkg-query -W -f='${Installed-Size}' rubsweep) KiB" | tee /tmp/transcript.txt
 
 xargs -d '\n' stat -c '%F %s %n' </tmp/listed | sed -n 's/^regular file //p' | sort -rn >/tmp/installed_files.txt
 
@@ -30,7 +31,7 @@ as_somebody() {
     sh -c "cd $1 && $2"
 }
 as_somebody /tmp/work 'sh /tmp/first_map.sh /usr/share/doc/rubsweep/examples "png svg pdf"'
-as_somebody /tmp/begun 'sh /tmp/first_ten_minutes.sh /tmp' >/tmp/transcript.txt || { cat /tmp/transcript.txt; exit 1; }
+as_somebody /tmp/begun 'sh /tmp/first_ten_minutes.sh /tmp' >>/tmp/transcript.txt || { cat /tmp/transcript.txt; exit 1; }
 
 apt-get purge -y -qq rubsweep man-db bash-completion >/tmp/apt.log 2>&1 || { cat /tmp/apt.log; exit 1; }
 while read -r one; do
@@ -46,4 +47,6 @@ if ! diff /tmp/before /tmp/after >/tmp/difference; then
   if grep -q 'rub[a-z]' /tmp/difference; then exit 1; fi
 fi
 if dpkg -l 'rubsweep*' 2>/dev/null | grep -q '^[a-z][a-z] '; then echo 'dpkg still knows rubsweep'; exit 1; fi
-echo 'purged'
+echo '
+$ apt-get purge rubsweep
+purged' | tee -a /tmp/transcript.txt

@@ -35,13 +35,14 @@ bool says(const std::vector<std::string>& sentences, const std::string& sentence
 TEST(Findings, SayWhatTheMapHolds) {
   const auto said = findings(four_cells(), grid);
   for (const char* sentence :
-       {"4 cells: 2 speeds from 50 to 80 Hz, 2 whirl ratios from 0.2 to 0.6.",
-        "Rub lasts in 3 cells (75.0 %), between 50 and 80 Hz; the smallest unbalance with it is whirl ratio "
+       {"4 cells: 2 speeds from 50 to 80 Hz (3000 to 4800 rpm), 2 whirl ratios from 0.2 to 0.6.",
+        "Rub lasts in 3 cells (75.0 %), from 50 to 80 Hz (3000 to 4800 rpm); the smallest unbalance with it "
+        "is whirl ratio "
         "0.2, "
-        "at 80 Hz.",
-        "The most frequent rub is subharmonic 1/2: 2 cells (50.0 %), between 50 and 80 Hz.",
-        "The largest contact force is 400 N, at 50 Hz and whirl ratio 0.6 (subharmonic 1/2).",
-        "The largest displacement is 4 mm, at 80 Hz and whirl ratio 0.6 (chaotic).",
+        "at 80 Hz (4800 rpm).",
+        "The most frequent rub is subharmonic 1/2: 2 cells (50.0 %), from 50 to 80 Hz (3000 to 4800 rpm).",
+        "The largest contact force is 400 N, at 50 Hz (3000 rpm) and whirl ratio 0.6 (subharmonic 1/2).",
+        "The largest displacement is 4 mm, at 80 Hz (4800 rpm) and whirl ratio 0.6 (chaotic).",
         "Chaos, by a positive Lyapunov exponent, is found in 1 cell (25.0 %).",
         "A kick that differs by a millionth leads to another class in 2 cells (50.0 %)."}) {
     EXPECT_TRUE(says(said, sentence)) << sentence << "\n" << testing::PrintToString(said);

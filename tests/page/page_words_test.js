@@ -13,8 +13,8 @@ vm.createContext(page);
 const template = process.argv[2];
 const sources = ["quantities", "palette", "controls", "export"].map((name) =>
   fs.readFileSync(path.join(template, name + ".js"), "utf8").replace('"use strict";', ""));
-const wanted = "({ columnTitle, axisName, axisTitle, wordScale, layersOf, rowsCsv, quantity, emptyColour })";
-const { columnTitle, axisName, axisTitle, wordScale, layersOf, rowsCsv } = vm.runInContext(sources.join("\n") + wanted, page);
+const wanted = "({ columnTitle, axisName, axisTitle, wordScale, layersOf, rowsCsv, quantity, emptyColour, placeText, writtenUnits })";
+const { columnTitle, axisName, axisTitle, wordScale, layersOf, rowsCsv, placeText, writtenUnits } = vm.runInContext(sources.join("\n") + wanted, page);
 
 const members = ["constructor", "__proto__", "toString", "hasOwnProperty", "valueOf", "__defineGetter__"];
 for (const name of members) {
@@ -34,6 +34,12 @@ const column = { words: [], values: [1] };
 const columns = new Map([["class", { words: ["chaotic"], values: [0] }], ...members.map((name) => [name, column])]);
 const data = { columns, cells: 1, index: { keys: [], version: "1", digest: "2" }, value: (name) => (name === "class" ? "chaotic" : 1) };
 assert.deepStrictEqual([...layersOf(data)], ["class", ...members]);
+
+// Places of cells are said in rpm, too, once where that is how the speeds are written.
+const placed = { index: { across: "speed_hz", measure: "whirl_ratio" }, value: (name) => (name === "speed_hz" ? 75 : 0.4) };
+assert.strictEqual(placeText(placed, 0), "75 Hz (4500 rpm), whirl ratio 0.4");
+writtenUnits.set("speed_hz", [60, "rpm", "speed"]);
+assert.strictEqual(placeText(placed, 0), "4500 rpm, whirl ratio 0.4");
 
 // Names with commas and quotes are quoted as words are.
 data.columns = new Map([['a,"b"', column], ["c", column]]);

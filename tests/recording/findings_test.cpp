@@ -73,7 +73,8 @@ TEST(Findings, AnUnsteadySpeedAndFewReadings) {
   EXPECT_TRUE(findings.empty());
   add_speed_findings(std::vector<double>{0, 0.1, 0.2, 0.325}, 1000, findings);
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0], "the speed is unsteady: at 0.2 s it goes from 10 to 8 Hz within a turn");
+  EXPECT_EQ(findings[0],
+            "the speed is unsteady: at 0.2 s it goes from 10 to 8 Hz (600 to 480 rpm) within a turn");
   findings.clear();
   add_speed_findings(std::vector<double>{0, 0.1, 0.2}, 150, findings);
   EXPECT_EQ(findings,

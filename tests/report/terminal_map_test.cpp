@@ -35,7 +35,7 @@ TEST(TerminalMap, HasACharacterForEachCellUnbalanceUpward) {
   EXPECT_EQ(small_map().text(80, false),
             "           0.6 2+2\n"
             "           0.2 .*?\n"
-            "   whirl_ratio 50 Hz 70 Hz\n"
+            "   whirl_ratio 50 Hz (3000 rpm) 70 Hz (4200 rpm)\n"
             "  * chaotic  + subharmonic of more than 9 turns  . non_contact\n"
             "  2 subharmonic 1/2  ? unsettled\n");
 }
@@ -50,7 +50,7 @@ TEST(TerminalMap, LeavesUnfinishedCellsBlankAndOutOfTheLegend) {
   EXPECT_EQ(map.text(80, false),
             "           0.6 * *\n"
             "           0.2 * *\n"
-            "   whirl_ratio 50 Hz 70 Hz\n"
+            "   whirl_ratio 50 Hz (3000 rpm) 70 Hz (4200 rpm)\n"
             "  * chaotic\n");
   EXPECT_NE(map.text(80, true).find("m*\x1b[0m \x1b["), std::string::npos);
   ASSERT_TRUE(map.typical_rub());

@@ -19,7 +19,7 @@ class Bode(figures.FigureTest):
     def test_the_picture_says_what_it_shows(self):
         root = self.draw("bode", "--heading", "Run-up")
         for word in ("Pump: Run-up", "1X amplitude (µm)", "phase (°)", "shaft speed (Hz)", "sensor 0, at 100 mm, 45°",
-                     "sensor 1", "resonance 20 Hz"):
+                     "sensor 1", "resonance 20 Hz", "rpm", "900", "1200"):
             self.assertIn(word, figures.words(root))
         self.assertEqual(figures.over_each_other(root), [])
 
@@ -27,4 +27,5 @@ class Bode(figures.FigureTest):
         root = self.draw("bode", "--speed-unit", "rpm", "--length-unit", "mil", "--peak-to-peak")
         for word in ("1X amplitude (mil peak to peak)", "shaft speed (rpm)", "resonance 1200 rpm"):
             self.assertIn(word, figures.words(root))
+        self.assertNotIn("rpm", figures.words(root))
         self.assertEqual(figures.over_each_other(root), [])

@@ -1,4 +1,7 @@
+import contextlib
+import io
 import unittest
+from unittest import mock
 
 import figures
 from rubplot import command_line
@@ -51,6 +54,13 @@ class WrongCalls(figures.FileTest):
         self.assertTrue(complaint.endswith("Try: rubplot figure --help\n"))
         self.expect(2, "did you mean rotor_kit?", "figure", "rotor-kitt")
         self.expect(2, "figure04 shows no map", "figure", "04", "--map", "x")
+
+    def test_ctrl_c_leaves_no_traceback(self):
+        complaint = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+        with mock.patch("rubplot.subcommand.draw", side_effect=KeyboardInterrupt), contextlib.redirect_stderr(complaint):
+            self.assertEqual(command_line.main(["map", "x"]), 130)
+        complaint.seek(0)
+        self.assertEqual(complaint.read(), "rubplot: interrupted; nothing was drawn\n")
 
     def test_every_picture_names_a_file_that_is_not_there(self):
         for one in ALL:

@@ -34,7 +34,7 @@ class Design(figures.FigureTest):
         words = figures.words(self.draw("design", "--heading", "Design check"))
         for word in ("Pump: Design check", "probes (µm peak to peak)", "limit 25.4 µm",
                      "probe 0", "stop 0", "axis / allowed at stops (%)", "kick that starts a rub (N)",
-                     "lock speed", "none of the kicks", "clearance", "not met", "-100.0 %", "17.5 N", "60 Hz", "dry whip"):
+                     "lock speed", "none of the kicks", "clearance", "not met", "-100.0 %", "17.5 N", "60 Hz (3600 rpm)", "dry whip"):
             self.assertIn(word, words)
 
     def test_texts_leave_each_other_room(self):

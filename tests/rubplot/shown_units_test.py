@@ -9,7 +9,7 @@ class Axes(unittest.TestCase):
         self.assertEqual(shown_units.axis(config, "speed_hz", 20), shown_units.Axis("shaft speed (Hz)"))
         self.assertEqual(shown_units.axis(config, "whirl_ratio"),
                          shown_units.Axis("whirl ratio (quiet whirl / clearance)", 1, True))
-        self.assertEqual(shown_units.speed_text(config, 12.5), "12.5 Hz")
+        self.assertEqual(shown_units.speed_text(config, 12.5), "12.5 Hz (750 rpm)")
 
     def test_what_was_written_in_other_units_comes_back_so(self):
         config = {"sweep.speed_rpm.from": "3000", "sweep.speed_rpm.to": "12000", "sweep.speed_rpm.scale": "log",
@@ -32,12 +32,12 @@ class Axes(unittest.TestCase):
         written = {"sweep.speed_rpm.from": "3000", "sweep.speed_rpm.to": "12000", "sweep.speed_rpm.scale": "log"}
         with shown_units.chosen(shown_units.Choice(speed="hz")):
             self.assertEqual(shown_units.axis(written, "speed_hz"), shown_units.Axis("shaft speed (Hz)", 1, True))
-            self.assertEqual(shown_units.speed_text(written, 50), "50 Hz")
+            self.assertEqual(shown_units.speed_text(written, 50), "50 Hz (3000 rpm)")
         with shown_units.chosen(shown_units.Choice(speed="rpm")):
             self.assertEqual(shown_units.axis({}, "speed_hz"), shown_units.Axis("shaft speed (rpm)", 60))
             self.assertEqual(shown_units.axis({}, "whirl_ratio").factor, 1)
             self.assertEqual(shown_units.speed_text({}, 50), "3000 rpm")
-        self.assertEqual(shown_units.speed_text({}, 50), "50 Hz")
+        self.assertEqual(shown_units.speed_text({}, 50), "50 Hz (3000 rpm)")
 
     def test_lengths_and_amplitudes_in_the_unit_that_is_asked_for(self):
         self.assertEqual(shown_units.of_length(1e-6), (1e6, "µm"))

@@ -54,6 +54,12 @@ class Ranges(unittest.TestCase):
         self.assertEqual(hidden(panel), [2])
         self.assertEqual(hidden([panel[0], "  set autoscale\n", *panel[1:]]), [])
 
+    def test_axes_of_shaft_speeds_have_rpm_above_them(self):
+        for name in ("bode", "branch", "campbell", "compare", "curves", "design", "fit", "identification", "line", "map",
+                     "run_up", "scope_run", "threshold"):
+            with self.subTest(script=name), open(os.path.join(TEMPLATES, f"{name}.gp"), encoding="utf-8") as file:
+                self.assertIn("eval rpm_above(", file.read())
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -41,7 +41,7 @@ class LayOut(FileTest):
         self.assertEqual(
             self.lay_out().assignments,
             {
-                "row_title": '"subharmonic 1/2: 50 Hz = 1.67 × natural frequency, whirl ratio 0.6"',
+                "row_title": '"subharmonic 1/2: 50 Hz (3000 rpm) = 1.67 × natural frequency, whirl ratio 0.6"',
                 "probed": 0,
                 "from": 0,
                 "to": 10,

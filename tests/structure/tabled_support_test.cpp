@@ -29,11 +29,11 @@ TEST(TabledSupportAt, RefusesSpeedsBeyondTheTable) {
   for (const double speed_hz : {19.9, 120.5})
     EXPECT_NE(message_of<ConfigError>([&] {
                 machine_at(machine, speed_hz);
-              }).find("Hz, allowed: speeds from 20 to 120 Hz (1200 to 7200 rpm)"),
+              }).find(" rpm), allowed: speeds from 20 to 120 Hz (1200 to 7200 rpm)"),
               std::string::npos);
   EXPECT_NE(message_of<ConfigError>([&] {
               refuse_beyond_tables(machine, 20, 121);
-            }).find("rotor.supports.0.table: does not reach 121 Hz"),
+            }).find("rotor.supports.0.table: does not reach 121 Hz (7260 rpm)"),
             std::string::npos);
   EXPECT_NO_THROW(refuse_beyond_tables(machine, 20, 120));
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/batch/decimal_steps.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
@@ -46,13 +47,20 @@ struct Spacing {
   double from = 0, to = 0;
   int count = 1;
   bool logarithmic = false;
+  double step = 0;  ///< 0: by the count; else the values stand so far apart, see decimal_steps.hpp
 
   bool operator==(const Spacing&) const = default;
 };
 
 /// Values in SI units, of which one is `units_per_si` of the written ones: the ends are divided before the
-/// values between them are placed. Throws ConfigError as evenly_spaced.
+/// values between them are placed. By a step, each value is divided. Throws ConfigError as evenly_spaced, and
+/// std::invalid_argument as decimal_steps.
 inline std::vector<double> spaced(const Spacing& spacing, double units_per_si = 1) {
+  if (spacing.step > 0) {
+    std::vector<double> values = decimal_steps(spacing.from, spacing.to, spacing.step);
+    for (double& value : values) value /= units_per_si;
+    return values;
+  }
   const double first = spacing.from / units_per_si, last = spacing.to / units_per_si;
   return spacing.logarithmic ? logarithmically_spaced(first, last, spacing.count)
                              : evenly_spaced(first, last, spacing.count);

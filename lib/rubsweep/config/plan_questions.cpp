@@ -14,6 +14,7 @@
 #include "rubsweep/contact/restitution.hpp"
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/model/rpm.hpp"
+#include "rubsweep/model/speed_text.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -42,9 +43,10 @@ std::optional<Question> slow_speeds(const yaml::Node& root, const sweep::Study& 
   const double fastest_hz = std::ranges::max(study.grid.speed_hz), natural_hz = rotor->natural_frequency_hz;
   if (fastest_hz >= slow * natural_hz) return std::nullopt;
   const bool rpm = find_node(root, "sweep.speed_rpm") != nullptr;
-  return Question{rpm ? "sweep.speed_rpm" : "sweep.speed_hz",
-                  fmt::format("no speed is above {:.4g} Hz, less than a tenth of the natural frequency{}",
-                              fastest_hz, rpm ? "" : unit_of_slow_speeds(fastest_hz, natural_hz))};
+  return Question{
+      rpm ? "sweep.speed_rpm" : "sweep.speed_hz",
+      fmt::format("no speed is above {}, less than a tenth of the natural frequency{}",
+                  model::speed_text(fastest_hz, 4), rpm ? "" : unit_of_slow_speeds(fastest_hz, natural_hz))};
 }
 
 std::optional<Question> idle_kick(const sweep::Study& study) {

@@ -13,6 +13,7 @@
 #include "rubsweep/config/yaml/number.hpp"
 #include "rubsweep/config/yaml/override.hpp"
 #include "rubsweep/config/yaml/text.hpp"
+#include "rubsweep/model/speed_text.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -155,8 +156,8 @@ std::optional<std::string> swapped_axes(const yaml::Value& root) {
   const yaml::Node* ratios = find_node(root.node, "sweep.whirl_ratio");
   const double fastest = largest_of(speeds), largest = largest_of(ratios);
   if (!(fastest > 0 && fastest <= 1.5 && largest > 10)) return std::nullopt;
-  return fmt::format("{}: sweep: speeds up to {} Hz and whirl ratios up to {} (the two axes swapped?)",
-                     root.diagnostics.describe(speeds->place), fastest, largest);
+  return fmt::format("{}: sweep: speeds up to {} and whirl ratios up to {} (the two axes swapped?)",
+                     root.diagnostics.describe(speeds->place), model::speed_text(fastest), largest);
 }
 
 }  // namespace

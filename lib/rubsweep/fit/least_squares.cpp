@@ -7,6 +7,7 @@
 #include <future>
 #include <memory>
 #include <random>
+#include <utility>
 
 #include "rubsweep/error.hpp"
 
@@ -15,11 +16,17 @@ namespace {
 
 constexpr double relative_step = 1e-5;
 
-/// Residuals and derivatives at one point, made once for all residuals.
+bool is_stopped(const LeastSquaresOptions& options) {
+  return options.stop != nullptr && options.stop->load();
+}
+
+/// Residuals and derivatives at one point, made once for all residuals. Once the fit is stopped nothing is
+/// evaluated any more, and the solver gets numbers with which it comes to its end without a complaint.
 class Evaluation : public ceres::EvaluationCallback {
  public:
-  explicit Evaluation(const LeastSquares& problem)
+  Evaluation(const LeastSquares& problem, const LeastSquaresOptions& options)
       : problem_(problem),
+        options_(options),
         scaled_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.parameters.size()))) {}
 
   double* scaled() { return scaled_.data(); }
@@ -27,6 +34,10 @@ class Evaluation : public ceres::EvaluationCallback {
   Eigen::VectorXd values() const { return values_of(scaled_); }
 
   void PrepareForEvaluation(bool with_jacobian, bool new_point) override {
+    if (is_stopped(options_) && residuals_.size() > 0) {
+      leave_off();
+      return;
+    }
     if (new_point || residuals_.size() == 0) {
       possible_ = evaluate(scaled_, residuals_);
       jacobian_.resize(0, 0);
@@ -35,6 +46,8 @@ class Evaluation : public ceres::EvaluationCallback {
   }
 
   bool possible() const { return possible_; }
+  /// Whether residuals and derivatives are those of the point.
+  bool whole() const { return whole_; }
   const Eigen::VectorXd& residuals() const { return residuals_; }
   /// With respect to parameters in units of their scales.
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
@@ -48,6 +61,7 @@ class Evaluation : public ceres::EvaluationCallback {
   }
 
   bool evaluate(const Eigen::VectorXd& scaled, Eigen::VectorXd& residuals) const {
+    if (is_stopped(options_)) return false;
     try {
       residuals = problem_.residuals(values_of(scaled));
       return residuals.allFinite();
@@ -83,12 +97,20 @@ class Evaluation : public ceres::EvaluationCallback {
     auto other = std::async(std::launch::async, every_second, 1);
     const bool mine = every_second(0);
     possible_ = other.get() && mine;
+    if (is_stopped(options_)) leave_off();
+  }
+
+  void leave_off() {
+    whole_ = false;
+    possible_ = true;
+    jacobian_.setZero(residuals_.size(), scaled_.size());
   }
 
   const LeastSquares& problem_;
+  const LeastSquaresOptions& options_;
   Eigen::VectorXd scaled_, residuals_;
   Eigen::MatrixXd jacobian_;
-  bool possible_ = false;
+  bool possible_ = false, whole_ = true;
 };
 
 /// One residual, read from the evaluation.
@@ -115,6 +137,13 @@ class Residual : public ceres::CostFunction {
   Eigen::Index row_;
 };
 
+/// Point that a descent has reached; no value before its derivatives are there.
+struct Reached {
+  Eigen::VectorXd value, residuals;
+  Eigen::MatrixXd jacobian;
+  double cost = INFINITY;
+};
+
 class Watch : public ceres::IterationCallback {
  public:
   Watch(const LeastSquares& problem, const Evaluation& evaluation, const LeastSquaresOptions& options,
@@ -123,22 +152,26 @@ class Watch : public ceres::IterationCallback {
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     if (problem_.accepted && summary.step_is_successful) problem_.accepted(evaluation_.values());
     if (options_.on_iteration) options_.on_iteration(start_, summary.iteration, summary.cost);
-    const bool stop = options_.stop != nullptr && options_.stop->load();
-    return stop ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    if ((summary.iteration == 0 || summary.step_is_successful) && evaluation_.whole())
+      reached_ = {evaluation_.values(), evaluation_.residuals(), evaluation_.jacobian(), summary.cost};
+    return is_stopped(options_) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
+
+  const Reached& reached() const { return reached_; }
 
  private:
   const LeastSquares& problem_;
   const Evaluation& evaluation_;
   const LeastSquaresOptions& options_;
   int start_;
+  Reached reached_;
 };
 
 /// Descent from one start. Empty cost (infinite) where nothing can be had there.
 LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& from,
                         const LeastSquaresOptions& options, int start, double robust_size) {
   const auto count = static_cast<Eigen::Index>(problem.parameters.size());
-  Evaluation evaluation(problem);
+  Evaluation evaluation(problem, options);
   for (Eigen::Index i = 0; i < count; ++i)
     evaluation.scaled()[i] = from(i) / problem.parameters[static_cast<std::size_t>(i)].scale;
   evaluation.PrepareForEvaluation(false, true);
@@ -170,22 +203,30 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& from
   how.update_state_every_iteration = true;
   ceres::Solver::Summary summary;
   ceres::Solve(how, &descent, &summary);
-  if (!summary.IsSolutionUsable()) return fit;
-  evaluation.PrepareForEvaluation(true, true);
-  if (!evaluation.possible()) return fit;
-  fit.value = evaluation.values();
-  fit.residuals = evaluation.residuals();
-  fit.jacobian = evaluation.jacobian();
+  fit.stopped = is_stopped(options);
+  Reached reached = watch.reached();
+  if (!fit.stopped) {
+    if (!summary.IsSolutionUsable()) return fit;
+    evaluation.PrepareForEvaluation(true, true);
+    if (evaluation.possible() && evaluation.whole())
+      reached = {evaluation.values(), evaluation.residuals(), evaluation.jacobian(), summary.final_cost};
+    else if (!is_stopped(options))
+      return fit;
+    fit.stopped = is_stopped(options);
+  }
+  if (reached.value.size() == 0) return fit;
+  fit.value = std::move(reached.value);
+  fit.residuals = std::move(reached.residuals);
+  fit.jacobian = std::move(reached.jacobian);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Parameter& parameter = problem.parameters[static_cast<std::size_t>(i)];
     fit.jacobian.col(i) /= parameter.scale;
     const double room = std::min(fit.value(i) - parameter.low, parameter.high - fit.value(i));
     fit.at_bound.push_back(room < 1e-6 * (parameter.high - parameter.low));
   }
-  fit.cost = summary.final_cost;
+  fit.cost = reached.cost;
   fit.iterations = static_cast<int>(summary.iterations.size()) - 1;
   fit.converged = summary.termination_type == ceres::CONVERGENCE;
-  fit.stopped = options.stop != nullptr && options.stop->load();
   return fit;
 }
 
@@ -213,12 +254,13 @@ LeastSquaresFit least_squares(const LeastSquares& problem, const LeastSquaresOpt
   for (int k = 0; k < options.starts; ++k) {
     if (k > 0) start = drawn_start(problem, random);
     LeastSquaresFit fit = descend(problem, start, options, k, 0);
-    if (k == 0 && !(fit.cost < INFINITY))
+    if (k == 0 && !(fit.cost < INFINITY) && !is_stopped(options))
       throw SolverError("fit: the model cannot be computed at the first values of the parameters");
     costs.push_back(fit.cost);
     if (k == 0 || fit.cost < best.cost) best = std::move(fit);
-    if (best.stopped) break;
+    if (is_stopped(options)) break;
   }
+  best.stopped = is_stopped(options);
   best.starts = static_cast<int>(costs.size());
   best.agreeing =
       static_cast<int>(std::ranges::count_if(costs, [&](double cost) { return cost <= 1.01 * best.cost; }));
@@ -226,6 +268,7 @@ LeastSquaresFit least_squares(const LeastSquares& problem, const LeastSquaresOpt
     const double size = options.robust_beyond *
                         std::sqrt(best.residuals.squaredNorm() / static_cast<double>(best.residuals.size()));
     LeastSquaresFit robust = descend(problem, best.value, options, options.starts, size);
+    best.stopped = is_stopped(options);
     if (robust.cost < INFINITY) {
       robust.starts = best.starts;
       robust.agreeing = best.agreeing;

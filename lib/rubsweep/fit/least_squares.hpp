@@ -35,7 +35,9 @@ struct LeastSquaresOptions {
   int starts = 1;            ///< further ones are drawn between the bounds, the same in every run
   int most_iterations = 60;  ///< of each start
   std::function<void(int start, int iteration, double cost)> on_iteration{};
-  const std::atomic<bool>* stop = nullptr;  ///< the best so far is returned
+  /// The best so far is returned, without waiting for the derivatives that are being made; no value where
+  /// there is none yet.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// Minimum of the sum of squares / 2, and what the data say of it near there.

@@ -284,6 +284,7 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
       .accepted = [&](const Eigen::VectorXd& values) { follow_rubs(problem, values); }};
   MachineFitResult result;
   result.fit = least_squares(squares, options);
+  if (result.fit.value.size() == 0) return result;
   result.data = parts_of(problem, noise_m);
   LeastSquaresOptions again = options;
   again.starts = 1;
@@ -297,7 +298,12 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
     for (Eigen::Index i = 0; i < start.size(); ++i)
       squares.parameters[static_cast<std::size_t>(i)].start = result.fit.value(i);
     const int starts = result.fit.starts, agreeing = result.fit.agreeing;
-    result.fit = least_squares(squares, again);
+    LeastSquaresFit next = least_squares(squares, again);
+    if (next.value.size() == 0) {
+      result.fit.stopped = true;
+      break;
+    }
+    result.fit = std::move(next);
     result.fit.starts = starts;
     result.fit.agreeing = agreeing;
     result.data = parts_of(problem, noise_m);

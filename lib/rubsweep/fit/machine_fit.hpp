@@ -52,7 +52,8 @@ struct MachineFitResult {
 /// Fits the parameters to all data together. Data of different files count by their own noise, which is
 /// estimated from a first fit. Offsets of ring-downs, their common scale (nobody knows how hard it was
 /// struck), and run-out where asked for, are eliminated at every step. Throws ConfigError for data that the
-/// machine, or the parameters, do not go with, and for first values that are not allowed.
+/// machine, or the parameters, do not go with, and for first values that are not allowed. Stopped before
+/// anything was found, it has no value.
 MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOptions& options);
 
 /// Model beside the data: real parts, and imaginary ones of 1X, in metres, in the order of the residuals.

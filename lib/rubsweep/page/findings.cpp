@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/page/painted_table.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
 
@@ -42,7 +43,7 @@ class Words {
                : fmt::format("eccentricity {:.4g} mm", 1e3 * unbalance);
   }
   std::string place(std::size_t row) const {
-    std::string text = fmt::format("{:.4g} Hz and {}", speed(row), amount(unbalance(row)));
+    std::string text = fmt::format("{} and {}", model::speed_text(speed(row), 4), amount(unbalance(row)));
     for (const std::string& key : keys_)
       text += fmt::format(", {} {:.4g}", key, map_.number(key, row).value_or(0));
     return text;
@@ -50,8 +51,8 @@ class Words {
   std::string speeds(const Rows& rows) const {
     const auto [low, high] =
         std::minmax_element(rows.begin(), rows.end(), [&](auto a, auto b) { return speed(a) < speed(b); });
-    if (speed(*low) == speed(*high)) return fmt::format("at {:.4g} Hz", speed(*low));
-    return fmt::format("between {:.4g} and {:.4g} Hz", speed(*low), speed(*high));
+    if (speed(*low) == speed(*high)) return "at " + model::speed_text(speed(*low), 4);
+    return "from " + model::speed_range_text(speed(*low), speed(*high), 4);
   }
 
   /// "subharmonic 1/3", "quasi-periodic"
@@ -80,8 +81,14 @@ std::string axis(std::vector<double> values, const std::string& name, const std:
                      scale * *high, unit);
 }
 
+std::string speed_axis(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  if (values.size() == 1) return "speed " + model::speed_text(*low, 4);
+  return fmt::format("{} speeds from {}", values.size(), model::speed_range_text(*low, *high, 4));
+}
+
 std::string size_of(const MapTable& map, const sweep::Grid& grid) {
-  const std::string speed = axis(grid.speed_hz, "speed", " Hz", 1);
+  const std::string speed = speed_axis(grid.speed_hz);
   const std::string unbalance = grid.measure == sweep::UnbalanceMeasure::whirl_ratio
                                     ? axis(grid.unbalance, "whirl ratio", "", 1)
                                     : axis(grid.unbalance, "eccentricity value", " mm", 1e3);
@@ -107,9 +114,9 @@ void add_rub(const MapTable& map, const Words& words, const Rows& rub, std::vect
   }
   const auto lowest = *std::min_element(
       rub.begin(), rub.end(), [&](auto a, auto b) { return words.unbalance(a) < words.unbalance(b); });
-  said.push_back(fmt::format("Rub lasts in {}, {}; the smallest unbalance with it is {}, at {:.4g} Hz.",
+  said.push_back(fmt::format("Rub lasts in {}, {}; the smallest unbalance with it is {}, at {}.",
                              words.share(rub), words.speeds(rub), words.amount(words.unbalance(lowest)),
-                             words.speed(lowest)));
+                             model::speed_text(words.speed(lowest), 4)));
   std::map<std::string, Rows> by_motion;
   for (const std::size_t row : rub) by_motion[words.motion(row)].push_back(row);
   const auto most = std::max_element(by_motion.begin(), by_motion.end(), [](const auto& a, const auto& b) {

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <numbers>
 
+#include "rubsweep/model/speed_text.hpp"
+
 namespace rubsweep::recording {
 namespace {
 
@@ -128,9 +130,8 @@ void add_speed_findings(std::span<const double> turn_begin_s, double sampling_ra
     const double before_s = turn_begin_s[k - 1] - turn_begin_s[k - 2],
                  now_s = turn_begin_s[k] - turn_begin_s[k - 1];
     if (std::abs(now_s - before_s) <= largest_change * before_s) continue;
-    findings.push_back(
-        fmt::format("the speed is unsteady: at {:.4g} s it goes from {:.5g} to {:.5g} Hz within a turn",
-                    turn_begin_s[k - 1], 1 / before_s, 1 / now_s));
+    findings.push_back(fmt::format("the speed is unsteady: at {:.4g} s it goes from {} within a turn",
+                                   turn_begin_s[k - 1], model::speed_range_text(1 / before_s, 1 / now_s, 5)));
     break;
   }
   const double mean_s =

@@ -80,6 +80,14 @@ std::string label_of(const std::string& column) {
   return column;
 }
 
+/// Commands that write rpm above an axis of speeds in Hz; none over another one.
+std::string_view rpm_above(const std::string& column) {
+  if (column != "speed_hz") return "";
+  return "set link x2 via 60 * x inverse x / 60.0\n"
+         "set x2tics out nomirror format '%g' font ',13'\n"
+         "set label 3 'rpm' at graph 0, graph 1 right offset character -2.5, 1.5 font ',13'\n";
+}
+
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 /// Text between single quotes, where gnuplot knows one escape. A line would end there, and with it the
@@ -127,14 +135,16 @@ std::string comparison_figure(const MapComparison& comparison, const std::string
       "set xlabel {}\n"
       "set ylabel {}\n"
       "set tics out nomirror\n"
-      "set tmargin at screen 0.89\n"
+      "{}"
+      "set tmargin at screen 0.85\n"
       "set rmargin at screen 0.74\n"
       "set key at screen 0.755, graph 1 left top Left reverse samplen 1.5 spacing 1.4\n"
       "set autoscale noextend\n"
       "{}plot {}\n",
       terminal, set_output(output),
       in_quotes(comparison.equal() ? "Two maps that are equal" : "Where two maps differ"), in_quotes(heading),
-      in_quotes(label_of(plane[0].column)), in_quotes(label_of(plane[1].column)), script, plots);
+      in_quotes(label_of(plane[0].column)), in_quotes(label_of(plane[1].column)), rpm_above(plane[0].column),
+      script, plots);
 }
 
 }  // namespace rubsweep::report

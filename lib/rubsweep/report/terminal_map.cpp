@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/report/map_summary.hpp"
 
 namespace rubsweep::report {
@@ -59,6 +60,11 @@ std::vector<std::pair<std::string, Sign>> legend_of(
 
 std::string label_of(const sweep::WrittenAxis& axis, double si) {
   return fmt::format("{:.4g}", si * axis.units_per_si);
+}
+
+/// An end of the axis of speeds, in Hz with rpm beside it, or in the unit that it is written in.
+std::string speed_label(const sweep::WrittenAxis& axis, double speed_hz) {
+  return axis.is_si() ? model::speed_text(speed_hz, 4) : label_of(axis, speed_hz) + " " + axis.unit;
 }
 
 /// No wider than the column of labels.
@@ -115,9 +121,8 @@ std::string TerminalMap::text(std::size_t width, bool coloured) const {
       text += shown(sign_at(row * speeds + middle_of(k, columns, speeds)), coloured);
     text += '\n';
   }
-  const std::string unit = grid_.written_speed.is_si() ? "Hz" : grid_.written_speed.unit,
-                    from = label_of(grid_.written_speed, grid_.speed_hz.front()) + " " + unit,
-                    to = label_of(grid_.written_speed, grid_.speed_hz.back()) + " " + unit;
+  const std::string from = speed_label(grid_.written_speed, grid_.speed_hz.front()),
+                    to = speed_label(grid_.written_speed, grid_.speed_hz.back());
   const std::size_t between = columns > from.size() + to.size() ? columns - from.size() - to.size() : 1;
   text += fmt::format("{:>{}} {}{:{}}{}\n", name_of_unbalance(grid_), label_width, from, "", between, to);
   text += scales_of(grid_);

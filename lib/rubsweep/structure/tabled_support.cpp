@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/model/rpm.hpp"
+#include "rubsweep/model/speed_text.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -21,9 +21,8 @@ SupportCurves curves_of(const model::SupportTable& table, std::index_sequence<co
 void refuse_beyond(const model::SupportTable& table, double speed_hz, const std::string& path) {
   const double low = table.speed_hz.front(), high = table.speed_hz.back();
   if (speed_hz >= low && speed_hz <= high) return;
-  throw ConfigError(
-      fmt::format("{}table: does not reach {} Hz, allowed: speeds from {} to {} Hz ({} to {} rpm)", path,
-                  speed_hz, low, high, model::rpm_per_hz * low, model::rpm_per_hz * high));
+  throw ConfigError(fmt::format("{}table: does not reach {}, allowed: speeds from {}", path,
+                                model::speed_text(speed_hz), model::speed_range_text(low, high)));
 }
 
 std::string path_of(std::size_t support) { return "rotor.supports." + std::to_string(support) + "."; }

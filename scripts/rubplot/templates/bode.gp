@@ -17,6 +17,7 @@ listed = word(resonance, 1)
 do for [k = 2:words(resonance)] { listed = listed . ", " . word(resonance, k) }
 dash(i) = i % 2 ? 2 : 1
 # Here, while no axis has a range: of what lies outside the range of an axis, stats sees nothing.
+stats file(0) using 1 name "S" nooutput
 low = NaN
 high = NaN
 do for [i = 0:sensors - 1] {
@@ -47,8 +48,10 @@ do for [format in formats] {
   }
   set key top right Left reverse samplen 2.5 spacing 1.2 opaque noenhanced
 
-  set tmargin at screen 0.91
+  set tmargin at screen 0.89
+  eval rpm_above(ARG6)
   set bmargin at screen 0.47
+  set xrange [S_min:S_max]
   set yrange [0:*]
   set format x ""
   # Not as labels of the axes, which may come over the numbers at them.
@@ -61,6 +64,7 @@ do for [format in formats] {
   unset label 2
   unset key
 
+  eval no_rpm
   set tmargin at screen 0.44
   set bmargin at screen 0.10
   set yrange [bottom:top]

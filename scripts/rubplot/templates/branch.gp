@@ -24,6 +24,8 @@ name_of(k) = word("fold period-doubling period-halving torus branch-point graze"
 
 set title heading
 set xlabel x_label noenhanced
+eval rpm_above(x_label)
+set offsets graph 0.02, graph 0.02, 0, 0
 # Not as the label of the axis, which may come over the numbers at it.
 set lmargin at screen 0.1
 set label 100 "amplitude (" . ARG7 . ")" at screen 0.02, graph 0.5 center rotate by 90

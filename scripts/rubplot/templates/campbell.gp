@@ -30,12 +30,14 @@ do for [format in formats] {
   set lmargin at screen 0.07
   set rmargin at screen right
   set bmargin at screen (ARG3 eq "" ? 0.12 : 0.145)
-  set tmargin at screen 0.86
+  set tmargin at screen 0.83
   set border 31 linewidth 1
   set tics nomirror out
   set xrange [C_min_x:fastest * per_hz]
   set yrange [0:top]
-  set xlabel (per_hz == 1 ? "shaft speed (Hz)" : "shaft speed (rpm)") . (any_locks ? ", ◇ lock speed" : "")
+  speed_label = per_hz == 1 ? "shaft speed (Hz)" : "shaft speed (rpm)"
+  eval rpm_above(speed_label)
+  set xlabel speed_label . (any_locks ? ", ◇ lock speed" : "")
   # Not as labels of the axes: beside a fixed margin these may come over the numbers.
   set label 1004 "whirl frequency (Hz)" at screen 0.013, 0.49 center rotate by 90
   set key at screen 0.07, screen 0.945 left top horizontal Left reverse noopaque samplen 2.5 maxrows 1
@@ -48,6 +50,7 @@ do for [format in formats] {
     (any_critical ? "critical" : "/dev/null") using ($1 * per_hz):1 with points pointtype 7 pointsize 1.3 \
       linecolor rgb "black" title (any_critical ? "critical speed" : "")
   unset label
+  eval no_rpm
 
   if (shapes) {
     set lmargin at screen 0.68

@@ -8,6 +8,7 @@ load "legend.gp"
 
 set title ARG1
 set xlabel ARG4
+eval rpm_above(ARG4)
 # Not as the label of the axis, which may come over the numbers at it.
 set lmargin at screen 0.1
 set label 100 ARG5 at screen 0.02, graph 0.5 center rotate by 90

@@ -18,6 +18,7 @@ array curve_colour[5] = ["#000000", "#7A0000", "#00217A", "#005A1E", "#333333"]
 
 set title heading
 set xlabel ARG4 noenhanced
+eval rpm_above(ARG4)
 # Not as the label of the axis, which may come over the numbers at it.
 set lmargin at screen 0.1
 set label 100 ARG5 at screen 0.02, graph 0.5 center rotate by 90 noenhanced

@@ -31,8 +31,10 @@ do for [format in formats] {
   set tics nomirror out
   set grid linecolor rgb "#E4E4E4"
   set xrange [S_min:S_max]
-  # Above the panels, so that nothing is behind it.
-  set key at graph 0, graph 1.02 bottom left horizontal Left reverse samplen 2.2 spacing 1.1 noopaque noenhanced font ",17"
+  eval rpm_above(ARG5)
+  # Above the panels and the numbers there, so that nothing is behind it.
+  above = strlen(rpm_above(ARG5)) ? 1.17 : 1.02
+  set key at graph 0, graph above bottom left horizontal Left reverse samplen 2.2 spacing 1.1 noopaque noenhanced font ",17"
 
   set lmargin at screen 0.07
   set rmargin at screen 0.50
@@ -47,6 +49,8 @@ do for [format in formats] {
     "limit" using 1:2 with lines linewidth 3 linecolor rgb border title sprintf("limit %.3g µm", limit)
   unset label
 
+  eval no_rpm
+  set key at graph 0, graph 1.02
   set tmargin at screen 0.415
   set bmargin at screen 0.115
   set logscale y
@@ -58,6 +62,8 @@ do for [format in formats] {
   unset label
   unset logscale y
 
+  eval rpm_above(ARG5)
+  set key at graph 0, graph above
   set lmargin at screen 0.575
   set rmargin at screen 0.975
   set tmargin at screen 0.87

@@ -36,7 +36,9 @@ do for [format in formats] {
     rub = of("kind", c) eq "rub"
     last = of("sensors", c) - 1
 
-    set tmargin at screen 1 - 130 / high
+    # Under the key there are revolutions per minute.
+    eval rpm_above("" . of("axis", c))
+    set tmargin at screen 1 - (strlen(rpm_above("" . of("axis", c))) ? 176 : 130) / high
     set bmargin at screen 1 - 440 / high
     unset xlabel
     set format x ""
@@ -65,6 +67,7 @@ do for [format in formats] {
     unset label 1
     do for [i = 0:found - 1] { unset label 100 + i }
 
+    eval no_rpm
     set tmargin at screen 1 - 474 / high
     set bmargin at screen 1 - 770 / high
     set xlabel "" . of("axis", c)

@@ -47,12 +47,15 @@ do for [format in formats] {
   set title "Run-up: component that turns with the shaft"
   unset xlabel
   set ylabel "amplitude (µm)"
+  speed_label = "shaft speed (Hz)"
+  eval rpm_above(speed_label)
   set arrow 1 from resonance_hz, graph 0 to resonance_hz, graph 1 nohead dt 2 lw 2 lc rgb mark
   plot bode using 1:(1e6 * $2) with linespoints pt 7 ps 0.5 lc rgb line title "sensor 0", \
     bode using 1:(1e6 * $4) with lines lw 2 dt 3 lc rgb second title "sensor 1"
+  eval no_rpm
   set origin 0.5, 0
   unset title
-  set xlabel "shaft speed (Hz)"
+  set xlabel speed_label
   set ylabel "phase (deg)"
   set yrange [-200:20]
   set ytics 45

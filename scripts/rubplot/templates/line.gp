@@ -49,7 +49,8 @@ do for [format in formats] {
     set xrange [X_min / (X_max / X_min)**0.01:X_max * (X_max / X_min)**0.01]
   } else { set xrange [X_min - margin:X_max + margin] }
 
-  set tmargin at screen 0.86
+  set tmargin at screen 0.845
+  eval rpm_above(x_label)
   set bmargin at screen 0.42
   set format x ""
   # Not as labels of the axes: beside a fixed margin these may come over the numbers.
@@ -70,6 +71,7 @@ do for [format in formats] {
   unset label
   unset arrow 1
 
+  eval no_rpm
   set tmargin at screen 0.39
   set bmargin at screen 0.10
   set yrange [0:*]

@@ -49,6 +49,7 @@ do for [k = 1:words(labels):3] {
 
 set title heading
 set xlabel speed_label
+eval rpm_above(speed_label)
 # Not as the label of the axis, which may come over the numbers at it.
 set lmargin at screen 0.1
 set label 100 unbalance_label at screen 0.02, graph 0.5 center rotate by 90

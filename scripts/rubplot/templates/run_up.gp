@@ -72,9 +72,11 @@ do for [format in formats] {
   set ytics nomirror out autofreq
   set lmargin at screen left
   set rmargin at screen right
-  set tmargin at screen 0.80
+  set tmargin at screen 0.772
   set bmargin at screen 0.50
   set xrange [least:largest]
+  speed_label = sprintf("shaft speed (%s)", unit)
+  eval rpm_above(speed_label)
   set yrange [*:*]
   set offsets 0, 0, graph 0.05, graph 0.05
   set format x ""
@@ -88,6 +90,8 @@ do for [format in formats] {
   unset offsets
   unset key
   unset label
+
+  eval no_rpm
 
   # Where it rubs.
   set tmargin at screen 0.475
@@ -105,7 +109,7 @@ do for [format in formats] {
   set ytics 1
   set yrange [-order - 0.2:order + 0.2]
   set format x "% h"
-  set xlabel sprintf("shaft speed (%s)", unit)
+  set xlabel speed_label
   set label 4 "order (backward < 0 < forward)" at screen 0.018, 0.235 center rotate by 90
   set logscale cb
   set cbrange [top_amplitude / 300:top_amplitude]

@@ -40,7 +40,8 @@ do for [format in formats] {
 
   set lmargin at screen 0.105
   set rmargin at screen 0.49
-  set tmargin at screen 0.86
+  set tmargin at screen 0.85
+  eval rpm_above(ARG5)
   set bmargin at screen 0.52
   set xrange [V_min:V_max]
   set yrange [0:*]
@@ -54,6 +55,7 @@ do for [format in formats] {
   unset label 1
   unset key
 
+  eval no_rpm
   set tmargin at screen 0.48
   set bmargin at screen 0.11
   set format x "% h"

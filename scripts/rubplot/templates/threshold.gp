@@ -30,6 +30,7 @@ if (THRESHOLD_max > THRESHOLD_min) { set cbrange [THRESHOLD_min:THRESHOLD_max] }
 set cblabel ARG4 . ", smallest after which rub goes on"
 set title heading
 set xlabel ARG2
+eval rpm_above(ARG2)
 # Not as the label of the axis, which may come over the numbers at it.
 set lmargin at screen 0.1
 set label 100 ARG3 at screen 0.02, graph 0.5 center rotate by 90

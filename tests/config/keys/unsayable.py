@@ -12,6 +12,7 @@ RULES = {
     "a measured friction curve falls behind its peak": r"below kinetic|from the peak|to the peak|all of the kinetic|no curve with these",
     "an axis has an end unless its count is 1, and different values": r"\.to: missing|cannot be both from and to|different values|is listed twice"
     r"|logarithmic scale",
+    "steps lead from one end of an axis to the other": r"no whole number of steps|\.step: .*gives \d+ values",
     "the values of a scan ascend": r"does not ascend|is no scan",
     "a contact by Hertz is longer than wide, and the rotor fits into the hole": r"wider than long|does not fit into the hole|gives a stiffness of",
     "parts stand on the shaft, and only parts of a kit have a place": r"position_m(\.\d+)?: .*(out of range|missing|unknown key)|deflection_m: ",

@@ -10,6 +10,7 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/branch/families/outline.hpp"
+#include "rubsweep/model/speed_text.hpp"
 
 namespace rubsweep::branch::families {
 namespace {
@@ -124,8 +125,8 @@ std::string families_summary(const sweep::Grid& grid, const Families& families, 
       fmt::format("{} families of {} proven cells; the orbits of {} were not found again as stable ones\n",
                   families.list.size(), proven, families.not_followed.size());
   for (const std::size_t cell : families.not_followed)
-    text += fmt::format("  not followed: {:g} Hz, {} {:g}\n", speed_of(grid, cell), to_string(grid.measure),
-                        unbalance_of(grid, cell));
+    text += fmt::format("  not followed: {}, {} {:g}\n", model::speed_text(speed_of(grid, cell)),
+                        to_string(grid.measure), unbalance_of(grid, cell));
   std::map<std::pair<Attribution, std::string_view>, std::size_t> counts;
   for (const MapEdge& edge : edges) ++counts[{edge.attribution, edge.kind}];
   text += fmt::format("{} edges between cells of different labels\n", edges.size());

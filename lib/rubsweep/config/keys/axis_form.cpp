@@ -16,11 +16,16 @@ std::vector<Key> spaced_keys(const model::Range& range) {
                   may("to", number(range), "last value, included", "(from, of a count of 1)"),
                   must("count", integer(1, most_values), "how many values there are, both ends included")},
                  newer({may("scale", word({"linear", "log"}),
-                            "spacing: equal differences, or equal ratios of values > 0", "linear")}),
+                            "spacing: equal differences, or equal ratios of values > 0", "linear"),
+                        must("step", number(model::positive),
+                             "distance between the values, in place of their count: each is the double "
+                             "nearest to its decimal")}),
                  {must("values", values, "the values themselves, all different")}});
 }
 
-Choice spaced_ways() { return {{{{"values"}, {}}, {{"from", "count"}, {"to", "scale"}}}}; }
+Choice spaced_ways() {
+  return {{{{"values"}, {}}, {{"from", "count"}, {"to", "scale"}}, {{"from", "to", "step"}, {}}}};
+}
 
 Form axis(const model::Range& range) {
   return any_of({number(range), map_of(spaced_keys(range), {spaced_ways()})});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "rubsweep/batch/decimal_steps.hpp"
 #include "rubsweep/config/study/scale.hpp"
 #include "rubsweep/config/yaml/section.hpp"
 
@@ -66,15 +67,47 @@ AxisValues read_spaced(yaml::Section& section, const model::Range& range, double
   return axis;
 }
 
+/// The values of {from, to, step}.
+AxisValues read_stepped(yaml::Section& section, const model::Range& range, double units_per_si) {
+  batch::Spacing spacing{.from = model::required, .to = model::required, .step = model::required};
+  section.field("from", spacing.from, range);
+  section.field("to", spacing.to, range);
+  section.field("step", spacing.step, model::positive);
+  for (const std::string_view name : {"count", "scale"})
+    if (section.find(name)) section.refuse_together(name, {name}, "given beside step", axis_forms);
+  if (!section.is_sound()) return {};
+  const auto steps = batch::whole_steps(spacing.from, spacing.to, spacing.step);
+  if (!steps) {
+    const auto beside = batch::steps_beside(spacing.from, spacing.to, spacing.step);
+    section.refuse_together(
+        "step", {"from", "to", "step"},
+        fmt::format("no whole number of steps of {} leads from {} to {}{}", spacing.step, spacing.from,
+                    spacing.to, beside ? fmt::format(" (to {} or {}?)", beside->first, beside->second) : ""),
+        beside ? "a step that meets both ends" : "numbers that do not span more than 15 digits");
+    return {};
+  }
+  if (*steps >= max_axis_values) {
+    section.refuse_together("step", {"from", "to", "step"}, fmt::format("gives {} values", *steps + 1),
+                            fmt::format("at most {} values", max_axis_values));
+    return {};
+  }
+  spacing.count = static_cast<int>(*steps + 1);
+  AxisValues axis{batch::spaced(spacing, units_per_si), spacing};
+  if (spacing.count == 1) axis.spacing.reset();
+  return axis;
+}
+
 }  // namespace
 
 AxisValues read_axis_values(yaml::Section& section, const model::Range& range, double units_per_si) {
   AxisValues result;
   if (const auto values = section.find("values")) {
-    for (const std::string_view name : {"from", "to", "count", "scale"}) {
+    for (const std::string_view name : {"from", "to", "count", "step", "scale"}) {
       if (section.find(name)) section.refuse_together(name, {name}, "given beside values", axis_forms);
     }
     result.values = read_values(*values, range, units_per_si);
+  } else if (section.find("step")) {
+    result = read_stepped(section, range, units_per_si);
   } else if (section.is_map()) {
     result = read_spaced(section, range, units_per_si);
   }
@@ -102,6 +135,10 @@ void print_axis_values(yaml::Printer& printer, const std::vector<double>& values
   }
   printer.number("from", spacing->from);
   printer.number("to", spacing->to);
+  if (spacing->step > 0) {
+    printer.number("step", spacing->step);
+    return;
+  }
   printer.integer("count", spacing->count);
   if (spacing->logarithmic) printer.word("scale", "log");
 }

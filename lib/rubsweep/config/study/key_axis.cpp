@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_keys = 100;
 constexpr std::string_view key_axis_forms =
-    "{key: PATH, from, to, count} or {keys: [PATH, ...], factors: [...], values: [...]}";
+    "{key: PATH, from, to, count or step} or {keys: [PATH, ...], factors: [...], values: [...]}";
 
 void read_keys(yaml::Section& section, sweep::KeyAxis& axis) {
   section.require_exactly_one({"key", "keys"});

@@ -29,7 +29,8 @@ sweep::ThresholdScan read_threshold(yaml::Section& section) {
   const std::vector<double>& values = scan.axis.values;
   const bool ascending = std::ranges::adjacent_find(values, std::greater_equal<>()) == values.end();
   if (!values.empty() && (values.size() < 2 || !ascending)) {
-    section.refuse_together(section.find("values") ? "values" : "count", {"values", "from", "to", "count"},
+    const auto* const way = section.find("values") ? "values" : section.find("step") ? "step" : "count";
+    section.refuse_together(way, {"values", "from", "to", "count", "step"},
                             values.size() < 2 ? "one value is no scan" : "does not ascend",
                             "two values or more, each larger than the one before");
   }

@@ -7,7 +7,7 @@
 #include "rubsweep/config/study/key_axis.hpp"
 #include "rubsweep/config/study/place_axes.hpp"
 #include "rubsweep/config/yaml/section.hpp"
-#include "rubsweep/model/rpm.hpp"
+#include "rubsweep/model/speed_text.hpp"
 
 namespace rubsweep::config::study {
 namespace {
@@ -48,10 +48,10 @@ void refuse_speeds_beyond_tables(const yaml::Section& section, const sweep::Grid
     const auto beyond =
         std::ranges::find_if(grid.speed_hz, [&](double hz) { return !(hz >= low && hz <= high); });
     if (beyond == grid.speed_hz.end()) continue;
-    section.refuse_together("speed_hz", {"speed_hz", speed_rpm_key},
-                            fmt::format("{} Hz is beyond the table of rotor.supports.{}", *beyond, i),
-                            fmt::format("{} to {} Hz ({} to {} rpm)", low, high, low * model::rpm_per_hz,
-                                        high * model::rpm_per_hz));
+    section.refuse_together(
+        "speed_hz", {"speed_hz", speed_rpm_key},
+        fmt::format("{} is beyond the table of rotor.supports.{}", model::speed_text(*beyond), i),
+        model::speed_range_text(low, high));
     return;
   }
 }

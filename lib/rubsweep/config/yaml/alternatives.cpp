@@ -29,10 +29,12 @@ constexpr std::array<std::string_view, 1> damping_ratio{"damping_ratio"};
 constexpr std::array<std::string_view, 1> listed_values{"values"}, one_key{"key"};
 constexpr std::array<std::string_view, 2> tied_keys{"keys", "factors"};
 constexpr std::array<std::string_view, 1> kick{"kick"}, start{"start"};
-constexpr std::array<std::string_view, 4> spaced{"from", "to", "count", "scale"};
+constexpr std::array<std::string_view, 5> spaced{"from", "to", "count", "scale", "step"};
+constexpr std::array<std::string_view, 2> counted{"count", "scale"};
+constexpr std::array<std::string_view, 1> stepped{"step"};
 
 /// Alternative spellings, each by the keys that belong to it; at most four, the empty ones do not count.
-constexpr std::array<std::array<Keys, 4>, 12> alternatives{{
+constexpr std::array<std::array<Keys, 4>, 13> alternatives{{
     {stribeck, curve, coefficient, one_way},
     {stiffness, hertz},
     {nominal, by_rotor_mass, delivered, damping},
@@ -43,6 +45,7 @@ constexpr std::array<std::array<Keys, 4>, 12> alternatives{{
     {frequency_hz, stiffness},
     {damping_ratio, damping},
     {listed_values, spaced},
+    {counted, stepped},
     {one_key, tied_keys},
     {kick, start},
 }};

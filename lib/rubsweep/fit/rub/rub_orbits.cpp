@@ -13,6 +13,7 @@
 #include "rubsweep/branch/orbits/settled_start.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/start.hpp"
+#include "rubsweep/model/speed_text.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 
 namespace rubsweep::fit::rub {
@@ -116,18 +117,18 @@ RubOrbits::Orbit RubOrbits::orbit_of(const scene::PreparedMachine& machine, cons
   if (!orbit.places_m.empty()) return orbit;
   if (!scene::can_run(cell.start))
     throw ConfigError(
-        fmt::format("rub: there is no motion at {:.6g} Hz and an eccentricity of {:.6g} m, allowed: a "
+        fmt::format("rub: there is no motion at {} and an eccentricity of {:.6g} m, allowed: a "
                     "machine whose quiet whirl does not touch",
-                    asked.speed_hz, asked.eccentricity_m));
+                    model::speed_text(asked.speed_hz), asked.eccentricity_m));
   const branch::orbits::SettledStart start =
       branch::orbits::settle_on_orbit(cell, solver_, options_, workspace);
   if (start.order == asked.turns && start.closing == branch::orbits::Closing::with_the_shaft)
     take(start.state);
   if (orbit.places_m.empty())
     throw ConfigError(
-        fmt::format("rub: at {:.6g} Hz and an eccentricity of {:.6g} m the kick leads to a motion that "
+        fmt::format("rub: at {} and an eccentricity of {:.6g} m the kick leads to a motion that "
                     "is {}{}, allowed: one in contact that repeats after {} turns as the recorded one",
-                    asked.speed_hz, asked.eccentricity_m, to_string(start.motion_class),
+                    model::speed_text(asked.speed_hz), asked.eccentricity_m, to_string(start.motion_class),
                     start.order && *start.order > 1 ? fmt::format(" 1/{}", *start.order) : "", asked.turns));
   return orbit;
 }

@@ -1,6 +1,7 @@
 "use strict";
 // The map: cells on a canvas; axes, boundaries, the marked rectangle and the selected cell above it as SVG.
 const margin = { left: 58, right: 14, top: 26, bottom: 44 };
+const rpmHeight = 20;  // of the numbers above a map over speeds in Hz
 
 class MapView {
   // `state` has layer, hidden (a set of kinds), selected (cell or null), rectangle ([i0, j0, i1, j1] of places, or null)
@@ -20,6 +21,7 @@ class MapView {
     const { data, state } = this;
     this.width = this.box.clientWidth;
     this.height = this.box.clientHeight;
+    margin.top = inHz(data.index.across) ? 26 + rpmHeight : 26;
     const [i0, j0, i1, j1] = state.view || [0, 0, data.x.values.length - 1, data.y.values.length - 1];
     this.shown = [i0, j0, i1, j1];
     const scale = (axis) => (axis.logarithmic ? d3.scaleLog() : d3.scaleLinear());
@@ -96,6 +98,13 @@ class MapView {
       .call(d3.axisBottom(inUnit(this.x, across)).ticks(Math.max(3, this.width / 90), this.x.base && "~g"));
     g.append("g").attr("transform", `translate(${ends.left},0)`)
       .call(d3.axisLeft(inUnit(this.y, measure)).ticks(Math.max(3, this.height / 60), this.y.base && "~g"));
+    if (inHz(across)) {
+      const rpm = this.x.copy().domain(this.x.domain().map((value) => value * rpmPerHz));
+      g.append("g").attr("class", "rpm").attr("transform", `translate(0,${margin.top})`)
+        .call(d3.axisTop(rpm).ticks(Math.max(3, this.width / 90), "~f"));
+      g.append("text").attr("class", "label").attr("text-anchor", "end").attr("x", margin.left - 8)
+        .attr("y", margin.top - 9).text("rpm");
+    }
     g.append("text").attr("class", "label").attr("text-anchor", "middle")
       .attr("x", (margin.left + this.width - margin.right) / 2).attr("y", this.height - 8).text(axisTitle(across));
     g.append("text").attr("class", "label").attr("text-anchor", "middle")

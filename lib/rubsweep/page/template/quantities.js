@@ -40,9 +40,16 @@ function axisTitle(name) {
   return axisName(name) + (unit ? ` (${unit})` : "");
 }
 
+// A shaft speed is said in rpm, too, unless that is the unit in which it is written.
+const inHz = (name) => name === "speed_hz" && !writtenUnits.has(name);
+const rpmPerHz = 60;
+function speedText(value) {
+  return quantity("speed_hz", value) + (inHz("speed_hz") ? ` (${significant(rpmPerHz * value)} rpm)` : "");
+}
+
 function placeText(data, cell) {
-  const { across, measure } = data.index;
-  return (across === "speed_hz" ? "" : axisName(across) + " ") + quantity(across, data.value(across, cell)) + ", " +
+  const { across, measure } = data.index, value = data.value(across, cell);
+  return (across === "speed_hz" ? speedText(value) : axisName(across) + " " + quantity(across, value)) + ", " +
     axisName(measure) + " " + quantity(measure, data.value(measure, cell));
 }
 
