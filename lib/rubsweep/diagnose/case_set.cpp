@@ -1,0 +1,117 @@
+#include "rubsweep/diagnose/case_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/diagnose/draw_purpose.hpp"
+#include "rubsweep/response/motion/workspace.hpp"
+
+namespace rubsweep::diagnose {
+namespace {
+
+/// Draws that are simulated together: how many, not how many threads, decides where drawing ends.
+constexpr int draws_together = 128;
+
+/// Caches of one thread, which forget what they hold before it grows large.
+response::motion::Workspace& thread_workspace() {
+  thread_local response::motion::Workspace workspace;
+  return workspace;
+}
+
+/// Simulates draws and keeps those that give a case, in the order of the draws.
+template <class Point_of>
+void simulate_draws(const DiagnosisProblem& problem, std::size_t candidate, int count,
+                    const Point_of& point_of, const CaseOptions& options, std::vector<SimulatedCase>& cases) {
+  std::vector<std::optional<SimulatedCase>> simulated(static_cast<std::size_t>(count));
+  const std::atomic<bool> go_on{false};
+  batch::parallel_run(
+      simulated.size(), options.threads,
+      [&](std::size_t k) {
+        simulated[k] = simulate_case(problem, candidate, point_of(static_cast<long>(k)), thread_workspace());
+      },
+      [](std::size_t) {}, options.stop ? *options.stop : go_on);
+  for (auto& one : simulated)
+    if (one) cases.push_back(*std::move(one));
+}
+
+/// Index of a random stream: draw number `draw` of a candidate in a round.
+std::uint64_t stream_index(int round, std::size_t candidate, long draw) {
+  constexpr std::uint64_t most_draws = 1U << 24, most_candidates = 64;
+  return (static_cast<std::uint64_t>(round) * most_candidates + candidate) * most_draws +
+         static_cast<std::uint64_t>(draw);
+}
+
+Point prior_point(const DiagnosisProblem& problem, std::size_t candidate, long draw) {
+  RandomStream random(problem.seed, stream_index(0, candidate, draw), DrawPurpose::of_prior);
+  Point unit{};
+  for (double& place : unit) place = random.uniform();
+  return unit;
+}
+
+bool stopped(const CaseOptions& options) { return options.stop && *options.stop; }
+
+}  // namespace
+
+CaseSet prior_cases(const DiagnosisProblem& problem, const CaseOptions& options) {
+  CaseSet set;
+  for (std::size_t c = 0; c < problem.candidates.size(); ++c) {
+    const auto wanted = static_cast<std::size_t>(options.cases_per_candidate);
+    const long most = static_cast<long>(options.most_draws_per_case) * options.cases_per_candidate;
+    std::vector<SimulatedCase> cases;
+    long drawn = 0;
+    while (cases.size() < wanted && drawn < most && !stopped(options)) {
+      const int left = static_cast<int>(wanted - cases.size());
+      const int together = problem.candidates[c].cause == Cause::no_rub ? left : draws_together;
+      simulate_draws(
+          problem, c, together, [&](long k) { return prior_point(problem, c, drawn + k); }, options, cases);
+      drawn += together;
+      if (options.on_draws)
+        options.on_draws(c * wanted + std::min(cases.size(), wanted), wanted * problem.candidates.size());
+    }
+    set.draws.push_back({c, drawn, std::nullopt});
+    std::ranges::move(cases, std::back_inserter(set.cases));
+  }
+  return set;
+}
+
+void add_proposed_cases(const DiagnosisProblem& problem, std::size_t candidate, const Proposal& proposal,
+                        int count, int round, const CaseOptions& options, CaseSet& set) {
+  const std::size_t before = set.cases.size();
+  simulate_draws(
+      problem, candidate, count,
+      [&](long k) {
+        RandomStream random(problem.seed, stream_index(round, candidate, k), DrawPurpose::of_proposal);
+        return proposal.draw(random);
+      },
+      options, set.cases);
+  for (std::size_t i = before; i < set.cases.size(); ++i) set.cases[i].proposed = true;
+  set.draws.push_back({candidate, count, proposal});
+}
+
+Eigen::VectorXd importance_weights(const DiagnosisProblem& problem, const CaseSet& set) {
+  Eigen::VectorXd weight(static_cast<Eigen::Index>(set.cases.size()));
+  std::vector<double> all(problem.candidates.size(), 0.0);
+  for (Eigen::Index i = 0; i < weight.size(); ++i) {
+    const SimulatedCase& one = set.cases[static_cast<std::size_t>(i)];
+    double mixture = 0, drawn = 0;
+    for (const Draws& draws : set.draws) {
+      if (draws.candidate != one.candidate) continue;
+      drawn += static_cast<double>(draws.count);
+      mixture += static_cast<double>(draws.count) * (draws.proposal ? draws.proposal->density(one.unit) : 1);
+    }
+    weight(i) = drawn / mixture;
+    all[one.candidate] += weight(i);
+  }
+  for (Eigen::Index i = 0; i < weight.size(); ++i) {
+    const std::size_t c = set.cases[static_cast<std::size_t>(i)].candidate;
+    weight(i) *= problem.prior[c] / all[c];
+  }
+  return weight;
+}
+
+}  // namespace rubsweep::diagnose

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rubsweep::diagnose {
+
+/// A number that describes a motion and stays the same when the motion is turned, scaled, or recorded from
+/// another mark on the shaft. Of one probe: when it is scaled, or recorded from another mark.
+struct Feature {
+  std::string name;
+  double value = 0;
+};
+using Features = std::vector<Feature>;
+
+}  // namespace rubsweep::diagnose
