@@ -5,9 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
-#include <numbers>
+#include <optional>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,33 +26,54 @@ using namespace rubsweep;
 using diagnose::Quantity;
 using diagnose::Unknown;
 
-dataset::DataStudy study_of(std::uint64_t seed, std::size_t trial) {
+/// A machine with its speed and its instrument. Half of the recordings are read every millisecond, a third by
+/// one probe.
+struct StudiedMachine {
+  double frequency_hz = 0, damping_ratio = 0, speed_ratio = 0;
+  double sampling_rate_hz = 0;
+  int probes = 2;
+};
+
+StudiedMachine draw_studied(std::size_t machine, std::mt19937_64& random) {
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  StudiedMachine drawn{between(20, 60), 0.01 * std::pow(4, between(0, 1)), between(1.2, 4.5)};
+  drawn.sampling_rate_hz = machine % 2 == 0 ? 10'000 : 1000;
+  drawn.probes = machine % 3 == 2 ? 1 : 2;
+  // A reading every millisecond shows little of a shaft that turns faster than 100 Hz.
+  if (drawn.sampling_rate_hz < 8 * drawn.speed_ratio * drawn.frequency_hz)
+    drawn.speed_ratio = std::max(1.2, drawn.sampling_rate_hz / 8 / drawn.frequency_hz);
+  return drawn;
+}
+
+dataset::DataStudy study_of(const StudiedMachine& machine, diagnose::Cause cause, std::uint64_t seed) {
   dataset::DataStudy study;
-  study.seed = seed * 1'000'003 + trial;
+  study.seed = seed;
   study.recordings_per_machine = 1;
   study.fixed = {.rotor_mass_kg = 0.8, .contact_radius_m = 0.0375, .casing_damping_ratio = 0.1};
-  study.candidates = {diagnose::usual_candidate(diagnose::all_causes[trial % diagnose::all_causes.size()])};
-  spread_of(study.candidates[0], Unknown::natural_frequency) = {20, 60, false};
-  spread_of(study.candidates[0], Unknown::damping_ratio) = {0.01, 0.04, true};
+  study.candidates = {diagnose::usual_candidate(cause)};
+  spread_of(study.candidates[0], Unknown::natural_frequency) = {machine.frequency_hz, machine.frequency_hz,
+                                                                false};
+  spread_of(study.candidates[0], Unknown::damping_ratio) = {machine.damping_ratio, machine.damping_ratio,
+                                                            false};
   study.candidates[0].clearance_m = {5e-5, 1e-3, true};
-  // Half of the recordings are read every millisecond, a third by one probe.
-  const std::size_t round = trial / diagnose::all_causes.size();
-  study.measurement.sampling_rate_hz = round % 2 == 0 ? 10'000 : 1000;
-  study.measurement.probes = round % 3 == 2 ? 1 : 2;
-  if (round % 2 == 1) study.speed_ratio.high = 3;
+  study.measurement.sampling_rate_hz = machine.sampling_rate_hz;
+  study.measurement.probes = machine.probes;
+  study.speed_ratio = {machine.speed_ratio, machine.speed_ratio, false};
   return study;
 }
 
-/// Draws machines until one does what its candidate says.
-dataset::LabelledRecording draw_recording(const dataset::DataStudy& study,
-                                          response::motion::Workspace& workspace) {
+/// Draws until the motion is what its candidate says; empty where that is too rare.
+std::optional<dataset::LabelledRecording> draw_recording(const dataset::DataStudy& study) {
+  constexpr std::size_t most_draws = 60;
   const bool rubs = study.candidates[0].cause != diagnose::Cause::no_rub;
-  for (std::size_t index = 0;; ++index) {
+  for (std::size_t index = 0; index < most_draws; ++index) {
+    response::motion::Workspace workspace;
     dataset::LabelledRecording recording = dataset::make_recording(study, index, workspace);
-    // A shaft that turns faster than ten readings show is not asked about.
-    if (recording.motion.rubs == rubs && study.measurement.sampling_rate_hz > 8 * recording.speed_hz)
-      return recording;
+    if (recording.motion.rubs == rubs) return recording;
   }
+  return std::nullopt;
 }
 
 recording::Recording measured(const dataset::LabelledRecording& labelled) {
@@ -66,14 +91,14 @@ recording::Recording measured(const dataset::LabelledRecording& labelled) {
 }
 
 /// Intervals of the machine that a fit would leave: 1 % of the frequency, 20 % of the damping.
-void tell_machine(const dataset::LabelledRecording& labelled, std::vector<diagnose::Candidate>& candidates,
+void tell_machine(const StudiedMachine& machine, std::vector<diagnose::Candidate>& candidates,
                   std::mt19937_64& random) {
   const auto about = [&](double truth, double half_width) {
     const double middle = truth * (1 + half_width * std::uniform_real_distribution<double>(-1, 1)(random));
     return diagnose::Spread{middle / (1 + half_width), middle * (1 + half_width), false};
   };
-  const diagnose::Spread frequency = about(value_of(labelled.values, Unknown::natural_frequency), 0.01),
-                         damping = about(value_of(labelled.values, Unknown::damping_ratio), 0.2);
+  const diagnose::Spread frequency = about(machine.frequency_hz, 0.01),
+                         damping = about(machine.damping_ratio, 0.2);
   for (diagnose::Candidate& candidate : candidates) {
     spread_of(candidate, Unknown::natural_frequency) = frequency;
     spread_of(candidate, Unknown::damping_ratio) = damping;
@@ -105,34 +130,38 @@ double truth_of(const dataset::LabelledRecording& labelled, Quantity quantity) {
   return 0;
 }
 
-void run(std::size_t trial, std::uint64_t seed, int cases) {
-  response::motion::Workspace workspace;
-  const dataset::DataStudy study = study_of(seed, trial);
-  const dataset::LabelledRecording labelled = draw_recording(study, workspace);
-  const recording::Recording recording = measured(labelled);
+diagnose::DiagnosisProblem problem_of(const StudiedMachine& machine, std::uint64_t seed,
+                                      std::mt19937_64& random) {
   diagnose::DiagnosisProblem problem;
   problem.candidates = diagnose::usual_candidates();
   problem.prior.assign(problem.candidates.size(), 1.0 / static_cast<double>(problem.candidates.size()));
-  problem.fixed = study.fixed;
-  problem.speed_hz = recording.mean_speed_hz();
-  problem.turns = std::min(recording.turns(), 32);
-  problem.measuring.probes = study.measurement.probes;
-  problem.measuring.readings_per_turn = study.measurement.sampling_rate_hz / problem.speed_hz;
-  std::mt19937_64 random(study.seed);
-  tell_machine(labelled, problem.candidates, random);
+  problem.fixed = {.rotor_mass_kg = 0.8, .contact_radius_m = 0.0375, .casing_damping_ratio = 0.1};
+  problem.speed_hz = machine.speed_ratio * machine.frequency_hz;
+  problem.turns = 30;
+  problem.measuring.probes = machine.probes;
+  problem.measuring.readings_per_turn = machine.sampling_rate_hz / problem.speed_hz;
+  problem.seed = seed;
+  tell_machine(machine, problem.candidates, random);
+  return problem;
+}
+
+diagnose::DescribedMotion seen_in(const recording::Recording& recording,
+                                  const diagnose::DiagnosisProblem& problem) {
+  response::spectrum::SpectrumWorkspace workspace;
   const auto count = static_cast<std::size_t>(problem.turns * recording::samples_per_revolution);
   const std::span all(recording.displacement_m);
-  const diagnose::MotionLines lines =
-      diagnose::lines_of(all.last(count), problem.turns, seen_order(problem.measuring), workspace.spectrum);
-  const diagnose::DescribedMotion seen = describe(lines, recording.plane, workspace.spectrum);
-  diagnose::DiagnosisOptions options;
-  options.cases.cases_per_candidate = cases;
-  options.cases.threads = 1;
-  const diagnose::Diagnosis diagnosis = diagnose::diagnose(problem, seen, options);
-  const std::size_t truth = trial % problem.candidates.size();
-  std::string line = fmt::format("{},{},{},{},{}", trial, problem.candidates[truth].name,
-                                 to_string(labelled.motion.motion_class), study.measurement.sampling_rate_hz,
-                                 study.measurement.probes);
+  const auto lines =
+      diagnose::lines_of(all.last(count), problem.turns, seen_order(problem.measuring), workspace);
+  return describe(lines, recording.plane, workspace);
+}
+
+void print_row(std::size_t machine, std::size_t truth, const dataset::LabelledRecording& labelled,
+               const StudiedMachine& studied, const diagnose::DiagnosisProblem& problem,
+               const diagnose::DescribedMotion& seen, const diagnose::Diagnosis& diagnosis) {
+  const auto order = labelled.motion.order;
+  std::string line = fmt::format("{},{},{},{},{},{},{:.3f}", machine, problem.candidates[truth].name,
+                                 to_string(labelled.motion.motion_class), order ? *order : 0,
+                                 studied.sampling_rate_hz, studied.probes, studied.speed_ratio);
   for (const double p : diagnosis.posterior.probability) line += fmt::format(",{:.4f}", p);
   line +=
       fmt::format(",{:.4f},{:.4f},{},{:.3f},{}", diagnosis.posterior.none, diagnosis.posterior.p_value,
@@ -142,17 +171,39 @@ void run(std::size_t trial, std::uint64_t seed, int cases) {
     if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != truth) weight(i) = 0;
   for (const Quantity quantity : diagnose::all_quantities)
     line += fmt::format(
-        ",{:.4f}", share_below(values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity),
-                               weight, truth_of(labelled, quantity), quantity == Quantity::stop_angle));
+        ",{:.4f}",
+        diagnose::share_below(values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity),
+                              weight, truth_of(labelled, quantity), quantity == Quantity::stop_angle));
+  for (const double p : diagnosis.history.front()) line += fmt::format(",{:.4f}", p);
   fmt::print("{}\n", line);
   std::fflush(stdout);
+}
+
+void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
+  std::mt19937_64 random(seed * 1'000'003 + machine);
+  const StudiedMachine studied = draw_studied(machine, random);
+  const diagnose::DiagnosisProblem problem = problem_of(studied, random(), random);
+  diagnose::DiagnosisOptions options;
+  options.cases.cases_per_candidate = cases;
+  options.cases.threads = 1;
+  options.most_rounds = rounds;
+  const diagnose::CaseSet set = prior_cases(problem, options.cases);
+  constexpr std::size_t recordings_per_candidate = 2;
+  for (std::size_t k = 0; k < recordings_per_candidate * problem.candidates.size(); ++k) {
+    const std::size_t truth = k % problem.candidates.size();
+    const auto labelled = draw_recording(study_of(studied, problem.candidates[truth].cause, random()));
+    if (!labelled) continue;
+    const diagnose::DescribedMotion seen = seen_in(measured(*labelled), problem);
+    print_row(machine, truth, *labelled, studied, problem, seen,
+              diagnose::diagnose(problem, seen, options, set));
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) return 1;
-  const auto first = std::strtoul(argv[1], nullptr, 10), count = std::strtoul(argv[2], nullptr, 10);
-  for (std::size_t trial = first; trial < first + count; ++trial)
-    run(trial, std::strtoul(argv[3], nullptr, 10), argc > 4 ? std::atoi(argv[4]) : 600);
+  if (argc < 6) return 1;
+  const auto number = [&](int k) { return static_cast<std::size_t>(std::strtoul(argv[k], nullptr, 10)); };
+  for (std::size_t machine = number(1); machine < number(1) + number(2); ++machine)
+    run(machine, number(3), static_cast<int>(number(4)), static_cast<int>(number(5)));
 }

@@ -9,19 +9,12 @@
 
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/diagnose/draw_purpose.hpp"
-#include "rubsweep/response/motion/workspace.hpp"
 
 namespace rubsweep::diagnose {
 namespace {
 
 /// Draws that are simulated together: how many, not how many threads, decides where drawing ends.
 constexpr int draws_together = 128;
-
-/// Caches of one thread, which forget what they hold before it grows large.
-response::motion::Workspace& thread_workspace() {
-  thread_local response::motion::Workspace workspace;
-  return workspace;
-}
 
 /// Simulates draws and keeps those that give a case, in the order of the draws.
 template <class Point_of>
@@ -32,7 +25,8 @@ void simulate_draws(const DiagnosisProblem& problem, std::size_t candidate, int 
   batch::parallel_run(
       simulated.size(), options.threads,
       [&](std::size_t k) {
-        simulated[k] = simulate_case(problem, candidate, point_of(static_cast<long>(k)), thread_workspace());
+        thread_local response::spectrum::SpectrumWorkspace workspace;
+        simulated[k] = simulate_case(problem, candidate, point_of(static_cast<long>(k)), workspace);
       },
       [](std::size_t) {}, options.stop ? *options.stop : go_on);
   for (auto& one : simulated)

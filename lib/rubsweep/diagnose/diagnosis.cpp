@@ -14,7 +14,7 @@ bool stopped(const DiagnosisOptions& options) { return options.cases.stop && *op
 /// Cases of a candidate that weigh most, as centres of a proposal; empty where none weighs anything.
 std::optional<Proposal> proposal_of(const DiagnosisProblem& problem, std::size_t candidate,
                                     const CaseSet& set, const Eigen::VectorXd& weight) {
-  constexpr std::size_t most_centres = 200;
+  constexpr std::size_t most_centres = 60;
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < set.cases.size(); ++i)
     if (set.cases[i].candidate == candidate && weight(static_cast<Eigen::Index>(i)) > 0) rows.push_back(i);

@@ -8,8 +8,8 @@ namespace rubsweep::diagnose {
 
 struct DiagnosisOptions {
   CaseOptions cases{};
-  int most_rounds = 4;         ///< of draws near cases that resemble the recording
-  int draws_per_round = 1500;  ///< of all candidates together
+  int most_rounds = 3;         ///< of draws near cases that resemble the recording
+  int draws_per_round = 800;  ///< of all candidates together
   double least_change = 0.03;  ///< of a probability between two rounds, below which they stand still
 };
 

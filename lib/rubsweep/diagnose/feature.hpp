@@ -13,4 +13,6 @@ struct Feature {
 };
 using Features = std::vector<Feature>;
 
+void add(Features& features, std::string name, double value);
+
 }  // namespace rubsweep::diagnose

@@ -9,7 +9,7 @@
 namespace rubsweep::diagnose {
 
 struct ForestOptions {
-  int trees = 300;
+  int trees = 200;
   int least_leaf = 3;
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: one for every processor; decides no result

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rubsweep/diagnose/turn_samples.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 
@@ -26,7 +27,7 @@ bool lasts(const integrate::run::Run& run, integrate::run::TurnReport& turn) {
 }
 
 std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::run::Run& run, int turns,
-                                    double most_order, response::motion::Workspace& workspace) {
+                                    double most_order, response::spectrum::SpectrumWorkspace& workspace) {
   integrate::run::TurnRequest request;
   request.samples_per_revolution = samples_of_a_turn;
   request.peaks = true;
@@ -38,7 +39,7 @@ std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::ru
     add_samples(cell.scene, turn, displacement_m);
     facts.push_back(response::motion::facts_of(turn));
   }
-  return LastingMotion{lines_of(displacement_m, turns, most_order, workspace.spectrum),
+  return LastingMotion{lines_of(displacement_m, turns, most_order, workspace),
                        response::motion::together(facts), cell.eccentricity_m};
 }
 
@@ -46,10 +47,12 @@ std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::ru
 
 std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
                                             const scene::Unbalance& unbalance, int turns, double most_order,
-                                            response::motion::Workspace& workspace) {
+                                            response::spectrum::SpectrumWorkspace& workspace) {
   const scene::Cell cell = scene::build_cell(machine, speed_hz, unbalance);
   if (!scene::can_run(cell.start)) return std::nullopt;
-  const integrate::run::Run run = integrate::start(cell.scene, {}, workspace.modes);
+  // Every machine is another one: a cache for all of them would only grow.
+  integrate::exact::modes::ModeCache modes;
+  const integrate::run::Run run = integrate::start(cell.scene, {}, modes);
   integrate::run::TurnReport turn;
   if (!lasts(run, turn)) return std::nullopt;
   auto motion = record(cell, run, turns, most_order, workspace);
@@ -59,10 +62,11 @@ std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, doubl
 
 std::optional<LastingMotion> quiet_motion(const model::Machine& machine, double speed_hz,
                                           const scene::Unbalance& unbalance, int turns, double most_order,
-                                          response::motion::Workspace& workspace) {
+                                          response::spectrum::SpectrumWorkspace& workspace) {
   const scene::Cell cell = scene::build_cell(machine, speed_hz, unbalance);
   if (cell.start != scene::Start::quiet) return std::nullopt;
-  return record(cell, integrate::start(cell.scene, {}, workspace.modes), turns, most_order, workspace);
+  integrate::exact::modes::ModeCache modes;
+  return record(cell, integrate::start(cell.scene, {}, modes), turns, most_order, workspace);
 }
 
 }  // namespace rubsweep::diagnose

@@ -59,8 +59,7 @@ bool between_multiples(const HannEnergy& energy, int k, int bins) {
 
 void add_multiples(const HannEnergy& energy, bool plane, Features& features) {
   for (int order = plane ? -4 : 1; order <= 5; ++order)
-    if (order != 0)
-      features.push_back({fmt::format("energy at {}X", order), logarithm(energy.near(order, 2))});
+    if (order != 0) add(features, fmt::format("energy at {}X", order), logarithm(energy.near(order, 2)));
 }
 
 void add_fractions(const HannEnergy& energy, Features& features) {
@@ -70,7 +69,7 @@ void add_fractions(const HannEnergy& energy, Features& features) {
     const int most = static_cast<int>(most_order * n);
     for (int j = energy.first() < 0 ? -most : 1; j <= most; ++j)
       if (j % n != 0) sum += energy.near(static_cast<double>(j) / n, 1);
-    features.push_back({fmt::format("energy at multiples of 1/{}X", n), logarithm(sum)});
+    add(features, fmt::format("energy at multiples of 1/{}X", n), logarithm(sum));
   }
 }
 
@@ -82,9 +81,9 @@ void add_rest(const HannEnergy& energy, Features& features) {
     (k > 0 ? forward : backward) += energy[k];
     if (std::abs(k) < energy.turns()) slow += energy[k];
   }
-  features.push_back({"energy between multiples", logarithm(forward + backward)});
-  if (energy.first() < 0) features.push_back({"backward energy between multiples", logarithm(backward)});
-  features.push_back({"energy below 1X", logarithm(slow)});
+  add(features, "energy between multiples", logarithm(forward + backward));
+  if (energy.first() < 0) add(features, "backward energy between multiples", logarithm(backward));
+  add(features, "energy below 1X", logarithm(slow));
 }
 
 /// Order of the line by the parabola through the logarithms of its energy and those beside it.
@@ -106,9 +105,9 @@ void add_strongest(const HannEnergy& energy, Features& features) {
       if (between_multiples(energy, k, 2) && !taken && energy[k] > energy[best]) best = k;
     }
     const double share = best == 0 ? 0 : energy[best - 1] + energy[best] + energy[best + 1];
-    features.push_back({fmt::format("order of line {} between multiples", rank),
-                        share > 10 * smallest_energy ? order_of_line(energy, best) : 0});
-    features.push_back({fmt::format("energy of line {} between multiples", rank), logarithm(share)});
+    add(features, fmt::format("order of line {} between multiples", rank),
+        share > 10 * smallest_energy ? order_of_line(energy, best) : 0);
+    add(features, fmt::format("energy of line {} between multiples", rank), logarithm(share));
     found.push_back(best);
   }
 }
@@ -120,7 +119,7 @@ void add_noise(const HannEnergy& energy, Features& features) {
     if (between_multiples(energy, k, 2)) between.push_back(energy[k]);
   const auto fifth = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 5);
   std::ranges::nth_element(between, fifth);
-  features.push_back({"noise", std::log10(std::max(*fifth, 1e-14))});
+  add(features, "noise", std::log10(std::max(*fifth, 1e-14)));
 }
 
 /// Orders a + b = c + d (times 2): the phase of A_a A_b / (A_c A_d) does not change when the motion is turned
@@ -150,8 +149,8 @@ void add_phases(const MotionLines& lines, Features& features) {
         arrow(r.gained[0]) * arrow(r.gained[1]) * std::conj(arrow(r.lost[0]) * arrow(r.lost[1]));
     const std::string name =
         fmt::format("phase of {}/2, {}/2 to {}/2, {}/2", r.gained[0], r.gained[1], r.lost[0], r.lost[1]);
-    features.push_back({name + ", cosine", phase.real()});
-    features.push_back({name + ", sine", phase.imag()});
+    add(features, name + ", cosine", phase.real());
+    add(features, name + ", sine", phase.imag());
   }
 }
 
@@ -169,8 +168,8 @@ void add_phases_of_one_probe(const MotionLines& lines, Features& features) {
     };
     const Complex phase = arrow(r.half_orders) * std::conj(std::pow(arrow(r.of), r.times));
     const std::string name = fmt::format("phase of {}/2 to {} times {}/2", r.half_orders, r.times, r.of);
-    features.push_back({name + ", cosine", phase.real()});
-    features.push_back({name + ", sine", phase.imag()});
+    add(features, name + ", cosine", phase.real());
+    add(features, name + ", sine", phase.imag());
   }
 }
 

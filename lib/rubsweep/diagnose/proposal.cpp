@@ -13,6 +13,9 @@ namespace {
 /// Kernels narrower than this find nothing new.
 constexpr double least_deviation = 0.02;
 
+/// Share of the prior's density that a kernel may leave out.
+constexpr double negligible = 1e-6;
+
 /// A number folded back into [0, 1] at both ends.
 double folded(double x) {
   const double twice = x - 2 * std::floor(x / 2);
@@ -65,7 +68,10 @@ double Proposal::density(const Point& unit) const {
   for (std::size_t i = 0; i < centres_.size(); ++i) {
     if (weight_[i] == 0) continue;
     double product = weight_[i];
-    for (const std::size_t j : unknown_) product *= folded_density(unit[j], centres_[i][j], deviation_[j]);
+    for (const std::size_t j : unknown_) {
+      product *= folded_density(unit[j], centres_[i][j], deviation_[j]);
+      if (product < negligible) break;
+    }
     sum += product;
   }
   return sum;

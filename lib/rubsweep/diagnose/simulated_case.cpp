@@ -12,7 +12,8 @@ double simulated_clearance_m(const Candidate& candidate) {
 }
 
 std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std::size_t candidate,
-                                           const Point& unit, response::motion::Workspace& workspace) {
+                                           const Point& unit,
+                                           response::spectrum::SpectrumWorkspace& workspace) {
   const Candidate& asked = problem.candidates[candidate];
   const Point values = values_at(asked, unit);
   const scene::WhirlRatio unbalance{value_of(values, Unknown::whirl_ratio)};

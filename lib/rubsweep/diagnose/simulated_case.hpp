@@ -24,7 +24,8 @@ double simulated_clearance_m(const Candidate& candidate);
 /// Simulates a candidate with these numbers; empty where it does not rub (no_rub: where it does), or cannot
 /// be run.
 std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std::size_t candidate,
-                                           const Point& unit, response::motion::Workspace& workspace);
+                                           const Point& unit,
+                                           response::spectrum::SpectrumWorkspace& workspace);
 
 /// A case as the instrument shows it. Depends on problem, case and index alone.
 struct ObservedCase {

@@ -17,15 +17,15 @@ using Eigen::ArrayXd;
 void add_moments(const std::string& name, const ArrayXd& x, Features& features) {
   const double size = std::max(std::sqrt(x.square().mean()), 1e-300);
   const ArrayXd unit = x / size;
-  features.push_back({"skewness of " + name, unit.cube().mean()});
-  features.push_back({"kurtosis of " + name, unit.square().square().mean()});
+  add(features, "skewness of " + name, unit.cube().mean());
+  add(features, "kurtosis of " + name, unit.square().square().mean());
   std::vector<double> sorted(unit.begin(), unit.end());
   std::ranges::sort(sorted);
   const auto quantile = [&](double share) {
     return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
   };
-  features.push_back({"least " + name, quantile(0.01)});
-  features.push_back({"largest " + name, quantile(0.99)});
+  add(features, "least " + name, quantile(0.01));
+  add(features, "largest " + name, quantile(0.99));
 }
 
 /// Sharpest bend of a signal beside its usual one: what a contact leaves of its force.
@@ -33,8 +33,8 @@ void add_bends(const std::string& name, const ArrayXd& x, Features& features) {
   const Eigen::Index n = x.size() - 2;
   const ArrayXd bend = x.head(n) - 2 * x.segment(1, n) + x.tail(n);
   const double size = std::max(std::sqrt(bend.square().mean()), 1e-300);
-  features.push_back({"kurtosis of acceleration " + name, (bend / size).square().square().mean()});
-  features.push_back({"skewness of acceleration " + name, (bend / size).cube().mean()});
+  add(features, "kurtosis of acceleration " + name, (bend / size).square().square().mean());
+  add(features, "skewness of acceleration " + name, (bend / size).cube().mean());
 }
 
 }  // namespace
@@ -50,13 +50,13 @@ Features orbit_features(const Eigen::VectorXcd& waveform) {
   const Complex oval = z.square().mean() / (size * size),
                 lopsided = (z.abs2() * z).mean() / std::pow(size, 3),
                 corners = z.cube().mean() / std::pow(size, 3);
-  features.push_back({"ovality", std::abs(oval)});
-  features.push_back({"lopsidedness", std::abs(lopsided)});
-  features.push_back({"three corners", std::abs(corners)});
+  add(features, "ovality", std::abs(oval));
+  add(features, "lopsidedness", std::abs(lopsided));
+  add(features, "three corners", std::abs(corners));
   const Complex direction = std::polar(1.0, std::arg(lopsided));
-  features.push_back({"ovality along the lopsided direction", std::real(oval / (direction * direction))});
-  features.push_back({"ovality across the lopsided direction", std::imag(oval / (direction * direction))});
-  features.push_back({"corners along the lopsided direction", std::real(corners / std::pow(direction, 3))});
+  add(features, "ovality along the lopsided direction", std::real(oval / (direction * direction)));
+  add(features, "ovality across the lopsided direction", std::imag(oval / (direction * direction)));
+  add(features, "corners along the lopsided direction", std::real(corners / std::pow(direction, 3)));
   const Eigen::ArrayXcd turned = z / direction;
   add_moments("extent along", turned.real(), features);
   add_moments("extent across", turned.imag(), features);
@@ -69,12 +69,12 @@ Features orbit_features(const Eigen::VectorXcd& waveform) {
     return radii[static_cast<std::size_t>(share * static_cast<double>(radii.size() - 1))];
   };
   for (const double share : {0.01, 0.25, 0.5, 0.75, 0.99})
-    features.push_back({"radius of " + std::to_string(static_cast<int>(100 * share)) + " %", radius(share)});
+    add(features, "radius of " + std::to_string(static_cast<int>(100 * share)) + " %", radius(share));
   const Eigen::Index n = z.size() - 1;
   const ArrayXd swept =
       (waveform.head(n).conjugate().array() * waveform.tail(n).array()).imag() / (size * size);
-  features.push_back({"mean whirl", swept.mean()});
-  features.push_back({"share of backward whirl", (swept < 0).cast<double>().mean()});
+  add(features, "mean whirl", swept.mean());
+  add(features, "share of backward whirl", (swept < 0).cast<double>().mean());
   return features;
 }
 
