@@ -13,18 +13,22 @@
 #include <random>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "foreign_motion.hpp"
 #include "rubsweep/dataset/labelled_recording.hpp"
-#include "rubsweep/diagnose/diagnosis.hpp"
-#include "rubsweep/diagnose/quantity.hpp"
+#include "rubsweep/dataset/readings.hpp"
+#include "rubsweep/diagnose/inference/diagnosis.hpp"
+#include "rubsweep/diagnose/inference/quantity.hpp"
 #include "rubsweep/recording/recording.hpp"
 
 namespace {
 
 using namespace rubsweep;
-using diagnose::Quantity;
 using diagnose::Unknown;
+using diagnose::inference::Quantity;
 
 /// A machine with its speed and its instrument. Half of the recordings are read every millisecond, a third by
 /// one probe.
@@ -130,9 +134,9 @@ double truth_of(const dataset::LabelledRecording& labelled, Quantity quantity) {
   return 0;
 }
 
-diagnose::DiagnosisProblem problem_of(const StudiedMachine& machine, std::uint64_t seed,
-                                      std::mt19937_64& random) {
-  diagnose::DiagnosisProblem problem;
+diagnose::inference::DiagnosisProblem problem_of(const StudiedMachine& machine, std::uint64_t seed,
+                                                 std::mt19937_64& random) {
+  diagnose::inference::DiagnosisProblem problem;
   problem.candidates = diagnose::usual_candidates();
   problem.prior.assign(problem.candidates.size(), 1.0 / static_cast<double>(problem.candidates.size()));
   problem.fixed = {.rotor_mass_kg = 0.8, .contact_radius_m = 0.0375, .casing_damping_ratio = 0.1};
@@ -145,57 +149,148 @@ diagnose::DiagnosisProblem problem_of(const StudiedMachine& machine, std::uint64
   return problem;
 }
 
-diagnose::DescribedMotion seen_in(const recording::Recording& recording,
-                                  const diagnose::DiagnosisProblem& problem) {
+diagnose::features::DescribedMotion seen_in(const recording::Recording& recording,
+                                            const diagnose::inference::DiagnosisProblem& problem) {
   response::spectrum::SpectrumWorkspace workspace;
   const auto count = static_cast<std::size_t>(problem.turns * recording::samples_per_revolution);
   const std::span all(recording.displacement_m);
-  const auto lines =
-      diagnose::lines_of(all.last(count), problem.turns, seen_order(problem.measuring), workspace);
-  return describe(lines, recording.plane, workspace);
+  const auto lines = diagnose::lines_of(all.last(count), problem.turns,
+                                        diagnose::inference::seen_order(problem.measuring), workspace);
+  return diagnose::features::describe(lines, recording.plane, workspace);
 }
 
-void print_row(std::size_t machine, std::size_t truth, const dataset::LabelledRecording& labelled,
-               const StudiedMachine& studied, const diagnose::DiagnosisProblem& problem,
-               const diagnose::DescribedMotion& seen, const diagnose::Diagnosis& diagnosis) {
-  const auto order = labelled.motion.order;
-  std::string line = fmt::format("{},{},{},{},{},{},{:.3f}", machine, problem.candidates[truth].name,
-                                 to_string(labelled.motion.motion_class), order ? *order : 0,
-                                 studied.sampling_rate_hz, studied.probes, studied.speed_ratio);
+/// What a rule by the spectrum alone says ("look for 1/2, 1/3 ..."; Muszynska 1989, Goldman and Muszynska
+/// 1999).
+diagnose::Cause by_rule(const diagnose::features::DescribedMotion& seen) {
+  const auto share = [&](std::string_view name) {
+    for (const diagnose::features::Feature& feature : seen.features)
+      if (feature.name == name) return std::pow(10, feature.value);
+    return 0.0;
+  };
+  double fractions = 0;
+  for (const char* name :
+       {"energy at multiples of 1/2X", "energy at multiples of 1/3X", "energy at multiples of 1/4X"})
+    fractions = std::max(fractions, share(name));
+  constexpr double seen_at_all = 3e-3;
+  const double between = share("energy between multiples");
+  if (between > seen_at_all && fractions > between / 2) return diagnose::Cause::one_side;
+  if (between > seen_at_all) return diagnose::Cause::annular;
+  const double second = share("energy at 2X") + share("energy at -2X"),
+               third = share("energy at 3X") + share("energy at -3X");
+  if (std::max(second, third) < seen_at_all) return diagnose::Cause::no_rub;
+  return second > third ? diagnose::Cause::one_side : diagnose::Cause::two_sides;
+}
+
+/// Largest share of one candidate among the cases of the priors that are most like the recording, each
+/// feature in units of its spread, and that candidate: tells whether the candidates differ in this recording
+/// at all.
+std::pair<std::size_t, double> of_the_nearest(const diagnose::features::DescribedMotion& seen,
+                                              const diagnose::inference::Diagnosis& diagnosis,
+                                              std::size_t candidates) {
+  constexpr std::size_t nearest = 15;
+  const Eigen::MatrixXd& all = diagnosis.observed.features;
+  const Eigen::RowVectorXd middle = all.colwise().mean(),
+                           spread = (all.rowwise() - middle).array().square().colwise().mean().sqrt() + 1e-12;
+  const Eigen::RowVectorXd here = values_of(seen.features).transpose();
+  std::vector<std::pair<double, std::size_t>> distances;
+  for (Eigen::Index i = 0; i < all.rows(); ++i)
+    if (!diagnosis.set.cases[static_cast<std::size_t>(i)].proposed)
+      distances.emplace_back(((all.row(i) - here).array() / spread.array()).square().sum(),
+                             diagnosis.set.cases[static_cast<std::size_t>(i)].candidate);
+  std::ranges::nth_element(distances, distances.begin() + nearest);
+  std::vector<double> count(candidates, 0.0);
+  for (std::size_t k = 0; k < nearest; ++k) count[distances[k].second] += 1.0 / nearest;
+  const auto most = std::ranges::max_element(count);
+  return {static_cast<std::size_t>(most - count.begin()), *most};
+}
+
+struct Truth {
+  std::string cause, motion_class;
+  int order = 0;
+  std::optional<std::size_t> candidate{};
+  const dataset::LabelledRecording* labelled = nullptr;
+};
+
+void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& studied,
+               const recording::Recording& recording, const diagnose::inference::DiagnosisProblem& problem,
+               const diagnose::features::DescribedMotion& seen,
+               const diagnose::inference::Diagnosis& diagnosis) {
+  const bool clipped = std::ranges::any_of(recording.findings, [](const std::string& finding) {
+    return finding.find("clipped") != std::string::npos;
+  });
+  const auto [nearest, share] = of_the_nearest(seen, diagnosis, problem.candidates.size());
+  std::string line = fmt::format("{},{},{},{},{},{},{:.3f}", machine, truth.cause, truth.motion_class,
+                                 truth.order, studied.sampling_rate_hz, studied.probes, studied.speed_ratio);
   for (const double p : diagnosis.posterior.probability) line += fmt::format(",{:.4f}", p);
-  line +=
-      fmt::format(",{:.4f},{:.4f},{},{:.3f},{}", diagnosis.posterior.none, diagnosis.posterior.p_value,
-                  diagnosis.history.size() - 1, diagnosis.posterior.sharpness, diagnosis.set.cases.size());
-  Eigen::VectorXd weight = diagnosis.posterior.weight;
-  for (Eigen::Index i = 0; i < weight.size(); ++i)
-    if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != truth) weight(i) = 0;
-  for (const Quantity quantity : diagnose::all_quantities)
-    line += fmt::format(
-        ",{:.4f}",
-        diagnose::share_below(values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity),
-                              weight, truth_of(labelled, quantity), quantity == Quantity::stop_angle));
+  line += fmt::format(",{:.4f},{:.4f},{},{:.3f},{},{},{},{:.3f}", clipped ? 1 : diagnosis.posterior.none,
+                      diagnosis.posterior.p_value, diagnosis.history.size() - 1,
+                      diagnosis.posterior.sharpness, diagnosis.set.cases.size(), to_string(by_rule(seen)),
+                      problem.candidates[nearest].name, share);
   for (const double p : diagnosis.history.front()) line += fmt::format(",{:.4f}", p);
+  if (truth.candidate) {
+    Eigen::VectorXd weight = diagnosis.posterior.weight;
+    for (Eigen::Index i = 0; i < weight.size(); ++i)
+      if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != *truth.candidate) weight(i) = 0;
+    for (const Quantity quantity : diagnose::inference::all_quantities)
+      line += fmt::format(
+          ",{:.4f}", diagnose::inference::share_below(
+                         values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity), weight,
+                         truth_of(*truth.labelled, quantity), quantity == Quantity::stop_angle));
+  }
   fmt::print("{}\n", line);
   std::fflush(stdout);
+}
+
+/// A recording of a machine that does what no candidate does.
+dataset::LabelledRecording draw_foreign(Foreign cause, const StudiedMachine& studied,
+                                        std::mt19937_64& random) {
+  dataset::LabelledRecording labelled;
+  labelled.speed_hz = studied.speed_ratio * studied.frequency_hz;
+  labelled.mark_turns = std::uniform_real_distribution<double>(0, 1)(random);
+  for (int probe = 0; probe < studied.probes; ++probe)
+    labelled.gain.push_back(1 + 0.02 * std::normal_distribution<double>()(random));
+  const dataset::Measurement measurement{.sampling_rate_hz = studied.sampling_rate_hz,
+                                         .probes = studied.probes};
+  labelled.motion.displacement_m =
+      foreign_motion(cause, studied.speed_ratio, studied.damping_ratio, measurement.turns,
+                     diagnose::samples_per_revolution, random);
+  diagnose::RandomStream readings(random(), 0, 0);
+  read_motion(measurement, readings, labelled);
+  if (cause == Foreign::clipped_sensor) {
+    const double largest = *std::ranges::max_element(labelled.x_m);
+    const double limit = largest * std::uniform_real_distribution<double>(0.5, 0.9)(random);
+    for (double& x : labelled.x_m) x = std::min(x, limit);
+  }
+  return labelled;
 }
 
 void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
   std::mt19937_64 random(seed * 1'000'003 + machine);
   const StudiedMachine studied = draw_studied(machine, random);
-  const diagnose::DiagnosisProblem problem = problem_of(studied, random(), random);
-  diagnose::DiagnosisOptions options;
+  const diagnose::inference::DiagnosisProblem problem = problem_of(studied, random(), random);
+  diagnose::inference::DiagnosisOptions options;
   options.cases.cases_per_candidate = cases;
   options.cases.threads = 1;
   options.most_rounds = rounds;
-  const diagnose::CaseSet set = prior_cases(problem, options.cases);
-  constexpr std::size_t recordings_per_candidate = 2;
+  const diagnose::inference::CaseSet set = prior_cases(problem, options.cases);
+  const auto answer = [&](const dataset::LabelledRecording& labelled, const Truth& truth) {
+    const recording::Recording recording = measured(labelled);
+    const diagnose::features::DescribedMotion seen = seen_in(recording, problem);
+    print_row(machine, truth, studied, recording, problem, seen,
+              diagnose::inference::diagnose(problem, seen, options, set));
+  };
+  constexpr std::size_t recordings_per_candidate = 2, foreign_recordings = 2;
   for (std::size_t k = 0; k < recordings_per_candidate * problem.candidates.size(); ++k) {
     const std::size_t truth = k % problem.candidates.size();
     const auto labelled = draw_recording(study_of(studied, problem.candidates[truth].cause, random()));
     if (!labelled) continue;
-    const diagnose::DescribedMotion seen = seen_in(measured(*labelled), problem);
-    print_row(machine, truth, *labelled, studied, problem, seen,
-              diagnose::diagnose(problem, seen, options, set));
+    answer(*labelled, {problem.candidates[truth].name, std::string(to_string(labelled->motion.motion_class)),
+                       labelled->motion.order.value_or(0), truth, &*labelled});
+  }
+  for (std::size_t k = 0; k < foreign_recordings; ++k) {
+    const Foreign cause = all_foreign[(foreign_recordings * machine + k) % all_foreign.size()];
+    answer(draw_foreign(cause, studied, random),
+           {std::string(to_string(cause)), "", 0, std::nullopt, nullptr});
   }
 }
 

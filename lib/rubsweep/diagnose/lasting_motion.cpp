@@ -1,6 +1,7 @@
 #include "rubsweep/diagnose/lasting_motion.hpp"
 
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/diagnose/turn_samples.hpp"
@@ -27,7 +28,7 @@ bool lasts(const integrate::run::Run& run, integrate::run::TurnReport& turn) {
 }
 
 std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::run::Run& run, int turns,
-                                    double most_order, response::spectrum::SpectrumWorkspace& workspace) {
+                                    response::spectrum::SpectrumWorkspace& workspace) {
   integrate::run::TurnRequest request;
   request.samples_per_revolution = samples_of_a_turn;
   request.peaks = true;
@@ -39,14 +40,16 @@ std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::ru
     add_samples(cell.scene, turn, displacement_m);
     facts.push_back(response::motion::facts_of(turn));
   }
-  return LastingMotion{lines_of(displacement_m, turns, most_order, workspace),
-                       response::motion::together(facts), cell.eccentricity_m};
+  MotionLines lines = lines_of(displacement_m, turns, most_order, workspace);
+  // As a table keeps them, so that it changes no answer.
+  lines.amplitude = lines.amplitude.cast<std::complex<float>>().cast<std::complex<double>>().eval();
+  return LastingMotion{std::move(lines), response::motion::together(facts), cell.eccentricity_m};
 }
 
 }  // namespace
 
 std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
-                                            const scene::Unbalance& unbalance, int turns, double most_order,
+                                            const scene::Unbalance& unbalance, int turns,
                                             response::spectrum::SpectrumWorkspace& workspace) {
   const scene::Cell cell = scene::build_cell(machine, speed_hz, unbalance);
   if (!scene::can_run(cell.start)) return std::nullopt;
@@ -55,18 +58,18 @@ std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, doubl
   const integrate::run::Run run = integrate::start(cell.scene, {}, modes);
   integrate::run::TurnReport turn;
   if (!lasts(run, turn)) return std::nullopt;
-  auto motion = record(cell, run, turns, most_order, workspace);
+  auto motion = record(cell, run, turns, workspace);
   if (motion && motion->contact.contact_fraction == 0) return std::nullopt;
   return motion;
 }
 
 std::optional<LastingMotion> quiet_motion(const model::Machine& machine, double speed_hz,
-                                          const scene::Unbalance& unbalance, int turns, double most_order,
+                                          const scene::Unbalance& unbalance, int turns,
                                           response::spectrum::SpectrumWorkspace& workspace) {
   const scene::Cell cell = scene::build_cell(machine, speed_hz, unbalance);
   if (cell.start != scene::Start::quiet) return std::nullopt;
   integrate::exact::modes::ModeCache modes;
-  return record(cell, integrate::start(cell.scene, {}, modes), turns, most_order, workspace);
+  return record(cell, integrate::start(cell.scene, {}, modes), turns, workspace);
 }
 
 }  // namespace rubsweep::diagnose

@@ -13,22 +13,24 @@ namespace rubsweep::diagnose {
 /// that has fallen back to quiet whirling.
 inline constexpr int turns_before_recording = 120, turns_in_flight = 30;
 
+inline constexpr double most_order = 8;  ///< of lines that are looked at
+
 /// A motion that a kick left, without a verdict on it: several times cheaper than SimulatedMotion.
 struct LastingMotion {
-  MotionLines lines{};
+  MotionLines lines{};                       ///< up to most_order, to the digits of a float
   response::motion::ContactFacts contact{};  ///< over the recorded turns
   double eccentricity_m = 0;
 };
 
-/// Runs a machine from its start for turns_before_recording and records so many turns up to an order. Empty
+/// Runs a machine from its start for turns_before_recording and records so many turns. Empty
 /// where it touches nothing in them, fails, or cannot start.
 std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
-                                            const scene::Unbalance& unbalance, int turns, double most_order,
+                                            const scene::Unbalance& unbalance, int turns,
                                             response::spectrum::SpectrumWorkspace& workspace);
 
 /// The same of a machine that touches nothing: its quiet motion.
 std::optional<LastingMotion> quiet_motion(const model::Machine& machine, double speed_hz,
-                                          const scene::Unbalance& unbalance, int turns, double most_order,
+                                          const scene::Unbalance& unbalance, int turns,
                                           response::spectrum::SpectrumWorkspace& workspace);
 
 }  // namespace rubsweep::diagnose

@@ -19,6 +19,11 @@ MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, d
   return lines;
 }
 
+MotionLines up_to(const MotionLines& lines, double most_order) {
+  const int last = std::min(lines.last(), static_cast<int>(most_order * lines.turns));
+  return {lines.turns, lines.amplitude.segment(lines.last() - last, 2 * last + 1)};
+}
+
 Eigen::VectorXcd waveform_of(const MotionLines& lines, int samples_per_revolution,
                              response::spectrum::SpectrumWorkspace& workspace) {
   const int count = samples_per_revolution * lines.turns, last = lines.last();

@@ -24,6 +24,9 @@ struct MotionLines {
 MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, double most_order,
                      response::spectrum::SpectrumWorkspace& workspace);
 
+/// Its lines up to an order.
+MotionLines up_to(const MotionLines& lines, double most_order);
+
 /// Motion without its mean from its lines: so many samples of every turn, more than twice the largest order.
 Eigen::VectorXcd waveform_of(const MotionLines& lines, int samples_per_revolution,
                              response::spectrum::SpectrumWorkspace& workspace);
