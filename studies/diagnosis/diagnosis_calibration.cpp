@@ -279,7 +279,8 @@ void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
     print_row(machine, truth, studied, recording, problem, seen,
               diagnose::inference::diagnose(problem, seen, options, set));
   };
-  constexpr std::size_t recordings_per_candidate = 2, foreign_recordings = 2;
+  const std::size_t recordings_per_candidate = std::getenv("FOREIGN") ? 0 : 2,
+                    foreign_recordings = std::getenv("FOREIGN") ? 6 : 2;
   for (std::size_t k = 0; k < recordings_per_candidate * problem.candidates.size(); ++k) {
     const std::size_t truth = k % problem.candidates.size();
     const auto labelled = draw_recording(study_of(studied, problem.candidates[truth].cause, random()));

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/batch/parallel_run.hpp"
@@ -11,7 +12,6 @@
 namespace rubsweep::diagnose::forest {
 namespace {
 
-constexpr std::size_t neighbours = 3;
 constexpr double farthest = 20;  ///< spreads of one feature that count
 
 double quantile(std::vector<double> values, double share) {
@@ -27,7 +27,7 @@ Novelty::Novelty(const Eigen::MatrixXd& cases, int threads)
     : middle_(cases.cols()),
       spread_(cases.cols()),
       cases_(cases.cols(), cases.rows()),
-      distances_(cases.rows()) {
+      of_cases_(static_cast<std::size_t>(cases.rows())) {
   for (Eigen::Index j = 0; j < cases.cols(); ++j) {
     const std::vector<double> values(cases.col(j).begin(), cases.col(j).end());
     middle_(j) = quantile(values, 0.5);
@@ -41,34 +41,45 @@ Novelty::Novelty(const Eigen::MatrixXd& cases, int threads)
       static_cast<std::size_t>(cases.rows()), threads,
       [&](std::size_t i) {
         const auto k = static_cast<Eigen::Index>(i);
-        distances_(k) = distance(cases_.col(k), k);
+        of_cases_[i] = nearest(cases_.col(k), k);
       },
       [](std::size_t) {}, std::atomic<bool>{false});
-  std::sort(distances_.begin(), distances_.end());
+  for (const Nearest& one : of_cases_) apartness_.push_back(apartness(one));
+  std::ranges::sort(apartness_);
 }
 
 Eigen::VectorXd Novelty::scaled(const Eigen::VectorXd& features) const {
   return ((features - middle_).array() / spread_.array()).cwiseMax(-farthest).cwiseMin(farthest);
 }
 
-double Novelty::distance(const Eigen::VectorXd& scaled, Eigen::Index without) const {
-  std::array<double, neighbours> nearest{};
-  nearest.fill(INFINITY);
+Novelty::Nearest Novelty::nearest(const Eigen::VectorXd& scaled, Eigen::Index without) const {
+  std::array<std::pair<double, Eigen::Index>, 3> found;
+  found.fill({INFINITY, 0});
   for (Eigen::Index i = 0; i < cases_.cols(); ++i) {
     const double squared = i == without ? INFINITY : (cases_.col(i) - scaled).squaredNorm();
-    if (squared >= nearest.back()) continue;
-    nearest.back() = squared;
-    std::ranges::sort(nearest);
+    if (squared >= found.back().first) continue;
+    found.back() = {squared, i};
+    std::ranges::sort(found);
   }
-  double sum = 0;
-  for (const double squared : nearest) sum += std::sqrt(squared);
-  return sum;
+  Nearest nearest;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    nearest.distance += std::sqrt(found[k].first) / static_cast<double>(found.size());
+    nearest.cases[k] = found[k].second;
+  }
+  return nearest;
+}
+
+double Novelty::apartness(const Nearest& nearest) const {
+  double usual = 0;
+  for (const Eigen::Index i : nearest.cases)
+    usual += of_cases_[static_cast<std::size_t>(i)].distance / static_cast<double>(nearest.cases.size());
+  return nearest.distance / std::max(usual, 1e-300);
 }
 
 double Novelty::p_value(const Eigen::VectorXd& features) const {
-  const auto nearer = std::lower_bound(distances_.begin(), distances_.end(), distance(scaled(features), -1));
-  const auto as_far = static_cast<double>(distances_.end() - nearer);
-  return (1 + as_far) / (1 + static_cast<double>(distances_.size()));
+  const double here = apartness(nearest(scaled(features), -1));
+  const auto as_far = apartness_.end() - std::ranges::lower_bound(apartness_, here);
+  return (1 + static_cast<double>(as_far)) / (1 + static_cast<double>(apartness_.size()));
 }
 
 double probability_of_none(double p_value) {

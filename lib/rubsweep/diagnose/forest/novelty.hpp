@@ -1,28 +1,38 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <vector>
 
 namespace rubsweep::diagnose::forest {
 
 /// Test whether an observation is one of a population that simulated cases are drawn from: its mean distance
-/// to the nearest of them is compared with that of each of them to the others (conformal prediction; Vovk,
-/// Gammerman, Shafer 2005). Distances are those of features in units of their spread in the population.
+/// to the nearest of them, over the mean distance that those have to theirs (the local outlier factor of
+/// Breunig, Kriegel, Ng, Sander 2000 without its smoothing), is compared with that of each of them (conformal
+/// prediction; Vovk, Gammerman, Shafer 2005). Distances are those of features in units of their spread in the
+/// population.
 class Novelty {
  public:
   /// A row for each case, a column for every feature.
   explicit Novelty(const Eigen::MatrixXd& cases, int threads = 0);
 
-  /// Share of cases that lie as far from the others, in (0, 1]: evenly distributed for observations of the
-  /// population.
+  /// Share of cases that stand as far apart from the others, in (0, 1]: evenly distributed for observations
+  /// of the population.
   double p_value(const Eigen::VectorXd& features) const;
 
  private:
-  double distance(const Eigen::VectorXd& scaled, Eigen::Index without) const;
+  struct Nearest {
+    double distance = 0;  ///< mean
+    std::array<Eigen::Index, 3> cases{};
+  };
+  Nearest nearest(const Eigen::VectorXd& scaled, Eigen::Index without) const;
+  double apartness(const Nearest& nearest) const;
   Eigen::VectorXd scaled(const Eigen::VectorXd& features) const;
 
   Eigen::VectorXd middle_, spread_;
-  Eigen::MatrixXd cases_;      ///< scaled, a column for each case
-  Eigen::VectorXd distances_;  ///< ascending
+  Eigen::MatrixXd cases_;  ///< scaled, a column for each case
+  std::vector<Nearest> of_cases_;
+  std::vector<double> apartness_;  ///< of every case, ascending
 };
 
 /// Probability of "none of these" before a recording is looked at.
