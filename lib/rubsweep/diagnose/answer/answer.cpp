@@ -53,11 +53,13 @@ std::vector<DecidingFeature> deciding_features(const Diagnosis& diagnosis,
     DecidingFeature feature{.name = seen.features[j].name, .recorded = seen.features[j].value};
     double mean[2], spread[2];
     for (int k = 0; k < 2; ++k) {
-      // No case of the second candidate may be like the recording: then all of its cases speak for it.
+      // Where few cases resemble the recording all of the candidate speak for it.
+      constexpr double fewest = 10;
       Eigen::ArrayXd weight = w[k].array();
-      if (weight.sum() == 0)
+      if (weight.sum() * weight.sum() < fewest * weight.square().sum() || weight.sum() == 0)
         for (Eigen::Index i = 0; i < weight.size(); ++i)
-          weight(i) = diagnosis.set.cases[static_cast<std::size_t>(i)].candidate == second ? 1 : 0;
+          weight(i) =
+              diagnosis.set.cases[static_cast<std::size_t>(i)].candidate == (k == 0 ? first : second) ? 1 : 0;
       mean[k] = (weight * column).sum() / weight.sum();
       spread[k] = std::sqrt((weight * (column - mean[k]).square()).sum() / weight.sum()) + 1e-6;
     }
