@@ -42,7 +42,8 @@ std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::ru
   }
   MotionLines lines = lines_of(displacement_m, turns, most_order, workspace);
   // As a table keeps them, so that it changes no answer.
-  lines.amplitude = lines.amplitude.cast<std::complex<float>>().cast<std::complex<double>>().eval();
+  for (std::complex<double>& line : lines.amplitude)
+    line = {static_cast<float>(line.real()), static_cast<float>(line.imag())};
   return LastingMotion{std::move(lines), response::motion::together(facts), cell.eccentricity_m};
 }
 

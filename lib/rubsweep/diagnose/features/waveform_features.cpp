@@ -28,10 +28,23 @@ void add_moments(const std::string& name, const ArrayXd& x, Features& features) 
   add(features, "largest " + name, quantile(0.99));
 }
 
+/// The samples one step later and one step earlier; whole turns begin again where they end.
+template <class Array>
+Array after(const Array& x) {
+  Array shifted(x.size());
+  shifted << x.tail(x.size() - 1), x(0);
+  return shifted;
+}
+template <class Array>
+Array before(const Array& x) {
+  Array shifted(x.size());
+  shifted << x(x.size() - 1), x.head(x.size() - 1);
+  return shifted;
+}
+
 /// Sharpest bend of a signal beside its usual one: what a contact leaves of its force.
 void add_bends(const std::string& name, const ArrayXd& x, Features& features) {
-  const Eigen::Index n = x.size() - 2;
-  const ArrayXd bend = x.head(n) - 2 * x.segment(1, n) + x.tail(n);
+  const ArrayXd bend = after(x) - 2 * x + before(x);
   const double size = std::max(std::sqrt(bend.square().mean()), 1e-300);
   add(features, "kurtosis of acceleration " + name, (bend / size).square().square().mean());
   add(features, "skewness of acceleration " + name, (bend / size).cube().mean());
@@ -70,9 +83,7 @@ Features orbit_features(const Eigen::VectorXcd& waveform) {
   };
   for (const double share : {0.01, 0.25, 0.5, 0.75, 0.99})
     add(features, "radius of " + std::to_string(static_cast<int>(100 * share)) + " %", radius(share));
-  const Eigen::Index n = z.size() - 1;
-  const ArrayXd swept =
-      (waveform.head(n).conjugate().array() * waveform.tail(n).array()).imag() / (size * size);
+  const ArrayXd swept = (turned.conjugate() * after(turned)).imag() / (size * size);
   add(features, "mean whirl", swept.mean());
   add(features, "share of backward whirl", (swept < 0).cast<double>().mean());
   return features;

@@ -44,7 +44,8 @@ Novelty::Novelty(const Eigen::MatrixXd& cases, int threads)
         of_cases_[i] = nearest(cases_.col(k), k);
       },
       [](std::size_t) {}, std::atomic<bool>{false});
-  for (const Nearest& one : of_cases_) apartness_.push_back(apartness(one));
+  for (std::size_t i = 0; i < of_cases_.size(); ++i)
+    apartness_.push_back(apartness(of_cases_[i], static_cast<Eigen::Index>(i)));
   std::ranges::sort(apartness_);
 }
 
@@ -53,7 +54,7 @@ Eigen::VectorXd Novelty::scaled(const Eigen::VectorXd& features) const {
 }
 
 Novelty::Nearest Novelty::nearest(const Eigen::VectorXd& scaled, Eigen::Index without) const {
-  std::array<std::pair<double, Eigen::Index>, 3> found;
+  Nearest found;
   found.fill({INFINITY, 0});
   for (Eigen::Index i = 0; i < cases_.cols(); ++i) {
     const double squared = i == without ? INFINITY : (cases_.col(i) - scaled).squaredNorm();
@@ -61,23 +62,30 @@ Novelty::Nearest Novelty::nearest(const Eigen::VectorXd& scaled, Eigen::Index wi
     found.back() = {squared, i};
     std::ranges::sort(found);
   }
-  Nearest nearest;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    nearest.distance += std::sqrt(found[k].first) / static_cast<double>(found.size());
-    nearest.cases[k] = found[k].second;
-  }
-  return nearest;
+  for (auto& [distance, i] : found) distance = std::sqrt(distance);
+  return found;
 }
 
-double Novelty::apartness(const Nearest& nearest) const {
+double Novelty::apartness(const Nearest& nearest, Eigen::Index self) const {
+  const auto mean = [](const Nearest& of, Eigen::Index without) {
+    double sum = 0;
+    std::size_t counted = 0;
+    for (const auto& [distance, i] : of)
+      if (i != without && counted < neighbours) {
+        sum += distance;
+        ++counted;
+      }
+    return sum / static_cast<double>(neighbours);
+  };
   double usual = 0;
-  for (const Eigen::Index i : nearest.cases)
-    usual += of_cases_[static_cast<std::size_t>(i)].distance / static_cast<double>(nearest.cases.size());
-  return nearest.distance / std::max(usual, 1e-300);
+  for (std::size_t k = 0; k < neighbours; ++k)
+    usual +=
+        mean(of_cases_[static_cast<std::size_t>(nearest[k].second)], self) / static_cast<double>(neighbours);
+  return mean(nearest, -1) / std::max(usual, 1e-300);
 }
 
 double Novelty::p_value(const Eigen::VectorXd& features) const {
-  const double here = apartness(nearest(scaled(features), -1));
+  const double here = apartness(nearest(scaled(features), -1), -1);
   const auto as_far = apartness_.end() - std::ranges::lower_bound(apartness_, here);
   return (1 + static_cast<double>(as_far)) / (1 + static_cast<double>(apartness_.size()));
 }

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace rubsweep::diagnose::forest {
@@ -21,12 +23,12 @@ class Novelty {
   double p_value(const Eigen::VectorXd& features) const;
 
  private:
-  struct Nearest {
-    double distance = 0;  ///< mean
-    std::array<Eigen::Index, 3> cases{};
-  };
+  static constexpr std::size_t neighbours = 3;
+  /// The nearest cases and their distances, ascending; one more than count, as one may be left out.
+  using Nearest = std::array<std::pair<double, Eigen::Index>, neighbours + 1>;
   Nearest nearest(const Eigen::VectorXd& scaled, Eigen::Index without) const;
-  double apartness(const Nearest& nearest) const;
+  /// `self`: the case itself, which its neighbours must not count; -1 for a new observation.
+  double apartness(const Nearest& nearest, Eigen::Index self) const;
   Eigen::VectorXd scaled(const Eigen::VectorXd& features) const;
 
   Eigen::VectorXd middle_, spread_;

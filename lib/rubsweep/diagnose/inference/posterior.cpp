@@ -107,11 +107,11 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   for (Eigen::Index i = 0; i < posterior.weight.size(); ++i)
     share(samples.label[static_cast<std::size_t>(i)]) += posterior.weight(i);
   posterior.sharpness = best_sharpness(forest.out_of_bag_probabilities(), samples.label, samples.weight);
-  if (share.sum() > 0) share /= share.sum();
-  posterior.probability = sharpened(share, posterior.sharpness).transpose();
+  const Eigen::RowVectorXd relative = share.sum() > 0 ? Eigen::RowVectorXd(share / share.sum()) : share;
+  posterior.probability = sharpened(relative, posterior.sharpness).transpose();
   for (Eigen::Index i = 0; i < posterior.weight.size(); ++i) {
     const int label = samples.label[static_cast<std::size_t>(i)];
-    if (share(label) > 0) posterior.weight(i) *= posterior.probability(label) / (share(label) * share.sum());
+    if (share(label) > 0) posterior.weight(i) *= posterior.probability(label) / share(label);
   }
   posterior.p_value = forest::Novelty(rows_of_priors(set, observed.features), threads).p_value(here);
   posterior.none = forest::probability_of_none(posterior.p_value);
