@@ -1,7 +1,6 @@
 #include "rubsweep/diagnose/lasting_motion.hpp"
 
 #include <complex>
-#include <utility>
 #include <vector>
 
 #include "rubsweep/diagnose/turn_samples.hpp"
@@ -40,11 +39,8 @@ std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::ru
     add_samples(cell.scene, turn, displacement_m);
     facts.push_back(response::motion::facts_of(turn));
   }
-  MotionLines lines = lines_of(displacement_m, turns, most_order, workspace);
-  // As a table keeps them, so that it changes no answer.
-  for (std::complex<double>& line : lines.amplitude)
-    line = {static_cast<float>(line.real()), static_cast<float>(line.imag())};
-  return LastingMotion{std::move(lines), response::motion::together(facts), cell.eccentricity_m};
+  return LastingMotion{lines_of(displacement_m, turns, most_order, workspace),
+                       response::motion::together(facts), cell.eccentricity_m};
 }
 
 }  // namespace

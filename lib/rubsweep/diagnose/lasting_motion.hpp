@@ -17,7 +17,7 @@ inline constexpr double most_order = 8;  ///< of lines that are looked at
 
 /// A motion that a kick left, without a verdict on it: several times cheaper than SimulatedMotion.
 struct LastingMotion {
-  MotionLines lines{};                       ///< up to most_order, to the digits of a float
+  MotionLines lines{};                       ///< up to most_order
   response::motion::ContactFacts contact{};  ///< over the recorded turns
   double eccentricity_m = 0;
 };

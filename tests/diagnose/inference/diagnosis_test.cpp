@@ -23,17 +23,20 @@ TEST(Diagnosis, AddsMotionsThatResembleTheRecording) {
   EXPECT_EQ(diagnosis.history.size(), 3U);
   EXPECT_GT(diagnosis.set.cases.size(), small_set().cases.size());
   EXPECT_GT(diagnosis.posterior.probability(1), 0.8);
-  // Those are nearer to it on average than cases of the priors.
-  const Eigen::RowVectorXd here = features::values_of(seen.features).transpose();
-  double distance[2] = {0, 0};
-  int count[2] = {0, 0};
-  for (std::size_t i = 0; i < diagnosis.set.cases.size(); ++i) {
-    if (diagnosis.set.cases[i].candidate != 1) continue;
-    const int proposed = diagnosis.set.cases[i].proposed ? 1 : 0;
-    distance[proposed] += (diagnosis.observed.features.row(static_cast<Eigen::Index>(i)) - here).norm();
-    ++count[proposed];
+  // Their whirl ratios lie closer together than those of the priors.
+  constexpr auto unknown = static_cast<std::size_t>(Unknown::whirl_ratio);
+  double square[2] = {0, 0}, mean[2] = {0, 0}, count[2] = {0, 0};
+  for (const SimulatedCase& one : diagnosis.set.cases) {
+    if (one.candidate != 1) continue;
+    const int k = one.proposed ? 1 : 0;
+    mean[k] += one.unit[unknown];
+    square[k] += one.unit[unknown] * one.unit[unknown];
+    ++count[k];
   }
-  EXPECT_LT(distance[1] / count[1], 0.9 * distance[0] / count[0]);
+  const auto variance = [&](int k) {
+    return square[k] / count[k] - mean[k] * mean[k] / (count[k] * count[k]);
+  };
+  EXPECT_LT(variance(1), variance(0));
 }
 
 TEST(Diagnosis, DoesNotDependOnThreads) {

@@ -73,8 +73,8 @@ void put_case(const SimulatedCase& one, std::string& bytes) {
                               facts.peak_casing_displacement_m, one.motion.eccentricity_m})
     put(bytes, number);
   for (const std::complex<double>& line : one.motion.lines.amplitude) {
-    put(bytes, static_cast<float>(line.real()));
-    put(bytes, static_cast<float>(line.imag()));
+    put(bytes, line.real());
+    put(bytes, line.imag());
   }
 }
 
@@ -89,8 +89,8 @@ SimulatedCase get_case(Reader& reader, int turns) {
     *number = reader.get<double>();
   one.motion.lines = {turns, Eigen::VectorXcd(2 * static_cast<int>(most_order * turns) + 1)};
   for (std::complex<double>& line : one.motion.lines.amplitude) {
-    const double real = reader.get<float>();
-    line = {real, reader.get<float>()};
+    const double real = reader.get<double>();
+    line = {real, reader.get<double>()};
   }
   return one;
 }
