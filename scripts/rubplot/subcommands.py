@@ -9,6 +9,7 @@ from rubplot.pictures import (
     compare,
     curves,
     design,
+    diagnosis,
     fit,
     identification,
     line,
@@ -26,5 +27,5 @@ from rubplot.published import figure
 ALL = tuple(
     module.SUBCOMMAND
     for module in (map, threshold, compare, trace, line, cascade, branch, curves, basin, run_up, bode, campbell, design,
-                   identification, scope, fit, ring, ring_chart, work_precision, figure)
+                   identification, scope, fit, diagnosis, ring, ring_chart, work_precision, figure)
 )

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <numbers>
 
 #include "rubsweep/diagnose/simulated_motion.hpp"
@@ -28,14 +29,21 @@ void add_line(std::span<Complex> samples, int order, Complex amplitude) {
 
 }  // namespace
 
-void add_other_lines(std::span<Complex> samples, const OtherLines& lines, double size, RandomStream& random) {
-  const auto add = [&](int order, double largest) {
+std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, RandomStream& random) {
+  std::array<OtherLine, 5> drawn{{{-1}, {2}, {-2}, {3}, {-3}}};
+  for (OtherLine& line : drawn) {
+    const double largest = line.order == -1            ? lines.backward_1x
+                           : std::abs(line.order) == 2 ? lines.order_2
+                                                       : lines.order_3;
     const double amplitude = size * share(largest, random);
-    add_line(samples, order, std::polar(amplitude, 2 * pi * random.uniform()));
-  };
-  add(-1, lines.backward_1x);
-  for (const int order : {2, -2}) add(order, lines.order_2);
-  for (const int order : {3, -3}) add(order, lines.order_3);
+    line.amplitude = std::polar(amplitude, 2 * pi * random.uniform());
+  }
+  return drawn;
+}
+
+void add_other_lines(std::span<Complex> samples, const OtherLines& lines, double size, RandomStream& random) {
+  for (const OtherLine& line : draw_other_lines(lines, size, random))
+    add_line(samples, line.order, line.amplitude);
 }
 
 double size_of(std::span<const Complex> samples) {

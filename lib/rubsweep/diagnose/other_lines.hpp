@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <complex>
 #include <span>
 
@@ -17,6 +18,15 @@ struct OtherLines {
 
 /// Size of a motion: root mean square about its mean, in the unit of the samples.
 double size_of(std::span<const std::complex<double>> samples);
+
+/// A line that no rub made.
+struct OtherLine {
+  int order = 0;
+  std::complex<double> amplitude = 0;  ///< in the unit of the motion
+};
+
+/// Lines at -1X, 2X, -2X, 3X and -3X of a motion of this size.
+std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, RandomStream& random);
 
 /// Adds lines at -1X, 2X and 3X that no rub made to a motion of this size.
 void add_other_lines(std::span<std::complex<double>> samples, const OtherLines& lines, double size,

@@ -15,9 +15,9 @@ namespace rubsweep::diagnose {
 
 inline constexpr int samples_per_revolution = 128;
 
-/// Turns of the shaft in which free vibration of a rotor falls to a hundred thousandth. The verdict on a motion
-/// comes while it is still dying away, and may find ten times the quiet whirl: a thousandth of that would stand
-/// in a recording as a line of its own.
+/// Turns of the shaft in which free vibration of a rotor falls to a hundred thousandth. The verdict on a
+/// motion comes while it is still dying away, and may find ten times the quiet whirl: a thousandth of that
+/// would stand in a recording as a line of its own.
 int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz);
 
 /// Most and fewest turns that pass between the verdict on a motion and its recording: those of turns_to_decay

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "rubsweep/config/dataset/read_candidates.hpp"
+#include "rubsweep/config/dataset/read_measurement.hpp"
 #include "rubsweep/config/dataset/spread_field.hpp"
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/output.hpp"
@@ -15,14 +16,11 @@ using diagnose::Spread;
 using diagnose::Unknown;
 using rubsweep::dataset::DataStudy;
 using rubsweep::dataset::Format;
-using rubsweep::dataset::Measurement;
 using rubsweep::dataset::Split;
 
 constexpr std::string_view root_form =
     "a map with recordings, machine, candidates, measurement, split, format, output";
-constexpr model::Range share{.low = 0, .high = 1}, noise{.low = 0, .high = 1, .low_open = true};
-/// The time of each reading is written with twelve digits.
-constexpr model::Range rate_hz{.low = 0, .high = 1e6, .low_open = true};
+constexpr model::Range share{.low = 0, .high = 1};
 
 /// Ranges of the machine that every candidate has.
 struct MachineRanges {
@@ -40,21 +38,6 @@ MachineRanges read_machine(const yaml::Value& value, diagnose::FixedNumbers& fix
   read_spread(section, "clearance_m", model::positive, true, ranges.clearance_m);
   section.refuse_unknown_keys();
   return ranges;
-}
-
-Measurement read_measurement(const yaml::Value& value) {
-  yaml::Section section(value);
-  Measurement measurement;
-  section.field("turns", measurement.turns, yaml::IntegerRange{8, 1024});
-  section.field("sampling_rate_hz", measurement.sampling_rate_hz, rate_hz);
-  section.field("probes", measurement.probes, yaml::IntegerRange{1, 2});
-  read_spread(section, "noise_share", noise, true, measurement.noise_share);
-  section.field("backward_1x_share", measurement.other_lines.backward_1x, share);
-  section.field("order_2_share", measurement.other_lines.order_2, share);
-  section.field("order_3_share", measurement.other_lines.order_3, share);
-  section.field("gain_error", measurement.gain_error, share);
-  section.refuse_unknown_keys();
-  return measurement;
 }
 
 Split read_split(const yaml::Value& value) {

@@ -92,6 +92,18 @@ int dominant_line(const FullSpectrum& spectrum) {
   return has_forward_twin ? -dominant : dominant;
 }
 
+std::span<const std::complex<double>> transform(std::span<const std::complex<double>> z,
+                                                SpectrumWorkspace& workspace) {
+  if (z.empty()) throw SolverError("a transform of 0 samples");
+  workspace.reserve(z.size());
+  fftw_complex* samples = as_fftw(workspace.samples_.get());
+  fftw_complex* lines = as_fftw(workspace.lines_.get());
+  fftw_plan plan = plan_cache().plan(static_cast<int>(z.size()), samples, lines);
+  std::ranges::copy(z, workspace.samples_.get());
+  fftw_execute_dft(plan, samples, lines);
+  return {workspace.lines_.get(), z.size()};
+}
+
 FullSpectrum full_spectrum(std::span<const std::complex<double>> displacement_m, int turns,
                            SpectrumWorkspace& workspace) {
   const std::size_t count = displacement_m.size();
@@ -99,20 +111,14 @@ FullSpectrum full_spectrum(std::span<const std::complex<double>> displacement_m,
     throw SolverError(fmt::format("{} samples cannot cover {} turns", count, turns));
   }
   const int length = static_cast<int>(count);
-  workspace.reserve(count);
-  fftw_complex* samples = as_fftw(workspace.samples_.get());
-  fftw_complex* lines = as_fftw(workspace.lines_.get());
-  fftw_plan plan = plan_cache().plan(length, samples, lines);
-  std::ranges::copy(displacement_m, workspace.samples_.get());
-  fftw_execute_dft(plan, samples, lines);
-
+  const auto lines = transform(displacement_m, workspace);
   FullSpectrum spectrum{.turns = turns, .samples_per_revolution = length / turns, .amplitude_m = {}};
   spectrum.amplitude_m.resize(count);
   // FFTW lists k = 0, 1, ... and then the negative k; we list from the most negative k upwards.
   const std::size_t negative = count / 2;
   for (std::size_t j = 0; j < count; ++j) {
     spectrum.amplitude_m[(j + negative) % count] =
-        std::sqrt(std::norm(workspace.lines_[j])) / static_cast<double>(length);
+        std::sqrt(std::norm(lines[j])) / static_cast<double>(length);
   }
   return spectrum;
 }

@@ -53,7 +53,8 @@ int dominant_line(const FullSpectrum& spectrum);
 /// Buffers that one thread lends to `full_spectrum`, aligned for FFTW's vector code. They grow to the longest
 /// window seen.
 class SpectrumWorkspace {
-  friend FullSpectrum full_spectrum(std::span<const std::complex<double>>, int, SpectrumWorkspace&);
+  friend std::span<const std::complex<double>> transform(std::span<const std::complex<double>>,
+                                                         SpectrumWorkspace&);
 
   struct Free {
     void operator()(std::complex<double>* buffer) const noexcept;
@@ -66,6 +67,11 @@ class SpectrumWorkspace {
   Buffer samples_;
   Buffer lines_;
 };
+
+/// Discrete Fourier transform sum_j z_j exp(-2 pi i k j / N), k = 0 .. N - 1, in the workspace. SolverError
+/// when N is zero. May run in many threads at once, as full_spectrum.
+std::span<const std::complex<double>> transform(std::span<const std::complex<double>> z,
+                                                SpectrumWorkspace& workspace);
 
 /// Full spectrum A_k = |1/N sum_j z_j exp(-2 pi i k j / N)| of `displacement_m`: N equidistant samples of
 /// x + iy in metres over `turns` turns, the end point left out. SolverError when N is zero or no multiple of

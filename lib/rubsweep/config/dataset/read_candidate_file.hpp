@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/diagnose/candidate.hpp"
+#include "rubsweep/diagnose/observed_lines.hpp"
+
+namespace rubsweep::config::dataset {
+
+/// Candidates of a diagnosis, and what is known of the measurement beforehand.
+struct CandidateFile {
+  std::vector<diagnose::Candidate>
+      candidates{};                 ///< with their clearances; machine and speed come from elsewhere
+  std::vector<double> prior{};      ///< of each, add up to 1
+  diagnose::Measuring measuring{};  ///< probes and readings come from the recording
+};
+
+/// The usual candidates, equally likely.
+CandidateFile usual_candidate_file();
+
+/// Reads clearance_m, candidates, prior and measurement; what is missing is as usual. `name` stands for the
+/// file in messages. Throws ConfigError with every problem.
+CandidateFile read_candidate_file_text(std::string_view text, const std::string& name);
+
+}  // namespace rubsweep::config::dataset

@@ -1,0 +1,142 @@
+#include "rubsweep/diagnose/answer/answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace rubsweep::diagnose::answer {
+namespace {
+
+using inference::Diagnosis;
+using inference::DiagnosisProblem;
+using inference::Quantity;
+
+/// Weights of the cases of one candidate, zero for all others.
+Eigen::VectorXd weights_of(const Diagnosis& diagnosis, std::size_t candidate) {
+  Eigen::VectorXd weight = diagnosis.posterior.weight;
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != candidate) weight(i) = 0;
+  return weight;
+}
+
+std::vector<NumberInterval> numbers_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
+                                       const features::DescribedMotion& seen, std::size_t candidate) {
+  const Eigen::VectorXd weight = weights_of(diagnosis, candidate);
+  if (problem.candidates[candidate].cause == Cause::no_rub || weight.sum() == 0) return {};
+  std::vector<NumberInterval> numbers;
+  for (const Quantity quantity : inference::all_quantities) {
+    const bool angle = quantity == Quantity::stop_angle;
+    // A round stop about the rest position stands in no direction.
+    if (angle && problem.candidates[candidate].cause == Cause::annular) continue;
+    const Eigen::VectorXd values =
+        values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
+    const auto at = [&](double share) { return inference::weighted_quantile(values, weight, share, angle); };
+    numbers.push_back({std::string(to_string(quantity)), at(0.5), at(0.025), at(0.975)});
+  }
+  return numbers;
+}
+
+/// Features that tell the two likeliest candidates apart most, as normal distributions would have it.
+std::vector<DecidingFeature> deciding_features(const Diagnosis& diagnosis,
+                                               const features::DescribedMotion& seen, std::size_t first,
+                                               std::size_t second) {
+  constexpr std::size_t most = 5;
+  const Eigen::VectorXd w[2] = {weights_of(diagnosis, first), weights_of(diagnosis, second)};
+  if (w[0].sum() == 0) return {};
+  std::vector<DecidingFeature> features;
+  for (std::size_t j = 0; j < seen.features.size(); ++j) {
+    const auto column = diagnosis.observed.features.col(static_cast<Eigen::Index>(j)).array();
+    DecidingFeature feature{.name = seen.features[j].name, .recorded = seen.features[j].value};
+    double mean[2], spread[2];
+    for (int k = 0; k < 2; ++k) {
+      // Where few cases resemble the recording all of the candidate speak for it.
+      constexpr double fewest = 10;
+      Eigen::ArrayXd weight = w[k].array();
+      if (weight.sum() * weight.sum() < fewest * weight.square().sum() || weight.sum() == 0)
+        for (Eigen::Index i = 0; i < weight.size(); ++i)
+          weight(i) =
+              diagnosis.set.cases[static_cast<std::size_t>(i)].candidate == (k == 0 ? first : second) ? 1 : 0;
+      mean[k] = (weight * column).sum() / weight.sum();
+      spread[k] = std::sqrt((weight * (column - mean[k]).square()).sum() / weight.sum()) + 1e-6;
+    }
+    feature.first = mean[0];
+    feature.second = mean[1];
+    feature.first_spread = spread[0];
+    feature.second_spread = spread[1];
+    const auto distance = [&](int k) {
+      const double off = (feature.recorded - mean[k]) / spread[k];
+      return off * off + 2 * std::log(spread[k]);
+    };
+    feature.nearer = distance(1) - distance(0);
+    features.push_back(feature);
+  }
+  std::ranges::stable_sort(features, std::greater{}, &DecidingFeature::nearer);
+  features.resize(std::min(features.size(), most));
+  return features;
+}
+
+/// The motion of a case as the probes would show it without noise.
+MotionLines shown(const DiagnosisProblem& problem, const Diagnosis& diagnosis, std::size_t i) {
+  MotionLines lines = diagnosis.set.cases[i].motion.lines;
+  if (problem.measuring.probes == 2) return lines;
+  const MotionLines plane = lines;
+  const auto turn = std::polar(1.0, -diagnosis.observed.probe_angle_rad(static_cast<Eigen::Index>(i)));
+  for (int k = -lines.last(); k <= lines.last(); ++k)
+    lines.at(k) = (turn * plane.at(k) + std::conj(turn * plane.at(-k))) / 2.0;
+  return lines;
+}
+
+/// Of the cases that weigh most those that leave the least of the recording.
+std::vector<BestMotion> best_motions(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
+                                     const MotionLines& recorded) {
+  constexpr std::size_t looked_at = 25, most = 3;
+  std::vector<std::size_t> order(diagnosis.set.cases.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) {
+    return diagnosis.posterior.weight(static_cast<Eigen::Index>(i));
+  });
+  order.resize(std::min(order.size(), looked_at));
+  std::vector<BestMotion> best;
+  for (const std::size_t i : order)
+    best.push_back({problem.candidates[diagnosis.set.cases[i].candidate].name,
+                    lay_over(recorded, shown(problem, diagnosis, i), problem.measuring.probes == 2)});
+  std::ranges::stable_sort(best, {}, [](const BestMotion& motion) { return motion.overlay.unexplained; });
+  best.resize(std::min(best.size(), most));
+  return best;
+}
+
+}  // namespace
+
+Answer answer_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
+                 const features::DescribedMotion& seen, const MotionLines& recorded, RecordingFacts facts,
+                 std::vector<inference::NextMeasurement> next) {
+  Answer answer{.recording = std::move(facts)};
+  answer.clipped = std::ranges::any_of(answer.recording.findings, [](const std::string& finding) {
+    return finding.find("clipped") != std::string::npos;
+  });
+  answer.none = answer.clipped ? 1 : diagnosis.posterior.none;
+  answer.p_value = diagnosis.posterior.p_value;
+  answer.stands_still = diagnosis.stands_still;
+  answer.rounds = static_cast<int>(diagnosis.history.size()) - 1;
+  answer.cases = diagnosis.set.cases.size();
+  std::vector<std::size_t> order(problem.candidates.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto probability = [&](std::size_t c) {
+    return diagnosis.posterior.probability(static_cast<Eigen::Index>(c));
+  };
+  std::ranges::stable_sort(order, std::greater{}, probability);
+  for (const std::size_t c : order)
+    answer.candidates.push_back({problem.candidates[c].name, problem.candidates[c].cause,
+                                 (1 - answer.none) * probability(c),
+                                 numbers_of(problem, diagnosis, seen, c)});
+  if (order.size() > 1) answer.deciding = deciding_features(diagnosis, seen, order[0], order[1]);
+  answer.best = best_motions(problem, diagnosis, recorded);
+  answer.next = std::move(next);
+  return answer;
+}
+
+}  // namespace rubsweep::diagnose::answer

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/diagnose/answer/overlay.hpp"
+#include "rubsweep/diagnose/inference/next_measurement.hpp"
+#include "rubsweep/diagnose/inference/quantity.hpp"
+
+namespace rubsweep::diagnose::answer {
+
+/// A number of the machine in words of its posterior distribution.
+struct NumberInterval {
+  std::string name;  ///< with its unit
+  double median = 0, low_95 = 0, high_95 = 0;
+};
+
+struct CandidateAnswer {
+  std::string name;
+  Cause cause = Cause::no_rub;
+  double probability = 0;  ///< "none of these" counted in
+  std::vector<NumberInterval>
+      numbers{};  ///< given that it is this one; none of no_rub, or where no case is like it
+};
+
+/// A feature of the recording beside those of the cases of the two likeliest candidates, weighted.
+struct DecidingFeature {
+  std::string name;
+  double recorded = 0, first = 0, first_spread = 0, second = 0, second_spread = 0;
+  double nearer = 0;  ///< square of the distance to the second in spreads less that to the first
+};
+
+/// A simulated motion that explains the recording.
+struct BestMotion {
+  std::string candidate;
+  Overlay overlay{};
+};
+
+/// Facts of the recording that an answer repeats.
+struct RecordingFacts {
+  std::string name;
+  double speed_hz = 0;
+  int turns = 0, probes = 2;
+  double size_m = 0;
+  std::vector<std::string> findings{};
+};
+
+/// Everything that a reader is told.
+struct Answer {
+  RecordingFacts recording{};
+  std::vector<CandidateAnswer> candidates{};  ///< the likeliest first
+  double none = 0, p_value = 1;
+  bool clipped = false;  ///< a probe that clips shows what no rotor does: none is 1
+  bool stands_still = false, interrupted = false;
+  int rounds = 0;
+  std::size_t cases = 0;
+  std::vector<DecidingFeature> deciding{};
+  std::vector<BestMotion> best{};
+  std::vector<inference::NextMeasurement> next{};
+};
+
+/// Puts an answer together. `recorded`: the lines of the recording.
+Answer answer_of(const inference::DiagnosisProblem& problem, const inference::Diagnosis& diagnosis,
+                 const features::DescribedMotion& seen, const MotionLines& recorded, RecordingFacts facts,
+                 std::vector<inference::NextMeasurement> next);
+
+}  // namespace rubsweep::diagnose::answer

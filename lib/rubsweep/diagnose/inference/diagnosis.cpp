@@ -1,0 +1,75 @@
+#include "rubsweep/diagnose/inference/diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace rubsweep::diagnose::inference {
+namespace {
+
+bool stopped(const DiagnosisOptions& options) { return options.cases.stop && *options.cases.stop; }
+
+/// Cases of a candidate that weigh most, as centres of a proposal; empty where none weighs anything.
+std::optional<Proposal> proposal_of(const DiagnosisProblem& problem, std::size_t candidate,
+                                    const CaseSet& set, const Eigen::VectorXd& weight) {
+  constexpr std::size_t most_centres = 60;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < set.cases.size(); ++i)
+    if (set.cases[i].candidate == candidate && weight(static_cast<Eigen::Index>(i)) > 0) rows.push_back(i);
+  if (rows.empty()) return std::nullopt;
+  std::ranges::stable_sort(rows, std::greater{},
+                           [&](std::size_t i) { return weight(static_cast<Eigen::Index>(i)); });
+  rows.resize(std::min(rows.size(), most_centres));
+  std::vector<Point> centres;
+  std::vector<double> shares;
+  for (const std::size_t i : rows) {
+    centres.push_back(set.cases[i].unit);
+    shares.push_back(weight(static_cast<Eigen::Index>(i)));
+  }
+  return Proposal(problem.candidates[candidate], std::move(centres), std::move(shares));
+}
+
+/// Draws of a round: more for the candidates that are likely, some for every one that is possible.
+int draws_of(double probability, int all) {
+  constexpr double possible = 0.01;
+  if (probability < possible) return 0;
+  return static_cast<int>(std::lround(all * std::sqrt(probability) / 2));
+}
+
+void narrow(const DiagnosisProblem& problem, const DiagnosisOptions& options, int round,
+            Diagnosis& diagnosis) {
+  const Posterior& posterior = diagnosis.posterior;
+  const Eigen::VectorXd weight = posterior.weight;
+  for (std::size_t c = 0; c < problem.candidates.size(); ++c) {
+    if (problem.candidates[c].cause == Cause::no_rub || stopped(options)) continue;
+    const int draws = draws_of(posterior.probability(static_cast<Eigen::Index>(c)), options.draws_per_round);
+    if (draws == 0) continue;
+    const auto proposal = proposal_of(problem, c, diagnosis.set, weight);
+    if (proposal) add_proposed_cases(problem, c, *proposal, draws, round, options.cases, diagnosis.set);
+  }
+}
+
+}  // namespace
+
+Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMotion& seen,
+                   const DiagnosisOptions& options, std::optional<CaseSet> set) {
+  Diagnosis diagnosis;
+  diagnosis.set = set ? *std::move(set) : prior_cases(problem, options.cases);
+  const int threads = options.cases.threads;
+  for (int round = 0;; ++round) {
+    observe_cases(problem, diagnosis.set, threads, diagnosis.observed);
+    diagnosis.posterior = posterior_of(problem, diagnosis.set, diagnosis.observed, seen, threads);
+    diagnosis.history.push_back(diagnosis.posterior.probability);
+    if (round > 0) {
+      const Eigen::VectorXd change =
+          diagnosis.history.back() - diagnosis.history[diagnosis.history.size() - 2];
+      diagnosis.stands_still = change.cwiseAbs().maxCoeff() < options.least_change;
+    }
+    if (round == options.most_rounds || diagnosis.stands_still || stopped(options)) return diagnosis;
+    narrow(problem, options, round + 1, diagnosis);
+  }
+}
+
+}  // namespace rubsweep::diagnose::inference

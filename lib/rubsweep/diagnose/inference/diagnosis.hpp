@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "rubsweep/diagnose/inference/posterior.hpp"
+
+namespace rubsweep::diagnose::inference {
+
+struct DiagnosisOptions {
+  CaseOptions cases{};
+  int most_rounds = 3;         ///< of draws near cases that resemble the recording
+  int draws_per_round = 800;   ///< of all candidates together
+  double least_change = 0.03;  ///< of a probability between two rounds, below which they stand still
+};
+
+/// Answer of a diagnosis with all that it rests on.
+struct Diagnosis {
+  CaseSet set{};
+  ObservedCases observed{};
+  Posterior posterior{};
+  std::vector<Eigen::VectorXd> history{};  ///< probabilities of the candidates after each round
+  bool stands_still = false;               ///< the last round changed them by less than least_change
+};
+
+/// Compares a recording with simulated cases of all candidates, which are drawn from the priors at first
+/// (`set`: those already at hand, else prior_cases) and then where they resemble it, until the probabilities
+/// stand still (population Monte Carlo; Cappé et al. 2004). Interrupted, the answer is that of the cases
+/// drawn by then.
+Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMotion& seen,
+                   const DiagnosisOptions& options, std::optional<CaseSet> set = {});
+
+}  // namespace rubsweep::diagnose::inference

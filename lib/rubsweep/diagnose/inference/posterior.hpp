@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "rubsweep/diagnose/inference/case_set.hpp"
+
+namespace rubsweep::diagnose::inference {
+
+/// Probabilities after a recording.
+struct Posterior {
+  Eigen::VectorXd probability{};  ///< of every candidate, given that it is one of them
+  Eigen::VectorXd weight{};       ///< of every case; those of a candidate add up to its probability
+  double none = 0;                ///< that it is none of them
+  double p_value = 1;             ///< of Novelty
+  double sharpness = 1;  ///< power that makes the probabilities of cases not drawn by a tree fit best
+};
+
+/// Cases as the instrument shows them, one row of features each.
+struct ObservedCases {
+  Eigen::MatrixXd features{};
+  Eigen::VectorXd size_m{}, direction_rad{}, probe_angle_rad{};
+};
+
+/// Observes the cases that are not yet in `observed`.
+void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads, ObservedCases& observed);
+
+Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
+                       const features::DescribedMotion& seen, int threads);
+
+/// Clearance that makes a case as large as the recording, m.
+double clearance_m(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
+                   double seen_size_m);
+
+}  // namespace rubsweep::diagnose::inference

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string_view>
+
+#include "rubsweep/diagnose/inference/posterior.hpp"
+
+namespace rubsweep::diagnose::inference {
+
+/// Numbers of a machine that a diagnosis answers with.
+enum class Quantity {
+  clearance,         ///< at the first stop, m
+  stop_angle,        ///< of the first stop, or of an offset, degrees from +x to +y
+  contact_fraction,  ///< share of time in contact
+  peak_force,        ///< largest normal force, N
+  eccentricity,      ///< unbalance, m
+  whirl_ratio,
+  stiffness,  ///< N/m
+  restitution,
+  friction
+};
+inline constexpr std::array all_quantities{
+    Quantity::clearance,  Quantity::stop_angle,   Quantity::contact_fraction,
+    Quantity::peak_force, Quantity::eccentricity, Quantity::whirl_ratio,
+    Quantity::stiffness,  Quantity::restitution,  Quantity::friction};
+
+/// Name with its unit: clearance_m, stop_angle_deg.
+std::string_view to_string(Quantity quantity);
+
+/// Value in every case, scaled and turned to the recording. Stop angles: of two probes from +x, in (-180,
+/// 180]; of one probe from the direction in which it looks.
+Eigen::VectorXd values_in_cases(const DiagnosisProblem& problem, const CaseSet& set,
+                                const ObservedCases& observed, const features::DescribedMotion& seen,
+                                Quantity quantity);
+
+/// Weighted share of values below `value`, those equal to it half. An angle is compared on the circle, cut
+/// opposite to the mean direction.
+double share_below(const Eigen::VectorXd& values, const Eigen::VectorXd& weight, double value, bool angle);
+
+/// Value below which a share of the weight lies; of angles likewise.
+double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weight, double share,
+                         bool angle);
+
+}  // namespace rubsweep::diagnose::inference

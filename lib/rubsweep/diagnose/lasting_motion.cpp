@@ -1,0 +1,72 @@
+#include "rubsweep/diagnose/lasting_motion.hpp"
+
+#include <complex>
+#include <vector>
+
+#include "rubsweep/diagnose/turn_samples.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
+#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
+
+namespace rubsweep::diagnose {
+namespace {
+
+using integrate::run::Outcome;
+
+constexpr int samples_of_a_turn = 32;
+
+/// Whether the run still touches something after the turns before the recording.
+bool lasts(const integrate::run::Run& run, integrate::run::TurnReport& turn) {
+  int untouched = 0;
+  for (int k = 0; k < turns_before_recording; ++k) {
+    if (run.advance({}, turn) != Outcome::ok) return false;
+    untouched = turn.touched ? 0 : untouched + 1;
+    if (untouched > turns_in_flight) return false;
+  }
+  return true;
+}
+
+std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::run::Run& run, int turns,
+                                    response::spectrum::SpectrumWorkspace& workspace) {
+  integrate::run::TurnRequest request;
+  request.samples_per_revolution = samples_of_a_turn;
+  request.peaks = true;
+  integrate::run::TurnReport turn;
+  std::vector<std::complex<double>> displacement_m;
+  std::vector<response::motion::ContactFacts> facts;
+  for (int k = 0; k < turns; ++k) {
+    if (run.advance(request, turn) != Outcome::ok) return std::nullopt;
+    add_samples(cell.scene, turn, displacement_m);
+    facts.push_back(response::motion::facts_of(turn));
+  }
+  return LastingMotion{lines_of(displacement_m, turns, most_order, workspace),
+                       response::motion::together(facts), cell.eccentricity_m};
+}
+
+}  // namespace
+
+std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
+                                            const scene::Unbalance& unbalance, int turns,
+                                            response::spectrum::SpectrumWorkspace& workspace) {
+  const scene::Cell cell = scene::build_cell(machine, speed_hz, unbalance);
+  if (!scene::can_run(cell.start)) return std::nullopt;
+  // Every machine is another one: a cache for all of them would only grow.
+  integrate::exact::modes::ModeCache modes;
+  const integrate::run::Run run = integrate::start(cell.scene, {}, modes);
+  integrate::run::TurnReport turn;
+  if (!lasts(run, turn)) return std::nullopt;
+  auto motion = record(cell, run, turns, workspace);
+  if (motion && motion->contact.contact_fraction == 0) return std::nullopt;
+  return motion;
+}
+
+std::optional<LastingMotion> quiet_motion(const model::Machine& machine, double speed_hz,
+                                          const scene::Unbalance& unbalance, int turns,
+                                          response::spectrum::SpectrumWorkspace& workspace) {
+  const scene::Cell cell = scene::build_cell(machine, speed_hz, unbalance);
+  if (cell.start != scene::Start::quiet) return std::nullopt;
+  integrate::exact::modes::ModeCache modes;
+  return record(cell, integrate::start(cell.scene, {}, modes), turns, workspace);
+}
+
+}  // namespace rubsweep::diagnose

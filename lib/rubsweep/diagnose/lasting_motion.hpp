@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "rubsweep/diagnose/motion_lines.hpp"
+#include "rubsweep/model/machine.hpp"
+#include "rubsweep/response/motion/contact_facts.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+
+namespace rubsweep::diagnose {
+
+/// Turns between the kick and the recording, and turns without contact after which a motion counts as one
+/// that has fallen back to quiet whirling.
+inline constexpr int turns_before_recording = 120, turns_in_flight = 30;
+
+inline constexpr double most_order = 8;  ///< of lines that are looked at
+
+/// A motion that a kick left, without a verdict on it: several times cheaper than SimulatedMotion.
+struct LastingMotion {
+  MotionLines lines{};                       ///< up to most_order
+  response::motion::ContactFacts contact{};  ///< over the recorded turns
+  double eccentricity_m = 0;
+};
+
+/// Runs a machine from its start for turns_before_recording and records so many turns. Empty
+/// where it touches nothing in them, fails, or cannot start.
+std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
+                                            const scene::Unbalance& unbalance, int turns,
+                                            response::spectrum::SpectrumWorkspace& workspace);
+
+/// The same of a machine that touches nothing: its quiet motion.
+std::optional<LastingMotion> quiet_motion(const model::Machine& machine, double speed_hz,
+                                          const scene::Unbalance& unbalance, int turns,
+                                          response::spectrum::SpectrumWorkspace& workspace);
+
+}  // namespace rubsweep::diagnose

@@ -1,0 +1,305 @@
+// diagnosis_calibration FIRST COUNT SEED: recordings of machines that are drawn from the priors of rubdata,
+// one candidate after the other, diagnosed as rubdiagnose does. A line of CSV for each: the truth, the
+// probabilities, and where the true numbers lie in their posterior distributions. Machines, motions and
+// readings are those of rubdata, whose code for them the diagnosis does not use.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <random>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "foreign_motion.hpp"
+#include "rubsweep/dataset/labelled_recording.hpp"
+#include "rubsweep/dataset/readings.hpp"
+#include "rubsweep/diagnose/inference/diagnosis.hpp"
+#include "rubsweep/diagnose/inference/quantity.hpp"
+#include "rubsweep/recording/recording.hpp"
+
+namespace {
+
+using namespace rubsweep;
+using diagnose::Unknown;
+using diagnose::inference::Quantity;
+
+/// A machine with its speed and its instrument. Half of the recordings are read every millisecond, a third by
+/// one probe.
+struct StudiedMachine {
+  double frequency_hz = 0, damping_ratio = 0, speed_ratio = 0;
+  double sampling_rate_hz = 0;
+  int probes = 2;
+};
+
+StudiedMachine draw_studied(std::size_t machine, std::mt19937_64& random) {
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  StudiedMachine drawn{between(20, 60), 0.01 * std::pow(4, between(0, 1)), between(1.2, 4.5)};
+  drawn.sampling_rate_hz = machine % 2 == 0 ? 10'000 : 1000;
+  drawn.probes = machine % 3 == 2 ? 1 : 2;
+  // A reading every millisecond shows little of a shaft that turns faster than 100 Hz.
+  if (drawn.sampling_rate_hz < 8 * drawn.speed_ratio * drawn.frequency_hz)
+    drawn.speed_ratio = std::max(1.2, drawn.sampling_rate_hz / 8 / drawn.frequency_hz);
+  return drawn;
+}
+
+dataset::DataStudy study_of(const StudiedMachine& machine, diagnose::Cause cause, std::uint64_t seed) {
+  dataset::DataStudy study;
+  study.seed = seed;
+  study.recordings_per_machine = 1;
+  study.fixed = {.rotor_mass_kg = 0.8, .contact_radius_m = 0.0375, .casing_damping_ratio = 0.1};
+  study.candidates = {diagnose::usual_candidate(cause)};
+  spread_of(study.candidates[0], Unknown::natural_frequency) = {machine.frequency_hz, machine.frequency_hz,
+                                                                false};
+  spread_of(study.candidates[0], Unknown::damping_ratio) = {machine.damping_ratio, machine.damping_ratio,
+                                                            false};
+  study.candidates[0].clearance_m = {5e-5, 1e-3, true};
+  study.measurement.sampling_rate_hz = machine.sampling_rate_hz;
+  study.measurement.probes = machine.probes;
+  study.speed_ratio = {machine.speed_ratio, machine.speed_ratio, false};
+  return study;
+}
+
+/// Draws until the motion is what its candidate says; empty where that is too rare.
+std::optional<dataset::LabelledRecording> draw_recording(const dataset::DataStudy& study) {
+  constexpr std::size_t most_draws = 60;
+  const bool rubs = study.candidates[0].cause != diagnose::Cause::no_rub;
+  for (std::size_t index = 0; index < most_draws; ++index) {
+    response::motion::Workspace workspace;
+    dataset::LabelledRecording recording = dataset::make_recording(study, index, workspace);
+    if (recording.motion.rubs == rubs) return recording;
+  }
+  return std::nullopt;
+}
+
+recording::Recording measured(const dataset::LabelledRecording& labelled) {
+  recording::Channels channels;
+  channels.channels.push_back({"t", "s", labelled.t_s});
+  channels.channels.push_back({"x", "m", labelled.x_m});
+  if (!labelled.y_m.empty()) channels.channels.push_back({"y", "m", labelled.y_m});
+  channels.channels.push_back({"key", "V", labelled.keyphasor_v});
+  recording::Instrument instrument;
+  instrument.time = "t";
+  instrument.probes.push_back({.column = "x"});
+  if (!labelled.y_m.empty()) instrument.probes.push_back({.column = "y", .angle_deg = 90});
+  instrument.keyphasor = recording::Keyphasor{.column = "key"};
+  return recording::make_recording(channels, instrument, "simulated");
+}
+
+/// Intervals of the machine that a fit would leave: 1 % of the frequency, 20 % of the damping.
+void tell_machine(const StudiedMachine& machine, std::vector<diagnose::Candidate>& candidates,
+                  std::mt19937_64& random) {
+  const auto about = [&](double truth, double half_width) {
+    const double middle = truth * (1 + half_width * std::uniform_real_distribution<double>(-1, 1)(random));
+    return diagnose::Spread{middle / (1 + half_width), middle * (1 + half_width), false};
+  };
+  const diagnose::Spread frequency = about(machine.frequency_hz, 0.01),
+                         damping = about(machine.damping_ratio, 0.2);
+  for (diagnose::Candidate& candidate : candidates) {
+    spread_of(candidate, Unknown::natural_frequency) = frequency;
+    spread_of(candidate, Unknown::damping_ratio) = damping;
+    candidate.clearance_m = {5e-5, 1e-3, true};
+  }
+}
+
+double truth_of(const dataset::LabelledRecording& labelled, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::clearance:
+      return labelled.clearance_m;
+    case Quantity::stop_angle:
+      return labelled.stop_angle_deg;
+    case Quantity::contact_fraction:
+      return labelled.motion.contact.contact_fraction;
+    case Quantity::peak_force:
+      return labelled.motion.contact.peak_contact_force_n;
+    case Quantity::eccentricity:
+      return labelled.motion.eccentricity_m;
+    case Quantity::whirl_ratio:
+      return value_of(labelled.values, Unknown::whirl_ratio);
+    case Quantity::stiffness:
+      return value_of(labelled.values, Unknown::stiffness);
+    case Quantity::restitution:
+      return value_of(labelled.values, Unknown::restitution);
+    case Quantity::friction:
+      return value_of(labelled.values, Unknown::friction);
+  }
+  return 0;
+}
+
+diagnose::inference::DiagnosisProblem problem_of(const StudiedMachine& machine, std::uint64_t seed,
+                                                 std::mt19937_64& random) {
+  diagnose::inference::DiagnosisProblem problem;
+  problem.candidates = diagnose::usual_candidates();
+  problem.prior.assign(problem.candidates.size(), 1.0 / static_cast<double>(problem.candidates.size()));
+  problem.fixed = {.rotor_mass_kg = 0.8, .contact_radius_m = 0.0375, .casing_damping_ratio = 0.1};
+  problem.speed_hz = machine.speed_ratio * machine.frequency_hz;
+  problem.turns = 30;
+  problem.measuring.probes = machine.probes;
+  problem.measuring.readings_per_turn = machine.sampling_rate_hz / problem.speed_hz;
+  problem.seed = seed;
+  tell_machine(machine, problem.candidates, random);
+  return problem;
+}
+
+diagnose::features::DescribedMotion seen_in(const recording::Recording& recording,
+                                            const diagnose::inference::DiagnosisProblem& problem) {
+  response::spectrum::SpectrumWorkspace workspace;
+  const auto count = static_cast<std::size_t>(problem.turns * recording::samples_per_revolution);
+  const std::span all(recording.displacement_m);
+  const auto lines = diagnose::lines_of(all.last(count), problem.turns,
+                                        diagnose::inference::seen_order(problem.measuring), workspace);
+  return diagnose::features::describe(lines, recording.plane, workspace);
+}
+
+/// What a rule by the spectrum alone says ("look for 1/2, 1/3 ..."; Muszynska 1989, Goldman and Muszynska
+/// 1999).
+diagnose::Cause by_rule(const diagnose::features::DescribedMotion& seen) {
+  const auto share = [&](std::string_view name) {
+    for (const diagnose::features::Feature& feature : seen.features)
+      if (feature.name == name) return std::pow(10, feature.value);
+    return 0.0;
+  };
+  double fractions = 0;
+  for (const char* name :
+       {"energy at multiples of 1/2X", "energy at multiples of 1/3X", "energy at multiples of 1/4X"})
+    fractions = std::max(fractions, share(name));
+  constexpr double seen_at_all = 3e-3;
+  const double between = share("energy between multiples");
+  if (between > seen_at_all && fractions > between / 2) return diagnose::Cause::one_side;
+  if (between > seen_at_all) return diagnose::Cause::annular;
+  const double second = share("energy at 2X") + share("energy at -2X"),
+               third = share("energy at 3X") + share("energy at -3X");
+  if (std::max(second, third) < seen_at_all) return diagnose::Cause::no_rub;
+  return second > third ? diagnose::Cause::one_side : diagnose::Cause::two_sides;
+}
+
+/// Largest share of one candidate among the cases of the priors that are most like the recording, each
+/// feature in units of its spread, and that candidate: tells whether the candidates differ in this recording
+/// at all.
+std::pair<std::size_t, double> of_the_nearest(const diagnose::features::DescribedMotion& seen,
+                                              const diagnose::inference::Diagnosis& diagnosis,
+                                              std::size_t candidates) {
+  constexpr std::size_t nearest = 15;
+  const Eigen::MatrixXd& all = diagnosis.observed.features;
+  const Eigen::RowVectorXd middle = all.colwise().mean(),
+                           spread = (all.rowwise() - middle).array().square().colwise().mean().sqrt() + 1e-12;
+  const Eigen::RowVectorXd here = values_of(seen.features).transpose();
+  std::vector<std::pair<double, std::size_t>> distances;
+  for (Eigen::Index i = 0; i < all.rows(); ++i)
+    if (!diagnosis.set.cases[static_cast<std::size_t>(i)].proposed)
+      distances.emplace_back(((all.row(i) - here).array() / spread.array()).square().sum(),
+                             diagnosis.set.cases[static_cast<std::size_t>(i)].candidate);
+  std::ranges::nth_element(distances, distances.begin() + nearest);
+  std::vector<double> count(candidates, 0.0);
+  for (std::size_t k = 0; k < nearest; ++k) count[distances[k].second] += 1.0 / nearest;
+  const auto most = std::ranges::max_element(count);
+  return {static_cast<std::size_t>(most - count.begin()), *most};
+}
+
+struct Truth {
+  std::string cause, motion_class;
+  int order = 0;
+  std::optional<std::size_t> candidate{};
+  const dataset::LabelledRecording* labelled = nullptr;
+};
+
+void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& studied,
+               const recording::Recording& recording, const diagnose::inference::DiagnosisProblem& problem,
+               const diagnose::features::DescribedMotion& seen,
+               const diagnose::inference::Diagnosis& diagnosis) {
+  const bool clipped = std::ranges::any_of(recording.findings, [](const std::string& finding) {
+    return finding.find("clipped") != std::string::npos;
+  });
+  const auto [nearest, share] = of_the_nearest(seen, diagnosis, problem.candidates.size());
+  std::string line = fmt::format("{},{},{},{},{},{},{:.3f}", machine, truth.cause, truth.motion_class,
+                                 truth.order, studied.sampling_rate_hz, studied.probes, studied.speed_ratio);
+  for (const double p : diagnosis.posterior.probability) line += fmt::format(",{:.4f}", p);
+  line += fmt::format(",{:.4f},{:.4f},{},{:.3f},{},{},{},{:.3f}", clipped ? 1 : diagnosis.posterior.none,
+                      diagnosis.posterior.p_value, diagnosis.history.size() - 1,
+                      diagnosis.posterior.sharpness, diagnosis.set.cases.size(), to_string(by_rule(seen)),
+                      problem.candidates[nearest].name, share);
+  for (const double p : diagnosis.history.front()) line += fmt::format(",{:.4f}", p);
+  if (truth.candidate) {
+    Eigen::VectorXd weight = diagnosis.posterior.weight;
+    for (Eigen::Index i = 0; i < weight.size(); ++i)
+      if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != *truth.candidate) weight(i) = 0;
+    for (const Quantity quantity : diagnose::inference::all_quantities)
+      line += fmt::format(
+          ",{:.4f}", diagnose::inference::share_below(
+                         values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity), weight,
+                         truth_of(*truth.labelled, quantity), quantity == Quantity::stop_angle));
+  }
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+/// A recording of a machine that does what no candidate does.
+dataset::LabelledRecording draw_foreign(Foreign cause, const StudiedMachine& studied,
+                                        std::mt19937_64& random) {
+  dataset::LabelledRecording labelled;
+  labelled.speed_hz = studied.speed_ratio * studied.frequency_hz;
+  labelled.mark_turns = std::uniform_real_distribution<double>(0, 1)(random);
+  for (int probe = 0; probe < studied.probes; ++probe)
+    labelled.gain.push_back(1 + 0.02 * std::normal_distribution<double>()(random));
+  const dataset::Measurement measurement{.sampling_rate_hz = studied.sampling_rate_hz,
+                                         .probes = studied.probes};
+  labelled.motion.displacement_m =
+      foreign_motion(cause, studied.speed_ratio, studied.damping_ratio, measurement.turns,
+                     diagnose::samples_per_revolution, random);
+  diagnose::RandomStream readings(random(), 0, 0);
+  read_motion(measurement, readings, labelled);
+  if (cause == Foreign::clipped_sensor) {
+    const double largest = *std::ranges::max_element(labelled.x_m);
+    const double limit = largest * std::uniform_real_distribution<double>(0.5, 0.9)(random);
+    for (double& x : labelled.x_m) x = std::min(x, limit);
+  }
+  return labelled;
+}
+
+void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
+  std::mt19937_64 random(seed * 1'000'003 + machine);
+  const StudiedMachine studied = draw_studied(machine, random);
+  const diagnose::inference::DiagnosisProblem problem = problem_of(studied, random(), random);
+  diagnose::inference::DiagnosisOptions options;
+  options.cases.cases_per_candidate = cases;
+  options.cases.threads = 1;
+  options.most_rounds = rounds;
+  const diagnose::inference::CaseSet set = prior_cases(problem, options.cases);
+  const auto answer = [&](const dataset::LabelledRecording& labelled, const Truth& truth) {
+    const recording::Recording recording = measured(labelled);
+    const diagnose::features::DescribedMotion seen = seen_in(recording, problem);
+    print_row(machine, truth, studied, recording, problem, seen,
+              diagnose::inference::diagnose(problem, seen, options, set));
+  };
+  const std::size_t recordings_per_candidate = std::getenv("FOREIGN") ? 0 : 2,
+                    foreign_recordings = std::getenv("FOREIGN") ? 6 : 2;
+  for (std::size_t k = 0; k < recordings_per_candidate * problem.candidates.size(); ++k) {
+    const std::size_t truth = k % problem.candidates.size();
+    const auto labelled = draw_recording(study_of(studied, problem.candidates[truth].cause, random()));
+    if (!labelled) continue;
+    answer(*labelled, {problem.candidates[truth].name, std::string(to_string(labelled->motion.motion_class)),
+                       labelled->motion.order.value_or(0), truth, &*labelled});
+  }
+  for (std::size_t k = 0; k < foreign_recordings; ++k) {
+    const Foreign cause = all_foreign[(foreign_recordings * machine + k) % all_foreign.size()];
+    answer(draw_foreign(cause, studied, random),
+           {std::string(to_string(cause)), "", 0, std::nullopt, nullptr});
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 6) return 1;
+  const auto number = [&](int k) { return static_cast<std::size_t>(std::strtoul(argv[k], nullptr, 10)); };
+  for (std::size_t machine = number(1); machine < number(1) + number(2); ++machine)
+    run(machine, number(3), static_cast<int>(number(4)), static_cast<int>(number(5)));
+}

@@ -1,0 +1,67 @@
+#include "rubsweep/diagnose/answer/answer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../inference/small_problem.hpp"
+
+namespace rubsweep::diagnose::answer {
+namespace {
+
+using inference::Diagnosis;
+using inference::DiagnosisProblem;
+
+/// The answer to a recording of one of the simulated cases.
+Answer answer_to_case(std::size_t candidate, RecordingFacts facts = {}) {
+  const DiagnosisProblem problem = inference::small_problem();
+  std::size_t i = 0;
+  while (inference::small_set().cases[i].candidate != candidate) ++i;
+  response::spectrum::SpectrumWorkspace workspace;
+  const features::DescribedMotion seen =
+      inference::observe(problem, inference::small_set().cases[i], i, workspace).seen;
+  inference::DiagnosisOptions options;
+  options.most_rounds = 0;
+  const Diagnosis diagnosis = inference::diagnose(problem, seen, options, inference::small_set());
+  const MotionLines recorded =
+      up_to(inference::small_set().cases[i].motion.lines, inference::seen_order(problem.measuring));
+  return answer_of(problem, diagnosis, seen, recorded, std::move(facts), {});
+}
+
+TEST(Answer, PutsTheLikeliestFirst) {
+  const Answer answer = answer_to_case(1);
+  EXPECT_EQ(answer.candidates[0].name, "one_side");
+  double sum = answer.none;
+  for (const CandidateAnswer& candidate : answer.candidates) sum += candidate.probability;
+  EXPECT_NEAR(sum, 1, 1e-12);
+  EXPECT_EQ(answer.candidates[0].numbers.size(), inference::all_quantities.size());
+  for (const NumberInterval& number : answer.candidates[0].numbers) {
+    if (number.name == "stop_angle_deg") continue;
+    EXPECT_LE(number.low_95, number.median) << number.name;
+    EXPECT_LE(number.median, number.high_95) << number.name;
+  }
+  EXPECT_EQ(answer.deciding.size(), 5U);
+}
+
+TEST(Answer, LaysTheCaseItselfOverTheRecording) {
+  const Answer answer = answer_to_case(1);
+  ASSERT_FALSE(answer.best.empty());
+  EXPECT_EQ(answer.best.front().candidate, "one_side");
+  EXPECT_LT(answer.best.front().overlay.unexplained, 1e-3);
+}
+
+TEST(Answer, OfNoRubHasNoNumbersOfAStop) {
+  const Answer answer = answer_to_case(0);
+  EXPECT_EQ(answer.candidates[0].name, "no_rub");
+  EXPECT_TRUE(answer.candidates[0].numbers.empty());
+}
+
+TEST(Answer, TrustsNoClippedProbe) {
+  RecordingFacts facts;
+  facts.findings = {"'x' is clipped 40 times"};
+  const Answer answer = answer_to_case(1, facts);
+  EXPECT_TRUE(answer.clipped);
+  EXPECT_EQ(answer.none, 1);
+  EXPECT_EQ(answer.candidates[0].probability, 0);
+}
+
+}  // namespace
+}  // namespace rubsweep::diagnose::answer

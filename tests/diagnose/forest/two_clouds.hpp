@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "rubsweep/diagnose/forest/tree.hpp"
+
+namespace rubsweep::diagnose::forest {
+
+/// Two normal distributions of unit deviation, a distance of 2 apart along the first feature; the second
+/// tells nothing.
+inline LabelledSamples two_clouds(int count, std::uint64_t seed) {
+  LabelledSamples samples{Eigen::MatrixXd(count, 2), {}, Eigen::VectorXd::Ones(count), 2};
+  RandomStream random(seed, 0, 0);
+  for (int i = 0; i < count; ++i) {
+    samples.label.push_back(i % 2);
+    samples.features(i, 0) = (i % 2 == 0 ? -1 : 1) + random.normal();
+    samples.features(i, 1) = random.normal();
+  }
+  return samples;
+}
+
+/// Probability of the second cloud by Bayes' theorem, which is weighted `odds` times the first.
+inline double second_cloud(double x, double odds = 1) { return 1 / (1 + std::exp(-2 * x) / odds); }
+
+}  // namespace rubsweep::diagnose::forest

@@ -1,0 +1,59 @@
+#include "rubsweep/diagnose/inference/posterior.hpp"
+
+#include <gtest/gtest.h>
+
+#include "small_problem.hpp"
+
+namespace rubsweep::diagnose::inference {
+namespace {
+
+Posterior posterior_of_case(std::size_t candidate, const DiagnosisProblem& problem, int threads = 0) {
+  ObservedCases observed;
+  observe_cases(problem, small_set(), threads, observed);
+  return posterior_of(problem, small_set(), observed, recorded_case(candidate, 11), threads);
+}
+
+TEST(Posterior, KnowsASubharmonicRubFromNone) {
+  const Posterior rub = posterior_of_case(1, small_problem()), none = posterior_of_case(0, small_problem());
+  EXPECT_GT(rub.probability(1), 0.8);
+  EXPECT_GT(none.probability(0), 0.8);
+  for (const Posterior& posterior : {rub, none}) {
+    EXPECT_NEAR(posterior.probability.sum(), 1, 1e-12);
+    EXPECT_GT(posterior.p_value, 0.01);
+    double of_second = 0;
+    for (std::size_t i = 0; i < small_set().cases.size(); ++i)
+      if (small_set().cases[i].candidate == 1) of_second += posterior.weight(static_cast<Eigen::Index>(i));
+    EXPECT_NEAR(of_second, posterior.probability(1), 0.01);
+  }
+}
+
+TEST(Posterior, ExcludesClearancesThatTheCandidateDoesNotHave) {
+  DiagnosisProblem problem = small_problem();
+  const double middle_m = simulated_clearance_m(problem.candidates[1]);
+  problem.candidates[1].clearance_m = {middle_m / 1.5, middle_m * 1.5, true};
+  ObservedCases observed;
+  observe_cases(problem, small_set(), 0, observed);
+  // A motion a hundred times as large asks for a clearance that is as much larger.
+  features::DescribedMotion seen = recorded_case(1, 11);
+  EXPECT_GT(posterior_of(problem, small_set(), observed, seen, 0).probability(1), 0.8);
+  seen.size_m *= 100;
+  EXPECT_LT(posterior_of(problem, small_set(), observed, seen, 0).probability(1), 0.05);
+}
+
+TEST(Posterior, DoesNotDependOnThreads) {
+  EXPECT_EQ(posterior_of_case(1, small_problem(), 1).weight, posterior_of_case(1, small_problem(), 3).weight);
+}
+
+TEST(Posterior, ObservesOnlyWhatIsNew) {
+  ObservedCases observed;
+  CaseSet set = small_set();
+  set.cases.resize(20);
+  observe_cases(small_problem(), set, 0, observed);
+  const Eigen::MatrixXd before = observed.features;
+  observe_cases(small_problem(), small_set(), 0, observed);
+  EXPECT_EQ(observed.features.topRows(20), before);
+  EXPECT_EQ(observed.features.rows(), static_cast<Eigen::Index>(small_set().cases.size()));
+}
+
+}  // namespace
+}  // namespace rubsweep::diagnose::inference
