@@ -107,7 +107,7 @@ scene::PreparedMachine scaled(const scene::PreparedMachine& kit, double stiffnes
   return changed;
 }
 
-/// Readings that the clock of the instrument makes in the time that it takes for one second's.
+/// Seconds that the clock of the instrument counts in one.
 constexpr double clock_rate = 1 + 20e-6;
 
 /// A recording of a run-up as an instrument has it: noise, run-out of this size, a keyphasor and a clock of
