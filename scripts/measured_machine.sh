@@ -45,8 +45,7 @@ echo '== the machine from the impulse and the run-up'
   --set rotor.supports.0.stiffness_x_n_per_m=3e4 --set rotor.supports.0.stiffness_y_n_per_m=3e4 \
   --ring-down bench/impulse/sensors.csv --from-s 0.006 --run-up run_up_scope/bode.csv --run-out \
   --fit rotor.damping_ratio --fit rotor.supports.0.stiffness_x_n_per_m --fit rotor.supports.0.stiffness_y_n_per_m \
-  --fit eccentricity_m=1e-6:1e-5:1e-4 --fit mark_deg --output fit
-python3 "$scripts/rubplot" fit fit --output fit.png --heading 'Impulse and run-up'
+  --fit eccentricity_m=1e-6:1e-5:1e-4 --fit mark_deg --output fit --figure fit.png
 
 echo '== its map'
 "$programs/rubsweep" fit/config.yaml --set 'sweep.speed_hz={from: 50, to: 130, count: 17}' \

@@ -166,8 +166,8 @@ auto machine_of(std::string text, std::vector<fit::Parameter> parameters,
           last = std::make_shared<LastMachines>()](const Eigen::VectorXd& values) {
     std::vector<std::string> overrides = overrides_of(parameters, values);
     if (auto known = last->find(overrides)) return *known;
-    scene::PreparedMachine machine = fit::prepare_again(
-        config::read_run_config_text(text, "the fitted configuration", overrides).study.machine, *first);
+    scene::PreparedMachine machine =
+        fit::prepare_again(config::read_machine_text(text, "the fitted configuration", overrides), *first);
     last->keep(std::move(overrides), machine);
     return machine;
   };

@@ -112,6 +112,11 @@ int run(const RubfitArguments& arguments) {
     say("rubfit: interrupted; the best so far is written\n");
     return 128 + caught_signal();
   }
+  if (const auto& figure = arguments.figure) {
+    end_on_interrupts("the files are written, no figure is");
+    figure->draw("fit", directory, arguments.config.filename().string());
+    if (!arguments.quiet) print("figure    {}\n", figure->file().string());
+  }
   return result.fit.converged ? done : some_cells_failed;
 }
 

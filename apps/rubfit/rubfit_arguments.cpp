@@ -45,6 +45,7 @@ po::options_description visible_options() {
       "fit once more with these left as the configuration has them, and say which the data want");
   add_set(options);
   add_output(options, "write there instead of into the configuration's output directory with _fit");
+  add_figure(options, "draw data and model, and the numbers that were found");
   add_last(options);
   return options;
 }
@@ -114,7 +115,8 @@ std::string rubfit_help() {
       "Examples:\n"
       "  rubfit kit.yaml --ring-down hit/sensors.csv --fit rotor.damping_ratio --fit hit_s=-0.01:0.01\n"
       "  rubfit kit.yaml --run-up run7_scope/bode.csv --fit rotor.supports.0.stiffness_x_n_per_m\n"
-      "      --fit rotor.damping_ratio --fit eccentricity_m=1e-6:1e-4 --fit mark_deg=-180:180\n\n"
+      "      --fit rotor.damping_ratio --fit eccentricity_m=1e-6:1e-4 --fit mark_deg=-180:180\n"
+      "      --figure run7_fit.png\n\n"
       "Writes into DIR:\n"
       "  config.yaml      the configuration with what was found\n"
       "  parameters.csv   values with standard errors and 95 % intervals\n"
@@ -158,6 +160,7 @@ RubfitArguments parse_rubfit_arguments(int argc, const char* const* argv) {
   if (given.count("starts")) arguments.starts = given["starts"].as<int>();
   if (arguments.starts < 1 || arguments.starts > 100) throw UsageError("--starts: allowed: 1 to 100");
   arguments.robust_beyond = positive_number(given, "robust").value_or(0);
+  arguments.figure = figure_of(given);
   if (given.count("compare-without")) {
     for (const std::string& text : given["compare-without"].as<Texts>())
       for (std::string& name : names_in(text)) arguments.without.push_back(std::move(name));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shared/action.hpp"
+#include "shared/figure.hpp"
 
 namespace rubsweep::apps {
 
@@ -26,6 +27,7 @@ struct RubfitArguments : StudyArguments {
   int starts = 1;
   double robust_beyond = 0;
   std::vector<std::string> without = {};  ///< names left out of a second fit
+  std::optional<Figure> figure = {};
 };
 
 /// Throws UsageError (program.hpp).

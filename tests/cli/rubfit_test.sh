@@ -32,6 +32,16 @@ found rotor.damping_ratio 0.0199 0.0201
 found eccentricity_m 0.99e-5 1.01e-5
 expect_contains stdout 'compared  without mark_deg'
 
+# A figure; one that cannot be drawn is said before the fit.
+if command -v gnuplot >/dev/null; then
+  expect_exit 0 "$minimal" --ramp run_up/bode.csv --rate-hz-per-s 4 --fit rotor.damping_ratio --eccentricity-m 1e-5 \
+    --output out --figure pictures/fit.svg
+  expect_contains stdout 'figure    pictures/fit.svg'
+  for text in minimal.yaml '1X on a ramp' 'rotor.damping_ratio = 0.0' '</svg>'; do expect_contains pictures/fit.svg "$text"; done
+fi
+expect_usage_error '--figure: allowed: a name that ends with .png, .svg or .pdf' "$minimal" --ramp run_up/bode.csv \
+  --rate-hz-per-s 4 --fit rotor.damping_ratio --eccentricity-m 1e-5 --figure fit.gif
+
 # A number that the data do not tell, since nothing turns in a ring-down.
 expect_exit 0 "$minimal" --ring-down free/sensors.csv --from-s 0.006 --fit rotor.damping_ratio --fit rotor.mass_kg --output out
 expect_contains stdout 'the data do not tell rotor.mass_kg'

@@ -41,6 +41,16 @@ TEST(ReadRunConfig, ReadsEveryKey) {
   EXPECT_EQ(config.output_directory, "results/one_side");
 }
 
+TEST(ReadRunConfig, ReadsTheMachineAlone) {
+  const std::string text = test_file("one_side.yaml");
+  const std::vector<std::string> overrides{"rotor.damping_ratio=0.031", "stops.0.clearance_m=1.2e-3"};
+  const model::Machine machine = read_machine_text(text, "text", overrides);
+  EXPECT_EQ(std::get<model::JeffcottRotor>(machine.rotor).damping_ratio, 0.031);
+  EXPECT_EQ(machine.stops.at(0).clearance_m, 1.2e-3);
+  EXPECT_THROW(read_machine_text(text, "text", {"rotor.mass_kg=-1"}), ConfigError);
+  EXPECT_THROW(read_machine_text(text, "text", {"rotor.weight=1"}), ConfigError);
+}
+
 TEST(ReadRunConfig, ReadsEverySolverAndResponseKey) {
   const std::string text =
       test_file("minimal.yaml") +

@@ -98,6 +98,18 @@ TEST(MachineFit, RunUpTellsUnbalanceAndMarkToo) {
   EXPECT_TRUE(untold_combinations(result.uncertainty, problem.parameters).empty());
 }
 
+TEST(MachineFit, AMarkIsFoundFromTheOtherSideOfTheShaft) {
+  MachineFit problem{.parameters = rotor_parameters, .data = {run_up(5e-6)}, .machine = rotor};
+  problem.parameters.push_back({eccentricity_name, 1e-5, 1e-6, 1e-4, 1e-5});
+  for (const double start_deg : {-150.0, -60.0, 120.0, 175.0}) {
+    problem.parameters.push_back({mark_name, start_deg, -180, 180, 30});
+    const MachineFitResult result = fit_machine(problem, {});
+    expect_told(result, 0, 31);
+    expect_told(result, 3, 0.5 * 180 / 3.14159265358979);
+    problem.parameters.pop_back();
+  }
+}
+
 TEST(MachineFit, DataOfTwoKindsCountByTheirNoise) {
   MachineFit problem{.parameters = rotor_parameters,
                      .data = {ring_down(2e-4), run_up(5e-7)},

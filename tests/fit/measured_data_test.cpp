@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <complex>
 #include <filesystem>
 #include <fstream>
@@ -60,6 +61,21 @@ TEST_F(MeasuredDataTest, RunUpTakesEverySecondRowOfOrderOne) {
   EXPECT_FALSE(read_run_up(write(uneven)).ramp.even());
   EXPECT_EQ(read_run_up(write(uneven)).ramp.knot_s, read_run_up(write(uneven)).t_s);
   EXPECT_THROW(read_run_up(write(text + "4.1,80,1,1,0\n3,90,1,1,0\n")), ConfigError);
+}
+
+TEST_F(MeasuredDataTest, InstantsOfWholeTurnsTellTheRamp) {
+  // Marks rounded to 0.2 ms, as by a logger, and speeds between them.
+  std::string text = "t_s,speed_hz,order,x_amplitude_m,x_phase_deg\n";
+  const auto mark_s = [](int turn) {
+    return 2e-4 * std::round((std::sqrt(24.0 * 24.0 + 8 * turn) - 24) / 4 / 2e-4);
+  };
+  for (int turn = 1; turn < 180; ++turn)
+    text += std::to_string(mark_s(turn)) + ',' + std::to_string(2 / (mark_s(turn + 1) - mark_s(turn - 1))) +
+            ",1,2e-5,-90\n";
+  const RunUp data = read_run_up(write(text));
+  EXPECT_TRUE(data.from_readings);
+  EXPECT_NEAR(data.ramp.from_hz, 24, 5e-4);
+  EXPECT_NEAR(data.ramp.rate_hz_per_s, 4, 3e-4);
 }
 
 TEST_F(MeasuredDataTest, SteadyPhasesCountFromTheSensor) {

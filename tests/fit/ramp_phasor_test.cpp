@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <complex>
 #include <numbers>
 
@@ -179,6 +180,36 @@ TEST(RampPhasor, AWindowIsTheMeanOverIt) {
   EXPECT_LT((mean.row(0) - inside.colwise().mean()).cwiseAbs().maxCoeff(),
             2e-3 * inside.cwiseAbs().maxCoeff());
   EXPECT_GT((mean.row(0) - inside.row(200)).cwiseAbs().maxCoeff(), 1e-3 * inside.cwiseAbs().maxCoeff());
+}
+
+TEST(RampPhasor, ReadingsFromMarkToMarkHaveAMirroredPart) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(bowed_kit());
+  const Eigen::MatrixXd rows = identify::sensor_rows(prepared).rows;
+  const Ramp ramp{20, 4};
+  // Behind the resonance, where free and forced vibration beat. Middles of equal steps of the shaft's angle.
+  constexpr double middle_s = 3.4, turns = 2, e = 1e-5;
+  constexpr int steps = 400;
+  const double now_hz = speed_hz(ramp, middle_s);
+  std::vector<double> t_s, turned;
+  for (int k = 0; k < steps; ++k) {
+    turned.push_back(turns * ((k + 0.5) / steps - 0.5));
+    const double root = std::sqrt(now_hz * now_hz + 2 * ramp.rate_hz_per_s * turned.back());
+    t_s.push_back(middle_s + (root - now_hz) / ramp.rate_hz_per_s);
+  }
+  const Eigen::MatrixXcd inside = ramp_phasors(prepared, rows, e, ramp, t_s, 0);
+  Eigen::RowVectorXcd found = Eigen::RowVectorXcd::Zero(rows.rows());
+  for (int k = 0; k < steps; ++k) {
+    const Complex turn = std::polar(1.0, 2 * std::numbers::pi * turned[static_cast<std::size_t>(k)]);
+    const Eigen::RowVectorXd readings = (turn * inside.row(k)).real();
+    found += 2.0 / steps * std::conj(turn) * readings.cast<Complex>();
+  }
+  const RampParts parts = ramp_parts(prepared, rows, ramp, {middle_s}, turns);
+  const Eigen::RowVectorXcd mean = e * parts.per_eccentricity.row(0) + parts.bow_m.row(0);
+  const Eigen::RowVectorXcd mirrored =
+      e * parts.per_eccentricity_mirrored.row(0) + parts.bow_mirrored_m.row(0);
+  const double size = mean.cwiseAbs().maxCoeff();
+  EXPECT_LT((mean + mirrored - found).cwiseAbs().maxCoeff(), 1e-3 * size);
+  EXPECT_GT(mirrored.cwiseAbs().maxCoeff(), 5e-3 * size) << "it would not be missed";
 }
 
 TEST(RampPhasor, ASlowRampIsASteadySpeed) {

@@ -42,7 +42,7 @@ class FitPicture(figures.FigureTest):
         rows = "".join(f"0,ring_down,0,signal,{k / 100},{math.cos(k) * 1e-4 + 1e-6},{math.cos(k) * 1e-4}\n" for k in range(30))
         self.write_fit(rows)
         found = fit.Fit(self.directory).files[0]
-        self.assertTrue(all(abs(float(line.split()[1]) - 1e-6 * found.per_metre) < 1e-9 * found.per_metre for line in found.lower("0")))
+        self.assertTrue(all(abs(float(line.split()[1]) - 1e-6 * found.left_per_metre) < 1e-9 * found.left_per_metre for line in found.lower("0")))
 
     def test_the_picture_says_what_it_shows(self):
         rows = "".join(f"0,ring_down,{i},signal,{k / 100},{math.cos(k) * 1e-4},{math.cos(k) * 1e-4}\n" for i in (0, 1) for k in range(30))

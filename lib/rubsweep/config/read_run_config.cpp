@@ -31,6 +31,15 @@ RunConfig read_sections(const yaml::Value& root) {
 
 }  // namespace
 
+model::Machine read_machine_text(std::string_view text, const std::string& name,
+                                 const std::vector<std::string>& overrides) {
+  yaml::Diagnostics diagnostics(name, overrides);
+  const yaml::Node root = parse_config(text, name, root_form, overrides, diagnostics);
+  model::Machine machine = read_sections({root, "", diagnostics}).study.machine;
+  diagnostics.throw_if_any();
+  return machine;
+}
+
 RunConfig read_run_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   return read_run_config_text(yaml::read_config_bytes(file), file.string(), overrides);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/config/run_config.hpp"
+#include "rubsweep/model/machine.hpp"
 
 namespace rubsweep::config {
 
@@ -25,5 +26,11 @@ RunConfig read_run_config(const std::filesystem::path& file, const std::vector<s
 /// ConfigError.
 RunConfig read_run_config_text(std::string_view text, const std::string& name,
                                const std::vector<std::string>& overrides);
+
+/// The machine alone of such a text, without what is refused or asked as a likely slip of units, which would
+/// prepare the machine several times: for many machines of one configuration that was read. Throws
+/// ConfigError.
+model::Machine read_machine_text(std::string_view text, const std::string& name,
+                                 const std::vector<std::string>& overrides);
 
 }  // namespace rubsweep::config

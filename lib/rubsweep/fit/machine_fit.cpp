@@ -5,11 +5,13 @@
 #include <cmath>
 #include <complex>
 #include <functional>
+#include <iterator>
 #include <mutex>
 #include <numbers>
 #include <utility>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/fit/correlated_noise.hpp"
 #include "rubsweep/fit/free_vibration.hpp"
 #include "rubsweep/identify/linear_run.hpp"
 #include "rubsweep/numerics/recently_used.hpp"
@@ -127,40 +129,43 @@ Eigen::VectorXd modelled_of(const MachineFit& problem, const MeasuredData& data,
   const Complex turn =
       std::polar(1.0, named(problem, values, mark_name, problem.mark_deg) * std::numbers::pi / 180);
   return std::visit(
-      overloaded{
-          [&](const RingDown& ring) {
-            const double hit_s = named(problem, values, hit_name, problem.hit_s);
-            std::vector<double> since_s = ring.t_s;
-            for (double& t : since_s) t -= hit_s;
-            return with_scale(ring.signal_m,
-                              free_vibration(machine, rows_for(ring.signal_m.cols()), since_s));
-          },
-          [&](const RunUp& run) {
-            Ramp ramp = run.ramp;
-            std::vector<double> t_s = run.t_s;
-            const double rate = named(problem, values, rate_name, ramp.rate_hz_per_s);
-            if (rate != ramp.rate_hz_per_s) {
-              // The speeds stay, the instants follow.
-              for (double& t : t_s) t = t * ramp.rate_hz_per_s / rate;
-              ramp.rate_hz_per_s = rate;
-            }
-            const RampParts parts = ramps.of(problem, run, values, [&] {
-              return ramp_parts(machine, rows_for(run.phasor_m.cols()), ramp, t_s, run.window_turns);
-            });
-            return with_run_out(run.phasor_m, turn * (eccentricity_m * parts.per_eccentricity + parts.bow_m),
-                                data.run_out);
-          },
-          [&](const Steady& steady) {
-            Eigen::MatrixXcd model(steady.phasor_m.rows(), steady.phasor_m.cols());
-            const Eigen::MatrixXd rows = rows_for(steady.phasor_m.cols());
-            for (Eigen::Index k = 0; k < model.rows(); ++k)
-              model.row(k) = turn * steady_phasors(machine, rows, eccentricity_m,
-                                                   steady.speed_hz[static_cast<std::size_t>(k)]);
-            return with_run_out(steady.phasor_m, model, data.run_out);
-          },
-          [&](const RubLines& rub) {
-            return with_first_turn(rub, problem.rub_lines(machine, rub, eccentricity_m), std::arg(turn));
-          }},
+      overloaded{[&](const RingDown& ring) {
+                   const double hit_s = named(problem, values, hit_name, problem.hit_s);
+                   std::vector<double> since_s = ring.t_s;
+                   for (double& t : since_s) t -= hit_s;
+                   return with_scale(ring.signal_m,
+                                     free_vibration(machine, rows_for(ring.signal_m.cols()), since_s));
+                 },
+                 [&](const RunUp& run) {
+                   Ramp ramp = run.ramp;
+                   std::vector<double> t_s = run.t_s;
+                   const double rate = named(problem, values, rate_name, ramp.rate_hz_per_s);
+                   if (rate != ramp.rate_hz_per_s) {
+                     // The speeds stay, the instants follow.
+                     for (double& t : t_s) t = t * ramp.rate_hz_per_s / rate;
+                     ramp.rate_hz_per_s = rate;
+                   }
+                   const RampParts parts = ramps.of(problem, run, values, [&] {
+                     return ramp_parts(machine, rows_for(run.phasor_m.cols()), ramp, t_s, run.window_turns);
+                   });
+                   Eigen::MatrixXcd model = turn * (eccentricity_m * parts.per_eccentricity + parts.bow_m);
+                   if (run.from_readings)
+                     model += std::conj(turn) *
+                              (eccentricity_m * parts.per_eccentricity_mirrored + parts.bow_mirrored_m);
+                   return with_run_out(run.phasor_m, std::move(model), data.run_out);
+                 },
+                 [&](const Steady& steady) {
+                   Eigen::MatrixXcd model(steady.phasor_m.rows(), steady.phasor_m.cols());
+                   const Eigen::MatrixXd rows = rows_for(steady.phasor_m.cols());
+                   for (Eigen::Index k = 0; k < model.rows(); ++k)
+                     model.row(k) = turn * steady_phasors(machine, rows, eccentricity_m,
+                                                          steady.speed_hz[static_cast<std::size_t>(k)]);
+                   return with_run_out(steady.phasor_m, model, data.run_out);
+                 },
+                 [&](const RubLines& rub) {
+                   return with_first_turn(rub, problem.rub_lines(machine, rub, eccentricity_m),
+                                          std::arg(turn));
+                 }},
       data.data);
 }
 
@@ -230,6 +235,52 @@ Eigen::VectorXd start_of(const MachineFit& problem) {
   return start;
 }
 
+/// Sum of squares; infinite at values that are impossible.
+double left_at(const MachineFit& problem, const std::vector<double>& noise_m, LastRamps& ramps,
+               const Eigen::VectorXd& values) {
+  try {
+    return residuals_of(problem, noise_m, values, ramps).squaredNorm();
+  } catch (const ConfigError&) {
+    return INFINITY;
+  } catch (const SolverError&) {
+    return INFINITY;
+  }
+}
+
+/// Turns the starts of angles by 24ths of a turn between their bounds to what leaves the least, one angle
+/// after the other and twice: a descent that begins a quarter turn beside the truth may end elsewhere. In
+/// orbits of rubs an angle other than that of the mark may not be turned so far: it changes the motion.
+void turn_angles(const MachineFit& problem, const std::vector<double>& noise_m, LastRamps& ramps,
+                 Eigen::VectorXd& start) {
+  constexpr int rounds = 2, places = 24;
+  constexpr double turn_deg = 360;
+  const bool rubs = std::ranges::any_of(
+      problem.data, [](const MeasuredData& data) { return std::holds_alternative<RubLines>(data.data); });
+  double least = left_at(problem, noise_m, ramps, start);
+  for (int round = 0; round < rounds; ++round) {
+    for (Eigen::Index i = 0; i < start.size(); ++i) {
+      const Parameter& angle = problem.parameters[static_cast<std::size_t>(i)];
+      if (angle.name != mark_name && (rubs || !angle.name.ends_with("_deg"))) continue;
+      Eigen::VectorXd turned = start;
+      const double from = start(i);
+      for (int k = 1; k < places; ++k) {
+        turned(i) = from + k * turn_deg / places;
+        while (turned(i) >= angle.high) turned(i) -= turn_deg;
+        if (turned(i) <= angle.low) continue;
+        const double left = left_at(problem, noise_m, ramps, turned);
+        if (left >= least) continue;
+        least = left;
+        start(i) = turned(i);
+      }
+    }
+  }
+}
+
+void begin_at(const Eigen::VectorXd& start, LeastSquares& squares) {
+  for (Eigen::Index i = 0; i < start.size(); ++i)
+    squares.parameters[static_cast<std::size_t>(i)].start = start(i);
+}
+
 /// Which residuals are of which file.
 std::vector<DataResidual> parts_of(const MachineFit& problem, const std::vector<double>& noise_m) {
   std::vector<DataResidual> parts;
@@ -241,6 +292,15 @@ std::vector<DataResidual> parts_of(const MachineFit& problem, const std::vector<
     begin += count;
   }
   return parts;
+}
+
+/// Run-ups: errors of the marks turn all 1X of an instant, and are smoothed over neighbouring ones.
+std::vector<RowsInTime> rows_in_time(const MachineFit& problem, const MachineFitResult& result) {
+  std::vector<RowsInTime> found;
+  for (std::size_t i = 0; i < problem.data.size(); ++i)
+    if (const auto* run = std::get_if<RunUp>(&problem.data[i].data))
+      found.push_back({result.data[i].begin, run->phasor_m.rows(), 2 * run->phasor_m.cols()});
+  return found;
 }
 
 /// Makes the noise of each file what its residuals say; returns the largest change of a logarithm.
@@ -274,14 +334,16 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
   std::vector<double> noise_m;
   for (const MeasuredData& data : problem.data) noise_m.push_back(rough_noise_m(data));
   LastRamps ramps(problem);
-  const Eigen::VectorXd start = start_of(problem);
+  Eigen::VectorXd start = start_of(problem);
   // Whatever is wrong with the first values is said here: a descent takes it for values that are impossible.
   follow_rubs(problem, start);
   residuals_of(problem, noise_m, start, ramps);
+  turn_angles(problem, noise_m, ramps, start);
   LeastSquares squares{
       .parameters = problem.parameters,
       .residuals = [&](const Eigen::VectorXd& at) { return residuals_of(problem, noise_m, at, ramps); },
       .accepted = [&](const Eigen::VectorXd& values) { follow_rubs(problem, values); }};
+  begin_at(start, squares);
   MachineFitResult result;
   result.fit = least_squares(squares, options);
   if (result.fit.value.size() == 0) return result;
@@ -295,8 +357,7 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
   double change = problem.data.size() > 1 ? INFINITY : 0;
   for (int round = 0; round < most_rounds && change > settled && !result.fit.stopped; ++round) {
     change = weigh_anew(result, noise_m);
-    for (Eigen::Index i = 0; i < start.size(); ++i)
-      squares.parameters[static_cast<std::size_t>(i)].start = result.fit.value(i);
+    begin_at(result.fit.value, squares);
     const int starts = result.fit.starts, agreeing = result.fit.agreeing;
     LeastSquaresFit next = least_squares(squares, again);
     if (next.value.size() == 0) {
@@ -311,6 +372,7 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
   int eliminated = 0;
   for (const DataResidual& data : result.data) eliminated += data.eliminated;
   result.uncertainty = uncertainty_of(result.fit, eliminated);
+  allow_for_correlation(result.fit, rows_in_time(problem, result), result.uncertainty);
   result.bic = bic_of(result, problem.parameters.size());
   return result;
 }

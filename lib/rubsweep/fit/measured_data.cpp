@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -48,12 +49,40 @@ void require_rows(const std::filesystem::path& file, std::size_t rows, std::size
         fmt::format("{}: has {} rows of such data, allowed: {} or more", file.string(), rows, fewest));
 }
 
-/// Least squares line through speeds over time, or the speeds themselves where they are off it.
+/// Turns since the first row, where rows are whole turns apart as those of rubscope are; else empty.
+std::vector<double> whole_turns(const std::vector<double>& t_s, const std::vector<double>& speed_hz) {
+  constexpr double whole_to = 0.1;
+  std::vector<double> turns{0};
+  for (std::size_t k = 1; k < t_s.size(); ++k) {
+    const double passed = (speed_hz[k - 1] + speed_hz[k]) / 2 * (t_s[k] - t_s[k - 1]);
+    if (passed < 1 - whole_to || std::abs(passed - std::round(passed)) > whole_to) return {};
+    turns.push_back(turns.back() + std::round(passed));
+  }
+  return turns;
+}
+
+/// Ramp whose turns are these at these instants, by least squares.
+Ramp ramp_through(const std::vector<double>& t_s, const std::vector<double>& turns) {
+  const auto count = static_cast<Eigen::Index>(t_s.size());
+  const double middle_s = (t_s.front() + t_s.back()) / 2;
+  const Eigen::ArrayXd since_s = Eigen::Map<const Eigen::ArrayXd>(t_s.data(), count) - middle_s;
+  Eigen::MatrixX3d powers(count, 3);
+  powers << Eigen::VectorXd::Ones(count), since_s, since_s.square() / 2;
+  const Eigen::Vector3d found =
+      powers.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(turns.data(), count));
+  return {found(1) - found(2) * middle_s, found(2)};
+}
+
+/// Ramp of speeds that change evenly, by the instants of whole turns where rows are that, since these tell it
+/// better than the speeds; or the speeds themselves where they are off a line.
 Ramp ramp_of(const std::vector<double>& t_s, const std::vector<double>& speed_hz) {
   constexpr double even = 0.02;
   const numerics::StraightLine line = numerics::line_through(t_s, speed_hz);
   const double change = std::abs(line.slope * (t_s.back() - t_s.front()));
-  if (numerics::largest_distance(line, t_s, speed_hz) <= even * change) return {line(0), line.slope};
+  if (numerics::largest_distance(line, t_s, speed_hz) <= even * change) {
+    const std::vector<double> turns = whole_turns(t_s, speed_hz);
+    return turns.empty() ? Ramp{line(0), line.slope} : ramp_through(t_s, turns);
+  }
   return {speed_hz.front(), 0, t_s, speed_hz};
 }
 
@@ -92,7 +121,7 @@ RunUp read_run_up(const std::filesystem::path& file) {
     amplitudes.push_back(table.column("y_amplitude_m"));
     phases.push_back(table.column("y_phase_deg"));
   }
-  RunUp data{.ramp = {}, .t_s = {}, .phasor_m = {}, .window_turns = 2};
+  RunUp data{.ramp = {}, .t_s = {}, .phasor_m = {}, .window_turns = 2, .from_readings = true};
   std::vector<double> speeds;
   std::vector<std::vector<Complex>> rows;
   double last_s = -INFINITY;

@@ -23,6 +23,8 @@ struct RunUp {
   std::vector<double> t_s;
   Eigen::MatrixXcd phasor_m;
   double window_turns = 0;  ///< that each point is the mean of
+  /// Means of twice the readings times e^{-i phi} from mark to mark, as rubscope has them, and not of A.
+  bool from_readings = false;
 };
 
 /// 1X at steady speeds: speeds x sensors.

@@ -1,5 +1,6 @@
 #include "rubsweep/fit/ramp_phasor.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -211,11 +212,68 @@ class Ramped {
   std::vector<bool> follows_;
 };
 
-/// Instants of a window and their weights in its mean, by Simpson's rule.
+/// Places of a window, from -1 to 1, that a polynomial of fourth degree goes through.
+constexpr std::array<double, 5> places{-1, -0.5, 0, 0.5, 1};
+constexpr auto degrees = static_cast<Eigen::Index>(places.size());
+
+/// Weights of values at `places` in the means, over a window of some turns, of themselves and times
+/// e^{-2i phi}, phi = 0 in the middle.
+struct WindowWeights {
+  Eigen::RowVectorXd mean;
+  Eigen::RowVectorXcd mirrored;
+};
+
+WindowWeights window_weights(double turns) {
+  // Means of the powers u^p and u^p e^{-i k u}, by parts, where e^{ik} = 1.
+  const double k = 2 * pi * turns;
+  Eigen::MatrixXd powers(degrees, degrees);
+  Eigen::RowVectorXd mean(degrees);
+  Eigen::RowVectorXcd mirrored(degrees);
+  Complex before = 0;
+  for (Eigen::Index p = 0; p < degrees; ++p) {
+    for (Eigen::Index j = 0; j < degrees; ++j)
+      powers(p, j) = std::pow(places[static_cast<std::size_t>(j)], p);
+    const auto power = static_cast<double>(p);
+    const bool odd = p % 2 == 1;
+    mean(p) = odd ? 0 : 1 / (power + 1);
+    before = (odd ? Complex(0, 1 / k) : 0) - Complex(0, power / k) * before;
+    mirrored(p) = before;
+  }
+  const Eigen::MatrixXd inverse = powers.inverse();
+  return {(inverse * mean.transpose()).transpose(),
+          (inverse.cast<Complex>() * mirrored.transpose()).transpose()};
+}
+
+/// An instant of a window and its weights.
 struct Node {
   double t_s = 0, weight = 0;
+  Complex mirrored;
   Eigen::Index point = 0;
 };
+
+/// Nodes of all windows, earliest first: equally far apart in the shaft's angle.
+std::vector<Node> window_nodes(const Ramp& ramp, const std::vector<double>& t_s, double window_turns) {
+  std::vector<Node> nodes;
+  const WindowWeights weights = window_weights(std::max(window_turns, 1.0));
+  for (std::size_t k = 0; k < t_s.size(); ++k) {
+    const auto point = static_cast<Eigen::Index>(k);
+    const double now_hz = speed_hz(ramp, t_s[k]);
+    if (!(now_hz > 0)) throw ConfigError("a ramp reaches speed 0, allowed: speeds above it");
+    const double half_s = window_turns / now_hz / 2;
+    if (!(half_s > 0)) {
+      nodes.push_back({t_s[k], 1, 0, point});
+      continue;
+    }
+    const double change = (speed_hz(ramp, t_s[k] + half_s) - speed_hz(ramp, t_s[k] - half_s)) / now_hz;
+    for (Eigen::Index j = 0; j < degrees; ++j) {
+      const double u = places[static_cast<std::size_t>(j)];
+      nodes.push_back(
+          {t_s[k] + half_s * (u - change * u * u / 4), weights.mean(j), weights.mirrored(j), point});
+    }
+  }
+  std::ranges::sort(nodes, {}, &Node::t_s);
+  return nodes;
+}
 
 }  // namespace
 
@@ -227,21 +285,9 @@ double speed_hz(const Ramp& ramp, double t_s) {
 
 RampParts ramp_parts(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows, const Ramp& ramp,
                      const std::vector<double>& t_s, double window_turns) {
-  std::vector<Node> nodes;
-  for (std::size_t k = 0; k < t_s.size(); ++k) {
-    const auto point = static_cast<Eigen::Index>(k);
-    const double now_hz = speed_hz(ramp, t_s[k]);
-    if (!(now_hz > 0)) throw ConfigError("a ramp reaches speed 0, allowed: speeds above it");
-    const double half_s = window_turns / now_hz / 2;
-    if (half_s > 0) {
-      nodes.push_back({t_s[k] - half_s, 1.0 / 6, point});
-      nodes.push_back({t_s[k] + half_s, 1.0 / 6, point});
-    }
-    nodes.push_back({t_s[k], half_s > 0 ? 4.0 / 6 : 1, point});
-  }
-  std::ranges::sort(nodes, {}, &Node::t_s);
+  const std::vector<Node> nodes = window_nodes(ramp, t_s, window_turns);
   RampParts parts;
-  parts.per_eccentricity = parts.bow_m =
+  parts.per_eccentricity = parts.bow_m = parts.per_eccentricity_mirrored = parts.bow_mirrored_m =
       Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(t_s.size()), rows.rows());
   if (nodes.empty()) return parts;
   double low_hz = INFINITY, high_hz = 0;
@@ -254,9 +300,11 @@ RampParts ramp_parts(const scene::PreparedMachine& prepared, const Eigen::Matrix
   Ramped run(prepared, ramp, nodes.front().t_s, nodes.back().t_s);
   const Eigen::MatrixXcd seen = rows.cast<Complex>();
   for (const Node& node : nodes) {
-    const Eigen::MatrixX2cd both = node.weight * (seen * run.advance(node.t_s));
-    parts.per_eccentricity.row(node.point) += both.col(0).transpose();
-    parts.bow_m.row(node.point) += both.col(1).transpose();
+    const Eigen::MatrixX2cd both = seen * run.advance(node.t_s);
+    parts.per_eccentricity.row(node.point) += node.weight * both.col(0).transpose();
+    parts.bow_m.row(node.point) += node.weight * both.col(1).transpose();
+    parts.per_eccentricity_mirrored.row(node.point) += node.mirrored * both.col(0).adjoint();
+    parts.bow_mirrored_m.row(node.point) += node.mirrored * both.col(1).adjoint();
   }
   return parts;
 }

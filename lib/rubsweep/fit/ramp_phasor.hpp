@@ -21,11 +21,11 @@ double speed_hz(const Ramp& ramp, double t_s);
 /// 1X of a machine without its stops while its shaft speed changes: A of the displacement Re(A e^{i
 /// phi}) that unbalance and bow make, at ascending instants, one row each, one column for each row of `rows`
 /// (displacement = row * q). Every value is the mean over `window_turns` turns about its instant, as 1X of a
-/// recording is; 0: none. Each mode near a resonance is integrated by Gauss and Legendre's rule; one far from
-/// any follows the speed by its answer to second order. Modes that change with the speed are those of the
-/// middle of stretches in which it changes by 0.25 Hz, or more where that makes more than 64 of them, with
-/// tables 128. Before the first instant the speed is taken to have been passed without a resonance. Throws
-/// ConfigError for a speed that is not above 0.
+/// recording is, weighed by the shaft's angle; 0: none. Each mode near a resonance is integrated by Gauss and
+/// Legendre's rule; one far from any follows the speed by its answer to second order. Modes that change with
+/// the speed are those of the middle of stretches in which it changes by 0.25 Hz, or more where that makes
+/// more than 64 of them, with tables 128. Before the first instant the speed is taken to have been passed
+/// without a resonance. Throws ConfigError for a speed that is not above 0.
 Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
                               double eccentricity_m, const Ramp& ramp, const std::vector<double>& t_s,
                               double window_turns);
@@ -34,6 +34,10 @@ Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eige
 struct RampParts {
   Eigen::MatrixXcd per_eccentricity;  ///< without a unit: metres per metre
   Eigen::MatrixXcd bow_m;
+  /// Of each the mean of conj(A) e^{-2i phi} over a window of whole turns that begins where phi is a multiple
+  /// of half a turn. The mean of 2 Re(A e^{i phi}) e^{-i phi}, by which a sensor's 1X is found, has it beside
+  /// that of A: where A changes it does not vanish.
+  Eigen::MatrixXcd per_eccentricity_mirrored, bow_mirrored_m;
 };
 RampParts ramp_parts(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows, const Ramp& ramp,
                      const std::vector<double>& t_s, double window_turns);

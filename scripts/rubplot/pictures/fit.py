@@ -36,6 +36,8 @@ class FittedFile:
         self.series = {sensor: self._joined(found) for sensor, found in sorted(parts.items(), key=lambda item: int(item[0]))}
         largest = max(abs(value) for rows_of in self.series.values() for _, *both in rows_of for value in both)
         self.per_metre, self.unit = shown_units.of_length(largest)
+        left = max(abs(measured - model) for rows_of in self.series.values() for _, measured, model in rows_of)
+        self.left_per_metre, self.left_unit = shown_units.of_length(left) if left > 0 else (self.per_metre, self.unit)
 
     @staticmethod
     def _joined(parts):
@@ -59,7 +61,7 @@ class FittedFile:
         before = None
         for at, measured, modelled in self.series[sensor]:
             if self.kind == "ring_down":
-                yield f"{at:.17g} {self.per_metre * (measured - modelled):.17g} nan"
+                yield f"{at:.17g} {self.left_per_metre * (measured - modelled):.17g} nan"
                 continue
             model = phases.beside(math.degrees(cmath.phase(modelled)), before)
             before = None if self.kind == "rub" else model
@@ -98,7 +100,7 @@ def picture(given):
     files, panels = {}, []
     for column, data in enumerate(fit.files):
         sensors = list(data.series)[:MOST_SENSORS]
-        panels += [f'title_{column} = "{data.title}"', f'axis_{column} = "{data.axis.label}"', f'unit_{column} = "{data.unit}"',
+        panels += [f'title_{column} = "{data.title}"', f'axis_{column} = "{data.axis.label}"', f'unit_{column} = "{data.unit}"', f'left_unit_{column} = "{data.left_unit}"',
                    f'kind_{column} = "{data.kind}"', f"sensors_{column} = {len(sensors)}", f"nothing_left_{column} = {int(data.leaves_nothing())}"]
         for i, sensor in enumerate(sensors):
             panels.append(f'name_{column}_{i} = "sensor {sensor}"')

@@ -1,6 +1,6 @@
 # Draws the fit that pictures/fit.py lays out.
 # Arguments: HEADING COLUMNS
-# Files: panels.gp (title, axis, unit, kind, sensors and nothing_left of each column; the sentences found_N), upper_C_N and lower_C_N
+# Files: panels.gp (title, axis, unit, left_unit, kind, sensors and nothing_left of each column; the sentences found_N), upper_C_N and lower_C_N
 # (place, measured, modelled) of sensor N in column C.
 
 heading = ARG1
@@ -35,6 +35,8 @@ do for [format in formats] {
     ring = of("kind", c) eq "ring_down"
     rub = of("kind", c) eq "rub"
     last = of("sensors", c) - 1
+    # Steady speeds are few.
+    dot = of("kind", c) eq "steady" ? 1.0 : 0.45
 
     # Under the key there are revolutions per minute.
     eval rpm_above("" . of("axis", c))
@@ -46,7 +48,8 @@ do for [format in formats] {
     set yrange [*:*]
     set ytics autofreq
     if (!ring) { set yrange [0:*] }
-    if (rub) { set offsets 0.2, 0.2, 0, 0 }
+    # Lines of a rub that tell of its stop are a thousandth of the largest.
+    if (rub) { set offsets 0.2, 0.2, 0, 0; set yrange [*:*]; set logscale y; set format y "10^{%T}" }
     set label 2 sprintf(ring ? "reading (%s)" : "amplitude (%s)", of("unit", c)) center rotate by 90 \
       at screen (c + (columns == 1 ? 0.02 : 0.025)) / columns, screen 1 - 285 / high
     set label 3 "" . of("title", c) at graph 0.5, screen 1 - 72 / high center noenhanced
@@ -57,11 +60,13 @@ do for [format in formats] {
         for [i = 0:last] upper(c, i) using ($1 + 0.02):3 with impulses linewidth 4 linecolor rgb colours[2] \
           title (i ? "" : "model")
     } else {
-      plot for [i = 0:last] upper(c, i) using 1:2 with points pointtype 7 pointsize 0.45 linecolor rgb colours[i + 1] \
+      plot for [i = 0:last] upper(c, i) using 1:2 with points pointtype 7 pointsize dot linecolor rgb colours[i + 1] \
           title value(sprintf("name_%d_%d", c, i)), \
         for [i = 0:last] upper(c, i) using 1:3 with lines linewidth 1.5 linecolor rgb colours[i + 1] notitle, \
         NaN with lines linewidth 1.5 linecolor rgb "#666666" title "model"
     }
+    unset logscale y
+    set format y "% h"
     unset label 3
     unset key
     unset label 1
@@ -73,11 +78,11 @@ do for [format in formats] {
     set xlabel "" . of("axis", c)
     set format x "% h"
     set yrange [*:*]
-    set label 2 (ring ? sprintf("left (%s)", of("unit", c)) : "phase (deg)") center rotate by 90 \
+    set label 2 (ring ? sprintf("left (%s)", of("left_unit", c)) : "phase (deg)") center rotate by 90 \
       at screen (c + (columns == 1 ? 0.02 : 0.025)) / columns, screen 1 - 615 / high
     if (!ring) { set ytics 90 }
     if (of("nothing_left", c)) { set yrange [-1:1] }
-    plot for [i = 0:last] lower(c, i) using 1:2 with points pointtype 7 pointsize (rub ? 1.2 : 0.45) \
+    plot for [i = 0:last] lower(c, i) using 1:2 with points pointtype 7 pointsize (rub ? 1.2 : dot) \
         linecolor rgb colours[i + 1], \
       for [i = 0:last] lower(c, i) using 1:3 with points pointtype 6 pointsize (rub ? 1.6 : 0) linewidth 2 \
         linecolor rgb colours[rub ? 2 : i + 1], \
