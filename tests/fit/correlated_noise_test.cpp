@@ -56,8 +56,8 @@ TEST(CorrelatedNoise, BlocksAreAsLongAsResidualsHangTogether) {
   std::mt19937_64 random(2);
   const RowsInTime rows{0, instants, 2};
   EXPECT_LT(block_length(bump_in_noise(0.1, random).residuals, rows), 8);
-  EXPECT_GT(block_length(bump_in_noise(0.8, random).residuals, rows), 10);
-  EXPECT_EQ(block_length(bump_in_noise(0.99, random).residuals, rows), instants / 6);
+  EXPECT_GT(block_length(bump_in_noise(0.8, random).residuals, rows), 9);
+  EXPECT_EQ(block_length(bump_in_noise(0.99, random).residuals, rows), instants / 10);
 }
 
 TEST(CorrelatedNoise, FewInstantsTellNothing) {

@@ -10,7 +10,9 @@ namespace {
 
 /// Fewest instants that tell how they hang together.
 constexpr Eigen::Index fewest_instants = 24;
-constexpr Eigen::Index shortest_block = 4, fewest_blocks = 6;
+/// Squares of singular values below this share of the largest are rounding.
+constexpr double rounding = 1e-6;
+constexpr Eigen::Index shortest_block = 4, fewest_blocks = 10;
 
 /// Correlation of neighbours in all rows together.
 double neighbours_correlation(const Eigen::VectorXd& residuals, const RowsInTime& in_time) {
@@ -33,7 +35,7 @@ struct BlockSums {
 void add_blocks(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& normal,
                 const Eigen::VectorXd& residuals, const RowsInTime& in_time, BlockSums& sums) {
   const Eigen::Index length = block_length(residuals, in_time), blocks = in_time.instants / length;
-  const Eigen::MatrixXd inverse = normal.inverse();
+  const Eigen::MatrixXd inverse = normal.fullPivLu().inverse();
   for (Eigen::Index b = 0; b < blocks; ++b) {
     // Blocks differ by one instant in length.
     const Eigen::Index from = b * in_time.instants / blocks;
@@ -70,7 +72,7 @@ void allow_for_correlation(const LeastSquaresFit& fit, const std::vector<RowsInT
                            Uncertainty& uncertainty) {
   const Eigen::Index count = fit.value.size();
   const Eigen::VectorXd length = fit.jacobian.colwise().norm().transpose();
-  if (!(length.minCoeff() > 0) || !(uncertainty.singular(count - 1) > untold * uncertainty.singular(0)))
+  if (!(length.minCoeff() > 0) || !(uncertainty.singular(count - 1) > rounding * uncertainty.singular(0)))
     return;
   const Eigen::MatrixXd jacobian = fit.jacobian * length.cwiseInverse().asDiagonal();
   const Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
@@ -82,7 +84,7 @@ void allow_for_correlation(const LeastSquaresFit& fit, const std::vector<RowsInT
     add_blocks(jacobian, normal, fit.residuals, rows, sums);
     white.segment(rows.begin, rows.instants * rows.rows).setZero();
   }
-  const Eigen::MatrixXd inverse = normal.inverse();
+  const Eigen::MatrixXd inverse = normal.fullPivLu().inverse();
   const Eigen::VectorXd beside =
       (inverse * jacobian.transpose() * white.asDiagonal() * jacobian * inverse).diagonal();
   for (Eigen::Index i = 0; i < count; ++i) {

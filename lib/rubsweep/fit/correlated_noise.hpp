@@ -14,7 +14,7 @@ struct RowsInTime {
 };
 
 /// Instants in a block beyond which residuals hardly hang together: Andrews' rule for the correlation of
-/// neighbours (Econometrica 59 (1991) 817), 4 at least and a sixth of all at most.
+/// neighbours (Econometrica 59 (1991) 817), 4 at least and a tenth of all at most.
 Eigen::Index block_length(const Eigen::VectorXd& residuals, const RowsInTime& in_time);
 
 /// Makes standard errors, and half widths of intervals, as wide as they are where residuals of an instant and

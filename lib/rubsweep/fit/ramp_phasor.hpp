@@ -34,7 +34,7 @@ Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eige
 struct RampParts {
   Eigen::MatrixXcd per_eccentricity;  ///< without a unit: metres per metre
   Eigen::MatrixXcd bow_m;
-  /// Of each the mean of conj(A) e^{-2i phi} over a window of whole turns that begins where phi is a multiple
+  /// Means of conj(A) e^{-2i phi}, of each, over a window of whole turns that begins where phi is a multiple
   /// of half a turn. The mean of 2 Re(A e^{i phi}) e^{-i phi}, by which a sensor's 1X is found, has it beside
   /// that of A: where A changes it does not vanish.
   Eigen::MatrixXcd per_eccentricity_mirrored, bow_mirrored_m;

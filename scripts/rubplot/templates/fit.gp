@@ -1,7 +1,7 @@
 # Draws the fit that pictures/fit.py lays out.
 # Arguments: HEADING COLUMNS
-# Files: panels.gp (title, axis, unit, left_unit, kind, sensors and nothing_left of each column; the sentences found_N), upper_C_N and lower_C_N
-# (place, measured, modelled) of sensor N in column C.
+# Files: panels.gp (title, axis, unit, left_unit, kind, sensors and nothing_left of each column; the sentences found_N),
+# upper_C_N and lower_C_N (place, measured, modelled) of sensor N in column C.
 
 heading = ARG1
 columns = int(ARG2)
