@@ -125,8 +125,10 @@ inference::CaseSet cases_of(const RubdiagnoseArguments& arguments, const inferen
   return set;
 }
 
-diagnose::answer::Answer answer_of(const RubdiagnoseArguments& arguments, const Input& input,
-                                   const diagnose::MotionLines& lines, const std::atomic<bool>& stop) {
+/// Empty where it was interrupted before there were motions enough for an answer.
+std::optional<diagnose::answer::Answer> answer_of(const RubdiagnoseArguments& arguments, const Input& input,
+                                                  const diagnose::MotionLines& lines,
+                                                  const std::atomic<bool>& stop) {
   response::spectrum::SpectrumWorkspace workspace;
   const diagnose::features::DescribedMotion seen =
       diagnose::features::describe(lines, input.recording.plane, workspace);
@@ -135,6 +137,8 @@ diagnose::answer::Answer answer_of(const RubdiagnoseArguments& arguments, const 
   options.cases.threads = arguments.threads;
   options.cases.stop = &stop;
   inference::CaseSet set = cases_of(arguments, input.problem, options.cases);
+  constexpr std::size_t fewest = 100;
+  if (stop && set.cases.size() < fewest) return std::nullopt;
   const WorkingTime working("rubdiagnose", "compares motions with the recording",
                             !arguments.quiet && arguments.progress != batch::ProgressMode::never);
   const inference::Diagnosis diagnosis = inference::diagnose(input.problem, seen, options, std::move(set));
@@ -167,7 +171,12 @@ int look(const RubdiagnoseArguments& arguments) {
   const ResultDirectory made(arguments.directory, file_names);
   const std::atomic<bool>& stop = catch_interrupts();
   const diagnose::MotionLines lines = lines_of(input);
-  const diagnose::answer::Answer answer = answer_of(arguments, input, lines, stop);
+  const std::optional<diagnose::answer::Answer> found = answer_of(arguments, input, lines, stop);
+  if (!found) {
+    say("rubdiagnose: interrupted; too few motions were simulated for an answer\n");
+    return 128 + caught_signal();
+  }
+  const diagnose::answer::Answer& answer = *found;
   count_in_summary("motions", answer.cases);
   const batch::ResultFiles files{
       {"diagnosis.json", diagnose::answer::answer_json(answer)},

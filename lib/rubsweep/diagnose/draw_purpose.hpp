@@ -5,6 +5,6 @@
 namespace rubsweep::diagnose {
 
 /// Purposes of the random numbers of a diagnosis.
-enum DrawPurpose : std::uint64_t { of_prior = 100, of_proposal, of_observation, of_tree };
+enum DrawPurpose : std::uint64_t { of_prior = 100, of_proposal, of_observation, of_tree, of_another_cause };
 
 }  // namespace rubsweep::diagnose

@@ -51,13 +51,5 @@ TEST(Novelty, GivesTheSameWithAnyNumberOfThreads) {
   EXPECT_EQ(Novelty(population(100), 1).p_value(here), Novelty(population(100), 3).p_value(here));
 }
 
-TEST(NoveltyProbability, RisesAsTheValueFalls) {
-  EXPECT_LT(probability_of_none(1), prior_of_none);
-  EXPECT_LT(probability_of_none(0.5), prior_of_none);
-  EXPECT_GT(probability_of_none(0.001), 0.85);
-  // Even odds do not move where the densities are equal: 0.2 p^-0.8 = 1.
-  EXPECT_NEAR(probability_of_none(std::pow(0.2, 1 / 0.8)), prior_of_none, 1e-12);
-}
-
 }  // namespace
 }  // namespace rubsweep::diagnose::forest

@@ -20,6 +20,7 @@ TEST(Posterior, KnowsASubharmonicRubFromNone) {
   for (const Posterior& posterior : {rub, none}) {
     EXPECT_NEAR(posterior.probability.sum(), 1, 1e-12);
     EXPECT_GT(posterior.p_value, 0.01);
+    EXPECT_LT(posterior.none, 0.5);
     double of_second = 0;
     for (std::size_t i = 0; i < small_set().cases.size(); ++i)
       if (small_set().cases[i].candidate == 1) of_second += posterior.weight(static_cast<Eigen::Index>(i));
@@ -38,6 +39,25 @@ TEST(Posterior, ExcludesClearancesThatTheCandidateDoesNotHave) {
   EXPECT_GT(posterior_of(problem, small_set(), observed, seen, 0).probability(1), 0.8);
   seen.size_m *= 100;
   EXPECT_LT(posterior_of(problem, small_set(), observed, seen, 0).probability(1), 0.05);
+}
+
+TEST(Posterior, KnowsWhatIsNoneOfThem) {
+  const DiagnosisProblem problem = small_problem();
+  ObservedCases observed;
+  observe_cases(problem, small_set(), 0, observed);
+  // A strong line at 2X, and one that turns backward at 2.37X.
+  MotionLines lines{12, Eigen::VectorXcd::Zero(2 * 96 + 1)};
+  lines.at(12) = 1e-4;
+  lines.at(24) = 1e-4;
+  lines.at(-28) = 4e-5;
+  lines.at(-29) = 4e-5;
+  response::spectrum::SpectrumWorkspace workspace;
+  RandomStream random(8, 0, 0);
+  double probe_angle_rad = 0;
+  const MotionLines measured = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
+  EXPECT_GT(
+      posterior_of(problem, small_set(), observed, features::describe(measured, true, workspace), 0).none,
+      0.5);
 }
 
 TEST(Posterior, DoesNotDependOnThreads) {

@@ -90,10 +90,4 @@ double Novelty::p_value(const Eigen::VectorXd& features) const {
   return (1 + static_cast<double>(as_far)) / (1 + static_cast<double>(apartness_.size()));
 }
 
-double probability_of_none(double p_value) {
-  constexpr double a = 0.2;
-  const double none = prior_of_none * a * std::pow(p_value, a - 1);
-  return none / (none + 1 - prior_of_none);
-}
-
 }  // namespace rubsweep::diagnose::forest

@@ -37,11 +37,4 @@ class Novelty {
   std::vector<double> apartness_;  ///< of every case, ascending
 };
 
-/// Probability of "none of these" before a recording is looked at.
-inline constexpr double prior_of_none = 1.0 / 6;
-
-/// The same after its p-value: that of recordings of other causes is taken to have the density a p^(a - 1), a
-/// = 0.2, half of them below 0.03 (Sellke, Bayarri, Berger 2001 discuss this class).
-double probability_of_none(double p_value);
-
 }  // namespace rubsweep::diagnose::forest

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/diagnose/draw_purpose.hpp"
 #include "rubsweep/diagnose/forest/forest.hpp"
 #include "rubsweep/diagnose/forest/novelty.hpp"
+#include "rubsweep/diagnose/inference/other_cause.hpp"
 
 namespace rubsweep::diagnose::inference {
 namespace {
@@ -43,6 +45,55 @@ double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>&
   return (low + high) / 2;
 }
 
+/// Vibrations of other causes as the instrument shows them.
+Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::size_t count, int threads) {
+  std::vector<Eigen::VectorXd> rows(count);
+  batch::parallel_run(
+      count, threads,
+      [&](std::size_t k) {
+        thread_local response::spectrum::SpectrumWorkspace workspace;
+        RandomStream random(problem.seed, k, DrawPurpose::of_another_cause);
+        const MotionLines lines = up_to(vibration_of_another_cause(problem.turns, random, workspace),
+                                        seen_order(problem.measuring));
+        double probe_angle_rad = 0;
+        const MotionLines seen = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
+        rows[k] =
+            features::values_of(features::describe(seen, problem.measuring.probes == 2, workspace).features);
+      },
+      [](std::size_t) {}, std::atomic<bool>{false});
+  Eigen::MatrixXd features(static_cast<Eigen::Index>(count), rows.front().size());
+  for (std::size_t k = 0; k < count; ++k) features.row(static_cast<Eigen::Index>(k)) = rows[k].transpose();
+  return features;
+}
+
+/// Cases, each of the class of its candidate, and vibrations of other causes as the last class.
+forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSet& set,
+                                   const ObservedCases& observed) {
+  const Eigen::Index cases = observed.features.rows(), others = observed.of_other_causes.rows();
+  const int candidates = static_cast<int>(problem.candidates.size());
+  forest::LabelledSamples samples{Eigen::MatrixXd(cases + others, observed.features.cols()),
+                                  {},
+                                  Eigen::VectorXd(cases + others),
+                                  candidates + 1};
+  samples.features << observed.features, observed.of_other_causes;
+  samples.weight.head(cases) = (1 - prior_of_none) * importance_weights(problem, set);
+  samples.weight.tail(others).setConstant(prior_of_none / static_cast<double>(others));
+  for (const SimulatedCase& one : set.cases) samples.label.push_back(static_cast<int>(one.candidate));
+  samples.label.resize(static_cast<std::size_t>(cases + others), candidates);
+  return samples;
+}
+
+/// Whether a case has a clearance that its candidate may have once it is as large as the recording.
+/// Clearances are drawn evenly in their logarithm: those that the size asks for count alike, others not at
+/// all.
+bool has_room(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
+              double seen_size_m) {
+  const Candidate& candidate = problem.candidates[one.candidate];
+  const double clearance = clearance_m(problem, one, case_size_m, seen_size_m);
+  return candidate.cause == Cause::no_rub ||
+         (clearance >= candidate.clearance_m.low && clearance <= candidate.clearance_m.high);
+}
+
 /// Rows that were drawn from the priors.
 Eigen::MatrixXd rows_of_priors(const CaseSet& set, const Eigen::MatrixXd& features) {
   std::vector<Eigen::Index> rows;
@@ -55,6 +106,9 @@ Eigen::MatrixXd rows_of_priors(const CaseSet& set, const Eigen::MatrixXd& featur
 
 void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads,
                    ObservedCases& observed) {
+  if (observed.of_other_causes.rows() == 0 && !set.cases.empty())
+    observed.of_other_causes =
+        features_of_other_causes(problem, set.cases.size() / problem.candidates.size() + 1, threads);
   const auto before = static_cast<std::size_t>(observed.features.rows());
   const std::size_t added = set.cases.size() - before;
   if (added == 0) return;
@@ -86,35 +140,29 @@ double clearance_m(const DiagnosisProblem& problem, const SimulatedCase& one, do
 
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
                        const features::DescribedMotion& seen, int threads) {
-  forest::LabelledSamples samples{
-      observed.features, {}, importance_weights(problem, set), static_cast<int>(problem.candidates.size())};
-  for (const SimulatedCase& one : set.cases) samples.label.push_back(static_cast<int>(one.candidate));
+  const forest::LabelledSamples samples = samples_of(problem, set, observed);
   const forest::Forest forest(samples, {.seed = problem.seed, .threads = threads});
-  Posterior posterior;
   const Eigen::VectorXd here = features::values_of(seen.features);
-  posterior.weight = forest.posterior_weights(here);
-  for (Eigen::Index i = 0; i < posterior.weight.size(); ++i) {
-    const SimulatedCase& one = set.cases[static_cast<std::size_t>(i)];
-    const Candidate& candidate = problem.candidates[one.candidate];
-    if (candidate.cause == Cause::no_rub) continue;
-    // Clearances are drawn evenly in their logarithm: those that the size asks for count alike, others not at
-    // all.
-    const double clearance = clearance_m(problem, one, observed.size_m(i), seen.size_m);
-    if (clearance < candidate.clearance_m.low || clearance > candidate.clearance_m.high)
-      posterior.weight(i) = 0;
+  Eigen::VectorXd weight = forest.posterior_weights(here);
+  for (std::size_t i = 0; i < set.cases.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    if (!has_room(problem, set.cases[i], observed.size_m(k), seen.size_m)) weight(k) = 0;
   }
   Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
-  for (Eigen::Index i = 0; i < posterior.weight.size(); ++i)
-    share(samples.label[static_cast<std::size_t>(i)]) += posterior.weight(i);
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
+  Posterior posterior;
   posterior.sharpness = best_sharpness(forest.out_of_bag_probabilities(), samples.label, samples.weight);
-  const Eigen::RowVectorXd relative = share.sum() > 0 ? Eigen::RowVectorXd(share / share.sum()) : share;
-  posterior.probability = sharpened(relative, posterior.sharpness).transpose();
+  const Eigen::RowVectorXd all =
+      sharpened(share.sum() > 0 ? Eigen::RowVectorXd(share / share.sum()) : share, posterior.sharpness);
+  posterior.none = all(samples.classes - 1);
+  posterior.probability = all.head(samples.classes - 1).transpose() / (1 - posterior.none);
+  posterior.weight = weight.head(static_cast<Eigen::Index>(set.cases.size()));
   for (Eigen::Index i = 0; i < posterior.weight.size(); ++i) {
     const int label = samples.label[static_cast<std::size_t>(i)];
     if (share(label) > 0) posterior.weight(i) *= posterior.probability(label) / share(label);
   }
   posterior.p_value = forest::Novelty(rows_of_priors(set, observed.features), threads).p_value(here);
-  posterior.none = forest::probability_of_none(posterior.p_value);
   return posterior;
 }
 

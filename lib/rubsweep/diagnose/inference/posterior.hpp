@@ -10,8 +10,8 @@ namespace rubsweep::diagnose::inference {
 struct Posterior {
   Eigen::VectorXd probability{};  ///< of every candidate, given that it is one of them
   Eigen::VectorXd weight{};       ///< of every case; those of a candidate add up to its probability
-  double none = 0;                ///< that it is none of them
-  double p_value = 1;             ///< of Novelty
+  double none = 0;                ///< probability that it is none of them
+  double p_value = 1;             ///< of Novelty, a check beside
   double sharpness = 1;  ///< power that makes the probabilities of cases not drawn by a tree fit best
 };
 
@@ -19,11 +19,14 @@ struct Posterior {
 struct ObservedCases {
   Eigen::MatrixXd features{};
   Eigen::VectorXd size_m{}, direction_rad{}, probe_angle_rad{};
+  Eigen::MatrixXd of_other_causes{};  ///< features of vibrations of other causes, a row each
 };
 
-/// Observes the cases that are not yet in `observed`.
+/// Observes the cases that are not yet in `observed`, and at first as many vibrations of other causes as a
+/// candidate has cases.
 void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads, ObservedCases& observed);
 
+/// Posterior by a forest in which vibrations of other causes are one more class.
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
                        const features::DescribedMotion& seen, int threads);
 

@@ -1,0 +1,107 @@
+#include "rubsweep/diagnose/inference/other_cause.hpp"
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "rubsweep/diagnose/lasting_motion.hpp"
+
+namespace rubsweep::diagnose::inference {
+namespace {
+
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+constexpr int samples_of_a_turn = 32;
+
+double between_logarithms(double low, double high, RandomStream& random) {
+  return low * std::pow(high / low, random.uniform());
+}
+
+/// Adds a component of an order, whose angle is that of the shaft times the order and what it wandered.
+class Vibration {
+ public:
+  explicit Vibration(int turns) : z_(static_cast<std::size_t>(turns * samples_of_a_turn)) {}
+
+  void add(double order, double amplitude, const std::vector<double>& wandered, RandomStream& random) {
+    const double share = 2 * pi * random.uniform();
+    const Complex forward = std::polar(amplitude * std::cos(share), 2 * pi * random.uniform()),
+                  backward = std::polar(amplitude * std::sin(share), 2 * pi * random.uniform());
+    for (std::size_t k = 0; k < z_.size(); ++k) {
+      const double angle =
+          2 * pi * order * static_cast<double>(k) / samples_of_a_turn + (wandered.empty() ? 0 : wandered[k]);
+      z_[k] += forward * std::polar(1.0, angle) + backward * std::polar(1.0, -angle);
+    }
+  }
+
+  void add_unbalance(RandomStream& random) {
+    const Complex forward = std::polar(1.0, 2 * pi * random.uniform()),
+                  backward = std::polar(between_logarithms(1e-3, 0.5, random), 2 * pi * random.uniform());
+    for (std::size_t k = 0; k < z_.size(); ++k) {
+      const double angle = 2 * pi * static_cast<double>(k) / samples_of_a_turn;
+      z_[k] += forward * std::polar(1.0, angle) + backward * std::polar(1.0, -angle);
+    }
+  }
+
+  const std::vector<Complex>& samples() const { return z_; }
+
+ private:
+  std::vector<Complex> z_;
+};
+
+std::vector<double> wandering(std::size_t samples, RandomStream& random) {
+  const double step = between_logarithms(1e-3, 0.2, random) / std::sqrt(samples_of_a_turn);
+  std::vector<double> angle(samples);
+  double at = 0;
+  for (double& x : angle) x = at += step * random.normal();
+  return angle;
+}
+
+/// Whole multiples of the shaft speed: one, or a series that grows weaker.
+void add_multiples(Vibration& vibration, double amplitude, RandomStream& random) {
+  if (random.uniform() < 0.5) {
+    vibration.add(2 + std::floor(4 * random.uniform()), amplitude, {}, random);
+    return;
+  }
+  const double decay = 1.5 * random.uniform();
+  for (int order = 2; order <= 8; ++order)
+    vibration.add(order, amplitude * std::pow(order, -decay) * between_logarithms(0.2, 1, random), {},
+                  random);
+}
+
+/// Any order, with its harmonic and with sidebands, each or not.
+void add_free_order(Vibration& vibration, double amplitude, RandomStream& random) {
+  const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
+  const std::vector<double> wandered = wandering(vibration.samples().size(), random);
+  vibration.add(order, amplitude, wandered, random);
+  if (random.uniform() < 0.5) {
+    std::vector<double> twice = wandered;
+    for (double& angle : twice) angle *= 2;
+    vibration.add(2 * order, amplitude * between_logarithms(0.1, 1, random), twice, random);
+  }
+  if (random.uniform() < 0.5)
+    for (const int side : {-1, 1})
+      vibration.add(order + side, amplitude * between_logarithms(0.05, 0.7, random), wandered, random);
+}
+
+}  // namespace
+
+MotionLines vibration_of_another_cause(int turns, RandomStream& random,
+                                       response::spectrum::SpectrumWorkspace& workspace) {
+  Vibration vibration(turns);
+  vibration.add_unbalance(random);
+  const int components = 1 + static_cast<int>(4 * random.uniform() * random.uniform());
+  for (int k = 0; k < components; ++k) {
+    const double amplitude = between_logarithms(0.05, 3, random);
+    if (random.uniform() < 0.5) {
+      add_multiples(vibration, amplitude, random);
+    } else {
+      add_free_order(vibration, amplitude, random);
+    }
+  }
+  return lines_of(vibration.samples(), turns, most_order, workspace);
+}
+
+}  // namespace rubsweep::diagnose::inference
