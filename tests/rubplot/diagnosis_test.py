@@ -25,9 +25,9 @@ class Diagnosis(figures.FigureTest):
     def test_two_probes_show_orbits_about_each_other(self):
         self.write_diagnosis(plane=True)
         found = diagnosis.Diagnosis(self.directory)
-        self.assertEqual((found.unit, found.plane), ("µm", True))
+        self.assertEqual((found.unit, found.plane), ("mm", True))
         self.assertAlmostEqual(found.largest, 6e-5)
-        self.assertEqual([round(float(cell), 9) for cell in next(found.orbit(found.simulated)).split()], [60, 0])
+        self.assertEqual([round(float(cell), 9) for cell in next(found.orbit(found.simulated)).split()], [0.06, 0])
         self.assertEqual([float(line.split()[0]) for line in found.spectrum()], [-1, 0.5, 1])
 
     def test_one_probe_shows_its_reading_over_the_turns(self):
@@ -42,8 +42,8 @@ class Diagnosis(figures.FigureTest):
     def test_the_picture_says_what_it_shows(self):
         self.write_diagnosis(plane=True)
         root = self.draw("diagnosis", "--heading", "Kit 2")
-        for word in ("Kit 2", "recorded", "closest simulated motion", "probability (%)", "one_side", "none_of_these", "x (µm)",
-                     "y (µm)", "amplitude (µm)", "order (multiples of the speed)"):
+        for word in ("Kit 2", "recorded", "closest simulated motion", "probability (%)", "one_side", "none_of_these", "x (mm)",
+                     "y (mm)", "amplitude (mm)", "order (multiples of the speed)"):
             self.assertIn(word, figures.words(root))
         self.assertEqual(figures.over_each_other(root), [])
 
