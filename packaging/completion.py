@@ -21,7 +21,8 @@ _FOLDERS = ("DIR",)
 _FILES = ("FILE", "FILE.csv", "FILE.yaml", "CONFIG.yaml")
 _KEYS = {"set": "setting", "along": "key", "curve": "key"}
 # Programs that read no configuration of their own: what stands on their command line.
-_SOURCES = {"rubreport": "folder", "rubsweep-compare": "table", "rubplot": "file", "rubscope": "file"}
+_SOURCES = {"rubreport": "folder", "rubsweep-compare": "table", "rubplot": "file", "rubscope": "file",
+            "rubdiagnose": "file"}
 
 
 def completed(name, read):

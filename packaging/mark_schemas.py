@@ -9,7 +9,7 @@ MARK = "# yaml-language-server: $schema="
 
 
 def schema_of(path):
-    """Name of the schema of a configuration by its file; empty for a part of others, and for those of rubdata."""
+    """Name of the schema of a configuration by its file; empty for a part of others, and for those of rubdata and rubdiagnose."""
     name = os.path.basename(path)
     if name == "stop.yaml" or os.path.basename(os.path.dirname(path)) == "recordings":
         return ""

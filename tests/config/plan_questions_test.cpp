@@ -76,7 +76,7 @@ TEST(PlanQuestions, AreNoneOfShippedConfigurations) {
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(CONFIG_TEST_DATA) / "../../configs")) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() != ".yaml" || name == "stop.yaml" || name.starts_with("ring_")) continue;
-    if (entry.path().parent_path().filename() == "recordings") continue;  // those of rubdata
+    if (entry.path().parent_path().filename() == "recordings") continue;  // of rubdata, rubdiagnose
     const auto questions = read_run_config(entry.path(), {}).questions;
     EXPECT_TRUE(questions.empty()) << questions.front();
     ++count;

@@ -32,7 +32,7 @@ for format in $formats; do
   holds "map.$format"
   holds "orbit.$format"
 done
-for program in rubsweep-compare rubbench rubline rubbasin rubbranch rubdata rubfit rubreport rubscope ringstab; do
+for program in rubsweep-compare rubbench rubline rubbasin rubbranch rubdata rubdiagnose rubfit rubreport rubscope ringstab; do
   "$program" --help >help.txt
   holds help.txt
 done
@@ -41,6 +41,7 @@ for one in "$examples"/*.yaml "$examples"/*/*.yaml; do
   case $one in
     */stop.yaml) continue ;; # a part of others
     */ring_*) checked=ringstab ;;
+    */recordings/candidates.yaml) continue ;; # what rubdiagnose asks about, beside a recording
     */recordings/*) checked=rubdata ;;
     *) checked=rubsweep ;;
   esac

@@ -58,7 +58,7 @@ def kind_of(path):
 
 
 def shipped():
-    """Files of configurations that are whole, or are so with their base; those of rubdata have no schema."""
+    """Files of configurations that are whole, or are so with their base; those of rubdata and rubdiagnose have none."""
     files = glob.glob(os.path.join(TOP, "configs", "**", "*.yaml"), recursive=True)
     own = os.path.join(TOP, "configs", "recordings", "")
     return sorted(file for file in files if os.path.basename(file) != "stop.yaml" and not file.startswith(own))

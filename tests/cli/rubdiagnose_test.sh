@@ -1,0 +1,199 @@
+#!/usr/bin/env bash
+# rubdiagnose: the same bytes from any number of threads and from a kept table, damaged tables are made anew, Ctrl-C leaves an
+# answer so far, and what is refused. The first argument is rubdiagnose, the fourth rubdata, which makes the recordings.
+source "$(dirname "$0")/support.sh"
+data=$4
+
+expect_exit 0 --help
+expect_empty stderr
+expect_contains stdout 'rubdiagnose RECORDING --machine MACHINE.yaml'
+for option in machine candidates instrument motions rounds seed table output threads figure quiet help version; do
+  expect_matches stdout "^  (-. \[ )?--$option "
+done
+expect_exit 0 -h
+expect_exit 0 --version
+[[ $(head -n 1 stdout) == "rubdiagnose $version" ]] || fail "expected: rubdiagnose $version"
+
+# Two recordings of the rotor of minimal.yaml on one side, and what the probes were.
+cat >study.yaml <<'END'
+recordings: 6
+recordings_per_machine: 6
+machine: {mass_kg: 0.8, natural_frequency_hz: 30, damping_ratio: 0.02, clearance_m: 3.0e-4}
+speed_ratio: [1.95, 2.05]
+candidates: [{kind: one_side, whirl_ratio: [0.9, 1.5]}]
+measurement: {turns: 32, sampling_rate_hz: 5000, noise_share: 2.0e-3}
+split: {training: 1, validation: 0, test: 0}
+output: {directory: set}
+END
+"$data" study.yaml --quiet
+[[ $(count_rows set/labels.csv 'rubs == 1') -ge 1 ]] || fail 'no recording rubs'
+cp "set/$(cells set/labels.csv rubs file | sed -n 's/^1,//p' | head -n 1)" run.csv
+cp set/instrument.yaml run.yaml
+echo "base: $minimal" >machine.yaml
+quick=(run.csv --machine machine.yaml --motions 60 --rounds 1)
+files=(diagnosis.json lines.csv orbits.csv probabilities.csv)
+
+# The answer begins with how sure it is; tables are whole, and the JSON file says the same as they do.
+expect_exit 0 "${quick[@]}" --threads 1 --output one
+expect_empty stderr
+head -n 1 stdout | grep -qE '^(no_rub|one_side|two_sides|annular|annular_offset|none of these), [0-9]+ % \(' ||
+  fail 'another first line'
+for text in 'recording run.csv: 30 turns at ' 'no interval is known' 'none of these ' 'closest simulated motion' \
+  'files     one: '; do
+  expect_contains stdout "$text"
+done
+expect_files one "${files[@]}"
+expect_whole_table one/probabilities.csv one/orbits.csv one/lines.csv
+python3 - one/diagnosis.json <(cells one/probabilities.csv candidate probability) <<'END' || fail 'another JSON file'
+import json
+import sys
+
+with open(sys.argv[1], encoding="utf-8") as file:
+    answer = json.load(file)
+with open(sys.argv[2], encoding="utf-8") as file:
+    table = {name: float(value) for name, value in (line.split(",") for line in file)}
+said = {one["name"]: one["probability"] for one in answer["candidates"]}
+said["none_of_these"] = answer["none_of_these"]["probability"]
+assert sorted(said) == sorted(table) and len(said) == 6, said
+assert all(abs(said[name] - table[name]) < 1e-5 for name in said), table
+assert abs(sum(said.values()) - 1) < 1e-9, said
+assert answer["recording"]["turns"] == 30 and answer["recording"]["probes"] == 2
+assert not answer["simulations"]["interrupted"] and answer["simulations"]["motions"] >= 60
+for one in answer["candidates"]:
+    for number in one["numbers"].values():
+        assert set(number) == {"median", "low_95", "high_95"}
+END
+# A recording that rubs on one side is not said to touch nothing.
+[[ $(count_rows one/probabilities.csv "candidate == 'no_rub' and probability < 0.5") == 1 ]] || fail 'no rub is likely'
+
+# The same bytes from the kept table, from another number of threads with no table, and by the shipped list of candidates.
+[[ $(find machine_cases -name '*.cases' | wc -l) == 1 ]] || fail 'no kept table'
+kept=$(echo machine_cases/*.cases)
+cp "$kept" good.cases
+expect_exit 0 "${quick[@]}" --output two --quiet
+expect_empty stdout
+diff -r one two || fail 'a kept table, other bytes'
+expect_exit 0 "${quick[@]}" --output three --threads 2 --table other_table --quiet
+diff -r one three || fail 'another number of threads, other bytes'
+expect_same good.cases "other_table/${kept##*/}"
+expect_exit 0 "${quick[@]}" --output listed --candidates "$top/configs/recordings/candidates.yaml" --quiet
+[[ $(find machine_cases -name '*.cases' | wc -l) == 1 ]] || fail 'the shipped list is not the usual one'
+# The heads of the tables differ: they have the digest of all that was read.
+expect_same one/diagnosis.json listed/diagnosis.json
+for table in probabilities orbits lines; do expect_same <(grep -v '^#' one/$table.csv) <(grep -v '^#' listed/$table.csv); done
+expect_exit 0 "${quick[@]}" --output seeded --seed 2 --quiet
+cmp -s one/diagnosis.json seeded/diagnosis.json && fail 'another seed, the same answer'
+rm machine_cases/*.cases
+cp good.cases "$kept"
+
+# Without --output and --instrument: beside the recording.
+expect_exit 0 "${quick[@]}" --quiet -j 1
+expect_files run_diagnosis "${files[@]}"
+expect_exit 0 "${quick[@]}" --quiet -o short --summary json
+python3 -c 'import json; s = json.load(open("stdout")); assert s["program"] == "rubdiagnose" and s["exit_code"] == 0 and s["counts"]["motions"] >= 60, s' ||
+  fail 'another summary'
+
+# A damaged table is no table: motions are simulated anew, and the table is whole again.
+truncate -s -9 "$kept"
+expect_exit 0 "${quick[@]}" --output cut --quiet
+diff -r one cut || fail 'a table that breaks off changed the answer'
+expect_same good.cases "$kept"
+python3 -c 'import sys; b = bytearray(open(sys.argv[1], "rb").read()); b[len(b) // 2] ^= 16; open(sys.argv[1], "wb").write(b)' "$kept"
+cmp -s good.cases "$kept" && fail 'no byte was changed'
+expect_exit 0 "${quick[@]}" --output flipped --quiet
+diff -r one flipped || fail 'a table with another byte changed the answer'
+expect_same good.cases "$kept"
+: >"$kept"
+expect_exit 0 "${quick[@]}" --output emptied --quiet
+expect_same good.cases "$kept"
+
+# A table that cannot be written is a failure of output.
+expect_exit 3 "${quick[@]}" --output none --table machine.yaml/table --quiet
+expect_contains stderr 'machine.yaml/table'
+expect_missing none/diagnosis.json
+
+# One probe.
+sed '/y_m/d' run.yaml >one_probe.yaml
+expect_exit 0 "${quick[@]}" --instrument one_probe.yaml --output one_probe
+expect_contains stdout 'one probe'
+[[ $(header_of one_probe/orbits.csv) == turns,x_m,simulated_x_m ]] || fail 'other columns of one probe'
+
+if command -v gnuplot >/dev/null; then
+  expect_exit 0 "${quick[@]}" --output drawn --figure drawn.svg
+  expect_contains stdout 'figure    drawn.svg'
+  expect_contains drawn.svg 'closest simulated motion'
+fi
+
+# Ctrl-C gives the answer so far and keeps no table. With job control, background jobs do not ignore SIGINT.
+set -m
+"$rubsweep" run.csv --machine machine.yaml --motions 100000 --threads 1 --progress always --output stopped \
+  --table stopped_cases >stdout 2>stderr </dev/null &
+pid=$!
+until [[ -s stderr ]]; do
+  kill -0 "$pid" 2>/dev/null || fail 'ended before it was interrupted'
+  sleep 0.02
+done
+sleep 1
+kill -INT "$pid"
+code=0
+wait "$pid" || code=$?
+set +m
+[[ $code == 130 ]] || fail "exit code $code, expected 130"
+expect_contains stderr 'rubdiagnose: interrupted; the answer so far is written'
+expect_contains stdout 'interrupted: an answer by the motions simulated so far'
+expect_files stopped "${files[@]}"
+expect_contains stopped/diagnosis.json '"interrupted": true'
+expect_missing stopped_cases
+
+# Nothing is written on bad input.
+expect_usage_error 'a recording and its machine are needed' run.csv
+expect_usage_error 'a recording and its machine are needed' --machine machine.yaml
+expect_usage_error '--motions: 49, allowed: 50 to 100000' run.csv --machine machine.yaml --motions 49
+expect_usage_error '--rounds: 51, allowed: 0 to 50' run.csv --machine machine.yaml --rounds 51
+expect_usage_error '--seed: -1, allowed: 0 or more' run.csv --machine machine.yaml --seed -1
+expect_exit 1 run.csv --machine machine.yaml --motions many
+# refuse TEXT ARGUMENT...: a call is refused with this text.
+refuse() {
+  local text=$1
+  shift
+  expect_exit 2 "$@" --motions 60 --output none
+  expect_contains stderr "$text"
+  expect_empty stdout
+  expect_missing none
+}
+refuse 'rotor: is a rotor kit, allowed: a Jeffcott rotor' run.csv --machine "$top/configs/rotor_kit.yaml"
+# bad_machine LINE: a machine that differs from that of minimal.yaml by this line.
+bad_machine() { printf 'base: %s\n%s\n' "$minimal" "$1" >bad.yaml; }
+bad_machine 'gravity_m_per_s2: 9.81'
+refuse 'bad.yaml: gravity_m_per_s2: is not 0' run.csv --machine bad.yaml
+bad_machine 'rotor: {damping_ratio: 0}'
+refuse 'bad.yaml: rotor.damping_ratio: is 0' run.csv --machine bad.yaml
+# bad_list LINES TEXT: these candidates are refused with this text.
+bad_list() {
+  printf '%b' "$1" >list.yaml
+  refuse "$2" run.csv --machine machine.yaml --candidates list.yaml
+}
+bad_list 'candidats: [no_rub, annular]\n' "did you mean 'candidates'?"
+bad_list 'candidates: [no_rub, {kind: one_side, stifness_n_per_m: 1.0e6}]\n' "did you mean 'stiffness_n_per_m'?"
+bad_list 'candidates: [no_rub, anular]\n' "did you mean 'annular'?"
+bad_list 'clearance_m: 1.0e-4\nclearance_m: 2.0e-4\n' 'list.yaml:2:1: clearance_m: '
+bad_list 'candidates: [annular]\n' 'list.yaml:1:13: candidates: has nothing to choose from'
+bad_list 'candidates: [no_rub, annular]\nprior: [1, 0]\n' 'list.yaml:2:8: prior: has a share that is not above 0'
+
+# Too short, and of a speed that changes.
+head -n 700 run.csv >short.csv
+refuse 'whole turns, allowed: 12 or more' short.csv --machine machine.yaml --instrument run.yaml
+python3 - <<'END'
+import math
+
+with open("ramp.csv", "w", encoding="utf-8") as file:
+    file.write("t_s,x_m,y_m,keyphasor_v\n")
+    for k in range(5000):
+        t = k / 5000
+        turns = 40 * t + 10 * t * t
+        angle = 2 * math.pi * turns
+        file.write(f"{t},{1e-4 * math.cos(angle)},{1e-4 * math.sin(angle)},{-2 if turns % 1 < 0.1 else -12}\n")
+END
+refuse 'ramp.csv: the speed changes, allowed: a steady one' ramp.csv --machine machine.yaml --instrument run.yaml
+expect_exit 3 missing.csv --machine machine.yaml --instrument run.yaml --output none
+expect_exit 3 run.csv --machine missing.yaml --output none
