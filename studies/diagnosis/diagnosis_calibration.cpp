@@ -159,7 +159,7 @@ diagnose::features::DescribedMotion seen_in(const recording::Recording& recordin
   return diagnose::features::describe(lines, recording.plane, workspace);
 }
 
-/// What a rule by the spectrum alone says ("look for 1/2, 1/3 ..."; Muszynska 1989, Goldman and Muszynska
+/// Verdict of a rule by the spectrum alone ("look for 1/2, 1/3 ..."; Muszynska 1989, Goldman and Muszynska
 /// 1999).
 diagnose::Cause by_rule(const diagnose::features::DescribedMotion& seen) {
   const auto share = [&](std::string_view name) {

@@ -32,7 +32,7 @@ TEST(ObservedLines, HaveTheNoiseOfTheReadings) {
       }
   }
   EXPECT_EQ(probe_angle_rad, 0);
-  // Of 1000 complex readings with 0.1 in x and in y each line keeps 2 x 0.01 / 1000.
+  // Each line keeps 2 x 0.01 / 1000 of 1000 complex readings with 0.1 in x and in y.
   EXPECT_NEAR(sum / static_cast<double>(count), 2e-5, 0.02 * 2e-5);
 }
 

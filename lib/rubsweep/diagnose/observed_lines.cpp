@@ -40,7 +40,7 @@ MotionLines observed(const MotionLines& motion, const Measuring& measuring, Rand
     const double real = random.normal();
     a = of_a_line * Complex(real, random.normal());
   }
-  // Of one probe the noise is real, too.
+  // Noise of one probe is real, too.
   seen.amplitude += measuring.probes == 1 ? with_gains(rustle, 1, 0).amplitude : rustle.amplitude;
   return seen;
 }

@@ -1,4 +1,4 @@
-"""What rubdiagnose found: probabilities, and the recording with the simulated motion that is closest to it."""
+"""Findings of rubdiagnose: probabilities, and the recording with the simulated motion that is closest to it."""
 
 import os
 

@@ -23,7 +23,7 @@ TEST(Overlay, FindsScaleTurnAndMark) {
 TEST(Overlay, LeavesWhatTheOtherMotionDoesNotHave) {
   MotionLines other = small_motion();
   other.at(2) = 0;
-  // Of energies 1 and 1/4 a circle of the same size has 1 in common: |c|^2 / (1.25 x 1.25).
+  // Energies are 1 and 1/4: a circle of the same size has 1 in common: |c|^2 / (1.25 x 1.25).
   const double common = 1e-4 * std::sqrt(1.25) * 1e-4;
   const double left = 2 * 1.25e-8 - 2 * common;
   EXPECT_NEAR(lay_over(small_motion(), other, true).unexplained, left / 1.25e-8, 1e-9);
