@@ -90,7 +90,7 @@ MotionLines shown(const DiagnosisProblem& problem, const Diagnosis& diagnosis, s
   return lines;
 }
 
-/// Of the cases that weigh most those that leave the least of the recording.
+/// Cases that leave the least of the recording, among those that weigh most.
 std::vector<BestMotion> best_motions(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
                                      const MotionLines& recorded) {
   constexpr std::size_t looked_at = 25, most = 3;

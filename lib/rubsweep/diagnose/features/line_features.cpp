@@ -26,7 +26,7 @@ class HannEnergy {
     for (int k = first_; k <= last_; ++k) {
       if (k == 0) continue;
       const auto line = [&](int j) { return j == 0 || std::abs(j) > last_ ? Complex(0) : lines.at(j); };
-      // Of a line amidst a bin the window keeps 3/8 of the energy.
+      // The window keeps 3/8 of the energy of a line amidst a bin.
       share_[index(k)] = std::norm(line(k) / 2.0 - (line(k - 1) + line(k + 1)) / 4.0) * 8 / 3 / all;
     }
   }
@@ -154,7 +154,7 @@ void add_phases(const MotionLines& lines, Features& features) {
   }
 }
 
-/// Of one probe: A_b / A_a^m, where b = m a.
+/// The same of one probe: A_b / A_a^m, where b = m a.
 void add_phases_of_one_probe(const MotionLines& lines, Features& features) {
   const double size = size_of(lines);
   struct Relation {
