@@ -204,6 +204,17 @@ std::pair<std::size_t, double> of_the_nearest(const diagnose::features::Describe
   return {static_cast<std::size_t>(most - count.begin()), *most};
 }
 
+void print_header() {
+  std::string line = "machine,truth,motion_class,order,sampling_rate_hz,probes,speed_ratio";
+  for (const diagnose::Cause cause : diagnose::all_causes) line += fmt::format(",{}", to_string(cause));
+  line += ",none,p_value,rounds,sharpness,motions,rule,nearest,share_of_nearest";
+  for (const diagnose::Cause cause : diagnose::all_causes)
+    line += fmt::format(",{}_before_rounds", to_string(cause));
+  for (const Quantity quantity : diagnose::inference::all_quantities)
+    line += fmt::format(",rank_of_{}", diagnose::inference::to_string(quantity));
+  fmt::print("{}\n", line);
+}
+
 struct Truth {
   std::string cause, motion_class;
   int order = 0;
@@ -231,11 +242,20 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
     Eigen::VectorXd weight = diagnosis.posterior.weight;
     for (Eigen::Index i = 0; i < weight.size(); ++i)
       if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != *truth.candidate) weight(i) = 0;
-    for (const Quantity quantity : diagnose::inference::all_quantities)
-      line += fmt::format(
-          ",{:.4f}", diagnose::inference::share_below(
-                         values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity), weight,
-                         truth_of(*truth.labelled, quantity), quantity == Quantity::stop_angle));
+    std::mt19937_64 random(machine);
+    for (const Quantity quantity : diagnose::inference::all_quantities) {
+      const Eigen::VectorXd values =
+          values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
+      const double value = truth_of(*truth.labelled, quantity);
+      // Equal values, as of a contact that never ends, have any rank among each other.
+      constexpr double equal = 1e-6;
+      const auto below = [&](double x) {
+        return diagnose::inference::share_below(values, weight, x, quantity == Quantity::stop_angle);
+      };
+      const double from = below(value - equal * std::abs(value)), to = below(value + equal * std::abs(value));
+      line += fmt::format(",{:.4f}",
+                          std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random));
+    }
   }
   fmt::print("{}\n", line);
   std::fflush(stdout);
@@ -279,8 +299,7 @@ void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
     print_row(machine, truth, studied, recording, problem, seen,
               diagnose::inference::diagnose(problem, seen, options, set));
   };
-  const std::size_t recordings_per_candidate = std::getenv("FOREIGN") ? 0 : 2,
-                    foreign_recordings = std::getenv("FOREIGN") ? 6 : 2;
+  constexpr std::size_t recordings_per_candidate = 2, foreign_recordings = 2;
   for (std::size_t k = 0; k < recordings_per_candidate * problem.candidates.size(); ++k) {
     const std::size_t truth = k % problem.candidates.size();
     const auto labelled = draw_recording(study_of(studied, problem.candidates[truth].cause, random()));
@@ -300,6 +319,7 @@ void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
 int main(int argc, char** argv) {
   if (argc < 6) return 1;
   const auto number = [&](int k) { return static_cast<std::size_t>(std::strtoul(argv[k], nullptr, 10)); };
+  print_header();
   for (std::size_t machine = number(1); machine < number(1) + number(2); ++machine)
     run(machine, number(3), static_cast<int>(number(4)), static_cast<int>(number(5)));
 }
