@@ -112,10 +112,11 @@ int Tree::grow(const LabelledSamples& samples, const BinnedFeatures& binned, con
     const auto f = static_cast<std::size_t>(best.feature);
     node.feature = best.feature;
     node.threshold = binned.edges[f][static_cast<std::size_t>(best.last_below)];
-    const auto middle = std::ranges::stable_partition(
-        members, [&](int i) { return binned.bin[f][static_cast<std::size_t>(i)] <= best.last_below; });
-    std::vector<int> above(middle.begin(), middle.end());
-    members.erase(middle.begin(), middle.end());
+    const auto middle = std::stable_partition(members.begin(), members.end(), [&](int i) {
+      return binned.bin[f][static_cast<std::size_t>(i)] <= best.last_below;
+    });
+    std::vector<int> above(middle, members.end());
+    members.erase(middle, members.end());
     node.below = grow(samples, binned, options, random, std::move(members));
     node.above = grow(samples, binned, options, random, std::move(above));
   }
