@@ -24,8 +24,9 @@ Eigen::RowVectorXd sharpened(const Eigen::RowVectorXd& probability, double power
   return raised / raised.sum();
 }
 
-/// Power that makes the true candidates of cases that a tree did not draw most likely (temperature scaling;
-/// Guo et al. 2017).
+/// Power up to 1 that makes the true candidates of cases that a tree did not draw most likely. Above 1 it
+/// would make the whole forest too sure: few trees have not drawn a case, and these are less sure than all
+/// (temperature scaling; Guo et al. 2017).
 double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>& label,
                       const Eigen::VectorXd& weight) {
   const auto loss = [&](double power) {
@@ -37,7 +38,7 @@ double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>&
   };
   // Golden section of a convex function.
   constexpr double golden = 0.6180339887498949;
-  double low = 0.2, high = 5;
+  double low = 0.2, high = 1;
   for (int k = 0; k < 30; ++k) {
     const double a = high - golden * (high - low), b = low + golden * (high - low);
     (loss(a) < loss(b) ? high : low) = loss(a) < loss(b) ? b : a;
