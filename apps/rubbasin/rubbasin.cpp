@@ -93,11 +93,11 @@ int write_slice(const RubbasinArguments& arguments, const Plane& plane, const co
   if (arguments.figure) {
     const bool by_ratio = config.study.grid.measure == sweep::UnbalanceMeasure::whirl_ratio;
     const double unbalance = arguments.cell.unbalance;
-    arguments.figure->draw("basin", directory,
-                           fmt::format("Basins at {}, {}", model::speed_text(arguments.cell.speed_hz),
-                                       by_ratio ? fmt::format("whirl ratio {:.6g}", unbalance)
-                                                : fmt::format("eccentricity {:.6g} mm", 1e3 * unbalance)));
-    if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
+    draw_and_say(arguments.figure, "basin", directory,
+                 fmt::format("Basins at {}, {}", model::speed_text(arguments.cell.speed_hz),
+                             by_ratio ? fmt::format("whirl ratio {:.6g}", unbalance)
+                                      : fmt::format("eccentricity {:.6g} mm", 1e3 * unbalance)),
+                 arguments.quiet);
   }
   return slice.basins.failed > 0 ? some_cells_failed : done;
 }

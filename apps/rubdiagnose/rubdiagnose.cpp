@@ -187,11 +187,8 @@ int look(const RubdiagnoseArguments& arguments) {
   if (!arguments.quiet)
     print("{}{}", diagnose::answer::answer_text(answer, arguments.shown),
           batch::files_line(files, arguments.directory));
-  if (const auto& figure = arguments.figure) {
-    figure->draw("diagnosis", arguments.directory, arguments.recording.filename().string(),
-                 drawn_lengths(arguments.shown, true, false));
-    if (!arguments.quiet) print("figure    {}\n", figure->file().string());
-  }
+  draw_and_say(arguments.figure, "diagnosis", arguments.directory, arguments.recording.filename().string(),
+               arguments.quiet, drawn_lengths(arguments.shown, true, false));
   if (stop) {
     say("rubdiagnose: interrupted; the answer so far is written\n");
     return 128 + caught_signal();

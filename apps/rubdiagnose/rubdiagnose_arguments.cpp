@@ -18,11 +18,10 @@ po::options_description visible_options() {
       "machine", yaml(),
       "configuration of the rotor, as rubfit leaves it; parameters.csv beside it has the intervals")(
       "candidates", yaml(),
-      "what is asked about, with ranges for what is not known; the usual list unless given")(
-      "instrument", yaml(),
-      "probes, keyphasor and clock of the recording instead of RECORDING with the ending .yaml")(
-      "motions", po::value<int>()->value_name("N")->default_value(600),
-      "simulated motions of each candidate to begin with")(
+      "what is asked about, with ranges for what is not known; the usual list unless given");
+  add_instrument(options);
+  options.add_options()("motions", po::value<int>()->value_name("N")->default_value(600),
+                        "simulated motions of each candidate to begin with")(
       "rounds", po::value<int>()->value_name("N")->default_value(3),
       "most rounds of further motions near those that resemble the recording")(
       "seed", po::value<long>()->value_name("N")->default_value(1), "of the random numbers")(
@@ -73,28 +72,17 @@ std::string rubdiagnose_help() {
 }
 
 RubdiagnoseArguments parse_rubdiagnose_arguments(int argc, const char* const* argv) {
-  po::options_description all = visible_options();
-  all.add_options()("recording", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("recording", -1);
-  const po::variables_map given = read_command_line(argc, argv, all, positional);
-  RubdiagnoseArguments arguments{.action = action_of(given), .quiet = given.count("quiet") > 0};
-  if (arguments.action != Action::run) return arguments;
-  const auto names = given.count("recording") ? given["recording"].as<std::vector<std::string>>()
-                                              : std::vector<std::string>{};
-  if (names.size() != 1 || !given.count("machine"))
+  const po::variables_map given = read_recording_command_line(argc, argv, visible_options());
+  if (action_of(given) == Action::run && (!given.count("recording") || !given.count("machine")))
     throw UsageError("a recording and its machine are needed: rubdiagnose RECORDING --machine MACHINE.yaml");
-  arguments.recording = arguments.instrument = arguments.directory = names.front();
-  arguments.instrument.replace_extension(".yaml");
-  arguments.directory.replace_extension();
-  arguments.directory += "_diagnosis";
+  RubdiagnoseArguments arguments{
+      recording_arguments(given, "rubdiagnose RECORDING --machine MACHINE.yaml", "_diagnosis")};
+  if (arguments.action != Action::run) return arguments;
   arguments.machine = arguments.table = given["machine"].as<std::string>();
   arguments.table.replace_extension();
   arguments.table += "_cases";
-  if (given.count("instrument")) arguments.instrument = given["instrument"].as<std::string>();
   if (given.count("candidates")) arguments.candidates = given["candidates"].as<std::string>();
   if (given.count("table")) arguments.table = given["table"].as<std::string>();
-  if (given.count("output")) arguments.directory = given["output"].as<std::string>();
   arguments.motions = number_of(given, "motions", 50, 100'000);
   arguments.rounds = number_of(given, "rounds", 0, 50);
   const long seed = given["seed"].as<long>();

@@ -7,15 +7,13 @@
 
 #include "rubsweep/batch/progress_mode.hpp"
 #include "rubsweep/model/length_text.hpp"
-#include "shared/action.hpp"
 #include "shared/figure.hpp"
+#include "shared/recording_arguments.hpp"
 
 namespace rubsweep::apps {
 
-struct RubdiagnoseArguments {
-  Action action = Action::run;
-  bool quiet = false;
-  std::filesystem::path recording = {}, instrument = {}, machine = {}, directory = {}, table = {};
+struct RubdiagnoseArguments : RecordingArguments {
+  std::filesystem::path machine = {}, table = {};
   std::optional<std::filesystem::path> candidates = {};  ///< empty: the usual ones
   std::uint64_t seed = 1;
   int motions = 600, rounds = 3, threads = 0;

@@ -112,11 +112,8 @@ int run(const RubfitArguments& arguments) {
     say("rubfit: interrupted; the best so far is written\n");
     return 128 + caught_signal();
   }
-  if (const auto& figure = arguments.figure) {
-    end_on_interrupts("the files are written, no figure is");
-    figure->draw("fit", directory, arguments.config.filename().string());
-    if (!arguments.quiet) print("figure    {}\n", figure->file().string());
-  }
+  if (arguments.figure) end_on_interrupts("the files are written, no figure is");
+  draw_and_say(arguments.figure, "fit", directory, arguments.config.filename().string(), arguments.quiet);
   return result.fit.converged ? done : some_cells_failed;
 }
 

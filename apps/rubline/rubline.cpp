@@ -232,9 +232,7 @@ class LineRun {
   }
 
   void draw(const std::string& picture, std::string_view what, const std::optional<Figure>& figure) const {
-    if (!figure) return;
-    figure->draw(picture, directory_, fmt::format("{}{}", what, where()));
-    if (!arguments_.quiet) print("figure    {}\n", figure->file().string());
+    draw_and_say(figure, picture, directory_, fmt::format("{}{}", what, where()), arguments_.quiet);
   }
 
   /// Description of all that is constant along the line: " at 75 Hz (4500 rpm), whirl ratio 0.4".

@@ -99,11 +99,8 @@ int look(const RubscopeArguments& arguments) {
     end_on_interrupts("the files are written");
   }
   if (!arguments.quiet) print("{}{}", tables.summary, batch::files_line(files, arguments.directory));
-  if (const auto& figure = arguments.figure) {
-    figure->draw("scope", arguments.directory, file.filename().string(),
-                 drawn_lengths(arguments.shown, true, true));
-    if (!arguments.quiet) print("figure    {}\n", figure->file().string());
-  }
+  draw_and_say(arguments.figure, "scope", arguments.directory, file.filename().string(), arguments.quiet,
+               drawn_lengths(arguments.shown, true, true));
   return done;
 }
 

@@ -18,9 +18,7 @@ namespace fs = std::filesystem;
 
 po::options_description visible_options() {
   po::options_description options("Options");
-  options.add_options()(
-      "instrument", po::value<std::string>()->value_name("FILE.yaml"),
-      "probes, keyphasor and clock of the recording instead of RECORDING with the ending .yaml");
+  add_instrument(options);
   options.add_options()("orders", po::value<std::string>()->value_name("P,P,..."),
                         "orders of the Bode plot, multiples of 1/8; 1,2 unless given")(
       "compare", po::value<std::string>()->value_name("CONFIG.yaml"),
@@ -97,22 +95,9 @@ std::string rubscope_help() {
 }
 
 RubscopeArguments parse_rubscope_arguments(int argc, const char* const* argv) {
-  po::options_description all = visible_options();
-  all.add_options()("recording", po::value<std::vector<std::string>>());
-  po::positional_options_description positional;
-  positional.add("recording", -1);
-  const po::variables_map given = read_command_line(argc, argv, all, positional);
-  RubscopeArguments arguments{.action = action_of(given), .quiet = given.count("quiet") > 0};
+  const po::variables_map given = read_recording_command_line(argc, argv, visible_options());
+  RubscopeArguments arguments{recording_arguments(given, "rubscope RECORDING", "_scope")};
   if (arguments.action != Action::run) return arguments;
-  const auto names = given.count("recording") ? given["recording"].as<std::vector<std::string>>()
-                                              : std::vector<std::string>{};
-  if (names.size() != 1) throw UsageError("one recording is needed: rubscope RECORDING");
-  arguments.recording = arguments.instrument = arguments.directory = names.front();
-  arguments.instrument.replace_extension(".yaml");
-  arguments.directory.replace_extension();
-  arguments.directory += "_scope";
-  if (given.count("instrument")) arguments.instrument = given["instrument"].as<std::string>();
-  if (given.count("output")) arguments.directory = given["output"].as<std::string>();
   if (given.count("orders")) arguments.orders = orders_of(given["orders"].as<std::string>());
   arguments.compared = compared_of(given);
   arguments.shown = shown_lengths_of(given);

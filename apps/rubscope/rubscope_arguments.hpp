@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "rubsweep/model/length_text.hpp"
-#include "shared/action.hpp"
 #include "shared/cell_argument.hpp"
 #include "shared/figure.hpp"
+#include "shared/recording_arguments.hpp"
 
 namespace rubsweep::apps {
 
@@ -19,10 +19,7 @@ struct ComparedCell {
   CellArgument cell;
 };
 
-struct RubscopeArguments {
-  Action action = Action::run;
-  bool quiet = false;
-  std::filesystem::path recording = {}, instrument = {}, directory = {};
+struct RubscopeArguments : RecordingArguments {
   std::vector<double> orders = {1, 2};  ///< of the Bode plot, multiples of 1/8
   std::optional<ComparedCell> compared = {};
   model::ShownLengths shown = {};  ///< in the printed text

@@ -97,12 +97,9 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
   }
   if (!arguments.quiet)
     print("{}{}", design::design_page(check, arguments.shown), batch::files_line(files, directory));
-  if (arguments.figure) {
-    arguments.figure->draw(
-        "design", directory,
-        "Design check, " + model::speed_range_text(check.operating.from_hz, check.operating.to_hz, 4));
-    if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
-  }
+  draw_and_say(arguments.figure, "design", directory,
+               "Design check, " + model::speed_range_text(check.operating.from_hz, check.operating.to_hz, 4),
+               arguments.quiet);
   return done;
 }
 

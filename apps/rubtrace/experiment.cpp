@@ -172,8 +172,8 @@ int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& 
   if (arguments.figure) {
     const auto [picture, heading] = drawing_of(arguments);
     const bool is_bode = arguments.run_up && !arguments.with_stops;
-    arguments.figure->draw(picture, directory, heading, drawn_lengths(arguments.shown, is_bode, is_bode));
-    if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
+    draw_and_say(arguments.figure, picture, directory, heading, arguments.quiet,
+                 drawn_lengths(arguments.shown, is_bode, is_bode));
   }
   if (run == integrate::run::Outcome::ok) return done;
   say(fmt::format("rubtrace: the run-up failed: {}; the files end there\n", to_string(run)));

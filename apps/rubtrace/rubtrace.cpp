@@ -188,7 +188,8 @@ int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
   if (scene::can_run(cell.start)) {
     trace = trace::trace_run(integrate::start(cell.scene, study.solver, workspace.modes).advance, cell.scene,
                              study.solver, options);
-    add_trace(trace, options, study, row, cell.scene.length_scale_m, arguments.shown, workspace, files, summary);
+    add_trace(trace, options, study, row, cell.scene.length_scale_m, arguments.shown, workspace, files,
+              summary);
   }
   working.reset();
   {
@@ -200,10 +201,9 @@ int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
   }
   count_in_summary("revolutions", static_cast<std::size_t>(trace.revolutions));
   if (!arguments.quiet) print("{}{}", summary, batch::files_line(files, directory));
-  if (arguments.figure && trace.revolutions > 0) {
-    arguments.figure->draw("trace", directory, "One cell under the lens", drawn_lengths(arguments.shown, true, false));
-    if (!arguments.quiet) print("figure    {}\n", arguments.figure->file().string());
-  }
+  if (trace.revolutions > 0)
+    draw_and_say(arguments.figure, "trace", directory, "One cell under the lens", arguments.quiet,
+                 drawn_lengths(arguments.shown, true, false));
   if (!scene::can_run(cell.start)) return cannot_start(cell.start);
   if (trace.outcome == integrate::run::Outcome::ok) return done;
   say(fmt::format("rubtrace: the run failed in revolution {}: {}; the files end there\n",

@@ -91,6 +91,13 @@ void Figure::draw(const std::string& picture, const fs::path& input, const std::
   batch::write_whole_file(file_, batch::read_input(output));
 }
 
+void draw_and_say(const std::optional<Figure>& figure, const std::string& picture, const fs::path& input,
+                  const std::string& heading, bool quiet, const std::vector<std::string>& options) {
+  if (!figure) return;
+  figure->draw(picture, input, heading, options);
+  if (!quiet) print("figure    {}\n", figure->file().string());
+}
+
 std::optional<Figure> figure_of(const po::variables_map& given, const std::string& option) {
   if (given.count(option) == 0) return std::nullopt;
   return Figure(given[option].as<std::string>(), option);

@@ -30,6 +30,11 @@ class Figure {
   std::filesystem::path file_, rubplot_;
 };
 
+/// Draws the figure where one is asked for, and says where it is unless `quiet`; else as Figure::draw.
+void draw_and_say(const std::optional<Figure>& figure, const std::string& picture,
+                  const std::filesystem::path& input, const std::string& heading, bool quiet,
+                  const std::vector<std::string>& options = {});
+
 /// The figure that --figure, or another option of that kind, asks for, if it does.
 std::optional<Figure> figure_of(const po::variables_map& given, const std::string& option = "figure");
 

@@ -234,9 +234,9 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
                                  truth.order, studied.sampling_rate_hz, studied.probes, studied.speed_ratio);
   for (const double p : diagnosis.posterior.probability) line += fmt::format(",{:.4f}", p);
   line += fmt::format(",{:.4f},{:.4f},{},{:.3f},{},{},{},{:.3f}", clipped ? 1 : diagnosis.posterior.none,
-                      diagnosis.posterior.p_value, diagnosis.history.size() - 1,
-                      diagnosis.posterior.sharpness, diagnosis.set.cases.size(), to_string(by_rule(seen)),
-                      problem.candidates[nearest].name, share);
+                      diagnosis.p_value, diagnosis.history.size() - 1, diagnosis.posterior.sharpness,
+                      diagnosis.set.cases.size(), to_string(by_rule(seen)), problem.candidates[nearest].name,
+                      share);
   for (const double p : diagnosis.history.front()) line += fmt::format(",{:.4f}", p);
   if (truth.candidate) {
     Eigen::VectorXd weight = diagnosis.posterior.weight;

@@ -54,7 +54,7 @@ TEST(LastingMotion, WithoutContactIsTheWhirlOfTheUnbalance) {
   Point values = rubbing_point();
   const model::Machine machine = drawn_machine(Cause::no_rub, values, 1e-4, {});
   const double speed_hz = 70, r = speed_hz / 30, damping = 0.02;
-  const auto motion = quiet_motion(machine, speed_hz, scene::Eccentricity{1e-5}, 12, spectrum);
+  const auto motion = motion_without_contact(machine, speed_hz, scene::Eccentricity{1e-5}, 12, spectrum);
   ASSERT_TRUE(motion);
   const double amplitude = 1e-5 * r * r / std::hypot(1 - r * r, 2 * damping * r);
   EXPECT_NEAR(std::abs(motion->lines.at(12)), amplitude, 1e-6 * amplitude);

@@ -9,6 +9,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/fit/fit_tables.hpp"
 #include "rubsweep/fit/free_vibration.hpp"
+#include "rubsweep/fit/ramp_phasor.hpp"
 #include "rubsweep/identify/linear_run.hpp"
 #include "scene/one_side_machine.hpp"
 

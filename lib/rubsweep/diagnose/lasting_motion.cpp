@@ -60,9 +60,9 @@ std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, doubl
   return motion;
 }
 
-std::optional<LastingMotion> quiet_motion(const model::Machine& machine, double speed_hz,
-                                          const scene::Unbalance& unbalance, int turns,
-                                          response::spectrum::SpectrumWorkspace& workspace) {
+std::optional<LastingMotion> motion_without_contact(const model::Machine& machine, double speed_hz,
+                                                    const scene::Unbalance& unbalance, int turns,
+                                                    response::spectrum::SpectrumWorkspace& workspace) {
   const scene::Cell cell = scene::build_cell(machine, speed_hz, unbalance);
   if (cell.start != scene::Start::quiet) return std::nullopt;
   integrate::exact::modes::ModeCache modes;

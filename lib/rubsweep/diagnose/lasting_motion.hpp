@@ -29,8 +29,8 @@ std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, doubl
                                             response::spectrum::SpectrumWorkspace& workspace);
 
 /// The same of a machine that touches nothing: its quiet motion.
-std::optional<LastingMotion> quiet_motion(const model::Machine& machine, double speed_hz,
-                                          const scene::Unbalance& unbalance, int turns,
-                                          response::spectrum::SpectrumWorkspace& workspace);
+std::optional<LastingMotion> motion_without_contact(const model::Machine& machine, double speed_hz,
+                                                    const scene::Unbalance& unbalance, int turns,
+                                                    response::spectrum::SpectrumWorkspace& workspace);
 
 }  // namespace rubsweep::diagnose

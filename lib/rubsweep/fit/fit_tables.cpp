@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/fit/modelled_data.hpp"
 #include "rubsweep/fit/residual_test.hpp"
 #include "rubsweep/overloaded.hpp"
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "rubsweep/fit/ramp_phasor.hpp"
+#include "rubsweep/fit/ramp.hpp"
 
 namespace rubsweep::fit {
 

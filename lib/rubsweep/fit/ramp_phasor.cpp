@@ -1,6 +1,5 @@
 #include "rubsweep/fit/ramp_phasor.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "rubsweep/error.hpp"
 #include "rubsweep/fit/mode_set.hpp"
+#include "rubsweep/fit/ramp_window.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 #include "rubsweep/structure/system_at.hpp"
 #include "rubsweep/structure/tabled_support.hpp"
@@ -36,62 +35,6 @@ constexpr std::array<GaussPoint, 5> gauss{{{0.046910077030668, 0.118463442528095
                                            {0.5, 0.284444444444444},
                                            {0.769234655052842, 0.239314335249683},
                                            {0.953089922969332, 0.118463442528095}}};
-
-/// Piece of a ramp with knots that holds an instant, or is the nearest one.
-std::size_t piece_of(const Ramp& ramp, double t_s) {
-  const auto above = std::ranges::upper_bound(ramp.knot_s, t_s) - ramp.knot_s.begin();
-  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(ramp.knot_s) - 2));
-}
-
-double rate_hz_per_s(const Ramp& ramp, std::size_t piece) {
-  return (ramp.knot_hz[piece + 1] - ramp.knot_hz[piece]) / (ramp.knot_s[piece + 1] - ramp.knot_s[piece]);
-}
-
-/// Shaft's speed and angle over time, in radians.
-class Turning {
- public:
-  explicit Turning(const Ramp& ramp) : ramp_(ramp) {
-    if (ramp.even()) {
-      most_gain_ = std::abs(2 * pi * ramp.rate_hz_per_s);
-      return;
-    }
-    turns_.push_back(0);
-    for (std::size_t k = 0; k + 1 < ramp.knot_s.size(); ++k) {
-      turns_.push_back(turns_.back() +
-                       (ramp.knot_hz[k] + ramp.knot_hz[k + 1]) / 2 * (ramp.knot_s[k + 1] - ramp.knot_s[k]));
-      most_gain_ = std::max(most_gain_, std::abs(2 * pi * rate_hz_per_s(ramp, k)));
-    }
-  }
-
-  double speed(double t) const { return 2 * pi * speed_hz(ramp_, t); }
-  double gain(double t) const {
-    return 2 * pi * (ramp_.even() ? ramp_.rate_hz_per_s : rate_hz_per_s(ramp_, piece_of(ramp_, t)));
-  }
-  double angle(double t) const {
-    if (ramp_.even()) return 2 * pi * (ramp_.from_hz * t + ramp_.rate_hz_per_s * t * t / 2);
-    const std::size_t piece = piece_of(ramp_, t);
-    const double since = t - ramp_.knot_s[piece];
-    return 2 * pi *
-           (turns_[piece] + ramp_.knot_hz[piece] * since + rate_hz_per_s(ramp_, piece) * since * since / 2);
-  }
-  double most_gain() const { return most_gain_; }
-
-  /// Lowest and highest speed between two instants: at one of them or at a knot.
-  std::pair<double, double> speeds_between(double from_s, double to_s) const {
-    auto [low, high] = std::minmax({speed(from_s), speed(to_s)});
-    for (std::size_t k = 0; k < ramp_.knot_s.size(); ++k) {
-      if (ramp_.knot_s[k] <= from_s || ramp_.knot_s[k] >= to_s) continue;
-      low = std::min(low, 2 * pi * ramp_.knot_hz[k]);
-      high = std::max(high, 2 * pi * ramp_.knot_hz[k]);
-    }
-    return {low, high};
-  }
-
- private:
-  Ramp ramp_;
-  std::vector<double> turns_;  ///< at the knots
-  double most_gain_ = 0;
-};
 
 /// Forces that turn with the shaft, and modes, at the speed of the moment: one column of the motion for the
 /// unbalance of an eccentricity of 1 m, one for the bow.
@@ -203,7 +146,7 @@ class Ramped {
   }
 
   const scene::PreparedMachine& prepared_;
-  Turning turning_;
+  RampTurning turning_;
   Eigen::VectorXcd unbalance_kg_, bow_n_;
   double stretch_s_ = 0, stretch_begin_s_ = 0, now_s_ = 0;
   std::optional<ModeSet> modes_;
@@ -212,86 +155,17 @@ class Ramped {
   std::vector<bool> follows_;
 };
 
-/// Places of a window, from -1 to 1, that a polynomial of fourth degree goes through.
-constexpr std::array<double, 5> places{-1, -0.5, 0, 0.5, 1};
-constexpr auto degrees = static_cast<Eigen::Index>(places.size());
-
-/// Weights of values at `places` in the means, over a window of some turns, of themselves and times
-/// e^{-2i phi}, phi = 0 in the middle.
-struct WindowWeights {
-  Eigen::RowVectorXd mean;
-  Eigen::RowVectorXcd mirrored;
-};
-
-WindowWeights window_weights(double turns) {
-  // Means of the powers u^p and u^p e^{-i k u}, by parts, where e^{ik} = 1.
-  const double k = 2 * pi * turns;
-  Eigen::MatrixXd powers(degrees, degrees);
-  Eigen::RowVectorXd mean(degrees);
-  Eigen::RowVectorXcd mirrored(degrees);
-  Complex before = 0;
-  for (Eigen::Index p = 0; p < degrees; ++p) {
-    for (Eigen::Index j = 0; j < degrees; ++j)
-      powers(p, j) = std::pow(places[static_cast<std::size_t>(j)], p);
-    const auto power = static_cast<double>(p);
-    const bool odd = p % 2 == 1;
-    mean(p) = odd ? 0 : 1 / (power + 1);
-    before = (odd ? Complex(0, 1 / k) : 0) - Complex(0, power / k) * before;
-    mirrored(p) = before;
-  }
-  const Eigen::MatrixXd inverse = powers.inverse();
-  return {(inverse * mean.transpose()).transpose(),
-          (inverse.cast<Complex>() * mirrored.transpose()).transpose()};
-}
-
-/// An instant of a window and its weights.
-struct Node {
-  double t_s = 0, weight = 0;
-  Complex mirrored;
-  Eigen::Index point = 0;
-};
-
-/// Nodes of all windows, earliest first: equally far apart in the shaft's angle.
-std::vector<Node> window_nodes(const Ramp& ramp, const std::vector<double>& t_s, double window_turns) {
-  std::vector<Node> nodes;
-  const WindowWeights weights = window_weights(std::max(window_turns, 1.0));
-  for (std::size_t k = 0; k < t_s.size(); ++k) {
-    const auto point = static_cast<Eigen::Index>(k);
-    const double now_hz = speed_hz(ramp, t_s[k]);
-    if (!(now_hz > 0)) throw ConfigError("a ramp reaches speed 0, allowed: speeds above it");
-    const double half_s = window_turns / now_hz / 2;
-    if (!(half_s > 0)) {
-      nodes.push_back({t_s[k], 1, 0, point});
-      continue;
-    }
-    const double change = (speed_hz(ramp, t_s[k] + half_s) - speed_hz(ramp, t_s[k] - half_s)) / now_hz;
-    for (Eigen::Index j = 0; j < degrees; ++j) {
-      const double u = places[static_cast<std::size_t>(j)];
-      nodes.push_back(
-          {t_s[k] + half_s * (u - change * u * u / 4), weights.mean(j), weights.mirrored(j), point});
-    }
-  }
-  std::ranges::sort(nodes, {}, &Node::t_s);
-  return nodes;
-}
-
 }  // namespace
-
-double speed_hz(const Ramp& ramp, double t_s) {
-  if (ramp.even()) return ramp.from_hz + ramp.rate_hz_per_s * t_s;
-  const std::size_t piece = piece_of(ramp, t_s);
-  return ramp.knot_hz[piece] + rate_hz_per_s(ramp, piece) * (t_s - ramp.knot_s[piece]);
-}
 
 RampParts ramp_parts(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows, const Ramp& ramp,
                      const std::vector<double>& t_s, double window_turns) {
-  const std::vector<Node> nodes = window_nodes(ramp, t_s, window_turns);
+  const std::vector<WindowNode> nodes = window_nodes(ramp, t_s, window_turns);
   RampParts parts;
   parts.per_eccentricity = parts.bow_m = parts.per_eccentricity_mirrored = parts.bow_mirrored_m =
       Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(t_s.size()), rows.rows());
   if (nodes.empty()) return parts;
   double low_hz = INFINITY, high_hz = 0;
-  for (const Node& node : nodes) {
+  for (const WindowNode& node : nodes) {
     low_hz = std::min(low_hz, speed_hz(ramp, node.t_s));
     high_hz = std::max(high_hz, speed_hz(ramp, node.t_s));
   }
@@ -299,7 +173,7 @@ RampParts ramp_parts(const scene::PreparedMachine& prepared, const Eigen::Matrix
   structure::refuse_changing_mass(prepared.machine, "a ramp");
   Ramped run(prepared, ramp, nodes.front().t_s, nodes.back().t_s);
   const Eigen::MatrixXcd seen = rows.cast<Complex>();
-  for (const Node& node : nodes) {
+  for (const WindowNode& node : nodes) {
     const Eigen::MatrixX2cd both = seen * run.advance(node.t_s);
     parts.per_eccentricity.row(node.point) += node.weight * both.col(0).transpose();
     parts.bow_m.row(node.point) += node.weight * both.col(1).transpose();

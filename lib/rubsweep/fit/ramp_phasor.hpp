@@ -3,20 +3,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "rubsweep/fit/ramp.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 
 namespace rubsweep::fit {
-
-/// Shaft angle phi = 2 pi (from_hz t + rate_hz_per_s t^2 / 2); or, of a speed that changes unevenly, straight
-/// lines between the speeds at ascending instants, of which the first and last go on beyond them.
-struct Ramp {
-  double from_hz = 0;
-  double rate_hz_per_s = 0;
-  std::vector<double> knot_s{}, knot_hz{};  ///< empty, or two or more of each
-
-  bool even() const { return knot_s.empty(); }
-};
-double speed_hz(const Ramp& ramp, double t_s);
 
 /// 1X of a machine without its stops while its shaft speed changes: A of the displacement Re(A e^{i
 /// phi}) that unbalance and bow make, at ascending instants, one row each, one column for each row of `rows`

@@ -3,19 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string_view>
 
 #include "turned_lines.hpp"
+#include "value_of.hpp"
 
 namespace rubsweep::diagnose::features {
 namespace {
-
-double value_of(const Features& features, std::string_view name) {
-  for (const Feature& feature : features)
-    if (feature.name == name) return feature.value;
-  ADD_FAILURE() << name;
-  return 0;
-}
 
 TEST(LineFeatures, AreSharesOfTheEnergy) {
   const MotionLines lines = crooked_motion();

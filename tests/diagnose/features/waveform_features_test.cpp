@@ -5,17 +5,11 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <string_view>
+
+#include "value_of.hpp"
 
 namespace rubsweep::diagnose::features {
 namespace {
-
-double value_of(const Features& features, std::string_view name) {
-  for (const Feature& feature : features)
-    if (feature.name == name) return feature.value;
-  ADD_FAILURE() << name;
-  return 0;
-}
 
 Eigen::VectorXcd circle(int count) {
   Eigen::VectorXcd z(count);

@@ -19,13 +19,19 @@ TEST(Posterior, KnowsASubharmonicRubFromNone) {
   EXPECT_GT(none.probability(0), 0.8);
   for (const Posterior& posterior : {rub, none}) {
     EXPECT_NEAR(posterior.probability.sum(), 1, 1e-12);
-    EXPECT_GT(posterior.p_value, 0.01);
     EXPECT_LT(posterior.none, 0.5);
     double of_second = 0;
     for (std::size_t i = 0; i < small_set().cases.size(); ++i)
       if (small_set().cases[i].candidate == 1) of_second += posterior.weight(static_cast<Eigen::Index>(i));
     EXPECT_NEAR(of_second, posterior.probability(1), 0.01);
   }
+}
+
+TEST(PosteriorPValue, FindsNothingStrangeInACase) {
+  ObservedCases observed;
+  observe_cases(small_problem(), small_set(), 0, observed);
+  for (const std::size_t candidate : {0U, 1U})
+    EXPECT_GT(p_value_of(small_set(), observed, recorded_case(candidate, 11), 0), 0.01);
 }
 
 TEST(Posterior, ExcludesClearancesThatTheCandidateDoesNotHave) {

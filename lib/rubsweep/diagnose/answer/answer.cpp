@@ -119,7 +119,7 @@ Answer answer_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
     return finding.find("clipped") != std::string::npos;
   });
   answer.none = answer.clipped ? 1 : diagnosis.posterior.none;
-  answer.p_value = diagnosis.posterior.p_value;
+  answer.p_value = diagnosis.p_value;
   answer.stands_still = diagnosis.stands_still;
   answer.rounds = static_cast<int>(diagnosis.history.size()) - 1;
   answer.cases = diagnosis.set.cases.size();

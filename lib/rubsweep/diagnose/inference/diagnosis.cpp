@@ -67,9 +67,11 @@ Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMot
           diagnosis.history.back() - diagnosis.history[diagnosis.history.size() - 2];
       diagnosis.stands_still = change.cwiseAbs().maxCoeff() < options.least_change;
     }
-    if (round == options.most_rounds || diagnosis.stands_still || stopped(options)) return diagnosis;
+    if (round == options.most_rounds || diagnosis.stands_still || stopped(options)) break;
     narrow(problem, options, round + 1, diagnosis);
   }
+  diagnosis.p_value = p_value_of(diagnosis.set, diagnosis.observed, seen, threads);
+  return diagnosis;
 }
 
 }  // namespace rubsweep::diagnose::inference

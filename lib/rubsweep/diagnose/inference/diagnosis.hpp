@@ -19,6 +19,7 @@ struct Diagnosis {
   ObservedCases observed{};
   Posterior posterior{};
   std::vector<Eigen::VectorXd> history{};  ///< probabilities of the candidates after each round
+  double p_value = 1;                      ///< p_value_of
   bool stands_still = false;               ///< the last round changed them by less than least_change
 };
 

@@ -61,7 +61,8 @@ std::optional<LastingMotion> run_again(const DiagnosisProblem& problem, const Si
       motion =
           rubbing_motion(machine_of(candidate.cause), problem.speed_hz, unbalance, problem.turns, workspace);
     if (!motion)
-      motion = quiet_motion(machine_of(Cause::no_rub), problem.speed_hz, unbalance, problem.turns, workspace);
+      motion = motion_without_contact(machine_of(Cause::no_rub), problem.speed_hz, unbalance, problem.turns,
+                                      workspace);
     return motion;
   } catch (const ConfigError&) {
     return std::nullopt;

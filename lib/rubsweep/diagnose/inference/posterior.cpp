@@ -41,7 +41,11 @@ double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>&
   double low = 0.2, high = 1;
   for (int k = 0; k < 30; ++k) {
     const double a = high - golden * (high - low), b = low + golden * (high - low);
-    (loss(a) < loss(b) ? high : low) = loss(a) < loss(b) ? b : a;
+    if (loss(a) < loss(b)) {
+      high = b;
+    } else {
+      low = a;
+    }
   }
   return (low + high) / 2;
 }
@@ -163,8 +167,13 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
     const int label = samples.label[static_cast<std::size_t>(i)];
     if (share(label) > 0) posterior.weight(i) *= posterior.probability(label) / share(label);
   }
-  posterior.p_value = forest::Novelty(rows_of_priors(set, observed.features), threads).p_value(here);
   return posterior;
+}
+
+double p_value_of(const CaseSet& set, const ObservedCases& observed, const features::DescribedMotion& seen,
+                  int threads) {
+  return forest::Novelty(rows_of_priors(set, observed.features), threads)
+      .p_value(features::values_of(seen.features));
 }
 
 }  // namespace rubsweep::diagnose::inference

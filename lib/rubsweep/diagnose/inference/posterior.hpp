@@ -11,7 +11,6 @@ struct Posterior {
   Eigen::VectorXd probability{};  ///< of every candidate, given that it is one of them
   Eigen::VectorXd weight{};       ///< of every case; those of a candidate add up to its probability
   double none = 0;                ///< probability that it is none of them
-  double p_value = 1;             ///< of Novelty, a check beside
   double sharpness = 1;  ///< power that makes the probabilities of cases not drawn by a tree fit best
 };
 
@@ -29,6 +28,11 @@ void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int thre
 /// Posterior by a forest in which vibrations of other causes are one more class.
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
                        const features::DescribedMotion& seen, int threads);
+
+/// Share of the cases of the priors that stand as far apart from all others as the recording
+/// (forest::Novelty): a check that does not rest on the posterior.
+double p_value_of(const CaseSet& set, const ObservedCases& observed, const features::DescribedMotion& seen,
+                  int threads);
 
 /// Clearance that makes a case as large as the recording, m.
 double clearance_m(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,

@@ -21,7 +21,7 @@ std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std:
     const model::Machine machine =
         drawn_machine(asked.cause, values, simulated_clearance_m(asked), problem.fixed);
     auto motion = asked.cause == Cause::no_rub
-                      ? quiet_motion(machine, problem.speed_hz, unbalance, problem.turns, workspace)
+                      ? motion_without_contact(machine, problem.speed_hz, unbalance, problem.turns, workspace)
                       : rubbing_motion(machine, problem.speed_hz, unbalance, problem.turns, workspace);
     if (!motion) return std::nullopt;
     return SimulatedCase{.candidate = candidate, .unit = unit, .motion = *std::move(motion)};
