@@ -2,68 +2,139 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <optional>
-#include <variant>
+#include <cmath>
+#include <utility>
 
-#include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/config/read_run_config.hpp"
+#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
+#include "rubsweep/diagnose/draw_purpose.hpp"
+#include "rubsweep/diagnose/fitted_parameters.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::apps {
 namespace {
 
 namespace fs = std::filesystem;
+using Fitted = std::optional<diagnose::FittedParameters>;
 
-/// 95 % interval of a parameter that was fitted.
-std::optional<diagnose::Spread> fitted_interval(const fs::path& table, const std::string& parameter) {
-  if (!fs::exists(table)) return std::nullopt;
-  batch::CsvReader rows(table);
-  const std::size_t name = rows.column("parameter"), low = rows.column("low_95"),
-                    high = rows.column("high_95");
-  while (rows.next())
-    if (rows.cells()[name] == parameter) return diagnose::Spread{rows.number(low), rows.number(high), false};
-  return std::nullopt;
-}
+/// What is taken where no fit says how well a number is known.
+constexpr double frequency_share = 0.01, damping_share = 0.2;
+
+/// Kits that stand for all that are likely.
+constexpr std::size_t likely_kits = 60;
+
+/// The unbalance of a run is not that of another day: a quarter more and less.
+constexpr double unbalance_share = 0.25;
 
 /// The interval of the fit, else a share about the value.
-diagnose::Spread interval_of(const fs::path& table, const std::string& key, double value, double share,
+diagnose::Spread interval_of(const Fitted& fitted, const std::string& key, double value, double share,
                              std::vector<std::string>& remarks) {
-  if (const auto fitted = fitted_interval(table, key)) {
-    if (fitted->low > 0 && fitted->high > fitted->low) return *fitted;
-    remarks.push_back(fmt::format("{}: the interval of {} reaches 0, {:.0f} % of its value is taken instead",
-                                  table.string(), key, 100 * share));
-  } else {
-    remarks.push_back(
-        fmt::format("{}: no interval is known, {:.0f} % of its value is taken", key, 100 * share));
-  }
+  const auto interval = fitted ? diagnose::interval_of(*fitted, key) : std::nullopt;
+  if (interval && interval->low > 0 && interval->high > interval->low) return *interval;
+  remarks.push_back(
+      interval ? fmt::format("{}: the interval of the fit reaches 0, {:.0f} % of its value is taken instead",
+                             key, 100 * share)
+               : fmt::format("{}: no interval is known, {:.0f} % of its value is taken", key, 100 * share));
   return {value / (1 + share), value * (1 + share), false};
+}
+
+void set_unbalance(const Fitted& fitted, DiagnosedMachine& diagnosed) {
+  const auto interval = fitted ? diagnose::interval_of(*fitted, "eccentricity_m") : std::nullopt;
+  if (!interval || !(interval->low > 0)) return;
+  diagnosed.eccentricity_m = {interval->low / (1 + unbalance_share), interval->high * (1 + unbalance_share),
+                              true};
+  diagnosed.remarks.push_back(
+      fmt::format("eccentricity_m: {:.3g} to {:.3g}, the interval of the fit and {:.0f} % on either side",
+                  diagnosed.eccentricity_m->low, diagnosed.eccentricity_m->high, 100 * unbalance_share));
+}
+
+void set_jeffcott(const model::JeffcottRotor& rotor, const Fitted& fitted, const fs::path& file,
+                  DiagnosedMachine& diagnosed) {
+  if (rotor.damping_ratio == 0)
+    throw ConfigError(file.string() +
+                      ": rotor.damping_ratio: is 0, allowed: above 0, as no motion would settle");
+  diagnosed.fixed.rotor_mass_kg = rotor.mass_kg;
+  diagnosed.fixed.rotating_damping_ratio = rotor.rotating_damping_ratio;
+  diagnosed.natural_frequency_hz = interval_of(fitted, "rotor.natural_frequency_hz",
+                                               rotor.natural_frequency_hz, frequency_share, diagnosed.remarks);
+  diagnosed.damping_ratio =
+      interval_of(fitted, "rotor.damping_ratio", rotor.damping_ratio, damping_share, diagnosed.remarks);
+}
+
+/// Values of the fitted keys of the rotor as overrides of a configuration.
+std::vector<std::string> overrides_of(const diagnose::FittedParameters& fitted,
+                                      const Eigen::VectorXd& values) {
+  std::vector<std::string> overrides;
+  for (std::size_t i = 0; i < fitted.name.size(); ++i)
+    if (fitted.name[i].starts_with("rotor."))
+      overrides.push_back(
+          fmt::format("{}={}", fitted.name[i], values(static_cast<Eigen::Index>(i))));
+  return overrides;
+}
+
+/// Kits by draws from the errors of the fit, the best one first. Draws that are not allowed are left out.
+std::vector<model::RotorKit> fitted_kits(const std::string& text, const fs::path& file,
+                                         const diagnose::FittedParameters& fitted, std::uint64_t seed) {
+  std::vector<model::RotorKit> kits;
+  for (std::size_t k = 0; k < likely_kits; ++k) {
+    diagnose::RandomStream random(seed, k, diagnose::DrawPurpose::of_kit);
+    const Eigen::VectorXd values = k == 0 ? fitted.value : draw_parameters(fitted, random);
+    try {
+      const model::Machine machine =
+          config::read_machine_text(text, file.string(), overrides_of(fitted, values));
+      kits.push_back(*model::kit_of(machine));
+    } catch (const ConfigError&) {
+      if (k == 0) throw;
+    }
+  }
+  return kits;
+}
+
+void set_kit(const model::RotorKit& kit, const Fitted& fitted, const fs::path& file, double speed_hz,
+             std::uint64_t seed, DiagnosedMachine& diagnosed) {
+  const bool has_keys = fitted && !overrides_of(*fitted, fitted->value).empty();
+  std::vector<model::RotorKit> kits;
+  if (has_keys) {
+    kits = fitted_kits(diagnosed.text, file, *fitted, seed);
+  } else {
+    kits = diagnose::varied_kits(kit, frequency_share, damping_share, likely_kits, seed);
+    diagnosed.remarks.push_back(
+        fmt::format("rotor: no intervals are known, {:.0f} % of the natural frequencies and {:.0f} % of the "
+                    "damping are taken",
+                    100 * frequency_share, 100 * damping_share));
+  }
+  diagnose::KnownKit known = diagnose::known_kit(std::move(kits), speed_hz, file.string());
+  known.digest = config::digest_of(fmt::format("{}{} {}", diagnosed.text, has_keys ? fitted->text : "", seed));
+  diagnosed.fixed.rotor_mass_kg = known.rotor_mass_kg;
+  diagnosed.natural_frequency_hz = {known.natural_frequency_hz, known.natural_frequency_hz};
+  // A kit has damping of its own.
+  diagnosed.damping_ratio = {1, 1};
+  diagnosed.fixed.kit = std::make_shared<const diagnose::KnownKit>(std::move(known));
 }
 
 }  // namespace
 
-DiagnosedMachine read_diagnosed_machine(const fs::path& file) {
-  const config::RunConfig config = config::read_run_config(file, {});
+DiagnosedMachine read_diagnosed_machine(const fs::path& file, double speed_hz, std::uint64_t seed) {
+  DiagnosedMachine diagnosed;
+  diagnosed.text = config::yaml::read_config_bytes(file);
+  const config::RunConfig config = config::read_run_config_text(diagnosed.text, file.string(), {});
   const model::Machine& machine = config.study.machine;
-  const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor);
-  if (!rotor) throw ConfigError(file.string() + ": rotor: is a rotor kit, allowed: a Jeffcott rotor");
-  if (rotor->damping_ratio == 0)
-    throw ConfigError(file.string() +
-                      ": rotor.damping_ratio: is 0, allowed: above 0, as no motion would settle");
   if (machine.gravity_m_per_s2 != 0)
     throw ConfigError(file.string() +
                       ": gravity_m_per_s2: is not 0, allowed: 0, as motions are scaled to the recording");
-  DiagnosedMachine diagnosed;
   const model::Stop& stop = machine.stops.front();
-  diagnosed.fixed.rotor_mass_kg = rotor->mass_kg;
   diagnosed.fixed.contact_radius_m = stop.contact_radius_m;
   if (stop.casing && stop.casing->damping_ratio > 0)
     diagnosed.fixed.casing_damping_ratio = stop.casing->damping_ratio;
-  const fs::path table = file.parent_path() / "parameters.csv";
-  diagnosed.natural_frequency_hz =
-      interval_of(table, "rotor.natural_frequency_hz", rotor->natural_frequency_hz, 0.01, diagnosed.remarks);
-  diagnosed.damping_ratio =
-      interval_of(table, "rotor.damping_ratio", rotor->damping_ratio, 0.2, diagnosed.remarks);
+  const Fitted fitted = diagnose::read_fitted_parameters(file.parent_path());
+  set_unbalance(fitted, diagnosed);
+  if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor)) {
+    set_jeffcott(*rotor, fitted, file, diagnosed);
+  } else {
+    set_kit(std::get<model::RotorKit>(machine.rotor), fitted, file, speed_hz, seed, diagnosed);
+  }
+  if (fitted) diagnosed.text += fitted->text;
   return diagnosed;
 }
 

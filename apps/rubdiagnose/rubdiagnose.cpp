@@ -5,6 +5,7 @@
 #include <atomic>
 #include <filesystem>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,12 +56,17 @@ struct Input {
   std::vector<std::string> remarks{};
 };
 
-recording::Recording read_recording(const RubdiagnoseArguments& arguments, std::string& text) {
+struct ReadRecording {
+  recording::Recording recording;
+  std::string text;           ///< of its files
+  double probe_angle_deg = 0;  ///< of the first one
+};
+
+ReadRecording read_recording(const RubdiagnoseArguments& arguments) {
   const std::string description = config::yaml::read_config_bytes(arguments.instrument);
   const recording::Instrument instrument =
       config::recording::read_instrument_text(description, arguments.instrument.string());
   const std::string bytes = batch::read_input(arguments.recording);
-  text = description + bytes;
   const std::string name = arguments.recording.string();
   recording::Recording recording =
       recording::make_recording(recording::read_recording_file(arguments.recording, bytes), instrument, name);
@@ -69,34 +75,58 @@ recording::Recording read_recording(const RubdiagnoseArguments& arguments, std::
         fmt::format("{}: has {} whole turns, allowed: {} or more", name, recording.turns(), fewest_turns));
   if (scope::speed_changes(recording))
     throw ConfigError(name + ": the speed changes, allowed: a steady one, or from_s and to_s");
-  return recording;
+  return {std::move(recording), description + bytes, instrument.probes.front().angle_deg};
+}
+
+/// Knowledge of the machine in the candidates. Stops of a kit may stand anywhere between its supports, and at
+/// any angle where it is not the same all around.
+void tell_machine(const DiagnosedMachine& machine, const std::string& list,
+                  std::vector<diagnose::Candidate>& candidates) {
+  const diagnose::KnownKit* kit = machine.fixed.kit.get();
+  for (diagnose::Candidate& candidate : candidates) {
+    spread_of(candidate, diagnose::Unknown::natural_frequency) = machine.natural_frequency_hz;
+    spread_of(candidate, diagnose::Unknown::damping_ratio) = machine.damping_ratio;
+    diagnose::Spread& position = spread_of(candidate, diagnose::Unknown::position);
+    if (position.high > (kit ? kit->length_m : 0))
+      throw ConfigError(fmt::format("{}: candidates: position_m of {}: {}, allowed: {}", list, candidate.name,
+                                    kit ? "is beyond the shaft" : "is said of a Jeffcott rotor",
+                                    kit ? fmt::format("0 to {}", kit->length_m) : "none"));
+    if (!kit) continue;
+    spread_of(candidate, diagnose::Unknown::kit) = {0, 1};
+    if (position.high == 0) position = {kit->from_m, kit->to_m};
+    if (!kit->same_all_around && candidate.cause != diagnose::Cause::no_rub)
+      spread_of(candidate, diagnose::Unknown::stop_angle) = {-180, 180};
+  }
 }
 
 Input read_input(const RubdiagnoseArguments& arguments) {
-  DiagnosedMachine machine = read_diagnosed_machine(arguments.machine);
+  ReadRecording read = read_recording(arguments);
+  const double speed_hz = inference::simulated_speed_hz(read.recording.mean_speed_hz());
+  const DiagnosedMachine machine = read_diagnosed_machine(arguments.machine, speed_hz, arguments.seed);
   const std::string list =
       arguments.candidates ? config::yaml::read_config_bytes(*arguments.candidates) : std::string();
   const config::dataset::CandidateFile candidates =
       arguments.candidates ? config::dataset::read_candidate_file_text(list, arguments.candidates->string())
                            : config::dataset::usual_candidate_file();
-  std::string text;
   Input input{
-      .recording = read_recording(arguments, text), .problem = {}, .digest = {}, .remarks = machine.remarks};
+      .recording = std::move(read.recording), .problem = {}, .digest = {}, .remarks = machine.remarks};
   inference::DiagnosisProblem& problem = input.problem;
   problem = {.candidates = candidates.candidates,
              .prior = candidates.prior,
              .fixed = machine.fixed,
-             .speed_hz = inference::simulated_speed_hz(input.recording.mean_speed_hz()),
+             .eccentricity_m =
+                 candidates.eccentricity_m ? candidates.eccentricity_m : machine.eccentricity_m,
+             .speed_hz = speed_hz,
              .turns = std::min(input.recording.turns(), most_turns),
              .measuring = candidates.measuring,
              .seed = arguments.seed};
   problem.measuring.probes = input.recording.plane ? 2 : 1;
   problem.measuring.readings_per_turn = input.recording.sampling_rate_hz / input.recording.mean_speed_hz();
-  for (diagnose::Candidate& candidate : problem.candidates) {
-    spread_of(candidate, diagnose::Unknown::natural_frequency) = machine.natural_frequency_hz;
-    spread_of(candidate, diagnose::Unknown::damping_ratio) = machine.damping_ratio;
-  }
-  input.digest = config::digest_of(config::yaml::read_config_bytes(arguments.machine) + list + text);
+  problem.measuring.directions = machine.fixed.kit && !machine.fixed.kit->same_all_around;
+  problem.measuring.probe_angle_rad = read.probe_angle_deg * std::numbers::pi / 180;
+  problem.measuring.from_rest = input.recording.from_rest;
+  tell_machine(machine, arguments.candidates ? arguments.candidates->string() : "", problem.candidates);
+  input.digest = config::digest_of(machine.text + list + read.text);
   return input;
 }
 
@@ -131,7 +161,7 @@ std::optional<diagnose::answer::Answer> answer_of(const RubdiagnoseArguments& ar
                                                   const std::atomic<bool>& stop) {
   response::spectrum::SpectrumWorkspace workspace;
   const diagnose::features::DescribedMotion seen =
-      diagnose::features::describe(lines, input.recording.plane, workspace);
+      diagnose::features::describe(lines, inference::view_of(input.problem.measuring), workspace);
   inference::DiagnosisOptions options{.most_rounds = arguments.rounds};
   options.cases.cases_per_candidate = arguments.motions;
   options.cases.threads = arguments.threads;

@@ -156,7 +156,7 @@ diagnose::features::DescribedMotion seen_in(const recording::Recording& recordin
   const std::span all(recording.displacement_m);
   const auto lines = diagnose::lines_of(all.last(count), problem.turns,
                                         diagnose::inference::seen_order(problem.measuring), workspace);
-  return diagnose::features::describe(lines, recording.plane, workspace);
+  return diagnose::features::describe(lines, diagnose::inference::view_of(problem.measuring), workspace);
 }
 
 /// Verdict of a rule by the spectrum alone ("look for 1/2, 1/3 ..."; Muszynska 1989, Goldman and Muszynska

@@ -11,7 +11,8 @@ std::size_t candidate_of(const DataStudy& study, std::size_t machine) {
 MachineDraw draw_machine(const DataStudy& study, std::size_t machine) {
   diagnose::RandomStream random(study.seed, machine, Purpose::of_machine);
   MachineDraw drawn;
-  for (double& place : drawn.unit) place = random.uniform();
+  for (const diagnose::UnknownRow& row : diagnose::unknown_rows())
+    if (!row.of_kit) drawn.unit[static_cast<std::size_t>(row.unknown)] = random.uniform();
   drawn.clearance_m = value_at(study.candidates[candidate_of(study, machine)].clearance_m, random.uniform());
   drawn.stop_angle_deg = 360 * random.uniform();
   drawn.mark_turns = random.uniform();

@@ -42,6 +42,9 @@ const std::array<UnknownRow, unknown_count>& unknown_rows() {
       {Unknown::kick_phase, "kick_phase_deg", model::any_finite, {0, 360, false}, false, false},
       {Unknown::second_clearance_ratio, "second_clearance_ratio", model::positive, {0.7, 1.43, true}, true},
       {Unknown::offset_ratio, "offset_ratio", ratio, {0.15, 0.9, false}, false},
+      {Unknown::stop_angle, "stop_angle_deg", model::any_finite, {}, false, false, true},
+      {Unknown::position, "position_m", model::not_negative, {}, false, true, true},
+      {Unknown::kit, "kit", model::any_finite, {}, false, false, true},
   }};
   return rows;
 }

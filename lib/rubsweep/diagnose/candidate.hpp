@@ -23,8 +23,7 @@ inline constexpr std::array all_causes{Cause::no_rub, Cause::one_side, Cause::tw
                                        Cause::annular_offset};
 std::string_view to_string(Cause cause);
 
-/// Numbers that a recording alone does not tell. Angles count from the stop, as the machine looks the same
-/// from all directions without it.
+/// Numbers that a recording alone does not tell. Angles count from the stop.
 enum class Unknown : std::size_t {
   natural_frequency,  ///< of the rotor, Hz
   damping_ratio,
@@ -38,9 +37,12 @@ enum class Unknown : std::size_t {
   kick_angle,              ///< degrees from the stop
   kick_phase,              ///< of the shaft, degrees
   second_clearance_ratio,  ///< two_sides: clearance of the second stop / that of the first one
-  offset_ratio             ///< annular_offset: offset / clearance
+  offset_ratio,            ///< annular_offset: offset / clearance
+  stop_angle,  ///< degrees from +x; 0 where the machine looks the same from all directions without the stop
+  position,    ///< of the stops along the shaft of a rotor kit, m
+  kit          ///< of KnownKit::likely, as a share of them
 };
-inline constexpr std::size_t unknown_count = 13;
+inline constexpr std::size_t unknown_count = 16;
 
 /// A number for every unknown: its values, or places in the unit interval where its Spread has them.
 using Point = std::array<double, unknown_count>;
@@ -52,6 +54,7 @@ struct UnknownRow {
   Spread usual;          ///< unless a file says otherwise
   bool logarithmic;      ///< how an interval of a file is meant
   bool of_file = true;   ///< may be said in a file; false: the machine or the recording says it
+  bool of_kit = false;   ///< a Jeffcott rotor has none
 };
 const std::array<UnknownRow, unknown_count>& unknown_rows();
 

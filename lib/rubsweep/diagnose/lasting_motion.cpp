@@ -6,7 +6,8 @@
 #include "rubsweep/diagnose/turn_samples.hpp"
 #include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/scene/prepared_machine.hpp"
+#include "rubsweep/scene/prepare_with_modes.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::diagnose {
 namespace {
@@ -14,6 +15,15 @@ namespace {
 using integrate::run::Outcome;
 
 constexpr int samples_of_a_turn = 32;
+
+/// A kit that says how many modes it keeps is not asked again whether they are enough: that takes most of the
+/// time of a short run.
+scene::Cell cell_of(const model::Machine& machine, double speed_hz, const scene::Unbalance& unbalance) {
+  const model::RotorKit* kit = model::kit_of(machine);
+  if (!kit || !kit->modes) return scene::build_cell(machine, speed_hz, unbalance);
+  return scene::build_cell(scene::prepare_with_modes(structure::machine_at(machine, speed_hz), *kit->modes),
+                           speed_hz, unbalance);
+}
 
 /// Whether the run still touches something after the turns before the recording.
 bool lasts(const integrate::run::Run& run, integrate::run::TurnReport& turn) {
@@ -48,7 +58,7 @@ std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::ru
 std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
                                             const scene::Unbalance& unbalance, int turns,
                                             response::spectrum::SpectrumWorkspace& workspace) {
-  const scene::Cell cell = scene::build_cell(machine, speed_hz, unbalance);
+  const scene::Cell cell = cell_of(machine, speed_hz, unbalance);
   if (!scene::can_run(cell.start)) return std::nullopt;
   // Every machine is another one: a cache for all of them would only grow.
   integrate::exact::modes::ModeCache modes;
@@ -63,7 +73,7 @@ std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, doubl
 std::optional<LastingMotion> motion_without_contact(const model::Machine& machine, double speed_hz,
                                                     const scene::Unbalance& unbalance, int turns,
                                                     response::spectrum::SpectrumWorkspace& workspace) {
-  const scene::Cell cell = scene::build_cell(machine, speed_hz, unbalance);
+  const scene::Cell cell = cell_of(machine, speed_hz, unbalance);
   if (cell.start != scene::Start::quiet) return std::nullopt;
   integrate::exact::modes::ModeCache modes;
   return record(cell, integrate::start(cell.scene, {}, modes), turns, workspace);

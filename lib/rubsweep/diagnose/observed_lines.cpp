@@ -30,7 +30,9 @@ MotionLines observed(const MotionLines& motion, const Measuring& measuring, Rand
   const double noise = size * value_at(measuring.noise_share, random.uniform());
   const double x_gain = 1 + measuring.gain_error * random.normal(),
                y_gain = 1 + measuring.gain_error * random.normal();
-  probe_angle_rad = measuring.probes == 1 ? 2 * pi * random.uniform() : 0;
+  probe_angle_rad = 0;
+  if (measuring.probes == 1)
+    probe_angle_rad = measuring.directions ? measuring.probe_angle_rad : 2 * pi * random.uniform();
   seen.amplitude *= std::polar(1.0, -probe_angle_rad);
   seen = with_gains(seen, x_gain, measuring.probes == 1 ? 0 : y_gain);
   // White noise of n readings leaves noise / sqrt(n) in each line, from x and from y.
@@ -42,6 +44,10 @@ MotionLines observed(const MotionLines& motion, const Measuring& measuring, Rand
   }
   // Noise of one probe is real, too.
   seen.amplitude += measuring.probes == 1 ? with_gains(rustle, 1, 0).amplitude : rustle.amplitude;
+  if (measuring.from_rest) {
+    const double x = random.normal(), y = random.normal();
+    seen.at(0) += size * Measuring::rest_error * (measuring.probes == 1 ? Complex(x) : Complex(x, y));
+  }
   return seen;
 }
 

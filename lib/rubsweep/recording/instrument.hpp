@@ -15,6 +15,7 @@ struct Probe {
   /// Not 0; of a column in volts; negative: away from the probe is less.
   std::optional<double> gain_mv_per_um{};
   std::optional<std::string> unit{};  ///< instead of what the file says or does not say
+  std::optional<double> rest{};  ///< reading while the rotor rests, in the column's unit; of all probes or none
   std::optional<double>
       range_v{};  ///< > 0: voltage of the converter's full scale, where readings are cut off
 };

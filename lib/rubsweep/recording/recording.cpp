@@ -84,7 +84,8 @@ bool keep_longest_without_gap(Recording& recording) {
 
 Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name) {
   const SampleClock clock = clock_of(channels, instrument, name);
-  Recording recording{.sampling_rate_hz = clock.rate_hz, .plane = instrument.probes.size() == 2};
+  Recording recording{.sampling_rate_hz = clock.rate_hz, .plane = instrument.probes.size() == 2,
+                      .from_rest = instrument.probes.front().rest.has_value()};
   const ShaftTurns all_turns = turns_of(channels, instrument, clock, name, recording.findings);
   recording.turn_begin_s = all_turns.begin_s;
   keep_between(recording.turn_begin_s, instrument.from_s, instrument.to_s);
@@ -98,7 +99,7 @@ Recording make_recording(const Channels& channels, const Instrument& instrument,
     const Scale scale = scale_of(channel.unit, probe, name);
     add_findings(channel, channels, scale.full_scale, recording.findings);
     readings_m.push_back(channel.values);
-    for (double& value : readings_m.back()) value *= scale.metres_per_unit;
+    for (double& value : readings_m.back()) value = (value - probe.rest.value_or(0)) * scale.metres_per_unit;
   }
   recording.displacement_m = turned(readings_m, instrument, clock, recording.turn_begin_s);
   if (instrument.run_out) {

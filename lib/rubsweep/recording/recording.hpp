@@ -19,7 +19,8 @@ struct Recording {
   std::vector<double> turn_begin_s{};  ///< one more than there are turns
   /// Displacement x + iy in metres, samples_per_revolution of every turn; of one probe its reading, real.
   std::vector<std::complex<double>> displacement_m{};
-  bool plane = false;  ///< two probes
+  bool plane = false;      ///< two probes
+  bool from_rest = false;  ///< displacements count from where the rotor rests
   AngleDoubt angle_doubt{};
   std::vector<std::string> findings{};  ///< what is wrong with the numbers, sentences without a full stop
 

@@ -16,9 +16,9 @@ using std::numbers::pi;
 TEST(DescribedMotion, HasTheSameFeaturesHoweverItIsTurnedScaledAndMarked) {
   response::spectrum::SpectrumWorkspace workspace;
   const MotionLines lines = crooked_motion();
-  const DescribedMotion one = describe(lines, true, workspace);
+  const DescribedMotion one = describe(lines, {}, workspace);
   // Marks an eighth of a turn apart: the samples of the waveform are the same then, but begin elsewhere.
-  const DescribedMotion other = describe(seen_otherwise(lines, 3e-5, 1.1, 2 * pi * 9 / 8), true, workspace);
+  const DescribedMotion other = describe(seen_otherwise(lines, 3e-5, 1.1, 2 * pi * 9 / 8), {}, workspace);
   ASSERT_EQ(one.features.size(), other.features.size());
   for (std::size_t i = 0; i < one.features.size(); ++i) {
     EXPECT_EQ(one.features[i].name, other.features[i].name);
@@ -31,8 +31,8 @@ TEST(DescribedMotion, HasTheSameFeaturesHoweverItIsTurnedScaledAndMarked) {
 TEST(DescribedMotion, OfOneProbeHasTheSameFeaturesHoweverItIsScaledAndMarked) {
   response::spectrum::SpectrumWorkspace workspace;
   const MotionLines lines = crooked_motion();
-  const DescribedMotion one = describe(one_reading(lines), false, workspace),
-                        other = describe(one_reading(seen_otherwise(lines, 2, 0, 2 * pi * 5 / 8)), false,
+  const DescribedMotion one = describe(one_reading(lines), {.plane = false}, workspace),
+                        other = describe(one_reading(seen_otherwise(lines, 2, 0, 2 * pi * 5 / 8)), {.plane = false},
                                          workspace);
   for (std::size_t i = 0; i < one.features.size(); ++i)
     EXPECT_NEAR(one.features[i].value, other.features[i].value, 1e-6) << one.features[i].name;
@@ -44,7 +44,7 @@ TEST(DescribedMotion, NamesItsFeaturesOnce) {
   for (const bool plane : {true, false}) {
     std::set<std::string> names;
     const DescribedMotion motion =
-        describe(plane ? crooked_motion() : one_reading(crooked_motion()), plane, workspace);
+        describe(plane ? crooked_motion() : one_reading(crooked_motion()), {.plane = plane}, workspace);
     for (const Feature& feature : motion.features) {
       EXPECT_TRUE(std::isfinite(feature.value)) << feature.name;
       names.insert(feature.name);

@@ -62,7 +62,7 @@ TEST(Posterior, KnowsWhatIsNoneOfThem) {
   double probe_angle_rad = 0;
   const MotionLines measured = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
   EXPECT_GT(
-      posterior_of(problem, small_set(), observed, features::describe(measured, true, workspace), 0).none,
+      posterior_of(problem, small_set(), observed, features::describe(measured, {}, workspace), 0).none,
       0.5);
 }
 

@@ -11,7 +11,7 @@
 namespace rubsweep::config::dataset {
 namespace {
 
-constexpr std::string_view candidate_file_form = "a map with clearance_m, candidates, prior, measurement";
+constexpr std::string_view candidate_file_form = "a map with clearance_m, eccentricity_m, candidates, prior, measurement";
 /// From a labyrinth seal of a small machine to the screw of a rotor kit.
 constexpr diagnose::Spread usual_clearance_m{5e-5, 1e-3, true};
 
@@ -33,13 +33,16 @@ CandidateFile read_file_root(const yaml::Value& root) {
   yaml::Section section(root, candidate_file_form);
   CandidateFile file = usual_candidate_file();
   if (const auto value = section.find("candidates")) {
-    file.candidates = read_candidates(*value);
+    file.candidates = read_candidates(*value, true);
     if (file.candidates.size() < 2 && section.is_sound())
       yaml::refuse(*value, "has nothing to choose from", "two candidates or more");
     file.prior.assign(file.candidates.size(), 1.0 / static_cast<double>(file.candidates.size()));
   }
   diagnose::Spread clearance_m = usual_clearance_m;
   read_spread(section, "clearance_m", model::positive, true, clearance_m);
+  diagnose::Spread eccentricity_m;
+  read_spread(section, "eccentricity_m", model::positive, true, eccentricity_m);
+  if (eccentricity_m.high > 0) file.eccentricity_m = eccentricity_m;
   const bool listed = section.find("candidates").has_value();
   for (diagnose::Candidate& candidate : file.candidates)
     if (!listed || candidate.clearance_m.high == 0) candidate.clearance_m = clearance_m;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,13 +15,14 @@ struct CandidateFile {
   std::vector<diagnose::Candidate>
       candidates{};                 ///< with their clearances; machine and speed come from elsewhere
   std::vector<double> prior{};      ///< of each, add up to 1
+  std::optional<diagnose::Spread> eccentricity_m{};  ///< unbalance of the recorded machine; empty: not known
   diagnose::Measuring measuring{};  ///< probes and readings come from the recording
 };
 
 /// The usual candidates, equally likely.
 CandidateFile usual_candidate_file();
 
-/// Reads clearance_m, candidates, prior and measurement; what is missing is as usual. `name` stands for the
+/// Reads clearance_m, eccentricity_m, candidates, prior and measurement; what is missing is as usual. `name` stands for the
 /// file in messages. Throws ConfigError with every problem.
 CandidateFile read_candidate_file_text(std::string_view text, const std::string& name);
 

@@ -28,8 +28,8 @@ const auto& words() {
 }
 
 /// Whether stops of this kind have a number.
-bool has(Cause cause, const diagnose::UnknownRow& row) {
-  if (!row.of_file || cause == Cause::no_rub) return false;
+bool has(Cause cause, const diagnose::UnknownRow& row, bool of_any_rotor) {
+  if (!row.of_file || cause == Cause::no_rub || (row.of_kit && !of_any_rotor)) return false;
   if (row.unknown == Unknown::second_clearance_ratio) return cause == Cause::two_sides;
   if (row.unknown == Unknown::offset_ratio) return cause == Cause::annular_offset;
   return true;
@@ -46,7 +46,7 @@ void read_name(const yaml::Value& value, std::string& name) {
   }
 }
 
-std::optional<Candidate> read_candidate(const yaml::Value& value) {
+std::optional<Candidate> read_candidate(const yaml::Value& value, bool of_any_rotor) {
   if (value.node.kind == yaml::Node::Kind::scalar) {
     const auto index = yaml::read_word(value, words());
     if (!index) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<Candidate> read_candidate(const yaml::Value& value) {
   if (candidate.cause != Cause::no_rub)
     read_spread(section, "clearance_m", model::positive, true, candidate.clearance_m);
   for (const diagnose::UnknownRow& row : diagnose::unknown_rows())
-    if (has(candidate.cause, row))
+    if (has(candidate.cause, row, of_any_rotor))
       read_spread(section, row.key, row.range, row.logarithmic, spread_of(candidate, row.unknown));
   section.refuse_unknown_keys();
   return candidate;
@@ -68,13 +68,13 @@ std::optional<Candidate> read_candidate(const yaml::Value& value) {
 
 }  // namespace
 
-std::vector<Candidate> read_candidates(const yaml::Value& value) {
+std::vector<Candidate> read_candidates(const yaml::Value& value, bool of_any_rotor) {
   constexpr std::size_t most = 20;
   std::vector<Candidate> candidates;
   const auto items = yaml::read_list(value, most);
   if (!items) return candidates;
   for (const yaml::Value& item : *items) {
-    auto candidate = read_candidate(item);
+    auto candidate = read_candidate(item, of_any_rotor);
     if (!candidate) continue;
     if (std::ranges::count(candidates, candidate->name, &Candidate::name) > 0)
       yaml::refuse(item, "has the name '" + candidate->name + "' as another candidate", "a name of its own");

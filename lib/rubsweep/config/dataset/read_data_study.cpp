@@ -77,7 +77,7 @@ DataStudy read_root(const yaml::Value& root) {
   if (const auto value = section.find("machine")) machine = read_machine(*value, study.fixed);
   read_spread(section, "speed_ratio", model::positive, false, study.speed_ratio);
   study.candidates = diagnose::usual_candidates();
-  if (const auto value = section.find("candidates")) study.candidates = read_candidates(*value);
+  if (const auto value = section.find("candidates")) study.candidates = read_candidates(*value, false);
   for (diagnose::Candidate& candidate : study.candidates) {
     spread_of(candidate, Unknown::natural_frequency) = machine.natural_frequency_hz;
     spread_of(candidate, Unknown::damping_ratio) = machine.damping_ratio;

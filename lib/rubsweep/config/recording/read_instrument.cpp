@@ -41,6 +41,7 @@ Probe read_probe(const yaml::Value& value) {
     section.refuse_together("gain_mv_per_um", {"gain_mv_per_um"}, "is 0", "a number other than 0");
   if (const auto unit = section.find("unit")) probe.unit = read_text(*unit);
   section.field("range_v", probe.range_v, model::positive);
+  section.field("rest", probe.rest, model::any_finite);
   section.refuse_unknown_keys();
   return probe;
 }
@@ -89,6 +90,9 @@ Instrument read_root(const yaml::Value& root) {
   if (section.is_sound() && instrument.run_out && !instrument.keyphasor)
     section.refuse_together("run_out", {"run_out", "speed_hz"}, "is there without a mark on the shaft",
                             "with keyphasor");
+  if (section.is_sound() && instrument.probes.size() == 2 &&
+      instrument.probes[0].rest.has_value() != instrument.probes[1].rest.has_value())
+    section.refuse_together("probes", {"probes"}, "have a reading at rest of one alone", "rest of both, or of none");
   if (section.is_sound() && instrument.probes.size() == 2) {
     const double apart_rad =
         (instrument.probes[1].angle_deg - instrument.probes[0].angle_deg) * std::numbers::pi / 180;

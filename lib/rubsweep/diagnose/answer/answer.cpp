@@ -32,6 +32,7 @@ std::vector<NumberInterval> numbers_of(const DiagnosisProblem& problem, const Di
     const bool angle = quantity == Quantity::stop_angle;
     // A round stop about the rest position stands in no direction.
     if (angle && problem.candidates[candidate].cause == Cause::annular) continue;
+    if (quantity == Quantity::position && !problem.fixed.kit) continue;
     const Eigen::VectorXd values =
         values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
     const auto at = [&](double share) { return inference::weighted_quantile(values, weight, share, angle); };
@@ -129,9 +130,15 @@ Answer answer_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
     return diagnosis.posterior.probability(static_cast<Eigen::Index>(c));
   };
   std::ranges::stable_sort(order, std::greater{}, probability);
+  const auto error = [&](std::size_t place) {
+    return diagnosis.standard_error.size() == 0 || answer.clipped
+               ? std::nullopt
+               : std::optional(diagnosis.standard_error(static_cast<Eigen::Index>(place)));
+  };
+  answer.none_standard_error = error(order.size());
   for (const std::size_t c : order)
     answer.candidates.push_back({problem.candidates[c].name, problem.candidates[c].cause,
-                                 (1 - answer.none) * probability(c),
+                                 (1 - answer.none) * probability(c), error(c),
                                  numbers_of(problem, diagnosis, seen, c)});
   if (order.size() > 1) answer.deciding = deciding_features(diagnosis, seen, order[0], order[1]);
   answer.best = best_motions(problem, diagnosis, recorded);

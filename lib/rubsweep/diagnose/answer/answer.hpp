@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct CandidateAnswer {
   std::string name;
   Cause cause = Cause::no_rub;
   double probability = 0;  ///< "none of these" counted in
+  std::optional<double> standard_error{};  ///< of it, where more motions would still change it
   std::vector<NumberInterval>
       numbers{};  ///< given that it is this one; none of no_rub, or where no case is like it
 };
@@ -51,6 +53,7 @@ struct Answer {
   RecordingFacts recording{};
   std::vector<CandidateAnswer> candidates{};  ///< the likeliest first
   double none = 0, p_value = 1;
+  std::optional<double> none_standard_error{};
   bool clipped = false;  ///< a probe that clips shows what no rotor does: none is 1
   bool stands_still = false, interrupted = false;
   int rounds = 0;

@@ -3,9 +3,15 @@
 #include <nlohmann/json.hpp>
 
 namespace rubsweep::diagnose::answer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+
+}  // namespace
 
 std::string answer_json(const Answer& answer) {
-  using Json = nlohmann::ordered_json;
   Json root;
   const RecordingFacts& recording = answer.recording;
   root["recording"] = {{"name", recording.name},     {"speed_hz", recording.speed_hz},
@@ -20,10 +26,12 @@ std::string answer_json(const Answer& answer) {
     root["candidates"].push_back({{"name", candidate.name},
                                   {"cause", to_string(candidate.cause)},
                                   {"probability", candidate.probability},
+                                  {"standard_error", number_or_null(candidate.standard_error)},
                                   {"numbers", numbers}});
   }
   root["none_of_these"] = {
-      {"probability", answer.none}, {"p_value", answer.p_value}, {"clipped", answer.clipped}};
+      {"probability", answer.none}, {"standard_error", number_or_null(answer.none_standard_error)},
+      {"p_value", answer.p_value}, {"clipped", answer.clipped}};
   root["simulations"] = {{"motions", answer.cases},
                          {"rounds", answer.rounds},
                          {"stands_still", answer.stands_still},

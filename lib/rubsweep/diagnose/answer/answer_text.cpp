@@ -24,6 +24,13 @@ std::string sureness(double probability) {
   return "not decided";
 }
 
+std::string probability_line(const std::string& name, double probability,
+                             const std::optional<double>& standard_error) {
+  std::string text = fmt::format("  {:<22} {}", name, percent(probability));
+  if (standard_error) text += fmt::format(" +- {:.0f} %", std::ceil(100 * *standard_error));
+  return text + '\n';
+}
+
 std::string first_line(const Answer& answer) {
   if (answer.clipped) return "none of these can be told: a probe is clipped, and shows what no rotor does\n";
   const CandidateAnswer& first = answer.candidates.front();
@@ -41,6 +48,8 @@ std::string number_text(const NumberInterval& number, const model::ShownLengths&
                        text(number.high_95));
   };
   const std::string what(name.substr(0, name.rfind('_')));
+  if (name == "position_m")
+    return fmt::format("  {:<22} {}\n", what, values([](double x) { return fmt::format("{:.3g} m", x); }));
   if (name.ends_with("_m") && !name.ends_with("per_m"))
     return fmt::format("  {:<22} {}\n", what, values([&](double x) {
                          return model::length_text(x, shown, model::LengthUnit::um, 3);
@@ -54,9 +63,10 @@ std::string trust_line(const Answer& answer) {
   std::string text = fmt::format(
       "  {} simulated motions, {} {} of draws near those that resemble the recording; the probabilities {}\n",
       answer.cases, answer.rounds, answer.rounds == 1 ? "round" : "rounds",
-      answer.stands_still ? "stand still" : "still moved by 3 % or more");
+      answer.stands_still ? "stand still"
+                          : "still moved by 3 % or more; +-: standard errors for want of motions");
   if (answer.interrupted)
-    text += "  interrupted: an answer by the motions simulated so far, less sure than it says\n";
+    text += "  interrupted: an answer by the motions simulated so far\n";
   return text + fmt::format("  {} simulated recordings in 100 lie as far from all others as this one\n",
                             std::lround(100 * answer.p_value));
 }
@@ -89,8 +99,8 @@ std::string answer_text(const Answer& answer, const model::ShownLengths& shown) 
   for (const std::string& finding : recording.findings) text += fmt::format("  {}\n", finding);
   text += "\nprobabilities\n";
   for (const CandidateAnswer& candidate : answer.candidates)
-    text += fmt::format("  {:<22} {}\n", candidate.name, percent(candidate.probability));
-  text += fmt::format("  {:<22} {}\n", "none of these", percent(answer.none));
+    text += probability_line(candidate.name, candidate.probability, candidate.standard_error);
+  text += probability_line("none of these", answer.none, answer.none_standard_error);
   text += trust_line(answer);
   const CandidateAnswer& first = answer.candidates.front();
   if (!answer.clipped && !first.numbers.empty()) {

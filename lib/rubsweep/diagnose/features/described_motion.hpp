@@ -15,8 +15,16 @@ struct DescribedMotion {
   double direction_rad = 0;  ///< lopsided_direction; of one probe 0
 };
 
-/// `plane`: lines of two probes; else of one, where only those from order 0 on are looked at.
-DescribedMotion describe(const MotionLines& lines, bool plane,
+/// Parts of a recording that mean something.
+struct View {
+  bool plane = true;        ///< two probes; else one, where only lines from order 0 on are looked at
+  bool directions = false;  ///< the machine is not the same in all directions
+  bool from_rest = false;   ///< readings count from where the rotor rests, so that their mean does, too
+};
+
+/// Features of the lines and of the orbit; with directions those of its longest and of its lopsided axis,
+/// from +x, with a mean its place in units of the motion's size.
+DescribedMotion describe(const MotionLines& lines, const View& view,
                          response::spectrum::SpectrumWorkspace& workspace);
 
 /// Values of features, in their order.

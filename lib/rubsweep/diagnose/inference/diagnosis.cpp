@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "rubsweep/diagnose/inference/sampling_error.hpp"
+
 namespace rubsweep::diagnose::inference {
 namespace {
 
@@ -71,6 +73,9 @@ Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMot
     narrow(problem, options, round + 1, diagnosis);
   }
   diagnosis.p_value = p_value_of(diagnosis.set, diagnosis.observed, seen, threads);
+  if (!diagnosis.stands_still)
+    diagnosis.standard_error =
+        sampling_errors(problem, diagnosis.set, diagnosis.observed, seen, diagnosis.posterior, threads);
   return diagnosis;
 }
 

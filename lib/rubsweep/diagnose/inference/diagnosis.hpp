@@ -21,6 +21,7 @@ struct Diagnosis {
   std::vector<Eigen::VectorXd> history{};  ///< probabilities of the candidates after each round
   double p_value = 1;                      ///< p_value_of
   bool stands_still = false;               ///< the last round changed them by less than least_change
+  Eigen::VectorXd standard_error{};        ///< sampling_errors where they do not stand still; else empty
 };
 
 /// Compares a recording with simulated cases of all candidates, which are drawn from the priors at first

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <complex>
 #include <cstddef>
+#include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "rubsweep/batch/parallel_run.hpp"
@@ -17,6 +20,9 @@ namespace {
 
 /// Share of each candidate that a forest of so many cases cannot tell from none.
 constexpr double least_probability = 1e-3;
+
+/// Least width of an interval in which a length may lie: cases have any size, and must find place in it.
+constexpr double least_decades = 0.08;
 
 /// Probabilities to a power.
 Eigen::RowVectorXd sharpened(const Eigen::RowVectorXd& probability, double power) {
@@ -50,6 +56,13 @@ double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>&
   return (low + high) / 2;
 }
 
+/// Mean position of a vibration of another cause, in units of its 1X: a load may push the shaft aside.
+std::complex<double> mean_of_another_cause(std::uint64_t seed, std::uint64_t index) {
+  RandomStream random(seed, index, DrawPurpose::of_mean);
+  const double distance = std::pow(10, -3 * random.uniform());
+  return std::polar(distance, 2 * std::numbers::pi * random.uniform());
+}
+
 /// Vibrations of other causes as the instrument shows them.
 Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::size_t count, int threads) {
   std::vector<Eigen::VectorXd> rows(count);
@@ -58,12 +71,12 @@ Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::s
       [&](std::size_t k) {
         thread_local response::spectrum::SpectrumWorkspace workspace;
         RandomStream random(problem.seed, k, DrawPurpose::of_another_cause);
-        const MotionLines lines = up_to(vibration_of_another_cause(problem.turns, random, workspace),
-                                        seen_order(problem.measuring));
+        MotionLines lines = up_to(vibration_of_another_cause(problem.turns, random, workspace),
+                                  seen_order(problem.measuring));
+        if (problem.measuring.from_rest) lines.at(0) = mean_of_another_cause(problem.seed, k);
         double probe_angle_rad = 0;
         const MotionLines seen = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
-        rows[k] =
-            features::values_of(features::describe(seen, problem.measuring.probes == 2, workspace).features);
+        rows[k] = features::values_of(features::describe(seen, view_of(problem.measuring), workspace).features);
       },
       [](std::size_t) {}, std::atomic<bool>{false});
   Eigen::MatrixXd features(static_cast<Eigen::Index>(count), rows.front().size());
@@ -88,15 +101,28 @@ forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSe
   return samples;
 }
 
-/// Whether a case has a clearance that its candidate may have once it is as large as the recording.
-/// Clearances are drawn evenly in their logarithm: those that the size asks for count alike, others not at
-/// all.
-bool has_room(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
-              double seen_size_m) {
+bool inside(const Spread& spread, double value) { return value >= spread.low && value <= spread.high; }
+
+double decades(const Spread& spread) { return std::log10(spread.high / spread.low); }
+
+Spread widened(const Spread& spread) {
+  const double factor = std::pow(10, std::max(0.0, least_decades - decades(spread)) / 2);
+  return {spread.low / factor, spread.high * factor, true};
+}
+
+/// Density of the logarithm of a case's size at that of the recording, over that of a size which goes by the
+/// candidate's clearances alone. These are drawn evenly in their logarithm: those that the size asks for count
+/// alike, others not at all. A known unbalance says the size of a case as well.
+double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
+                       double seen_size_m) {
   const Candidate& candidate = problem.candidates[one.candidate];
   const double clearance = clearance_m(problem, one, case_size_m, seen_size_m);
-  return candidate.cause == Cause::no_rub ||
-         (clearance >= candidate.clearance_m.low && clearance <= candidate.clearance_m.high);
+  const Spread clearances = widened(candidate.clearance_m);
+  if (candidate.cause != Cause::no_rub && !inside(clearances, clearance)) return 0;
+  if (!problem.eccentricity_m) return 1;
+  const Spread eccentricities = widened(*problem.eccentricity_m);
+  if (!inside(eccentricities, one.motion.eccentricity_m * seen_size_m / case_size_m)) return 0;
+  return decades(clearances) / decades(eccentricities);
 }
 
 /// Rows that were drawn from the priors.
@@ -151,7 +177,7 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   Eigen::VectorXd weight = forest.posterior_weights(here);
   for (std::size_t i = 0; i < set.cases.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    if (!has_room(problem, set.cases[i], observed.size_m(k), seen.size_m)) weight(k) = 0;
+    weight(k) *= density_of_size(problem, set.cases[i], observed.size_m(k), seen.size_m);
   }
   Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
   for (Eigen::Index i = 0; i < weight.size(); ++i)

@@ -31,9 +31,12 @@ double value_in_case(const DiagnosisProblem& problem, const SimulatedCase& one, 
     case Quantity::clearance:
       return simulated_clearance_m(problem.candidates[one.candidate]) * scale;
     case Quantity::stop_angle:
+      if (problem.measuring.directions) return wrapped_deg(value_of(values, Unknown::stop_angle));
       return problem.measuring.probes == 2
                  ? wrapped_deg((seen.direction_rad - observed.direction_rad(row)) * 180 / pi)
                  : wrapped_deg(-observed.probe_angle_rad(row) * 180 / pi);
+    case Quantity::position:
+      return problem.fixed.kit ? place_of_stop(*problem.fixed.kit, value_of(values, Unknown::position)) : 0;
     case Quantity::contact_fraction:
       return one.motion.contact.contact_fraction;
     case Quantity::peak_force:
@@ -60,6 +63,8 @@ std::string_view to_string(Quantity quantity) {
       return "clearance_m";
     case Quantity::stop_angle:
       return "stop_angle_deg";
+    case Quantity::position:
+      return "position_m";
     case Quantity::contact_fraction:
       return "contact_fraction";
     case Quantity::peak_force:

@@ -12,6 +12,7 @@ namespace rubsweep::diagnose::inference {
 enum class Quantity {
   clearance,         ///< at the first stop, m
   stop_angle,        ///< of the first stop, or of an offset, degrees from +x to +y
+  position,          ///< of the stops along the shaft of a rotor kit, m
   contact_fraction,  ///< share of time in contact
   peak_force,        ///< largest normal force, N
   eccentricity,      ///< unbalance, m
@@ -21,15 +22,16 @@ enum class Quantity {
   friction
 };
 inline constexpr std::array all_quantities{
-    Quantity::clearance,  Quantity::stop_angle,   Quantity::contact_fraction,
-    Quantity::peak_force, Quantity::eccentricity, Quantity::whirl_ratio,
-    Quantity::stiffness,  Quantity::restitution,  Quantity::friction};
+    Quantity::clearance,  Quantity::stop_angle,   Quantity::position,    Quantity::contact_fraction,
+    Quantity::peak_force, Quantity::eccentricity, Quantity::whirl_ratio, Quantity::stiffness,
+    Quantity::restitution, Quantity::friction};
 
 /// Name with its unit: clearance_m, stop_angle_deg.
 std::string_view to_string(Quantity quantity);
 
-/// Value in every case, scaled and turned to the recording. Stop angles: of two probes from +x, in (-180,
-/// 180]; of one probe from the direction in which it looks.
+/// Value in every case, scaled and turned to the recording. Stop angles: of two probes, or of a machine that
+/// is not the same in all directions, from +x, in (-180, 180]; else from the direction in which the one probe
+/// looks.
 Eigen::VectorXd values_in_cases(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
                                 Quantity quantity);

@@ -37,7 +37,7 @@ ObservedCase observe(const DiagnosisProblem& problem, const SimulatedCase& simul
   ObservedCase observation;
   const MotionLines lines = observed(up_to(simulated.motion.lines, seen_order(problem.measuring)),
                                      problem.measuring, random, observation.probe_angle_rad);
-  observation.seen = features::describe(lines, problem.measuring.probes == 2, workspace);
+  observation.seen = features::describe(lines, view_of(problem.measuring), workspace);
   return observation;
 }
 

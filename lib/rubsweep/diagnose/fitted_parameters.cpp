@@ -1,0 +1,78 @@
+#include "rubsweep/diagnose/fitted_parameters.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/batch/input_file.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/numerics/dense/self_adjoint.hpp"
+
+namespace rubsweep::diagnose {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Quantile of the normal distribution: 95 % lie within so many standard deviations.
+constexpr double deviations_of_95 = 1.959963984540054;
+
+Eigen::MatrixXd read_correlation(const fs::path& file, const std::vector<std::string>& names) {
+  const auto count = static_cast<Eigen::Index>(names.size());
+  if (!fs::exists(file)) return Eigen::MatrixXd::Identity(count, count);
+  Eigen::MatrixXd correlation(count, count);
+  batch::CsvReader rows(file);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    if (!rows.next()) throw IoError(file.string() + ": ends before the last of the parameters");
+    for (Eigen::Index j = 0; j < count; ++j)
+      correlation(i, j) = rows.number(rows.column(names[static_cast<std::size_t>(j)]));
+  }
+  if (!correlation.allFinite()) throw IoError(file.string() + ": has a cell without a number");
+  return correlation;
+}
+
+}  // namespace
+
+std::optional<FittedParameters> read_fitted_parameters(const fs::path& directory) {
+  const fs::path table = directory / "parameters.csv", correlation = directory / "correlation.csv";
+  if (!fs::exists(table)) return std::nullopt;
+  FittedParameters fitted;
+  batch::CsvReader rows(table);
+  const std::size_t name = rows.column("parameter"), value = rows.column("value"),
+                    low = rows.column("low_95"), high = rows.column("high_95");
+  std::vector<std::array<double, 3>> numbers;
+  while (rows.next()) {
+    fitted.name.push_back(rows.cells()[name]);
+    numbers.push_back({rows.number(value), rows.number(low), rows.number(high)});
+  }
+  const auto count = static_cast<Eigen::Index>(numbers.size());
+  for (Eigen::VectorXd* column : {&fitted.value, &fitted.low_95, &fitted.high_95}) column->resize(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& row = numbers[static_cast<std::size_t>(i)];
+    fitted.value(i) = row[0];
+    fitted.low_95(i) = row[1];
+    fitted.high_95(i) = row[2];
+  }
+  fitted.correlation = read_correlation(correlation, fitted.name);
+  fitted.text = batch::read_input(table);
+  if (fs::exists(correlation)) fitted.text += batch::read_input(correlation);
+  return fitted;
+}
+
+std::optional<Spread> interval_of(const FittedParameters& fitted, std::string_view name) {
+  const auto found = std::ranges::find(fitted.name, name);
+  if (found == fitted.name.end()) return std::nullopt;
+  const Eigen::Index i = found - fitted.name.begin();
+  return Spread{fitted.low_95(i), fitted.high_95(i), false};
+}
+
+Eigen::VectorXd draw_parameters(const FittedParameters& fitted, RandomStream& random) {
+  Eigen::VectorXd normal(fitted.value.size());
+  for (double& x : normal) x = random.normal();
+  const auto modes = numerics::dense::self_adjoint_modes(fitted.correlation);
+  const Eigen::VectorXd root = modes.values.cwiseMax(0).cwiseSqrt();
+  const Eigen::ArrayXd deviation = (fitted.high_95 - fitted.low_95).array() / (2 * deviations_of_95);
+  const Eigen::VectorXd correlated = modes.vectors * (root.array() * normal.array()).matrix();
+  return fitted.value + (deviation * correlated.array()).matrix();
+}
+
+}  // namespace rubsweep::diagnose
