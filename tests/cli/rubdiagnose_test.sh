@@ -124,6 +124,63 @@ if command -v gnuplot >/dev/null; then
   expect_contains drawn.svg 'closest simulated motion'
 fi
 
+# A kit that is the same rotor in bending, asked about a stop somewhere along its shaft. Intervals of a fit are used, and the
+# list may name places and the unbalance.
+mkdir fit
+cat >fit/config.yaml <<'END'
+rotor:
+  kind: rotor_kit
+  shaft:
+    - {length_m: 0.4, outer_diameter_m: 0.01, youngs_modulus_pa: 2.06e11, shear_modulus_pa: 7.92e10, density_kg_per_m3: 1.0}
+  discs:
+    - {position_m: 0.2, mass_kg: 0.8, polar_inertia_kg_m2: 5.6e-4, diametral_inertia_kg_m2: 3.2e-4}
+  supports:
+    - {position_m: 0, stiffness_x_n_per_m: 2.274e4, stiffness_y_n_per_m: 2.274e4}
+    - {position_m: 0.4, stiffness_x_n_per_m: 2.274e4, stiffness_y_n_per_m: 2.274e4}
+  sensors: [{position_m: 0.2, angle_deg: 0}, {position_m: 0.2, angle_deg: 90}]
+  damping_ratio: 0.02
+  modes: 1
+  elements: 4
+stops:
+  - {kind: one_side, angle_deg: 0, position_m: 0.2, clearance_m: 3.0e-4, stiffness_n_per_m: 1.0e6, restitution: 0.8,
+    contact_radius_m: 0.005}
+sweep: {speed_hz: {from: 50, to: 60, count: 2}, whirl_ratio: {values: [0.5]}}
+output: {directory: none}
+END
+cat >places.yaml <<'END'
+candidates: [no_rub, {kind: one_side, position_m: [0.1, 0.3], whirl_ratio: [0.8, 1.6]}]
+END
+kit=(run.csv --machine fit/config.yaml --candidates places.yaml --motions 50 --rounds 0)
+expect_exit 0 "${kit[@]}" --output kit
+expect_contains stdout 'rotor: no intervals are known, 1 % of the natural frequencies'
+expect_matches stdout '^  position +0\.[12][0-9]* m, 95 % from 0\.[12]'
+[[ $(count_rows kit/probabilities.csv "candidate == 'one_side' and probability > 0.5") == 1 ]] || fail 'no rub of the kit'
+cat >fit/parameters.csv <<'END'
+parameter,value,standard_error,low_95,high_95,start,at_bound
+rotor.damping_ratio,0.02,0.0005,0.019,0.021,0.02,0
+eccentricity_m,1.0e-6,1.0e-8,9.8e-7,1.02e-6,1.0e-6,0
+END
+expect_exit 0 "${kit[@]}" --output known
+grep -q 'no intervals are known' stdout && fail 'the fit is not used'
+expect_contains stdout 'eccentricity_m: 7.84e-07 to 1.28e-06, the interval of the fit and 25 % on either side'
+# So small an unbalance cannot move the rotor as far.
+expect_contains stdout 'no simulated motion of these clearances and this unbalance is as large as the recording'
+[[ $(count_rows known/probabilities.csv "candidate == 'one_side' and probability < 0.5") == 1 ]] ||
+  fail 'the unbalance is not used'
+printf 'eccentricity_m: [1.0e-5, 1.0e-2]\n' >>places.yaml
+expect_exit 0 "${kit[@]}" --output listed_unbalance --quiet
+[[ $(count_rows listed_unbalance/probabilities.csv "candidate == 'one_side' and probability > 0.5") == 1 ]] ||
+  fail 'the list does not go before the fit'
+printf 'parameter,rotor.damping_ratio,eccentricity_m\n' >fit/correlation.csv
+expect_exit 3 "${kit[@]}" --output none
+expect_contains stderr 'fit/correlation.csv: ends before the last of the parameters'
+rm fit/correlation.csv fit/parameters.csv
+
+# Readings at rest make the mean position count.
+sed 's/column: x_m/rest: 0, &/; s/column: y_m/rest: 0, &/' run.yaml >from_rest.yaml
+expect_exit 0 "${quick[@]}" --instrument from_rest.yaml --output from_rest --quiet
+cmp -s one/diagnosis.json from_rest/diagnosis.json && fail 'the mean position does not count'
+
 # Ctrl-C gives the answer so far and keeps no table. With job control, background jobs do not ignore SIGINT.
 set -m
 "$rubsweep" run.csv --machine machine.yaml --motions 100000 --threads 1 --progress always --output stopped \
@@ -143,6 +200,8 @@ expect_contains stderr 'rubdiagnose: interrupted; the answer so far is written'
 expect_contains stdout 'interrupted: an answer by the motions simulated so far'
 expect_files stopped "${files[@]}"
 expect_contains stopped/diagnosis.json '"interrupted": true'
+expect_matches stopped/diagnosis.json '^ *"standard_error": 0\.'
+expect_matches stdout '^  one_side .* \+- [0-9]+ %'
 expect_missing stopped_cases
 
 # Nothing is written on bad input.
@@ -161,7 +220,6 @@ refuse() {
   expect_empty stdout
   expect_missing none
 }
-refuse 'rotor: is a rotor kit, allowed: a Jeffcott rotor' run.csv --machine "$top/configs/rotor_kit.yaml"
 # bad_machine LINE: a machine that differs from that of minimal.yaml by this line.
 bad_machine() { printf 'base: %s\n%s\n' "$minimal" "$1" >bad.yaml; }
 bad_machine 'gravity_m_per_s2: 9.81'
@@ -173,6 +231,18 @@ bad_list() {
   printf '%b' "$1" >list.yaml
   refuse "$2" run.csv --machine machine.yaml --candidates list.yaml
 }
+expect_refused_kit() { # SED TEXT: the kit with this change is refused with this text.
+  sed "$1" fit/config.yaml >bad_kit.yaml
+  refuse "$2" run.csv --machine bad_kit.yaml
+}
+expect_refused_kit 's/^  damping_ratio.*/  damping_ratio: 0/' 'bad_kit.yaml: rotor: has no damping'
+expect_refused_kit 's/^  sensors.*//' 'bad_kit.yaml: rotor.sensors: is missing'
+expect_refused_kit 's/^  modes: 1/  static_loads: [{position_m: 0.2, force_y_n: -3}]/' 'bad_kit.yaml: rotor.static_loads: gives the motion a size'
+printf 'candidates: [no_rub, {kind: one_side, position_m: 0.5}]\n' >beyond.yaml
+refuse 'beyond.yaml: candidates: position_m of one_side: is beyond the shaft, allowed: 0 to 0.4' run.csv \
+  --machine fit/config.yaml --candidates beyond.yaml
+refuse 'beyond.yaml: candidates: position_m of one_side: is said of a Jeffcott rotor' run.csv --machine machine.yaml \
+  --candidates beyond.yaml
 bad_list 'candidats: [no_rub, annular]\n' "did you mean 'candidates'?"
 bad_list 'candidates: [no_rub, {kind: one_side, stifness_n_per_m: 1.0e6}]\n' "did you mean 'stiffness_n_per_m'?"
 bad_list 'candidates: [no_rub, anular]\n' "did you mean 'annular'?"

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <variant>
+
+#include "light_kit.hpp"
 
 namespace rubsweep::diagnose {
 namespace {
@@ -20,7 +23,7 @@ Point middle_of(Cause cause) {
   return values_at(candidate, unit);
 }
 
-constexpr FixedNumbers fixed{.rotor_mass_kg = 0.8};
+const FixedNumbers fixed{.rotor_mass_kg = 0.8};
 
 TEST(DrawnMachine, EveryCauseGivesAMachineThatIsAllowed) {
   for (const Cause cause : all_causes)
@@ -55,6 +58,27 @@ TEST(DrawnMachine, OffsetStandsInTheDirectionOfTheStop) {
   const auto& geometry = std::get<model::AnnularGeometry>(machine.stops.front().geometry);
   EXPECT_NEAR(geometry.offset_m[0], 1e-4 * value_of(values, Unknown::offset_ratio), 1e-18);
   EXPECT_EQ(geometry.offset_m[1], 0);
+}
+
+TEST(DrawnMachine, StopsOfAKitStandWhereTheyAreDrawn) {
+  FixedNumbers of_kit = fixed;
+  of_kit.kit = std::make_shared<KnownKit>(known_kit({light_kit()}, 40, "kit.yaml"));
+  for (const Cause cause : all_causes) {
+    Point values = middle_of(cause);
+    values[static_cast<std::size_t>(Unknown::position)] = 0.11;
+    values[static_cast<std::size_t>(Unknown::stop_angle)] = 60;
+    const model::Machine machine = drawn_machine(cause, values, 1e-4, of_kit);
+    EXPECT_NO_THROW(model::validate(machine)) << to_string(cause);
+    for (const model::Stop& stop : machine.stops)
+      EXPECT_EQ(stop.position_m, cause == Cause::no_rub ? 0.15 : 0.11);
+    if (cause == Cause::one_side) {
+      EXPECT_EQ(std::get<model::OneSideGeometry>(machine.stops[0].geometry).angle_deg, 60);
+    }
+    if (cause == Cause::annular_offset) {
+      const auto& offset = std::get<model::AnnularGeometry>(machine.stops[0].geometry).offset_m;
+      EXPECT_NEAR(std::atan2(offset[1], offset[0]) * 180 / pi, 60, 1e-9);
+    }
+  }
 }
 
 TEST(DrawnMachine, NothingStartsARotorWithoutAStop) {

@@ -46,6 +46,33 @@ TEST(ObservedLines, OfOneProbeAreThoseOfARealSignal) {
   EXPECT_NEAR(std::abs(seen.at(20)), 0.5, 0.2);
 }
 
+TEST(ObservedLines, OfOneProbeWhoseDirectionIsKnownAreThoseInIt) {
+  const Measuring measuring{.probes = 1,
+                            .readings_per_turn = 1e12,
+                            .directions = true,
+                            .probe_angle_rad = 0.7,
+                            .noise_share = {1e-9, 1e-9, true},
+                            .other_lines = {0, 0, 0},
+                            .gain_error = 0};
+  RandomStream random(3, 1, 2);
+  double probe_angle_rad = 0;
+  const MotionLines seen = observed(circle(), measuring, random, probe_angle_rad);
+  EXPECT_EQ(probe_angle_rad, 0.7);
+  EXPECT_LT(std::abs(seen.at(20) - std::polar(0.5, -0.7)), 1e-6);
+}
+
+TEST(ObservedLines, CountFromAPlaceOfRestThatIsKnownNearly) {
+  Measuring measuring{.readings_per_turn = 50, .from_rest = true};
+  double square = 0, probe_angle_rad = 0;
+  constexpr int draws = 400;
+  for (std::uint64_t k = 0; k < draws; ++k) {
+    RandomStream random(4, k, 2);
+    square += std::norm(observed(circle(), measuring, random, probe_angle_rad).at(0)) / draws;
+  }
+  // In x and in y, and the noise of a line beside it.
+  EXPECT_NEAR(square, 2 * Measuring::rest_error * Measuring::rest_error, 1e-4);
+}
+
 TEST(ObservedLines, OfUnequalGainsAreAnEllipse) {
   const Measuring measuring{.probes = 2,
                             .readings_per_turn = 1e12,

@@ -58,6 +58,22 @@ TEST(Recording, IsTheMotionAtEqualAngles) {
   }
 }
 
+TEST(Recording, CountsFromTheReadingsAtRest) {
+  Instrument instrument = two_probes;
+  const Recording as_read = make_recording(ellipse(), instrument, "f.csv");
+  EXPECT_FALSE(as_read.from_rest);
+  // 8 mV/um: the rotor rests 25 um towards the first probe and 50 um off the second one.
+  instrument.probes[0].rest = -8800;
+  instrument.probes[1].rest = -9400;
+  const Recording from_rest = make_recording(ellipse(), instrument, "f.csv");
+  EXPECT_TRUE(from_rest.from_rest);
+  Complex mean = 0;
+  for (const Complex z : from_rest.displacement_m) mean += z;
+  mean /= static_cast<double>(from_rest.displacement_m.size());
+  const Complex expected = -25e-6 * std::polar(1.0, pi / 4) + 50e-6 * std::polar(1.0, 3 * pi / 4);
+  EXPECT_LT(std::abs(mean - expected), 1e-9);
+}
+
 TEST(Recording, ASpeedStandsInForTheKeyphasorAndARateForTimes) {
   Instrument instrument = two_probes;
   instrument.keyphasor.reset();

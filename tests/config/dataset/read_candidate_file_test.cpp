@@ -56,6 +56,21 @@ TEST(ReadCandidateFile, ClearanceOfTheFileIsThatOfCandidatesWithoutTheirOwn) {
   EXPECT_DOUBLE_EQ(std::accumulate(read.prior.begin(), read.prior.end(), 0.0), 1);
 }
 
+TEST(ReadCandidateFile, UnbalanceAndPlacesAlongTheShaft) {
+  EXPECT_FALSE(usual_candidate_file().eccentricity_m);
+  const CandidateFile read = read_candidate_file_text(
+      "eccentricity_m: [2.0e-5, 4.0e-5]\n"
+      "candidates: [no_rub, {kind: one_side, position_m: [0.1, 0.2]}, {kind: annular, position_m: 0.3}]\n",
+      "list.yaml");
+  ASSERT_TRUE(read.eccentricity_m);
+  EXPECT_EQ(read.eccentricity_m->high, 4e-5);
+  EXPECT_EQ(spread_of(read.candidates[1], Unknown::position).high, 0.2);
+  EXPECT_EQ(spread_of(read.candidates[2], Unknown::position).low, 0.3);
+  EXPECT_NE(refused("candidates: [{kind: no_rub, position_m: 0.1}, annular]\n").find("unknown key"),
+            std::string::npos);
+  EXPECT_NE(refused("eccentricity_m: [0, 1.0e-5]\n").find("list.yaml:1:17: eccentricity_m"), std::string::npos);
+}
+
 TEST(ReadCandidateFile, RefusesListsThatLeaveNothingToChoose) {
   EXPECT_NE(refused("candidates: [annular]\n").find("candidates: has nothing to choose from"),
             std::string::npos);

@@ -10,10 +10,11 @@ namespace {
 using diagnose::Cause;
 using diagnose::Unknown;
 
-std::string read(const std::string& text, std::vector<diagnose::Candidate>& candidates) {
+std::string read(const std::string& text, std::vector<diagnose::Candidate>& candidates,
+                 bool of_any_rotor = true) {
   return problems(text, [&](const yaml::Value& root) {
     yaml::Section section(root);
-    if (const auto value = section.require("candidates", "a list")) candidates = read_candidates(*value);
+    if (const auto value = section.require("candidates", "a list")) candidates = read_candidates(*value, of_any_rotor);
   });
 }
 
@@ -31,6 +32,14 @@ TEST(ReadCandidates, WordHasTheUsualRangesAndMapItsOwn) {
   EXPECT_TRUE(spread_of(candidates[1], Unknown::stiffness).logarithmic);
   EXPECT_EQ(spread_of(candidates[1], Unknown::kick_ratio).high,
             spread_of(diagnose::usual_candidate(Cause::one_side), Unknown::kick_ratio).high);
+}
+
+TEST(ReadCandidates, RefusesPlacesAlongTheShaftOfAJeffcottRotor) {
+  std::vector<diagnose::Candidate> candidates;
+  const std::string text = "candidates: [{kind: one_side, position_m: 0.2}, no_rub]\n";
+  EXPECT_EQ(read(text, candidates), "none");
+  EXPECT_EQ(spread_of(candidates[0], Unknown::position).low, 0.2);
+  EXPECT_NE(read(text, candidates, false).find("candidates.0.position_m: unknown key"), std::string::npos);
 }
 
 TEST(ReadCandidates, RefusesNumbersThatTheStopsDoNotHave) {

@@ -43,6 +43,13 @@ TEST(ReadInstrument, EverythingThatThereIs) {
   ASSERT_TRUE(recorder.run_out);
   EXPECT_EQ(recorder.run_out->to_s, 3);
   EXPECT_TRUE(recorder.run_out->vector);
+  const auto from_rest = read_instrument_text(
+      "probes:\n  - {column: A, angle_deg: 0, rest: -9.1}\n  - {column: B, angle_deg: 90, rest: 0}\n"
+      "keyphasor: {column: K}\n",
+      "i.yaml");
+  EXPECT_EQ(from_rest.probes[0].rest, -9.1);
+  EXPECT_EQ(from_rest.probes[1].rest, 0);
+  EXPECT_FALSE(recorder.probes[0].rest);
   const auto without =
       read_instrument_text(probe + "sampling_rate_hz: 5000\nspeed_hz: 70\nfrom_s: 1\nto_s: 2.5\n", "i.yaml");
   EXPECT_EQ(without.sampling_rate_hz, 5000);
@@ -54,6 +61,9 @@ TEST(ReadInstrument, EverythingThatThereIs) {
 TEST(ReadInstrument, WrongOnesAreNamedWithTheirPlace) {
   const std::string clock = "time: t\nspeed_hz: 70\n";
   EXPECT_NE(fault(clock).find("probes"), std::string::npos);
+  EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle_deg: 0, rest: 1}\n  - {column: Y, angle_deg: 90}\n")
+                .find("have a reading at rest of one alone"),
+            std::string::npos);
   EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle: 3}\n").find("i.yaml:4:17: probes.0.angle"),
             std::string::npos);
   EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle: 3}\n").find("angle_deg"), std::string::npos);

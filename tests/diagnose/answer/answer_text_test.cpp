@@ -24,6 +24,10 @@ TEST(AnswerText, SaysWhenItIsNoneOfThese) {
   answer.none = 0.93;
   answer.candidates[0].probability = 0.05;
   EXPECT_EQ(first_line(answer), "none of these, 93 % (sure): no simulated motion resembles the recording");
+  answer.size_fits = false;
+  EXPECT_EQ(first_line(answer),
+            "none of these, 93 % (sure): no simulated motion of these clearances and this unbalance is as large as "
+            "the recording");
   answer.clipped = true;
   EXPECT_EQ(first_line(answer),
             "none of these can be told: a probe is clipped, and shows what no rotor does");
@@ -43,7 +47,18 @@ TEST(AnswerText, SaysNumbersWithTheirIntervals) {
 TEST(AnswerText, SaysThatItWasInterrupted) {
   Answer answer = small_answer();
   answer.interrupted = true;
-  EXPECT_NE(answer_text(answer).find("interrupted"), std::string::npos);
+  answer.stands_still = false;
+  answer.candidates[0].standard_error = 0.061;
+  const std::string text = answer_text(answer);
+  EXPECT_NE(text.find("interrupted"), std::string::npos);
+  EXPECT_NE(text.find("one_side               90 % +- 7 %\n"), std::string::npos) << text;
+}
+
+TEST(AnswerText, SaysPlacesAlongTheShaftInMetres) {
+  Answer answer = small_answer();
+  answer.candidates[0].numbers.push_back({"position_m", 0.29, 0.2, 0.31});
+  EXPECT_NE(answer_text(answer).find("position               0.29 m, 95 % from 0.2 m to 0.31 m"),
+            std::string::npos);
 }
 
 TEST(AnswerText, HasWordsForEveryCause) {

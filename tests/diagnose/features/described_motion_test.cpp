@@ -7,6 +7,7 @@
 #include <set>
 
 #include "turned_lines.hpp"
+#include "value_of.hpp"
 
 namespace rubsweep::diagnose::features {
 namespace {
@@ -39,12 +40,44 @@ TEST(DescribedMotion, OfOneProbeHasTheSameFeaturesHoweverItIsScaledAndMarked) {
   EXPECT_EQ(one.direction_rad, 0);
 }
 
+TEST(DescribedMotion, TurnsItsDirectionsWithTheMotion) {
+  response::spectrum::SpectrumWorkspace workspace;
+  const View view{.directions = true};
+  const MotionLines lines = crooked_motion();
+  const DescribedMotion one = describe(lines, view, workspace),
+                        turned = describe(seen_otherwise(lines, 1, pi / 2, 0), view, workspace);
+  const double angle = std::atan2(value_of(one.features, "sine of lopsided direction"),
+                                  value_of(one.features, "cosine of lopsided direction"));
+  EXPECT_NEAR(angle, one.direction_rad, 1e-12);
+  EXPECT_NEAR(value_of(turned.features, "sine of lopsided direction"), value_of(one.features, "cosine of lopsided direction"),
+              1e-9);
+  // An ellipse turned by a quarter is longest across.
+  const char* longest = "cosine of twice the direction in which 1X is longest";
+  EXPECT_NEAR(value_of(turned.features, longest), -value_of(one.features, longest), 1e-9);
+  const double of_1x = std::arg(lines.at(12) * lines.at(-12));
+  EXPECT_NEAR(value_of(one.features, longest), std::cos(of_1x), 1e-12);
+}
+
+TEST(DescribedMotion, HasTheMeanInUnitsOfItsSizeHoweverItIsTurned) {
+  response::spectrum::SpectrumWorkspace workspace;
+  const View view{.from_rest = true};
+  MotionLines lines = crooked_motion();
+  const DescribedMotion at_rest = describe(lines, view, workspace);
+  EXPECT_EQ(value_of(at_rest.features, "mean position along lopsided direction"), 0);
+  lines.at(0) = std::polar(0.4 * at_rest.size_m, at_rest.direction_rad + 0.3);
+  for (const double turn : {0.0, 2.0}) {
+    const DescribedMotion pushed = describe(seen_otherwise(lines, 3e-5, turn, 0), view, workspace);
+    EXPECT_NEAR(value_of(pushed.features, "mean position along lopsided direction"), 0.4 * std::cos(0.3), 1e-9);
+    EXPECT_NEAR(value_of(pushed.features, "mean position across lopsided direction"), 0.4 * std::sin(0.3), 1e-9);
+  }
+}
+
 TEST(DescribedMotion, NamesItsFeaturesOnce) {
   response::spectrum::SpectrumWorkspace workspace;
   for (const bool plane : {true, false}) {
     std::set<std::string> names;
     const DescribedMotion motion =
-        describe(plane ? crooked_motion() : one_reading(crooked_motion()), {.plane = plane}, workspace);
+        describe(plane ? crooked_motion() : one_reading(crooked_motion()), {.plane = plane, .directions = true, .from_rest = true}, workspace);
     for (const Feature& feature : motion.features) {
       EXPECT_TRUE(std::isfinite(feature.value)) << feature.name;
       names.insert(feature.name);

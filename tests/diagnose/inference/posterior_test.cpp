@@ -47,6 +47,22 @@ TEST(Posterior, ExcludesClearancesThatTheCandidateDoesNotHave) {
   EXPECT_LT(posterior_of(problem, small_set(), observed, seen, 0).probability(1), 0.05);
 }
 
+TEST(Posterior, AKnownUnbalanceTellsWhetherItExplainsTheSize) {
+  DiagnosisProblem problem = small_problem();
+  ObservedCases observed;
+  observe_cases(problem, small_set(), 0, observed);
+  const features::DescribedMotion quiet = recorded_case(0, 11);
+  EXPECT_GT(posterior_of(problem, small_set(), observed, quiet, 0).probability(0), 0.8);
+  // A Jeffcott rotor at r = 2.2 whirls by e r^2 / (r^2 - 1), the root mean square of a circle being its radius.
+  const double r = 66 / 30.15, eccentricity_m = quiet.size_m * (r * r - 1) / (r * r);
+  problem.eccentricity_m = {eccentricity_m / 1.2, eccentricity_m * 1.2, true};
+  EXPECT_GT(posterior_of(problem, small_set(), observed, quiet, 0).probability(0), 0.8);
+  // An unbalance three times as large would make a larger circle.
+  problem.eccentricity_m = {2.5 * eccentricity_m, 3.6 * eccentricity_m, true};
+  const Posterior posterior = posterior_of(problem, small_set(), observed, quiet, 0);
+  EXPECT_LT((1 - posterior.none) * posterior.probability(0), 0.1);
+}
+
 TEST(Posterior, KnowsWhatIsNoneOfThem) {
   const DiagnosisProblem problem = small_problem();
   ObservedCases observed;

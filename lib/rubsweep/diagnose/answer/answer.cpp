@@ -121,6 +121,7 @@ Answer answer_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
   });
   answer.none = answer.clipped ? 1 : diagnosis.posterior.none;
   answer.p_value = diagnosis.p_value;
+  answer.size_fits = diagnosis.posterior.weight.sum() > 0;
   answer.stands_still = diagnosis.stands_still;
   answer.rounds = static_cast<int>(diagnosis.history.size()) - 1;
   answer.cases = diagnosis.set.cases.size();
@@ -138,8 +139,8 @@ Answer answer_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
   answer.none_standard_error = error(order.size());
   for (const std::size_t c : order)
     answer.candidates.push_back({problem.candidates[c].name, problem.candidates[c].cause,
-                                 (1 - answer.none) * probability(c), error(c),
-                                 numbers_of(problem, diagnosis, seen, c)});
+                                 (1 - answer.none) * probability(c),
+                                 numbers_of(problem, diagnosis, seen, c), error(c)});
   if (order.size() > 1) answer.deciding = deciding_features(diagnosis, seen, order[0], order[1]);
   answer.best = best_motions(problem, diagnosis, recorded);
   answer.next = std::move(next);

@@ -21,9 +21,9 @@ struct CandidateAnswer {
   std::string name;
   Cause cause = Cause::no_rub;
   double probability = 0;  ///< "none of these" counted in
-  std::optional<double> standard_error{};  ///< of it, where more motions would still change it
   std::vector<NumberInterval>
       numbers{};  ///< given that it is this one; none of no_rub, or where no case is like it
+  std::optional<double> standard_error{};  ///< of the probability, where more motions would still change it
 };
 
 /// A feature of the recording beside those of the cases of the two likeliest candidates, weighted.
@@ -54,6 +54,7 @@ struct Answer {
   std::vector<CandidateAnswer> candidates{};  ///< the likeliest first
   double none = 0, p_value = 1;
   std::optional<double> none_standard_error{};
+  bool size_fits = true;  ///< some simulated motion may be as large as the recording
   bool clipped = false;  ///< a probe that clips shows what no rotor does: none is 1
   bool stands_still = false, interrupted = false;
   int rounds = 0;

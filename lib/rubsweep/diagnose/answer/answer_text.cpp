@@ -35,8 +35,9 @@ std::string first_line(const Answer& answer) {
   if (answer.clipped) return "none of these can be told: a probe is clipped, and shows what no rotor does\n";
   const CandidateAnswer& first = answer.candidates.front();
   if (answer.none > first.probability)
-    return fmt::format("none of these, {} ({}): no simulated motion resembles the recording\n",
-                       percent(answer.none), sureness(answer.none));
+    return fmt::format("none of these, {} ({}): no simulated motion {} the recording\n", percent(answer.none),
+                       sureness(answer.none),
+                       answer.size_fits ? "resembles" : "of these clearances and this unbalance is as large as");
   return fmt::format("{}, {} ({}): {}\n", first.name, percent(first.probability), sureness(first.probability),
                      words_for(first.cause));
 }

@@ -75,7 +75,7 @@ Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMot
   diagnosis.p_value = p_value_of(diagnosis.set, diagnosis.observed, seen, threads);
   if (!diagnosis.stands_still)
     diagnosis.standard_error =
-        sampling_errors(problem, diagnosis.set, diagnosis.observed, seen, diagnosis.posterior, threads);
+        sampling_errors(problem, diagnosis.set, diagnosis.observed, seen, threads);
   return diagnosis;
 }
 

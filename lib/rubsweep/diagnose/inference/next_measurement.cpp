@@ -41,7 +41,7 @@ std::vector<std::size_t> draw_cases(const Diagnosis& diagnosis) {
   for (std::size_t i = 0; i < diagnosis.set.cases.size(); ++i) {
     if (!counts(i)) continue;
     sum += diagnosis.posterior.weight(static_cast<Eigen::Index>(i));
-    while (static_cast<double>(drawn.size()) + 0.5 < sum / all * cases_together) drawn.push_back(i);
+    while (all > 0 && static_cast<double>(drawn.size()) + 0.5 < sum / all * cases_together) drawn.push_back(i);
   }
   return drawn;
 }
@@ -114,6 +114,7 @@ std::vector<NextMeasurement> next_measurements(const DiagnosisProblem& problem, 
                                                int threads) {
   if ((diagnosis.posterior.probability.array() >= possible).count() < 2) return {};
   const std::vector<std::size_t> drawn = draw_cases(diagnosis);
+  if (drawn.empty()) return {};
   std::vector<std::pair<std::string, DiagnosisProblem>> options;
   for (const double factor : {0.9, 1.1}) {
     DiagnosisProblem changed = problem;

@@ -47,9 +47,9 @@ Eigen::VectorXd probabilities_of(const Posterior& posterior) {
 
 Eigen::VectorXd sampling_errors(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
-                                const Posterior& posterior, int threads) {
-  const Eigen::VectorXd whole = probabilities_of(posterior);
-  Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(whole.size());
+                                int threads) {
+  Eigen::MatrixXd by_half(static_cast<Eigen::Index>(halves),
+                          static_cast<Eigen::Index>(problem.candidates.size()) + 1);
   for (std::uint64_t k = 0; k < halves; ++k) {
     RandomStream random(problem.seed, k, DrawPurpose::of_half);
     const std::vector<Eigen::Index> rows = half_of_cases(problem, set, random);
@@ -61,10 +61,11 @@ Eigen::VectorXd sampling_errors(const DiagnosisProblem& problem, const CaseSet& 
     const ObservedCases seen_half{observed.features(rows, Eigen::all), observed.size_m(rows),
                                   observed.direction_rad(rows), observed.probe_angle_rad(rows),
                                   observed.of_other_causes(others, Eigen::all)};
-    const Posterior by_half = posterior_of(problem, half, seen_half, seen, threads);
-    sum += (probabilities_of(by_half) - whole).array().square();
+    by_half.row(static_cast<Eigen::Index>(k)) =
+        probabilities_of(posterior_of(problem, half, seen_half, seen, threads)).transpose();
   }
-  return (sum / static_cast<double>(halves)).sqrt();
+  const Eigen::MatrixXd off = by_half.rowwise() - by_half.colwise().mean();
+  return (off.colwise().squaredNorm() / (static_cast<double>(halves) - 1)).cwiseSqrt().transpose();
 }
 
 }  // namespace rubsweep::diagnose::inference

@@ -1,0 +1,64 @@
+#include "rubsweep/diagnose/fitted_parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "batch/temporary_directory.hpp"
+#include "rubsweep/error.hpp"
+
+namespace rubsweep::diagnose {
+namespace {
+
+class FittedParametersTest : public testing::Test {
+ protected:
+  void write(const char* name, const char* text) const { std::ofstream(directory.path() / name) << text; }
+
+  TemporaryDirectory directory;
+};
+
+constexpr const char* table =
+    "# rubfit\nparameter,value,standard_error,low_95,high_95,start,at_bound\n"
+    "rotor.supports.0.stiffness_x_n_per_m,3e4,500,2.9e4,3.1e4,2e4,0\n"
+    "eccentricity_m,2e-5,1e-6,1.8e-5,2.2e-5,1e-5,0\n";
+
+TEST_F(FittedParametersTest, AreReadWithTheirIntervals) {
+  EXPECT_FALSE(read_fitted_parameters(directory.path()));
+  write("parameters.csv", table);
+  const auto fitted = read_fitted_parameters(directory.path());
+  ASSERT_TRUE(fitted);
+  EXPECT_EQ(fitted->value(0), 3e4);
+  EXPECT_EQ(interval_of(*fitted, "eccentricity_m")->high, 2.2e-5);
+  EXPECT_FALSE(interval_of(*fitted, "mark_deg"));
+  EXPECT_EQ(fitted->correlation, Eigen::MatrixXd::Identity(2, 2));
+}
+
+TEST_F(FittedParametersTest, AreDrawnAsTheirErrorsAreCorrelated) {
+  write("parameters.csv", table);
+  write("correlation.csv",
+        "parameter,rotor.supports.0.stiffness_x_n_per_m,eccentricity_m\n"
+        "rotor.supports.0.stiffness_x_n_per_m,1,-0.9\neccentricity_m,-0.9,1\n");
+  const auto fitted = read_fitted_parameters(directory.path());
+  RandomStream random(7, 0, 0);
+  constexpr int draws = 20'000;
+  double inside = 0, product = 0;
+  for (int k = 0; k < draws; ++k) {
+    const Eigen::VectorXd value = draw_parameters(*fitted, random);
+    inside += value(0) >= 2.9e4 && value(0) <= 3.1e4 ? 1.0 / draws : 0;
+    product += (value(0) - 3e4) / (1e3 / 1.96) * (value(1) - 2e-5) / (2e-6 / 1.96) / draws;
+  }
+  EXPECT_NEAR(inside, 0.95, 0.006);
+  EXPECT_NEAR(product, -0.9, 0.02);
+}
+
+TEST_F(FittedParametersTest, DamagedFilesAreNamed) {
+  write("parameters.csv", table);
+  write("correlation.csv", "parameter,rotor.supports.0.stiffness_x_n_per_m,eccentricity_m\n");
+  EXPECT_THROW(read_fitted_parameters(directory.path()), IoError);
+  write("parameters.csv", "parameter,value\n");
+  EXPECT_THROW(read_fitted_parameters(directory.path()), IoError);
+}
+
+}  // namespace
+}  // namespace rubsweep::diagnose
