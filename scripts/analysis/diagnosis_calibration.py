@@ -65,6 +65,8 @@ def print_ranks(rows):
     print("ranks of true numbers in five equal parts, and chi-square of 4 degrees (9.5 at 5 %):")
     for name in [name for name in rows[0] if name.startswith("rank_of_")]:
         ranks = [float(row[name]) for row in rows if row.get(name) and row["truth"] != "no_rub"]
+        # A candidate whose cases weigh nothing says nothing of its numbers.
+        ranks = [rank for rank in ranks if rank == rank]
         counts = [sum(min(4, int(5 * rank)) == k for rank in ranks) for k in range(5)]
         expected = len(ranks) / 5
         print(f"  {name[8:]:<22} {counts}  {sum((count - expected) ** 2 for count in counts) / expected:.1f}")

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <random>
 #include <span>
@@ -116,6 +117,8 @@ double truth_of(const dataset::LabelledRecording& labelled, Quantity quantity) {
       return labelled.clearance_m;
     case Quantity::stop_angle:
       return labelled.stop_angle_deg;
+    case Quantity::position:
+      return 0;  // a Jeffcott rotor has no places
     case Quantity::contact_fraction:
       return labelled.motion.contact.contact_fraction;
     case Quantity::peak_force:
@@ -204,13 +207,21 @@ std::pair<std::size_t, double> of_the_nearest(const diagnose::features::Describe
   return {static_cast<std::size_t>(most - count.begin()), *most};
 }
 
+/// Numbers that a Jeffcott rotor has.
+std::vector<Quantity> asked_quantities() {
+  std::vector<Quantity> asked;
+  std::ranges::copy_if(diagnose::inference::all_quantities, std::back_inserter(asked),
+                       [](Quantity quantity) { return quantity != Quantity::position; });
+  return asked;
+}
+
 void print_header() {
   std::string line = "machine,truth,motion_class,order,sampling_rate_hz,probes,speed_ratio";
   for (const diagnose::Cause cause : diagnose::all_causes) line += fmt::format(",{}", to_string(cause));
   line += ",none,p_value,rounds,sharpness,motions,rule,nearest,share_of_nearest";
   for (const diagnose::Cause cause : diagnose::all_causes)
     line += fmt::format(",{}_before_rounds", to_string(cause));
-  for (const Quantity quantity : diagnose::inference::all_quantities)
+  for (const Quantity quantity : asked_quantities())
     line += fmt::format(",rank_of_{}", diagnose::inference::to_string(quantity));
   fmt::print("{}\n", line);
 }
@@ -243,7 +254,7 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
     for (Eigen::Index i = 0; i < weight.size(); ++i)
       if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != *truth.candidate) weight(i) = 0;
     std::mt19937_64 random(machine);
-    for (const Quantity quantity : diagnose::inference::all_quantities) {
+    for (const Quantity quantity : asked_quantities()) {
       const Eigen::VectorXd values =
           values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
       const double value = truth_of(*truth.labelled, quantity);
@@ -292,6 +303,7 @@ void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
   options.cases.cases_per_candidate = cases;
   options.cases.threads = 1;
   options.most_rounds = rounds;
+  options.with_standard_error = false;
   const diagnose::inference::CaseSet set = prior_cases(problem, options.cases);
   const auto answer = [&](const dataset::LabelledRecording& labelled, const Truth& truth) {
     const recording::Recording recording = measured(labelled);

@@ -73,7 +73,7 @@ Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMot
     narrow(problem, options, round + 1, diagnosis);
   }
   diagnosis.p_value = p_value_of(diagnosis.set, diagnosis.observed, seen, threads);
-  if (!diagnosis.stands_still)
+  if (!diagnosis.stands_still && options.with_standard_error)
     diagnosis.standard_error =
         sampling_errors(problem, diagnosis.set, diagnosis.observed, seen, threads);
   return diagnosis;

@@ -20,15 +20,32 @@ double between_logarithms(double low, double high, RandomStream& random) {
   return low * std::pow(high / low, random.uniform());
 }
 
+/// Shares of a component that turn forward and backward. Their squares add up to 1.
+struct Whirl {
+  double forward = 1, backward = 0;
+};
+
+/// A forced vibration: any ellipse.
+Whirl any_ellipse(RandomStream& random) {
+  const double share = 2 * pi * random.uniform();
+  return {std::cos(share), std::sin(share)};
+}
+
+/// A self-excited whirl, as of an oil film: nearly a circle, more often forward.
+Whirl near_circle(RandomStream& random) {
+  const double rest = between_logarithms(1e-3, 0.3, random), most = std::sqrt(1 - rest * rest);
+  return random.uniform() < 0.75 ? Whirl{most, rest} : Whirl{rest, most};
+}
+
 /// Adds a component of an order, whose angle is that of the shaft times the order and what it wandered.
 class Vibration {
  public:
   explicit Vibration(int turns) : z_(static_cast<std::size_t>(turns * samples_of_a_turn)) {}
 
-  void add(double order, double amplitude, const std::vector<double>& wandered, RandomStream& random) {
-    const double share = 2 * pi * random.uniform();
-    const Complex forward = std::polar(amplitude * std::cos(share), 2 * pi * random.uniform()),
-                  backward = std::polar(amplitude * std::sin(share), 2 * pi * random.uniform());
+  void add(double order, double amplitude, const Whirl& whirl, const std::vector<double>& wandered,
+           RandomStream& random) {
+    const Complex forward = std::polar(amplitude * whirl.forward, 2 * pi * random.uniform()),
+                  backward = std::polar(amplitude * whirl.backward, 2 * pi * random.uniform());
     for (std::size_t k = 0; k < z_.size(); ++k) {
       const double angle =
           2 * pi * order * static_cast<double>(k) / samples_of_a_turn + (wandered.empty() ? 0 : wandered[k]);
@@ -62,28 +79,32 @@ std::vector<double> wandering(std::size_t samples, RandomStream& random) {
 /// Whole multiples of the shaft speed: one, or a series that grows weaker.
 void add_multiples(Vibration& vibration, double amplitude, RandomStream& random) {
   if (random.uniform() < 0.5) {
-    vibration.add(2 + std::floor(4 * random.uniform()), amplitude, {}, random);
+    const double order = 2 + std::floor(4 * random.uniform());
+    vibration.add(order, amplitude, any_ellipse(random), {}, random);
     return;
   }
   const double decay = 1.5 * random.uniform();
-  for (int order = 2; order <= 8; ++order)
-    vibration.add(order, amplitude * std::pow(order, -decay) * between_logarithms(0.2, 1, random), {},
-                  random);
+  for (int order = 2; order <= 8; ++order) {
+    const double strength = amplitude * std::pow(order, -decay) * between_logarithms(0.2, 1, random);
+    vibration.add(order, strength, any_ellipse(random), {}, random);
+  }
 }
 
-/// Any order, with its harmonic and with sidebands, each or not.
+/// Any order, forced or self-excited, with its harmonic and with sidebands, each or not.
 void add_free_order(Vibration& vibration, double amplitude, RandomStream& random) {
   const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
   const std::vector<double> wandered = wandering(vibration.samples().size(), random);
-  vibration.add(order, amplitude, wandered, random);
+  const Whirl whirl = random.uniform() < 0.5 ? any_ellipse(random) : near_circle(random);
+  vibration.add(order, amplitude, whirl, wandered, random);
   if (random.uniform() < 0.5) {
     std::vector<double> twice = wandered;
     for (double& angle : twice) angle *= 2;
-    vibration.add(2 * order, amplitude * between_logarithms(0.1, 1, random), twice, random);
+    vibration.add(2 * order, amplitude * between_logarithms(0.1, 1, random), any_ellipse(random), twice, random);
   }
   if (random.uniform() < 0.5)
     for (const int side : {-1, 1})
-      vibration.add(order + side, amplitude * between_logarithms(0.05, 0.7, random), wandered, random);
+      vibration.add(order + side, amplitude * between_logarithms(0.05, 0.7, random), any_ellipse(random), wandered,
+                    random);
 }
 
 }  // namespace

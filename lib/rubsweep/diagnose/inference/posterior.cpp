@@ -182,10 +182,11 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
   for (Eigen::Index i = 0; i < weight.size(); ++i)
     share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
+  // No case and no other vibration is like it.
+  if (share.sum() == 0) share(samples.classes - 1) = 1;
   Posterior posterior;
   posterior.sharpness = best_sharpness(forest.out_of_bag_probabilities(), samples.label, samples.weight);
-  const Eigen::RowVectorXd all =
-      sharpened(share.sum() > 0 ? Eigen::RowVectorXd(share / share.sum()) : share, posterior.sharpness);
+  const Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness);
   posterior.none = all(samples.classes - 1);
   posterior.probability = all.head(samples.classes - 1).transpose() / (1 - posterior.none);
   posterior.weight = weight.head(static_cast<Eigen::Index>(set.cases.size()));
