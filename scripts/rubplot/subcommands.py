@@ -4,6 +4,7 @@ from rubplot.pictures import (
     basin,
     bode,
     branch,
+    calibration,
     campbell,
     cascade,
     compare,
@@ -27,5 +28,5 @@ from rubplot.published import figure
 ALL = tuple(
     module.SUBCOMMAND
     for module in (map, threshold, compare, trace, line, cascade, branch, curves, basin, run_up, bode, campbell, design,
-                   identification, scope, fit, diagnosis, ring, ring_chart, work_precision, figure)
+                   identification, scope, fit, diagnosis, calibration, ring, ring_chart, work_precision, figure)
 )

@@ -268,6 +268,8 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
                           std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random));
     }
   }
+  // Recordings of no candidate have no ranks.
+  if (!truth.candidate) line.append(asked_quantities().size(), ',');
   fmt::print("{}\n", line);
   std::fflush(stdout);
 }

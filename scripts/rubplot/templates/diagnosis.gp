@@ -13,6 +13,8 @@ green = "#117733"
 # Here, while no axis has a range.
 stats "spectrum" using 2 name "L" nooutput
 largest_line = L_max
+stats "spectrum" using (abs($1)) name "O" nooutput
+farthest_line = O_max < 2 ? 2 : 1.05 * O_max
 
 do for [format in formats] {
   eval canvas(format, 1600, 1000, 'DejaVu Sans,20', 1.5)
@@ -67,6 +69,8 @@ do for [format in formats] {
   set logscale y
   set format y "10^{%L}"
   set yrange [largest_line * 5e-4:largest_line * 2]
+  # A motion may be a single line.
+  set xrange [-farthest_line:farthest_line]
   set xlabel "order (multiples of the speed)"
   set label 4 sprintf("amplitude (%s)", unit) at screen 0.53, 0.285 center rotate by 90
   plot "spectrum" using 1:2 with impulses linewidth 3 linecolor rgb blue, \

@@ -1,0 +1,89 @@
+"""Calibration of probabilities: how often statements are right, and what they say of each truth."""
+
+from collections import Counter, defaultdict
+from dataclasses import dataclass
+
+from rubplot import csv_table
+
+CANDIDATES = ("no_rub", "one_side", "two_sides", "annular", "annular_offset")
+NONE = "none"
+PARTS = 5  # of the unit interval, in which ranks are counted
+
+# Share of the nearest cases that are of one candidate, from which candidates differ in a recording.
+TELLING = 0.79
+
+
+@dataclass(frozen=True)
+class Statements:
+    """Statements of probabilities in a tenth of the unit interval: their number, their mean, and the share that is right."""
+
+    count: int
+    mean: float
+    right: float
+
+    @property
+    def deviation(self):
+        """Of the share, were it the mean (binomial)."""
+        return (self.mean * (1 - self.mean) / self.count) ** 0.5
+
+
+class Calibration:
+    """Rows of studies/diagnosis/diagnosis_calibration."""
+
+    def __init__(self, rows):
+        self.rows = list(rows)
+
+    @classmethod
+    def of_tables(cls, paths):
+        return cls(row for path in paths for row in csv_table.read_table(path, "truth", "none", "rule", "share_of_nearest", *CANDIDATES))
+
+    def statements(self):
+        """From the least likely tenth to the likeliest; a tenth without any is left out."""
+        tenths = defaultdict(list)
+        for row in self.rows:
+            for name, stated in probabilities(row).items():
+                tenths[min(9, int(10 * stated))].append((stated, name == truth_of(row)))
+        for _, found in sorted(tenths.items()):
+            count = len(found)
+            yield Statements(count, sum(stated for stated, _ in found) / count, sum(right for _, right in found) / count)
+
+    def of_candidates(self, telling=False):
+        """Recordings of candidates; `telling`: those in which candidates differ."""
+        return [row for row in self.rows if truth_of(row) != NONE and (not telling or float(row["share_of_nearest"]) >= TELLING)]
+
+    def other_truths(self):
+        return sorted({row["truth"] for row in self.rows} - set(CANDIDATES))
+
+    def firsts(self, truth):
+        """What came first, and how often, of recordings of this truth."""
+        return Counter(first_of(row) for row in self.rows if row["truth"] == truth)
+
+    def rank_names(self):
+        return [name for name in self.rows[0] if name.startswith("rank_of_")]
+
+    def ranks(self, name):
+        """How many true numbers lie in each part of their posterior distribution. No rub has none."""
+        ranks = [float(row[name]) for row in self.rows if row[name] and row["truth"] != "no_rub"]
+        # A candidate whose cases weigh nothing says nothing of its numbers.
+        ranks = [rank for rank in ranks if rank == rank]
+        return [sum(min(PARTS - 1, int(PARTS * rank)) == part for rank in ranks) for part in range(PARTS)]
+
+
+def probabilities(row):
+    none = float(row["none"])
+    return {**{name: (1 - none) * float(row[name]) for name in CANDIDATES}, NONE: none}
+
+
+def truth_of(row):
+    return row["truth"] if row["truth"] in CANDIDATES else NONE
+
+
+def first_of(row):
+    stated = probabilities(row)
+    return max(stated, key=stated.get)
+
+
+def chi_square(counts):
+    """Of counts that should be equal."""
+    expected = sum(counts) / len(counts)
+    return sum((count - expected) ** 2 for count in counts) / expected if expected else 0.0
