@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/diagnose/draw_purpose.hpp"
 #include "rubsweep/diagnose/fitted_parameters.hpp"
@@ -18,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Fitted = std::optional<diagnose::FittedParameters>;
 
-/// What is taken where no fit says how well a number is known.
+/// Shares on either side of a number that no fit gives an interval of.
 constexpr double frequency_share = 0.01, damping_share = 0.2;
 
 /// Kits that stand for all that are likely.
@@ -91,21 +90,25 @@ std::vector<model::RotorKit> fitted_kits(const std::string& text, const fs::path
   return kits;
 }
 
-void set_kit(const model::RotorKit& kit, const Fitted& fitted, const fs::path& file, double speed_hz,
-             std::uint64_t seed, DiagnosedMachine& diagnosed) {
-  const bool has_keys = fitted && !overrides_of(*fitted, fitted->value).empty();
-  std::vector<model::RotorKit> kits;
-  if (has_keys) {
-    kits = fitted_kits(diagnosed.text, file, *fitted, seed);
+void draw_kits(const model::RotorKit& kit, const Fitted& fitted, const fs::path& file, std::uint64_t seed,
+               DiagnosedMachine& diagnosed) {
+  diagnose::refuse_unscalable(kit, file.string());
+  if (fitted && !overrides_of(*fitted, fitted->value).empty()) {
+    diagnosed.kits = fitted_kits(diagnosed.text, file, *fitted, seed);
   } else {
-    kits = diagnose::varied_kits(kit, frequency_share, damping_share, likely_kits, seed);
+    diagnosed.kits = diagnose::varied_kits(kit, frequency_share, damping_share, likely_kits, seed);
     diagnosed.remarks.push_back(
         fmt::format("rotor: no intervals are known, {:.0f} % of the natural frequencies and {:.0f} % of the "
                     "damping are taken",
                     100 * frequency_share, 100 * damping_share));
   }
-  diagnose::KnownKit known = diagnose::known_kit(std::move(kits), speed_hz, file.string());
-  known.digest = config::digest_of(fmt::format("{}{} {}", diagnosed.text, has_keys ? fitted->text : "", seed));
+}
+
+}  // namespace
+
+void prepare_kits(const fs::path& file, double speed_hz, DiagnosedMachine& diagnosed) {
+  if (diagnosed.kits.empty()) return;
+  diagnose::KnownKit known = diagnose::known_kit(std::move(diagnosed.kits), speed_hz, file.string());
   diagnosed.fixed.rotor_mass_kg = known.rotor_mass_kg;
   diagnosed.natural_frequency_hz = {known.natural_frequency_hz, known.natural_frequency_hz};
   // A kit has damping of its own.
@@ -113,9 +116,7 @@ void set_kit(const model::RotorKit& kit, const Fitted& fitted, const fs::path& f
   diagnosed.fixed.kit = std::make_shared<const diagnose::KnownKit>(std::move(known));
 }
 
-}  // namespace
-
-DiagnosedMachine read_diagnosed_machine(const fs::path& file, double speed_hz, std::uint64_t seed) {
+DiagnosedMachine read_diagnosed_machine(const fs::path& file, std::uint64_t seed) {
   DiagnosedMachine diagnosed;
   diagnosed.text = config::yaml::read_config_bytes(file);
   const config::RunConfig config = config::read_run_config_text(diagnosed.text, file.string(), {});
@@ -132,7 +133,7 @@ DiagnosedMachine read_diagnosed_machine(const fs::path& file, double speed_hz, s
   if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor)) {
     set_jeffcott(*rotor, fitted, file, diagnosed);
   } else {
-    set_kit(std::get<model::RotorKit>(machine.rotor), fitted, file, speed_hz, seed, diagnosed);
+    draw_kits(std::get<model::RotorKit>(machine.rotor), fitted, file, seed, diagnosed);
   }
   if (fitted) diagnosed.text += fitted->text;
   return diagnosed;

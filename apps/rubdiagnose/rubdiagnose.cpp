@@ -100,14 +100,15 @@ void tell_machine(const DiagnosedMachine& machine, const std::string& list,
 }
 
 Input read_input(const RubdiagnoseArguments& arguments) {
-  ReadRecording read = read_recording(arguments);
-  const double speed_hz = inference::simulated_speed_hz(read.recording.mean_speed_hz());
-  const DiagnosedMachine machine = read_diagnosed_machine(arguments.machine, speed_hz, arguments.seed);
+  DiagnosedMachine machine = read_diagnosed_machine(arguments.machine, arguments.seed);
   const std::string list =
       arguments.candidates ? config::yaml::read_config_bytes(*arguments.candidates) : std::string();
   const config::dataset::CandidateFile candidates =
       arguments.candidates ? config::dataset::read_candidate_file_text(list, arguments.candidates->string())
                            : config::dataset::usual_candidate_file();
+  ReadRecording read = read_recording(arguments);
+  const double speed_hz = inference::simulated_speed_hz(read.recording.mean_speed_hz());
+  prepare_kits(arguments.machine, speed_hz, machine);
   Input input{
       .recording = std::move(read.recording), .problem = {}, .digest = {}, .remarks = machine.remarks};
   inference::DiagnosisProblem& problem = input.problem;

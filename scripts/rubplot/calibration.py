@@ -23,7 +23,7 @@ class Statements:
 
     @property
     def deviation(self):
-        """Of the share, were it the mean (binomial)."""
+        """Standard deviation of the share, were the mean its probability (binomial)."""
         return (self.mean * (1 - self.mean) / self.count) ** 0.5
 
 
@@ -55,7 +55,7 @@ class Calibration:
         return sorted({row["truth"] for row in self.rows} - set(CANDIDATES))
 
     def firsts(self, truth):
-        """What came first, and how often, of recordings of this truth."""
+        """Answers that came first, and how often, in recordings of this truth."""
         return Counter(first_of(row) for row in self.rows if row["truth"] == truth)
 
     def rank_names(self):
@@ -84,6 +84,6 @@ def first_of(row):
 
 
 def chi_square(counts):
-    """Of counts that should be equal."""
+    """Chi-square of counts that should be equal."""
     expected = sum(counts) / len(counts)
     return sum((count - expected) ** 2 for count in counts) / expected if expected else 0.0

@@ -167,7 +167,7 @@ expect_contains stdout 'eccentricity_m: 7.84e-07 to 1.28e-06, the interval of th
 expect_contains stdout 'no simulated motion of these clearances and this unbalance is as large as the recording'
 [[ $(count_rows known/probabilities.csv "candidate == 'one_side' and probability < 0.5") == 1 ]] ||
   fail 'the unbalance is not used'
-printf 'eccentricity_m: [1.0e-5, 1.0e-2]\n' >>places.yaml
+printf 'eccentricity_m: [1.0e-4, 1.0e-3]\n' >>places.yaml
 expect_exit 0 "${kit[@]}" --output listed_unbalance --quiet
 [[ $(count_rows listed_unbalance/probabilities.csv "candidate == 'one_side' and probability > 0.5") == 1 ]] ||
   fail 'the list does not go before the fit'

@@ -65,6 +65,17 @@ TEST(KnownKit, FactorsAreThoseOfFrequencyAndDamping) {
   EXPECT_NEAR(varied.supports[1].damping_x_ns_per_m, 5 * 2 * 1.1, 1e-12);
 }
 
+TEST(KnownKit, HasADigestOfAllThatMovesIt) {
+  const std::string digest = known_kit({light_kit()}, 40, "kit.yaml").digest;
+  EXPECT_EQ(known_kit({light_kit()}, 40, "other.yaml").digest, digest);
+  model::RotorKit kit = light_kit();
+  kit.supports[1].damping_y_ns_per_m += 1e-3;
+  EXPECT_NE(known_kit({kit}, 40, "kit.yaml").digest, digest);
+  kit = light_kit();
+  kit.sensors[0].position_m += 0.01;
+  EXPECT_NE(known_kit({kit}, 40, "kit.yaml").digest, digest);
+}
+
 TEST(KnownKit, RefusesPartsWhoseMotionHasASizeOfItsOwn) {
   const auto with = [](auto change) {
     model::RotorKit kit = light_kit();

@@ -6,7 +6,7 @@ HEADER = "machine,truth,no_rub,one_side,two_sides,annular,annular_offset,none,ru
 
 
 def row(truth, one_side, none, rank="", share=0.5):
-    """Of what is not none, `one_side` goes to that candidate and the rest to no rub."""
+    """A recording: one_side has the share `one_side` of what is not none, and no_rub the rest."""
     return f"1,{truth},{1 - one_side},{one_side},0,0,0,{none},no_rub,one_side,{share},{rank}"
 
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "rubsweep/batch/sha256.hpp"
 #include "rubsweep/diagnose/draw_purpose.hpp"
 #include "rubsweep/diagnose/lasting_motion.hpp"
 #include "rubsweep/diagnose/random_stream.hpp"
@@ -87,6 +88,22 @@ int modes_kept(const structure::Reduction& reduction, double speed_hz) {
   return static_cast<int>(most);
 }
 
+template <class Matrix>
+void add(const Matrix& matrix, batch::Sha256& sum) {
+  sum.add({reinterpret_cast<const char*>(matrix.data()),
+           static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar)});
+}
+
+/// Everything that moves the kit, whatever file it came from.
+void add(const scene::PreparedMachine& prepared, batch::Sha256& sum) {
+  const structure::LinearSystem& system = prepared.assembly.system;
+  for (const Eigen::MatrixXd* matrix :
+       {&system.mass, &system.damping, &system.stiffness, &prepared.assembly.gyroscopic})
+    add(*matrix, sum);
+  add(system.unbalance_kg, sum);
+  for (const structure::Point& point : system.points) add(point.map, sum);
+}
+
 KnownKit places_of(const model::RotorKit& kit) {
   KnownKit known;
   known.probe_position_m = kit.sensors.front().position_m;
@@ -96,7 +113,9 @@ KnownKit places_of(const model::RotorKit& kit) {
   return known;
 }
 
-void refuse(const model::RotorKit& kit, const std::string& name) {
+}  // namespace
+
+void refuse_unscalable(const model::RotorKit& kit, const std::string& name) {
   if (const auto part = part_of_its_own_size(kit))
     throw ConfigError(name + ": " + std::string(*part) +
                       ": gives the motion a size of its own, allowed: no such part, as motions are scaled to "
@@ -105,21 +124,21 @@ void refuse(const model::RotorKit& kit, const std::string& name) {
     throw ConfigError(name + ": rotor.sensors: is missing, allowed: the place of the probes along the shaft");
 }
 
-}  // namespace
-
 KnownKit known_kit(std::vector<model::RotorKit> drawn, double speed_hz, const std::string& name) {
   const model::RotorKit& first = drawn.front();
-  refuse(first, name);
+  refuse_unscalable(first, name);
   KnownKit known = places_of(first);
   // Off the middle, where every second mode of a symmetric shaft has a node.
   const double inside_m = place_of_stop(known, std::lerp(known.from_m, known.to_m, 0.3));
   const int modes =
       modes_kept(*scene::prepare_machine(in_a_wide_stop(first, inside_m)).reduction, speed_hz);
   std::vector<std::pair<double, std::size_t>> order;
+  batch::Sha256 sum;
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     drawn[k].modes = modes;
     const scene::PreparedMachine prepared =
         scene::prepared_at(scene::prepare_with_modes(in_a_wide_stop(drawn[k], inside_m), modes), speed_hz);
+    add(prepared, sum);
     order.emplace_back(lowest_frequency_hz(prepared), k);
     if (k > 0) continue;
     known.rotor_mass_kg = model::rotor_mass_kg(prepared.machine);
@@ -128,6 +147,7 @@ KnownKit known_kit(std::vector<model::RotorKit> drawn, double speed_hz, const st
     if (prepared.assembly.system.damping.isZero(0))
       throw ConfigError(name + ": rotor: has no damping, allowed: some, as no motion would settle");
   }
+  known.digest = sum.digits();
   std::ranges::sort(order);
   known.natural_frequency_hz = order[order.size() / 2].first;
   for (const auto& [frequency_hz, k] : order) known.likely.push_back(std::move(drawn[k]));

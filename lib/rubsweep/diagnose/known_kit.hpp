@@ -22,10 +22,14 @@ struct KnownKit {
   std::string digest{};                  ///< of all that decided the kits, for tables of cases
 };
 
+/// Throws ConfigError, opened by `name`, where a kit has a length or a force that does not grow with the
+/// unbalance (bow, couplings out of line, static loads, a faulty bearing, clearances from the sag), torsion, or
+/// no sensor.
+void refuse_unscalable(const model::RotorKit& kit, const std::string& name);
+
 /// Kits from draws of what is not known. Each keeps the modes up to most_order times the speed and one more,
-/// or what it says itself. Throws ConfigError, opened by `name`, where a kit has a length or a force that does
-/// not grow with the unbalance (bow, couplings out of line, static loads, a faulty bearing, clearances from
-/// the sag), torsion, no sensor, no damping, or cannot be computed at this speed.
+/// or what it says itself. Throws ConfigError, opened by `name`, as refuse_unscalable, and where a kit has no
+/// damping or cannot be computed at this speed.
 KnownKit known_kit(std::vector<model::RotorKit> drawn, double speed_hz, const std::string& name);
 
 /// The kit with all natural frequencies times a factor, by stiffnesses, and all damping times another one.

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+
+#include "rubsweep/dataset/data_study.hpp"
+#include "rubsweep/diagnose/inference/diagnosis_problem.hpp"
+
+namespace rubsweep {
+
+/// A machine with its speed and its instrument. Half of the recordings are read every millisecond, a third by
+/// one probe.
+struct StudiedMachine {
+  double frequency_hz = 0, damping_ratio = 0, speed_ratio = 0;
+  double sampling_rate_hz = 0;
+  int probes = 2;
+};
+
+/// Machine of that number, drawn from the priors.
+StudiedMachine draw_studied(std::size_t machine, std::mt19937_64& random);
+
+/// Study of rubdata that records this machine with the stops of a cause.
+dataset::DataStudy study_of(const StudiedMachine& machine, diagnose::Cause cause, std::uint64_t seed);
+
+/// Problem of a diagnosis that knows the machine as far as a fit would: 1 % of the frequency, 20 % of the
+/// damping.
+diagnose::inference::DiagnosisProblem problem_of(const StudiedMachine& machine, std::uint64_t seed,
+                                                 std::mt19937_64& random);
+
+}  // namespace rubsweep
