@@ -95,6 +95,11 @@ void draw_kits(const model::RotorKit& kit, const Fitted& fitted, const fs::path&
   diagnose::refuse_unscalable(kit, file.string());
   if (fitted && !overrides_of(*fitted, fitted->value).empty()) {
     diagnosed.kits = fitted_kits(diagnosed.text, file, *fitted, seed);
+    for (std::size_t i = 0; i < fitted->name.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      if (fitted->name[i].starts_with("rotor.") && !std::isfinite(fitted->high_95(k) - fitted->low_95(k)))
+        diagnosed.remarks.push_back(fitted->name[i] + ": the fit has no interval, its value is taken");
+    }
   } else {
     diagnosed.kits = diagnose::varied_kits(kit, frequency_share, damping_share, likely_kits, seed);
     diagnosed.remarks.push_back(

@@ -52,6 +52,15 @@ TEST_F(FittedParametersTest, AreDrawnAsTheirErrorsAreCorrelated) {
   EXPECT_NEAR(product, -0.9, 0.02);
 }
 
+TEST_F(FittedParametersTest, StayAsTheyWereFoundWithoutAnInterval) {
+  write("parameters.csv",
+        "parameter,value,standard_error,low_95,high_95,start,at_bound\n"
+        "rotor.damping_ratio,0.02,,,,0.02,1\nmark_deg,7,,-inf,inf,0,0\n");
+  const auto fitted = read_fitted_parameters(directory.path());
+  RandomStream random(7, 0, 0);
+  EXPECT_EQ(draw_parameters(*fitted, random), Eigen::Vector2d(0.02, 7));
+}
+
 TEST_F(FittedParametersTest, DamagedFilesAreNamed) {
   write("parameters.csv", table);
   write("correlation.csv", "parameter,rotor.supports.0.stiffness_x_n_per_m,eccentricity_m\n");

@@ -70,7 +70,8 @@ Eigen::VectorXd draw_parameters(const FittedParameters& fitted, RandomStream& ra
   for (double& x : normal) x = random.normal();
   const auto modes = numerics::dense::self_adjoint_modes(fitted.correlation);
   const Eigen::VectorXd root = modes.values.cwiseMax(0).cwiseSqrt();
-  const Eigen::ArrayXd deviation = (fitted.high_95 - fitted.low_95).array() / (2 * deviations_of_95);
+  const Eigen::ArrayXd width = (fitted.high_95 - fitted.low_95).array();
+  const Eigen::ArrayXd deviation = width.isFinite().select(width, 0) / (2 * deviations_of_95);
   const Eigen::VectorXd correlated = modes.vectors * (root.array() * normal.array()).matrix();
   return fitted.value + (deviation * correlated.array()).matrix();
 }
