@@ -192,7 +192,7 @@ diagnose::MotionLines lines_of(const Input& input) {
   response::spectrum::SpectrumWorkspace workspace;
   const std::span all(input.recording.displacement_m);
   return diagnose::lines_of(
-      all.last(static_cast<std::size_t>(input.problem.turns * recording::samples_per_revolution)),
+      all.last(static_cast<std::size_t>(input.problem.turns) * recording::samples_per_revolution),
       input.problem.turns, inference::seen_order(input.problem.measuring), workspace);
 }
 

@@ -73,6 +73,7 @@ Candidate usual_candidate(Cause cause) {
 
 std::vector<Candidate> usual_candidates() {
   std::vector<Candidate> candidates;
+  candidates.reserve(all_causes.size());
   for (const Cause cause : all_causes) candidates.push_back(usual_candidate(cause));
   return candidates;
 }

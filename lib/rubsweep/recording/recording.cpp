@@ -38,6 +38,7 @@ Complex plane_of(double first, double second, double first_rad, double second_ra
 std::vector<Complex> turned(const std::vector<std::vector<double>>& readings_m, const Instrument& instrument,
                             const SampleClock& clock, std::span<const double> turn_begin_s) {
   std::vector<std::vector<double>> probes;
+  probes.reserve(readings_m.size());
   for (const auto& readings : readings_m)
     probes.push_back(
         at_equal_angles(readings, clock.first_s, clock.rate_hz, turn_begin_s, samples_per_revolution));

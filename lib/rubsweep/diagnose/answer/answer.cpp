@@ -102,6 +102,7 @@ std::vector<BestMotion> best_motions(const DiagnosisProblem& problem, const Diag
   });
   order.resize(std::min(order.size(), looked_at));
   std::vector<BestMotion> best;
+  best.reserve(order.size());
   for (const std::size_t i : order)
     best.push_back({problem.candidates[diagnosis.set.cases[i].candidate].name,
                     lay_over(recorded, shown(problem, diagnosis, i), problem.measuring.probes == 2)});

@@ -132,6 +132,7 @@ std::vector<NextMeasurement> next_measurements(const DiagnosisProblem& problem, 
     options.emplace_back("a second probe", second);
   }
   std::vector<NextMeasurement> measurements;
+  measurements.reserve(options.size());
   for (const auto& [name, changed] : options)
     measurements.push_back({name, information_of(changed, diagnosis, drawn, threads)});
   std::ranges::stable_sort(measurements, std::greater{}, &NextMeasurement::information_bits);
