@@ -87,7 +87,7 @@ double truth_of(const dataset::LabelledRecording& labelled, Quantity quantity) {
 diagnose::features::DescribedMotion seen_in(const recording::Recording& recording,
                                             const diagnose::inference::DiagnosisProblem& problem) {
   response::spectrum::SpectrumWorkspace workspace;
-  const auto count = static_cast<std::size_t>(problem.turns * recording::samples_per_revolution);
+  const auto count = static_cast<std::size_t>(problem.turns) * recording::samples_per_revolution;
   const std::span all(recording.displacement_m);
   const auto lines = diagnose::lines_of(all.last(count), problem.turns,
                                         diagnose::inference::seen_order(problem.measuring), workspace);

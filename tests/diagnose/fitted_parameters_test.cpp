@@ -13,9 +13,9 @@ namespace {
 
 class FittedParametersTest : public testing::Test {
  protected:
-  void write(const char* name, const char* text) const { std::ofstream(directory.path() / name) << text; }
+  void write(const char* name, const char* text) const { std::ofstream(directory_.path() / name) << text; }
 
-  TemporaryDirectory directory;
+  TemporaryDirectory directory_;
 };
 
 constexpr const char* table =
@@ -24,9 +24,9 @@ constexpr const char* table =
     "eccentricity_m,2e-5,1e-6,1.8e-5,2.2e-5,1e-5,0\n";
 
 TEST_F(FittedParametersTest, AreReadWithTheirIntervals) {
-  EXPECT_FALSE(read_fitted_parameters(directory.path()));
+  EXPECT_FALSE(read_fitted_parameters(directory_.path()));
   write("parameters.csv", table);
-  const auto fitted = read_fitted_parameters(directory.path());
+  const auto fitted = read_fitted_parameters(directory_.path());
   ASSERT_TRUE(fitted);
   EXPECT_EQ(fitted->value(0), 3e4);
   EXPECT_EQ(interval_of(*fitted, "eccentricity_m")->high, 2.2e-5);
@@ -39,7 +39,7 @@ TEST_F(FittedParametersTest, AreDrawnAsTheirErrorsAreCorrelated) {
   write("correlation.csv",
         "parameter,rotor.supports.0.stiffness_x_n_per_m,eccentricity_m\n"
         "rotor.supports.0.stiffness_x_n_per_m,1,-0.9\neccentricity_m,-0.9,1\n");
-  const auto fitted = read_fitted_parameters(directory.path());
+  const auto fitted = read_fitted_parameters(directory_.path());
   RandomStream random(7, 0, 0);
   constexpr int draws = 20'000;
   double inside = 0, product = 0;
@@ -56,7 +56,7 @@ TEST_F(FittedParametersTest, StayAsTheyWereFoundWithoutAnInterval) {
   write("parameters.csv",
         "parameter,value,standard_error,low_95,high_95,start,at_bound\n"
         "rotor.damping_ratio,0.02,,,,0.02,1\nmark_deg,7,,-inf,inf,0,0\n");
-  const auto fitted = read_fitted_parameters(directory.path());
+  const auto fitted = read_fitted_parameters(directory_.path());
   RandomStream random(7, 0, 0);
   EXPECT_EQ(draw_parameters(*fitted, random), Eigen::Vector2d(0.02, 7));
 }
@@ -64,9 +64,9 @@ TEST_F(FittedParametersTest, StayAsTheyWereFoundWithoutAnInterval) {
 TEST_F(FittedParametersTest, DamagedFilesAreNamed) {
   write("parameters.csv", table);
   write("correlation.csv", "parameter,rotor.supports.0.stiffness_x_n_per_m,eccentricity_m\n");
-  EXPECT_THROW(read_fitted_parameters(directory.path()), IoError);
+  EXPECT_THROW(read_fitted_parameters(directory_.path()), IoError);
   write("parameters.csv", "parameter,value\n");
-  EXPECT_THROW(read_fitted_parameters(directory.path()), IoError);
+  EXPECT_THROW(read_fitted_parameters(directory_.path()), IoError);
 }
 
 }  // namespace
