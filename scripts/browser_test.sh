@@ -5,5 +5,5 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/bootstrap.sh chromium chromium-driver
 cmake --preset release
-cmake --build --preset release --target rubsweep rubtrace
+cmake --build --preset release --target rubsweep rubreport rubtrace
 ctest --preset release -L browser --no-tests=error

@@ -1,16 +1,21 @@
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 
+#include "report_file.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/page/report_page.hpp"
+#include "rubsweep/report/require_plane.hpp"
 #include "shared/action.hpp"
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"
+#include "shared/interrupt.hpp"
+#include "shared/no_report.hpp"
 #include "shared/program.hpp"
-#include "shared/report_file.hpp"
 #include "shared/writable.hpp"
 
 namespace rubsweep::apps {
@@ -68,21 +73,23 @@ void refuse_input(const fs::path& output, const fs::path& directory) {
   }
 }
 
-int perform(const po::variables_map& given) {
+/// `caller`: who says what is to be said.
+int perform(std::string_view caller, const po::variables_map& given) {
   if (answered("rubreport", action_of(given), help)) return done;
   const auto directories = given.count("directory") ? given["directory"].as<std::vector<std::string>>()
                                                     : std::vector<std::string>{};
   if (directories.size() != 1) throw UsageError("one directory with a map is needed: rubreport DIR");
   const long most_orbits = given["orbits"].as<long>();
   if (most_orbits < 1) throw UsageError("--orbits: allowed: a number >= 1");
+  end_on_interrupts(no_report);
   const fs::path directory = directories.front();
   const fs::path file =
       given.count("output") ? fs::path(given["output"].as<std::string>()) : directory / "report.html";
   refuse_input(file, directory);
   require_writable(file, false);
   const config::RunConfig config = config::read_run_config(directory / "config.yaml", {});
-  page::require_plane(config.study.grid, "a report");
-  return write_report(directory, config.study, "rubreport",
+  report::require_plane(config.study.grid, "a report");
+  return write_report(directory, config.study, caller,
                       {.file = file,
                        .captions = config.captions,
                        .most_orbits = static_cast<std::size_t>(most_orbits),
@@ -96,5 +103,7 @@ int perform(const po::variables_map& given) {
 
 int main(int argc, char** argv) {
   using namespace rubsweep::apps;
-  return run_program("rubreport", [&] { return perform(parse(argc, argv)); });
+  // Another program that has its report written here starts this one by its own name.
+  const std::string_view caller = program_invocation_short_name;
+  return run_program(caller, [&] { return perform(caller, parse(argc, argv)); });
 }

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "report_program.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/map/finished_map.hpp"
-#include "rubsweep/page/report_page.hpp"
 #include "rubsweep/report/map_summary.hpp"
+#include "rubsweep/report/require_plane.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/program.hpp"
-#include "shared/report_file.hpp"
 #include "shared/run_summary.hpp"
 #include "shared/writable.hpp"
 #include "terminal_map.hpp"
@@ -44,10 +44,11 @@ void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study
 void refuse_what_cannot_be_shown(const RubsweepArguments& arguments, const sweep::Study& study,
                                  const std::filesystem::path& directory) {
   if (arguments.report) {
-    page::require_plane(study.grid, "a report");
+    report::require_plane(study.grid, "a report");
     require_writable(directory / "report.html", true);
+    require_report_program();
   }
-  if (arguments.figure) page::require_plane(study.grid, "a picture");
+  if (arguments.figure) report::require_plane(study.grid, "a picture");
 }
 
 int report_map(std::string_view program, const RubsweepArguments& arguments,
@@ -71,15 +72,7 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
     if (!arguments.quiet) print("figure: {}\n", arguments.figure->file().string());
   }
   if (arguments.report) {
-    const std::filesystem::path place = directory.map().parent_path();
-    const int code = write_report(place, study, program,
-                                  {.file = place / "report.html",
-                                   .captions = config.captions,
-                                   .threads = arguments.threads,
-                                   .progress = arguments.progress,
-                                   .quiet = arguments.quiet,
-                                   .before_leaving = [&] { directory.leave(); }});
-    if (code != done) return code;
+    if (const int code = write_report(program, arguments, directory.map().parent_path()); code != done) return code;
   }
   print("{}", view.next);
   return summary.has_failed_cells() ? some_cells_failed : done;

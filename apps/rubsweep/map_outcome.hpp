@@ -22,7 +22,8 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
 void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study);
 
 /// Throws before anything is computed where the page or the picture that is asked for would be refused in the
-/// end: ConfigError for a map of more than two axes, IoError for a page that cannot be written.
+/// end: ConfigError for a map of more than two axes, IoError for a page that cannot be written, or that no
+/// program is there to write.
 void refuse_what_cannot_be_shown(const RubsweepArguments& arguments, const sweep::Study& study,
                                  const std::filesystem::path& directory);
 

@@ -6,11 +6,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <new>
 #include <string_view>
+#include <thread>
+#include <utility>
 
 #include "rubsweep/error.hpp"
 
@@ -32,6 +35,9 @@ std::optional<std::filesystem::path> find_command(const std::string& name) {
 
 namespace {
 
+/// Between two looks at a child and at signals.
+constexpr std::chrono::milliseconds patience{10};
+
 /// Argument list of exec and its kind; the texts stay where they are.
 std::vector<char*> as_argv(std::vector<std::string>& command) {
   std::vector<char*> arguments;
@@ -41,10 +47,40 @@ std::vector<char*> as_argv(std::vector<std::string>& command) {
   return arguments;
 }
 
+/// Starts a command of PATH, or one with a directory in its name. Signals that wait here do not wait there,
+/// but `held` does.
+pid_t start(const std::string& program, std::vector<std::string> command, const ChildStreams& streams,
+            std::optional<int> held) {
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  if (streams.input) ::posix_spawn_file_actions_adddup2(&actions, *streams.input, STDIN_FILENO);
+  if (streams.output) ::posix_spawn_file_actions_adddup2(&actions, *streams.output, STDOUT_FILENO);
+  const std::vector<char*> arguments = as_argv(command);
+  posix_spawnattr_t attributes;
+  sigset_t waiting;
+  ::sigemptyset(&waiting);
+  if (held) ::sigaddset(&waiting, *held);
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawnattr_setsigmask(&attributes, &waiting);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  pid_t process = 0;
+  const int error =
+      ::posix_spawnp(&process, program.c_str(), &actions, &attributes, arguments.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (error == ENOMEM) throw std::bad_alloc();
+  if (error != 0) throw IoError(fmt::format("{} cannot be started: {}", program, std::strerror(error)));
+  return process;
+}
+
 }  // namespace
 
+std::filesystem::path sibling(const std::string& name) {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
+}
+
 void become_sibling(const std::string& name, std::vector<std::string> arguments) {
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
+  const std::filesystem::path program = sibling(name);
   arguments.insert(arguments.begin(), program.string());
   ::execv(program.c_str(), as_argv(arguments).data());
   if (errno == ENOMEM) throw std::bad_alloc();
@@ -52,29 +88,27 @@ void become_sibling(const std::string& name, std::vector<std::string> arguments)
 }
 
 bool run_child(std::vector<std::string> command, const ChildStreams& streams) {
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  if (streams.input) ::posix_spawn_file_actions_adddup2(&actions, *streams.input, STDIN_FILENO);
-  if (streams.output) ::posix_spawn_file_actions_adddup2(&actions, *streams.output, STDOUT_FILENO);
-  const std::vector<char*> arguments = as_argv(command);
-  // Signals that wait here do not wait there.
-  posix_spawnattr_t attributes;
-  sigset_t nothing;
-  ::sigemptyset(&nothing);
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setsigmask(&attributes, &nothing);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  pid_t process = 0;
-  const int error =
-      ::posix_spawnp(&process, arguments.front(), &actions, &attributes, arguments.data(), environ);
-  ::posix_spawnattr_destroy(&attributes);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (error == ENOMEM) throw std::bad_alloc();
-  if (error != 0)
-    throw IoError(fmt::format("{} cannot be started: {}", command.front(), std::strerror(error)));
+  const std::string program = command.front();
+  const pid_t process = start(program, std::move(command), streams, std::nullopt);
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+ChildEnd run_child_until(const std::atomic<bool>& stop, const std::filesystem::path& program,
+                         std::vector<std::string> command, const ChildStreams& streams) {
+  const pid_t process = start(program.string(), std::move(command), streams, SIGINT);
+  bool told = false;
+  int status = 0;
+  while (::waitpid(process, &status, WNOHANG) == 0) {
+    if (stop && !told) {
+      ::kill(process, SIGTERM);
+      told = true;
+    }
+    std::this_thread::sleep_for(patience);
+  }
+  if (WIFSIGNALED(status)) return {WTERMSIG(status), true};
+  return {WEXITSTATUS(status), false};
 }
 
 }  // namespace rubsweep::apps

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,6 +19,21 @@ struct ChildStreams {
 /// Runs a command of PATH with its arguments, the name first, and waits for its end; true when it exits with
 /// 0. Throws IoError where it cannot be started.
 bool run_child(std::vector<std::string> command, const ChildStreams& streams = {});
+
+/// How a child ended.
+struct ChildEnd {
+  int code = 0;           ///< that it exited with, or the number of the signal
+  bool by_signal = false;
+};
+
+/// Runs `program` until it ends; `command` holds the name that it is called by, and its arguments. As soon as
+/// `stop` is true it gets SIGTERM, once. A SIGINT does not reach it: a terminal sends that to both processes.
+/// Throws IoError where it cannot be started.
+ChildEnd run_child_until(const std::atomic<bool>& stop, const std::filesystem::path& program,
+                         std::vector<std::string> command, const ChildStreams& streams = {});
+
+/// Path of a program of this name beside this one, whether or not there is one.
+std::filesystem::path sibling(const std::string& name);
 
 /// Goes on as the program of this name that lies beside this one, with these arguments. Throws IoError where
 /// there is none.

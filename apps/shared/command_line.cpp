@@ -6,6 +6,7 @@
 #include <boost/program_options.hpp>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 #include <vector>
 
 #include "rubsweep/config/yaml/nearest.hpp"
@@ -206,11 +207,23 @@ int threads_of(const po::variables_map& given) {
   return threads;
 }
 
+std::string progress_word(batch::ProgressMode mode) {
+  switch (mode) {
+    case batch::ProgressMode::automatic:
+      return "auto";
+    case batch::ProgressMode::always:
+      return "always";
+    case batch::ProgressMode::never:
+      return "never";
+  }
+  throw std::logic_error("progress without a word");
+}
+
 batch::ProgressMode progress_of(const po::variables_map& given) {
   const auto& word = given["progress"].as<std::string>();
-  if (word == "auto") return batch::ProgressMode::automatic;
-  if (word == "always") return batch::ProgressMode::always;
-  if (word == "never") return batch::ProgressMode::never;
+  for (const auto mode :
+       {batch::ProgressMode::automatic, batch::ProgressMode::always, batch::ProgressMode::never})
+    if (word == progress_word(mode)) return mode;
   throw UsageError(fmt::format("--progress: '{}' is not allowed, allowed: auto, always, never", word));
 }
 

@@ -56,4 +56,7 @@ std::optional<std::filesystem::path> verified_directory_of(const po::variables_m
 int threads_of(const po::variables_map& given);
 batch::ProgressMode progress_of(const po::variables_map& given);
 
+/// The word that --progress has for it.
+std::string progress_word(batch::ProgressMode mode);
+
 }  // namespace rubsweep::apps

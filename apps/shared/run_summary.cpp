@@ -1,21 +1,29 @@
 #include "shared/run_summary.hpp"
 
-#include <boost/json/array.hpp>
-#include <boost/json/object.hpp>
-#include <boost/json/serialize.hpp>
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <system_error>
+#include <vector>
 
 #include "rubsweep/batch/written_files.hpp"
+#include "rubsweep/config/yaml/diagnostics.hpp"
+#include "rubsweep/config/yaml/document.hpp"
+#include "rubsweep/config/yaml/json_document.hpp"
+#include "rubsweep/config/yaml/json_string.hpp"
 #include "rubsweep/config/yaml/said_lines.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
 namespace {
 
-namespace json = boost::json;
+using config::yaml::json_list;
+using config::yaml::json_string;
+using config::yaml::Node;
 
 using Clock = std::chrono::steady_clock;
 
@@ -48,17 +56,43 @@ void count_in_summary(const std::string& name, std::size_t number) {
   if (wanted) counts()[name] = number;
 }
 
+std::string take_summary(std::string printed) {
+  if (!printed.ends_with('\n')) return printed;
+  printed.pop_back();
+  const std::size_t begin = printed.rfind('\n') + 1;  // 0 where there is none
+  config::yaml::Diagnostics problems("summary", {});
+  const std::optional<Node> summary =
+      config::yaml::parse_json(std::string_view(printed).substr(begin), "", problems, 0);
+  if (!summary || summary->kind != Node::Kind::map) return printed + '\n';
+  for (std::size_t i = 0; i < summary->keys.size(); ++i) {
+    const std::string& key = summary->keys[i].text;
+    const Node& value = summary->items[i];
+    for (std::size_t j = 0; j < value.items.size(); ++j) {
+      const std::string& text = value.items[j].text;
+      if (key == "counts") count_in_summary(value.keys[j].text, std::stoul(text));
+      if (key == "warnings" || key == "messages") config::yaml::remember_lines(text);
+      if (key == "files") batch::note_written_file(text);
+    }
+  }
+  printed.resize(begin);
+  return printed;
+}
+
 void print_summary(std::string_view program, int exit_code) {
-  json::object counted;
-  for (const auto& [name, number] : counts()) counted[name] = number;
-  json::array warnings, messages, files;
-  for (const std::string& line : config::yaml::said_lines()) (is_warning(line) ? warnings : messages).emplace_back(line);
+  std::string counted;
+  for (const auto& [name, number] : counts())
+    counted += fmt::format("{}{}:{}", counted.empty() ? "" : ",", json_string(name), number);
+  std::vector<std::string> warnings, messages, files;
+  for (const std::string& line : config::yaml::said_lines())
+    (is_warning(line) ? warnings : messages).push_back(line);
   std::error_code none;
-  for (const auto& path : batch::written_files()) files.emplace_back(std::filesystem::absolute(path, none).string());
-  const json::object summary{{"program", program},         {"version", RUBSWEEP_VERSION}, {"exit_code", exit_code},
-                             {"seconds", elapsed_s()},     {"counts", counted},           {"warnings", warnings},
-                             {"messages", messages},       {"files", files}};
-  print_text(json::serialize(summary) + "\n");
+  for (const auto& path : batch::written_files())
+    files.push_back(std::filesystem::absolute(path, none).string());
+  print_text(fmt::format(R"({{"program":{},"version":{},"exit_code":{},"seconds":{},"counts":{{{}}},)"
+                         R"("warnings":{},"messages":{},"files":{}}})"
+                         "\n",
+                         json_string(program), json_string(RUBSWEEP_VERSION), exit_code, elapsed_s(), counted,
+                         json_list(warnings), json_list(messages), json_list(files)));
 }
 
 }  // namespace rubsweep::apps

@@ -1,5 +1,5 @@
-"""ctrl_c_test.py APPS CONFIGS: SIGINT ends the programs below in the middle of long work with exit code 130 and a message
-of what is kept. Prints how long each took to end; a hang fails, a slow machine does not.
+"""ctrl_c_test.py APPS CONFIGS [NAME]...: SIGINT ends the programs below, or those of these names, in the middle of long work
+with exit code 130 and a message of what is kept. Prints how long each took to end; a hang fails, a slow machine does not.
 """
 
 import math
@@ -20,9 +20,10 @@ chart = (configs / "ring_figure20.yaml").read_text(encoding="utf-8").replace("co
 chart = chart.replace("count: 301", "count: 401")
 
 # A map, an experiment and a recording of long work, which are made beforehand: name -> commands.
-map_to_read = [("rubsweep", [stop, "--set", "sweep.speed_hz.count=132", "--set", "sweep.whirl_ratio.count=40", "--output", "map",
-                             "--quiet"])]
+map_of_many = ("--set", "sweep.speed_hz.count=132", "--set", "sweep.whirl_ratio.count=40")
+map_to_read = [("rubsweep", [stop, *map_of_many, "--output", "map", "--quiet"])]
 prepared = {
+    "rubsweep, the report": [("rubsweep", [stop, *map_of_many, "--output", "out", "--quiet"])],
     "rubreport": map_to_read,
     "rubbranch, a map": map_to_read,
     "rubfit": [("rubtrace", [configs / "minimal.yaml", "--free-response", "--duration-s", "20", "--noise-m", "5e-6", "--output",
@@ -51,6 +52,7 @@ long_runs = {
         [stop, "--set", "sweep={speed_hz: 70, whirl_ratio: 0.9}", "--set", "solver.method=adaptive",
          "--set", "response={floquet_proof: off, max_revolutions: 1000000, window_revolutions: 4096}"],
         {"config.yaml", "map.journal", "map.partial.csv"}),
+    "rubsweep, the report": ("rubsweep", [stop, *map_of_many, "--report", "--threads", "1"], {"config.yaml", "map.csv"}),
     "rubbasin": ("rubbasin", [configs / "gallery/basin_slice.yaml", "--cell", "80,0.5", "--plane", "y,vy",
                               "--grid", "401x401"], {"config.yaml", "map.journal", "map.partial.csv"}),
     "rubtrace, one motion": ("rubtrace", [annulus, *cell, "--revolutions", "1000000", "--last-revolutions", "9"], set()),
@@ -78,12 +80,22 @@ long_runs = {
 }
 
 
-def processor_s(process: subprocess.Popen) -> float:
-    fields = Path(f"/proc/{process.pid}/stat").read_text(encoding="ascii").rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+def children(pid: int) -> list[int]:
+    return [int(word) for task in Path(f"/proc/{pid}/task").iterdir()
+            for word in (task / "children").read_text(encoding="ascii").split()]
 
 
-def interrupt(name: str, program: str, arguments: list, left, folder: Path) -> None:
+def processor_s(pid: int) -> float:
+    """Time of a process and its children; 0 of one that is gone."""
+    try:
+        fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK") + sum(map(processor_s, children(pid)))
+    except (FileNotFoundError, ProcessLookupError):
+        return 0
+
+
+def interrupt(name: str, program: str, arguments: list, left, folder: Path, how: str) -> None:
+    """`how`: SIGINT or SIGTERM to the program, or a SIGINT of the terminal, which goes to its children as well."""
     output = folder / "out"
     (folder / "chart.yaml").write_text(chart, encoding="utf-8")
     for first, words in prepared.get(name, ()):
@@ -91,20 +103,30 @@ def interrupt(name: str, program: str, arguments: list, left, folder: Path) -> N
     if name == "rubscope":
         write_recording(folder / "recording.csv")
     command = [apps / program, *arguments, "--output", output]
-    with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+    number = signal.SIGTERM if how == "kill" else signal.SIGINT
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                          start_new_session=True) as process:
         # Startup and reading take a small part of this.
-        while process.poll() is None and processor_s(process) < 0.5:
+        while process.poll() is None and processor_s(process.pid) < 0.5:
             time.sleep(0.01)
         begin = time.monotonic()
-        process.send_signal(signal.SIGINT)
+        started = children(process.pid)
+        if how == "terminal":
+            os.killpg(process.pid, number)
+        else:
+            process.send_signal(number)
         try:
             message = process.communicate(timeout=hang_s)[1]
         except subprocess.TimeoutExpired:
             process.kill()
             sys.exit(f"{name}: hangs")
     lines = message.strip().splitlines()
-    if process.returncode != 130 or not lines or "interrupted;" not in lines[-1]:
-        sys.exit(f"{name}: exit code {process.returncode}, {message!r}")
+    if process.returncode != 128 + number or sum("interrupted;" in line for line in lines) != 1:
+        sys.exit(f"{name}, {how}: exit code {process.returncode}, {message!r}")
+    if "interrupted;" not in lines[-1] or not lines[-1].startswith(f"{program}: "):
+        sys.exit(f"{name}, {how}: {message!r}")
+    if any(Path(f"/proc/{pid}").exists() for pid in started):
+        sys.exit(f"{name}, {how}: a child goes on")
     found = {path.name for path in output.iterdir()} if output.exists() else set()
     if left is not None and found != left:
         sys.exit(f"{name}: leaves {sorted(found)}, not {sorted(left)}")
@@ -112,5 +134,8 @@ def interrupt(name: str, program: str, arguments: list, left, folder: Path) -> N
 
 
 for name, (program, arguments, left) in long_runs.items():
-    with tempfile.TemporaryDirectory() as folder:
-        interrupt(name, program, arguments, left, Path(folder))
+    if sys.argv[3:] and name not in sys.argv[3:]:
+        continue
+    for how in ("SIGINT", "kill", "terminal") if name == "rubsweep, the report" else ("SIGINT",):
+        with tempfile.TemporaryDirectory() as folder:
+            interrupt(name, program, arguments, left, Path(folder), how)

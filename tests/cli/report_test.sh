@@ -101,6 +101,31 @@ report_exit 0 --help
 expect_matches stdout '^Examples:$'
 report_exit 0 --version
 [[ $(head -n 1 stdout) == "rubreport $version" ]] || fail 'another version'
+# It is rubreport that writes; it says nothing by its own name.
+mkdir alone
+cp "$rubsweep" alone/rubsweep
+rubsweep=alone/rubsweep expect_exit 3 "${small[@]}" --output unwritten --report
+expect_contains stderr "alone/rubreport, which writes it, allowed: build rubreport as well, or install all programs"
+expect_missing unwritten/map.csv
+printf '#!/bin/sh\nkill -KILL $$\n' >alone/rubreport
+chmod +x alone/rubreport
+rubsweep=alone/rubsweep expect_exit 70 "${small[@]}" --output killed --report
+[[ $(tail -n 1 stderr) == 'rubsweep: rubreport was ended by signal 9; no report was written, the map is as it was' ]] ||
+  fail 'another message'
+expect_same killed/map.csv map/map.csv
+echo 'speed_hz,height' >killed/boundaries.csv
+expect_exit 3 "${small[@]}" --output killed --report
+expect_contains stderr 'rubsweep: killed/boundaries.csv: no column whirl_ratio or unbalance'
+expect_missing killed/report.html
+# Lines of rubreport stand behind those of rubsweep, also in a file; --progress is handed on.
+expect_exit 0 "${small[@]}" --output map --report --progress always
+[[ $(tail -n 1 stdout) == 'report: map/report.html'* ]] || fail 'the report is not what is said last'
+expect_contains stderr '6 cells'
+if [[ -w /dev/full ]]; then
+  code=0
+  "$rubsweep" "${small[@]}" --output map --report >/dev/full 2>stderr </dev/null || code=$?
+  [[ $code == 3 && $(grep -c 'standard output: No space left on device' stderr) == 1 ]] || fail "a full disk: $code"
+fi
 # Shards are put together and reported in one go.
 expect_exit 0 "${small[@]}" --output shards --shard 1/2
 expect_exit 0 "${small[@]}" --output shards --shard 2/2

@@ -90,6 +90,14 @@ class Summary(unittest.TestCase):
         self.run_program("rubsweep", MINIMAL, "--output", "map", "--quiet")
         report = self.run_program("rubreport", "map", "--quiet")[0]
         self.assertEqual((report["counts"], self.names(report)), ({"motions": 24}, ["report.html"]))
+        both, before = self.run_program("rubsweep", MINIMAL, "--output", "map", "--report")
+        self.assertEqual((both["counts"]["motions"], both["counts"]["cells"]), (24, 24))
+        self.assertEqual(self.names(both), ["config.yaml", "report.html"])
+        self.assertRegex(before[-1], r"^report: map/report.html \([0-9.]+ MB\)$")
+        with open(os.path.join(self.folder, "map", "boundaries.csv"), "w", encoding="ascii") as file:
+            file.write("speed_hz,height\n")
+        refused = self.run_program("rubsweep", MINIMAL, "--output", "map", "--report", "--quiet", code=3)[0]
+        self.assertIn("boundaries.csv", " ".join(refused["messages"]))
 
     def test_sets_of_recordings(self):
         with open(os.path.join(CONFIGS, "recordings", "rub_recordings.yaml"), encoding="utf-8") as file:

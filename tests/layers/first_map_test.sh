@@ -4,7 +4,7 @@
 set -euo pipefail
 program=$1
 folders='bench branch/orbits branch/continuation branch/curves branch/families config/recording config/ring'
-folders+=' design fit identify line map/families numerics/spectral ramp recording ring scope'
+folders+=' design fit identify line map/families numerics/spectral page ramp recording ring scope trace'
 any_of=${folders// /|}
 
 # refuse WHAT LINE...: complains of the lines, where there are any.

@@ -16,6 +16,7 @@
 #include "rubsweep/page/painted_table.hpp"
 #include "rubsweep/report/describe_refinement.hpp"
 #include "rubsweep/report/explain_study.hpp"
+#include "rubsweep/report/require_plane.hpp"
 
 namespace rubsweep::page {
 namespace {
@@ -27,7 +28,7 @@ std::array<sweep::SweptAxis, 2> plane_of(const sweep::Grid& grid) {
   const std::vector<sweep::SweptAxis> swept = sweep::swept_axes(grid);
   if (grid.axes.empty() || swept.empty()) return {speed, unbalance};
   if (swept.size() == 1) return {swept[0], swept[0].name == speed.name ? unbalance : speed};
-  require_plane(grid, "a report");
+  report::require_plane(grid, "a report");
   return {swept.at(0), swept.at(1)};
 }
 
@@ -65,15 +66,6 @@ ThinnedGrid kept_of(const sweep::Grid& grid, std::size_t most) {
 }
 
 }  // namespace
-
-void require_plane(const sweep::Grid& grid, std::string_view in) {
-  const std::vector<sweep::SweptAxis> swept = sweep::swept_axes(grid);
-  if (grid.axes.empty() || swept.size() <= 2) return;
-  std::string names;
-  for (const sweep::SweptAxis& axis : swept) names += (names.empty() ? "" : ", ") + axis.name;
-  throw ConfigError(
-      fmt::format("sweep: {} have several values, allowed: two axes with several values in {}", names, in));
-}
 
 std::size_t recorded_cells(const sweep::Grid& grid, const MapTable& map, std::size_t most_orbits) {
   return grid.refinement ? std::min(map.rows, most_orbits) : kept_of(grid, most_orbits).cells().size();

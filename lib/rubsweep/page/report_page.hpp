@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "rubsweep/batch/captions.hpp"
 #include "rubsweep/page/map_table.hpp"
@@ -26,10 +25,6 @@ struct PageOptions {
   int threads = 0;   ///< 0: one per processor
   batch::Captions captions{};
 };
-
-/// Throws ConfigError where more axes of a map have several values than `in` has room for, "a report" or "a
-/// picture": two, where one of them is over a key.
-void require_plane(const sweep::Grid& grid, std::string_view in);
 
 /// How many cells a page of this map records, of which most_orbits at most.
 std::size_t recorded_cells(const sweep::Grid& grid, const MapTable& map, std::size_t most_orbits);

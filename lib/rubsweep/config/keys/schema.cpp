@@ -8,25 +8,14 @@
 #include <set>
 
 #include "rubsweep/config/keys/unit_of.hpp"
+#include "rubsweep/config/yaml/json_string.hpp"
 #include "rubsweep/model/magnitude.hpp"
 
 namespace rubsweep::config::keys {
 namespace {
 
-std::string json_string(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + '"';
-}
-
-std::string listed(const std::vector<std::string>& texts) {
-  std::string result;
-  for (const std::string& text : texts) result.append(result.empty() ? "" : ",").append(json_string(text));
-  return "[" + result + "]";
-}
+using yaml::json_list;
+using yaml::json_string;
 
 std::string joined(const std::vector<std::string>& parts, const char* between = ",") {
   std::string result;
@@ -57,7 +46,7 @@ class Writer {
         return fmt::format("{{\"type\":\"integer\",\"minimum\":{},\"maximum\":{}{}}}", form.low, form.high,
                            form.even ? ",\"multipleOf\":2" : "");
       case Kind::word:
-        return "{\"enum\":" + listed(form.words) + "}";
+        return "{\"enum\":" + json_list(form.words) + "}";
       case Kind::text:
         return fmt::format(R"({{"type":["string","number","boolean"],"minLength":{},"maxLength":{}}})",
                            form.least, form.most);
@@ -137,7 +126,7 @@ class Writer {
     }
     for (const Choice& choice : form.choices) rules.push_back(choice_schema(choice, part));
     return fmt::format(R"({{"type":"object","additionalProperties":false{}{},"properties":{{{}}}}})",
-                       required.empty() ? "" : ",\"required\":" + listed(required),
+                       required.empty() ? "" : ",\"required\":" + json_list(required),
                        rules.empty() ? "" : ",\"allOf\":[" + joined(rules) + "]",
                        joined(properties, ",\n  "));
   }
@@ -158,8 +147,8 @@ class Writer {
     const bool needs_selector = !when.without_selector && !part;
     return fmt::format(
         R"({{"if":{{{}"properties":{{{}:{{"enum":{}}}}}}},"then":{},"else":{{"properties":{{{}:{}}}}}}})",
-        needs_selector ? "\"required\":" + listed({when.selector}) + "," : "", json_string(when.selector),
-        listed(when.words), key.required && !part ? "{\"required\":" + listed({key.name}) + "}" : "true",
+        needs_selector ? "\"required\":" + json_list({when.selector}) + "," : "", json_string(when.selector),
+        json_list(when.words), key.required && !part ? "{\"required\":" + json_list({key.name}) + "}" : "true",
         json_string(key.name), nothing(part));
   }
 
@@ -183,7 +172,7 @@ class Writer {
       }
       const bool demands = !part && !way.required.empty();
       forms.push_back(fmt::format("{{{}\"properties\":{{{}}}}}",
-                                  demands ? "\"required\":" + listed(way.required) + "," : "",
+                                  demands ? "\"required\":" + json_list(way.required) + "," : "",
                                   joined(others)));
     }
     return "{\"anyOf\":[" + joined(forms) + "]}";

@@ -1,4 +1,4 @@
-#include "shared/report_file.hpp"
+#include "report_file.hpp"
 
 #include <fmt/format.h>
 
@@ -12,12 +12,10 @@
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/study_digest.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/map/finished_map.hpp"
-#include "rubsweep/report/map_cells.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
+#include "shared/map_of_study.hpp"
+#include "shared/no_report.hpp"
 #include "shared/program.hpp"
 #include "shared/run_summary.hpp"
 
@@ -27,22 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string interrupted(std::string_view program) {
-  return fmt::format("{}: interrupted; no report was written, the map is as it was\n", program);
+  return fmt::format("{}: interrupted; {}\n", program, no_report);
 }
 
 }  // namespace
-
-page::MapTable read_map_of(const sweep::Study& study, const fs::path& path, std::string_view program) {
-  map::require_whole_table(program, path);
-  const batch::CsvReader file(path);
-  const std::string digest = config::study_digest(study), there = report::comment_after(file, "digest ");
-  file.column("class");
-  if (there == digest) return page::read_map_table(path, study.grid);
-  throw ConfigError(
-      fmt::format("{}: is no map of this configuration (digest {}, this one has {})\n"
-                  "allowed: the map and the config.yaml of one run",
-                  path.string(), there.empty() ? "none" : there, digest));
-}
 
 int write_report(const fs::path& directory, const sweep::Study& study, std::string_view program,
                  const ReportOptions& options) {
@@ -60,7 +46,6 @@ int write_report(const fs::path& directory, const sweep::Study& study, std::stri
     const std::lock_guard lock(mutex);
     progress.finish();
     say(interrupted(program));
-    options.before_leaving();
     std::_Exit(128 + caught_signal());
   };
   std::optional<Watch> watch(std::in_place, refresh, leave);

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace rubsweep::apps {
+
+/// Words behind "PROGRAM: interrupted; " where a signal came before the report was written.
+inline constexpr const char* no_report = "no report was written, the map is as it was";
+
+}  // namespace rubsweep::apps

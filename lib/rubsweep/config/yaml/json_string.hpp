@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rubsweep::config::yaml {
+
+/// `text`, of UTF-8, as a string of JSON with its quotes.
+std::string json_string(std::string_view text);
+
+/// The `texts` as a list of JSON strings.
+std::string json_list(const std::vector<std::string>& texts);
+
+}  // namespace rubsweep::config::yaml
