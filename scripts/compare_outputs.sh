@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# compare_outputs.sh BEFORE AFTER [--grid SPEEDS UNBALANCES] [--without COLUMN] [CONFIG.yaml...]: what a change of the
-# code's shape must not change. BEFORE and AFTER are build directories, or directories with programs. Runs the programs
+# compare_outputs.sh BEFORE AFTER [--grid SPEEDS UNBALANCES] [--without COLUMN] [--values] [CONFIG.yaml...]: what a change
+# of the code's shape must not change. BEFORE and AFTER are build directories, or directories with programs. Runs the programs
 # of both on each configuration, by default on those of configs/, its gallery, its benchmark and its hard case: maps
 # (rubsweep), and of the cell at 75 Hz and whirl ratio 0.4 the trace and the run-up through rub (rubtrace), a line (rubline), starts
 # (rubbasin) and the branch (rubbranch); ring files (ringstab). Compares exit codes, errors and every byte of every file,
@@ -8,6 +8,9 @@
 # such. rubbench and rubreport are left out: one writes times, the other what the maps hold.
 #   --grid SPEEDS UNBALANCES  fewer cells of every map, where its axes have a count
 #   --without COLUMN          leave this column out of all tables, as one that AFTER has and BEFORE has not
+#   --values                  for versions that lie apart: only what both have, values of columns, is compared. Comments, new
+#                             columns and keys are named; differences of rounding are told from others. Configurations are
+#                             read without title, author and note, which older versions do not know. Ends with a count.
 # Lists what differs; exits with 5 where something does, with 1 where it is called wrongly.
 set -euo pipefail
 help() { sed -n '2,/^set /{/^set /d; s/^# \{0,1\}//; p}' "${BASH_SOURCE[0]}"; }
@@ -26,7 +29,7 @@ programs() {
 before=$(programs "$1")
 # shellcheck disable=SC2034  # `both` reads it by its name
 after=$(programs "$2")
-grid=() column='' configs=()
+grid=() column='' configs=() values=''
 shift 2
 while (($# > 0)); do
   case $1 in
@@ -39,6 +42,10 @@ while (($# > 0)); do
       [[ -n ${2:-} ]] || usage
       column=$2
       shift 2
+      ;;
+    --values)
+      values=on
+      shift
       ;;
     -*) usage ;;
     *)
@@ -73,6 +80,21 @@ PYTHON
 }
 
 differ=0
+declare -A counted=()
+# same_values NAME: what both have below before/NAME and after/NAME has the same values.
+same_values() {
+  local kind answer
+  answer=$(PYTHONPATH=$PWD/scripts PYTHONDONTWRITEBYTECODE=1 python3 scripts/analysis/compared_results.py "$work"/{before,after}/"$1")
+  kind=${answer%%$'\n'*}
+  if [[ $kind == same && ! -d $work/before/$1/files ]]; then
+    kind=refused
+    answer="refused by both: $(head -n 1 "$work/before/$1/errors")"
+  fi
+  counted[$kind]=$((${counted[$kind]:-0} + 1))
+  sed "1s|^|$1: |; 2,\$s|^|  |" <<<"$answer"
+  [[ $kind != different ]] || differ=5
+}
+
 # same NAME: every file below before/NAME is there in after/NAME with the same bytes.
 same() {
   local build files
@@ -109,13 +131,23 @@ both() {
     echo "$code" >"$work/$build/$name/exit_code"
     mv "$work/errors" "$work/$build/$name/errors"
   done
-  same "$name"
+  if [[ -n $values ]]; then same_values "$name"; else same "$name"; fi
 }
 
+if [[ -n $values ]]; then
+  # A configuration may name others beside it: the whole folder is copied.
+  cp -r configs "$work/configs"
+  find "$work/configs" -name '*.yaml' -exec sed -i -E '/^(title|author|note):/d' {} +
+  configs=("${configs[@]/#"$PWD/configs/"/"$work/configs/"}")
+fi
 for config in "${configs[@]}"; do
   name=${config%.yaml}
   # Folders of configs/ have files of the same name.
-  [[ $name == "$PWD"/configs/* ]] && name=${name#"$PWD"/configs/} || name=${name##*/}
+  case $name in
+    "$PWD"/configs/*) name=${name#"$PWD"/configs/} ;;
+    "$work"/configs/*) name=${name#"$work"/configs/} ;;
+    *) name=${name##*/} ;;
+  esac
   program=rubsweep
   ! grep -q '^ring:' "$config" || program=ringstab
   if ! "$before/$program" --check "$config" >/dev/null 2>&1; then
@@ -136,4 +168,5 @@ for config in "${configs[@]}"; do
   both "$name.basin" rubbasin "$config" --cell 75,0.4 --grid 5x5
   both "$name.branch" rubbranch "$config" --cell 75,0.4 --points 20
 done
+for kind in "${!counted[@]}"; do echo "$kind: ${counted[$kind]} results"; done
 exit "$differ"
