@@ -51,6 +51,8 @@ std::vector<char*> as_argv(std::vector<std::string>& command) {
 /// but `held` does.
 pid_t start(const std::string& program, std::vector<std::string> command, const ChildStreams& streams,
             std::optional<int> held) {
+  // Where who started this process ignores ends of children, no exit code of one reaches it.
+  std::signal(SIGCHLD, SIG_DFL);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   if (streams.input) ::posix_spawn_file_actions_adddup2(&actions, *streams.input, STDIN_FILENO);
