@@ -24,15 +24,7 @@ class TangentExpansion {
   /// Moves them over `duration_rad` of the motion as it was expanded. Each is expanded until its last two
   /// terms are `accuracy` of its largest ones, in displacements and in rates. False, and nothing moved, where
   /// contacts creep and the slips of a vector still have a transient of their own.
-  bool pass(Expansion<N>& motion, double duration_rad, double accuracy) {
-    if (count() == 0) return true;
-    if (motion.any_creeps()) return pass_creeping(motion, duration_rad, accuracy);
-    Eigen::Index i = 0;
-    for (; i + tangents_together <= count(); i += tangents_together)
-      together_.pass(motion, duration_rad, accuracy, tangents_, i);
-    for (; i < count(); ++i) alone_.pass(motion, duration_rad, accuracy, tangents_, i);
-    return true;
-  }
+  bool pass(Expansion<N>& motion, double duration_rad, double accuracy);
 
   /// Sweeps for creep since the last call.
   long take_sweeps() { return alone_.take_sweeps(); }
@@ -42,19 +34,16 @@ class TangentExpansion {
   const Eigen::MatrixXd& vectors() const { return tangents_; }
 
  private:
-  bool pass_creeping(Expansion<N>& motion, double duration_rad, double accuracy) {
-    before_ = tangents_;
-    for (Eigen::Index i = 0; i < count(); ++i) {
-      if (alone_.pass_creeping(motion, duration_rad, accuracy, tangents_, i)) continue;
-      tangents_ = before_;
-      return false;
-    }
-    return true;
-  }
+  bool pass_creeping(Expansion<N>& motion, double duration_rad, double accuracy);
 
   Eigen::MatrixXd tangents_, before_;
   TangentBundle<N, tangents_together> together_;
   TangentBundle<N, 1> alone_;
 };
+
+extern template class TangentExpansion<2>;
+extern template class TangentExpansion<4>;
+extern template class TangentExpansion<6>;
+extern template class TangentExpansion<Eigen::Dynamic>;
 
 }  // namespace rubsweep::integrate::taylor
