@@ -7,7 +7,7 @@ from compared_results import compared
 
 class ComparedResults(unittest.TestCase):
     def verdict(self, before, after, name="map.csv"):
-        """What is said of two directories with one file of these texts, None: no file."""
+        """Answer about two directories with one file of these texts, None: no file."""
         with tempfile.TemporaryDirectory() as top:
             folders = [Path(top) / folder for folder in ("before", "after")]
             for folder, text in zip(folders, (before, after)):
