@@ -134,7 +134,10 @@ both() {
   if [[ -n $values ]]; then same_values "$name"; else same "$name"; fi
 }
 
+plane=()
 if [[ -n $values ]]; then
+  # Older versions have another plane where none is named.
+  plane=(--plane "x,vx")
   # A configuration may name others beside it: the whole folder is copied.
   cp -r configs "$work/configs"
   find "$work/configs" -name '*.yaml' -exec sed -i -E '/^(title|author|note):/d' {} +
@@ -165,7 +168,7 @@ for config in "${configs[@]}"; do
   both "$name.trace" rubtrace "$config" --speed-hz 75 --whirl-ratio 0.4 --revolutions 200
   both "$name.run_up" rubtrace "$config" --run-up 20:60:10 --eccentricity-m 2e-4 --with-stops
   both "$name.line" rubline "$config" --along speed_hz --from 60 --to 90 --count 5 --whirl-ratio 0.4 --kick --up --down
-  both "$name.basin" rubbasin "$config" --cell 75,0.4 --grid 5x5
+  both "$name.basin" rubbasin "$config" --cell 75,0.4 --grid 5x5 "${plane[@]}"
   both "$name.branch" rubbranch "$config" --cell 75,0.4 --points 20
 done
 for kind in "${!counted[@]}"; do echo "$kind: ${counted[$kind]} results"; done
