@@ -86,14 +86,15 @@ void tell_machine(const DiagnosedMachine& machine, const std::string& list,
   for (diagnose::Candidate& candidate : candidates) {
     spread_of(candidate, diagnose::Unknown::natural_frequency) = machine.natural_frequency_hz;
     spread_of(candidate, diagnose::Unknown::damping_ratio) = machine.damping_ratio;
-    diagnose::Spread& position = spread_of(candidate, diagnose::Unknown::position);
-    if (position.high > (kit ? kit->length_m : 0))
+    const std::optional<diagnose::Spread>& position = candidate.position_m;
+    if (position && (!kit || position->high > kit->length_m))
       throw ConfigError(fmt::format("{}: candidates: position_m of {}: {}, allowed: {}", list, candidate.name,
                                     kit ? "is beyond the shaft" : "is said of a Jeffcott rotor",
                                     kit ? fmt::format("0 to {}", kit->length_m) : "none"));
     if (!kit) continue;
     spread_of(candidate, diagnose::Unknown::kit) = {0, 1};
-    if (position.high == 0) position = {kit->from_m, kit->to_m};
+    spread_of(candidate, diagnose::Unknown::position) =
+        position.value_or(diagnose::Spread{kit->from_m, kit->to_m});
     if (!kit->same_all_around && candidate.cause != diagnose::Cause::no_rub)
       spread_of(candidate, diagnose::Unknown::stop_angle) = {-180, 180};
   }

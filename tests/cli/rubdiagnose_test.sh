@@ -243,6 +243,9 @@ refuse 'beyond.yaml: candidates: position_m of one_side: is beyond the shaft, al
   --machine fit/config.yaml --candidates beyond.yaml
 refuse 'beyond.yaml: candidates: position_m of one_side: is said of a Jeffcott rotor' run.csv --machine machine.yaml \
   --candidates beyond.yaml
+printf 'candidates: [no_rub, {kind: one_side, position_m: 0}]\n' >beyond.yaml
+refuse 'beyond.yaml: candidates: position_m of one_side: is said of a Jeffcott rotor' run.csv --machine machine.yaml \
+  --candidates beyond.yaml
 bad_list 'candidats: [no_rub, annular]\n' "did you mean 'candidates'?"
 bad_list 'candidates: [no_rub, {kind: one_side, stifness_n_per_m: 1.0e6}]\n' "did you mean 'stiffness_n_per_m'?"
 bad_list 'candidates: [no_rub, anular]\n' "did you mean 'annular'?"

@@ -31,7 +31,7 @@ TEST_F(FittedParametersTest, AreReadWithTheirIntervals) {
   EXPECT_EQ(fitted->value(0), 3e4);
   EXPECT_EQ(interval_of(*fitted, "eccentricity_m")->high, 2.2e-5);
   EXPECT_FALSE(interval_of(*fitted, "mark_deg"));
-  EXPECT_EQ(fitted->correlation, Eigen::MatrixXd::Identity(2, 2));
+  EXPECT_TRUE((fitted->error_root * fitted->error_root.transpose()).isIdentity(1e-15));
 }
 
 TEST_F(FittedParametersTest, AreDrawnAsTheirErrorsAreCorrelated) {

@@ -14,6 +14,15 @@ MotionLines circle() {
   return lines;
 }
 
+/// Probes that add next to nothing of their own.
+Measuring undisturbed(int probes) {
+  return {.probes = probes,
+          .readings_per_turn = 1e12,
+          .noise_share = {1e-9, 1e-9, true},
+          .other_lines = {0, 0, 0},
+          .gain_error = 0};
+}
+
 TEST(ObservedLines, HaveTheNoiseOfTheReadings) {
   const Measuring measuring{.probes = 2,
                             .readings_per_turn = 50,
@@ -47,13 +56,9 @@ TEST(ObservedLines, OfOneProbeAreThoseOfARealSignal) {
 }
 
 TEST(ObservedLines, OfOneProbeWhoseDirectionIsKnownAreThoseInIt) {
-  const Measuring measuring{.probes = 1,
-                            .readings_per_turn = 1e12,
-                            .directions = true,
-                            .probe_angle_rad = 0.7,
-                            .noise_share = {1e-9, 1e-9, true},
-                            .other_lines = {0, 0, 0},
-                            .gain_error = 0};
+  Measuring measuring = undisturbed(1);
+  measuring.directions = true;
+  measuring.probe_angle_rad = 0.7;
   RandomStream random(3, 1, 2);
   double probe_angle_rad = 0;
   const MotionLines seen = observed(circle(), measuring, random, probe_angle_rad);
@@ -74,11 +79,8 @@ TEST(ObservedLines, CountFromAPlaceOfRestThatIsKnownNearly) {
 }
 
 TEST(ObservedLines, OfUnequalGainsAreAnEllipse) {
-  const Measuring measuring{.probes = 2,
-                            .readings_per_turn = 1e12,
-                            .noise_share = {1e-9, 1e-9, true},
-                            .other_lines = {0, 0, 0},
-                            .gain_error = 0.1};
+  Measuring measuring = undisturbed(2);
+  measuring.gain_error = 0.1;
   RandomStream random(5, 1, 2);
   double probe_angle_rad = 0;
   const MotionLines seen = observed(circle(), measuring, random, probe_angle_rad);

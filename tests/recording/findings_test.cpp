@@ -57,6 +57,32 @@ TEST(Findings, FewReadingsATurnAreClippedToo) {
   EXPECT_EQ(of_readings(clipped), std::vector<std::string>{"'x' is clipped above"});
 }
 
+TEST(Findings, FewReadingsATurnAreClippedWhereTheyPileUp) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, 0.005);
+  std::vector<double> analog, clipped, converted, coarse;
+  for (int k = 0; k < 1500; ++k) {
+    analog.push_back(std::sin(0.47 * k) + 0.2 * std::sin(0.235 * k) + noise(random));
+    clipped.push_back(std::fmin(analog.back(), 0.9));
+    converted.push_back(std::round(500 * clipped.back()) / 500);
+    coarse.push_back(std::round(20 * analog.back()) / 20);
+  }
+  EXPECT_TRUE(of_readings(analog).empty());
+  EXPECT_TRUE(of_readings(coarse).empty());
+  EXPECT_EQ(of_readings(clipped), std::vector<std::string>{"'x' is clipped above"});
+  EXPECT_EQ(of_readings(converted), std::vector<std::string>{"'x' is clipped above"});
+}
+
+TEST(Findings, AMotionWithoutNoiseThatRepeatsIsNotClipped) {
+  std::vector<double> periodic, square;
+  for (int k = 0; k < 1400; ++k) {
+    periodic.push_back(std::cos(2 * std::numbers::pi * (k % 14 + 0.5) / 14));
+    square.push_back(k % 14 < 4 ? 1 : k % 14 < 8 ? 0 : -1);
+  }
+  EXPECT_TRUE(of_readings(periodic).empty());
+  EXPECT_TRUE(of_readings(square).empty());
+}
+
 TEST(Findings, MarksOfAKeyphasor) {
   std::vector<std::string> findings;
   add_mark_findings({}, "KP", findings);

@@ -43,7 +43,7 @@ const std::array<UnknownRow, unknown_count>& unknown_rows() {
       {Unknown::second_clearance_ratio, "second_clearance_ratio", model::positive, {0.7, 1.43, true}, true},
       {Unknown::offset_ratio, "offset_ratio", ratio, {0.15, 0.9, false}, false},
       {Unknown::stop_angle, "stop_angle_deg", model::any_finite, {}, false, false, true},
-      {Unknown::position, "position_m", model::not_negative, {}, false, true, true},
+      {Unknown::position, "position_m", model::not_negative, {}, false, false, true},
       {Unknown::kit, "kit", model::any_finite, {}, false, false, true},
   }};
   return rows;

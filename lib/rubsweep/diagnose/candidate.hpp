@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,6 +65,7 @@ struct Candidate {
   Cause cause = Cause::no_rub;
   std::array<Spread, unknown_count> spreads{};
   Spread clearance_m{};  ///< of the first stop; usual candidates have none, the study says it
+  std::optional<Spread> position_m{};  ///< along the shaft of a rotor kit; else all places that it may have
 };
 
 Spread& spread_of(Candidate& candidate, Unknown unknown);

@@ -52,7 +52,9 @@ std::optional<FittedParameters> read_fitted_parameters(const fs::path& directory
     fitted.low_95(i) = row[1];
     fitted.high_95(i) = row[2];
   }
-  fitted.correlation = read_correlation(correlation, fitted.name);
+  const auto modes = numerics::dense::self_adjoint_modes(read_correlation(correlation, fitted.name));
+  // Rounding in the file may leave eigenvalues a little below 0.
+  fitted.error_root = modes.vectors * modes.values.cwiseMax(0).cwiseSqrt().asDiagonal();
   fitted.text = batch::read_input(table);
   if (fs::exists(correlation)) fitted.text += batch::read_input(correlation);
   return fitted;
@@ -68,12 +70,9 @@ std::optional<Spread> interval_of(const FittedParameters& fitted, std::string_vi
 Eigen::VectorXd draw_parameters(const FittedParameters& fitted, RandomStream& random) {
   Eigen::VectorXd normal(fitted.value.size());
   for (double& x : normal) x = random.normal();
-  const auto modes = numerics::dense::self_adjoint_modes(fitted.correlation);
-  const Eigen::VectorXd root = modes.values.cwiseMax(0).cwiseSqrt();
   const Eigen::ArrayXd width = (fitted.high_95 - fitted.low_95).array();
   const Eigen::ArrayXd deviation = width.isFinite().select(width, 0) / (2 * deviations_of_95);
-  const Eigen::VectorXd correlated = modes.vectors * (root.array() * normal.array()).matrix();
-  return fitted.value + (deviation * correlated.array()).matrix();
+  return fitted.value + (deviation * (fitted.error_root * normal).array()).matrix();
 }
 
 }  // namespace rubsweep::diagnose

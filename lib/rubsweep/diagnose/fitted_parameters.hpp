@@ -16,8 +16,8 @@ namespace rubsweep::diagnose {
 struct FittedParameters {
   std::vector<std::string> name{};
   Eigen::VectorXd value{}, low_95{}, high_95{};
-  Eigen::MatrixXd correlation{};  ///< of the errors
-  std::string text{};             ///< of the files
+  Eigen::MatrixXd error_root{};  ///< R, where R R^T is the correlation of the errors
+  std::string text{};            ///< of the files
 };
 
 /// Reads parameters.csv and correlation.csv of a directory; without the second one errors are not correlated.

@@ -13,20 +13,39 @@
 namespace rubsweep::recording {
 namespace {
 
-constexpr std::size_t fewest_equal = 5;
+constexpr std::size_t fewest_equal = 5, fewest_times = 10;
+/// Readings of the value at an end of the range as a multiple of those of any other. The top of a sine, in a coarse
+/// converter, has 2.4 times those of the next value.
+constexpr std::size_t many_times = 5;
 constexpr double largest_change = 0.01;
 constexpr double fewest_readings = 20;
 
-/// Smallest distance of two readings that differ: the step of the converter, where there is one.
-double smallest_step(std::span<const double> readings) {
+/// How readings spread over their values.
+struct Values {
+  double low = INFINITY, high = -INFINITY;
+  double step = INFINITY;             ///< smallest distance of two values: that of the converter, if there is one
+  std::size_t at_low = 0, at_high = 0;  ///< readings of the smallest and of the largest value
+  std::size_t most_between = 0;       ///< of the value between them that is read most often
+};
+
+Values values_of(std::span<const double> readings) {
   std::vector<double> sorted;
   std::ranges::copy_if(readings, std::back_inserter(sorted),
                        [](double value) { return std::isfinite(value); });
   std::ranges::sort(sorted);
-  double smallest = INFINITY;
-  for (std::size_t k = 1; k < sorted.size(); ++k)
-    if (sorted[k] > sorted[k - 1]) smallest = std::fmin(smallest, sorted[k] - sorted[k - 1]);
-  return smallest;
+  Values values;
+  if (sorted.empty()) return values;
+  values.low = sorted.front();
+  values.high = sorted.back();
+  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+    while (end < sorted.size() && sorted[end] == sorted[begin]) ++end;
+    if (end < sorted.size()) values.step = std::fmin(values.step, sorted[end] - sorted[begin]);
+    std::size_t& count = begin == 0             ? values.at_low
+                         : end == sorted.size() ? values.at_high
+                                                : values.most_between;
+    count = std::max(count, end - begin);
+  }
+  return values;
 }
 
 /// Mean square of a signal in a narrow band about `share` of half the sampling rate.
@@ -63,14 +82,16 @@ bool vibrates_near_half_the_rate(std::span<const double> readings) {
   return energy_near(readings, 0.95) > many_times * middle;
 }
 
-/// Whether readings stay at a value for long and come to it by more than `step`: the top of a rounded curve
-/// that a coarse converter flattens is reached by one step.
-bool is_cut_at(std::span<const double> readings, double value, double step) {
+/// Whether readings stay at a value for long, or come to it time and again where no other value is `repeated`, and
+/// come to it by more than `step`: the top of a rounded curve that a coarse converter flattens is reached by one step.
+bool is_cut_at(std::span<const double> readings, double value, double step, bool repeated) {
+  std::size_t times = 0;
   for (std::size_t k = 1; k < readings.size(); ++k) {
     if (readings[k] != value || std::isnan(readings[k - 1]) || readings[k - 1] == value) continue;
+    if (std::abs(readings[k - 1] - value) <= step) continue;
     std::size_t end = k;
     while (end < readings.size() && readings[end] == value) ++end;
-    if (end - k >= fewest_equal && std::abs(readings[k - 1] - value) > step) return true;
+    if (end - k >= fewest_equal || (repeated && ++times >= fewest_times)) return true;
   }
   return false;
 }
@@ -87,19 +108,19 @@ void add_findings(const Channel& channel, const Channels& table, std::optional<d
     findings.push_back(fmt::format("'{}' has gaps: {} readings are missing, the first one in {}", column,
                                    gaps, table.place_of(first)));
   }
-  double low = INFINITY, high = -INFINITY;
-  for (const double value : readings) {
-    low = std::fmin(low, value);
-    high = std::fmax(high, value);
-  }
-  if (!(low < high)) {
+  const Values values = values_of(readings);
+  if (!(values.low < values.high)) {
     findings.push_back(fmt::format("'{}' is dead: it reads one value all the time", column));
     return;
   }
-  const double step = 2.5 * smallest_step(readings);
+  const double step = 2.5 * values.step;
   constexpr double nearly = 0.999;
-  const bool below = is_cut_at(readings, low, step) || (full_scale && low <= -nearly * *full_scale),
-             above = is_cut_at(readings, high, step) || (full_scale && high >= nearly * *full_scale);
+  const bool low_repeated = values.at_low >= many_times * values.most_between,
+             high_repeated = values.at_high >= many_times * values.most_between;
+  const bool below = is_cut_at(readings, values.low, step, low_repeated) ||
+                     (full_scale && values.low <= -nearly * *full_scale),
+             above = is_cut_at(readings, values.high, step, high_repeated) ||
+                     (full_scale && values.high >= nearly * *full_scale);
   if (below || above) {
     findings.push_back(fmt::format("'{}' is clipped {}", column,
                                    below && above ? "at both ends of its range"

@@ -64,8 +64,8 @@ TEST(ReadCandidateFile, UnbalanceAndPlacesAlongTheShaft) {
       "list.yaml");
   ASSERT_TRUE(read.eccentricity_m);
   EXPECT_EQ(read.eccentricity_m->high, 4e-5);
-  EXPECT_EQ(spread_of(read.candidates[1], Unknown::position).high, 0.2);
-  EXPECT_EQ(spread_of(read.candidates[2], Unknown::position).low, 0.3);
+  EXPECT_EQ(read.candidates[1].position_m->high, 0.2);
+  EXPECT_EQ(read.candidates[2].position_m->low, 0.3);
   EXPECT_NE(refused("candidates: [{kind: no_rub, position_m: 0.1}, annular]\n").find("unknown key"),
             std::string::npos);
   EXPECT_NE(refused("eccentricity_m: [0, 1.0e-5]\n").find("list.yaml:1:17: eccentricity_m"), std::string::npos);

@@ -38,8 +38,11 @@ TEST(ReadCandidates, RefusesPlacesAlongTheShaftOfAJeffcottRotor) {
   std::vector<diagnose::Candidate> candidates;
   const std::string text = "candidates: [{kind: one_side, position_m: 0.2}, no_rub]\n";
   EXPECT_EQ(read(text, candidates), "none");
-  EXPECT_EQ(spread_of(candidates[0], Unknown::position).low, 0.2);
+  EXPECT_EQ(candidates[0].position_m->low, 0.2);
   EXPECT_NE(read(text, candidates, false).find("candidates.0.position_m: unknown key"), std::string::npos);
+  EXPECT_EQ(read("candidates: [{kind: one_side, position_m: 0}, annular]\n", candidates), "none");
+  EXPECT_EQ(candidates[0].position_m->high, 0) << "the very end of the shaft is a place";
+  EXPECT_FALSE(candidates[1].position_m);
 }
 
 TEST(ReadCandidates, RefusesNumbersThatTheStopsDoNotHave) {

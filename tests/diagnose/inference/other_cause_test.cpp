@@ -27,6 +27,25 @@ TEST(OtherCause, VibratesAtOnceTheSpeedAndAtOthers) {
   EXPECT_GT(multiples, 40);
 }
 
+TEST(OtherCause, WhirlsForwardBelowHalfTheSpeedMoreOftenThanAtOtherOrders) {
+  response::spectrum::SpectrumWorkspace workspace;
+  constexpr int turns = 50;
+  int oil_film = 0, other = 0;
+  for (std::uint64_t k = 0; k < 1000; ++k) {
+    RandomStream random(2, k, 0);
+    const MotionLines lines = vibration_of_another_cause(turns, random, workspace);
+    int largest = 1;
+    for (int j = 1; j < turns; ++j)
+      if (std::norm(lines.at(j)) > std::norm(lines.at(largest))) largest = j;
+    const double order = static_cast<double>(largest) / turns, forward = std::norm(lines.at(largest));
+    if (forward < 1e-2 || std::norm(lines.at(-largest)) > forward / 4) continue;
+    (order > 0.36 && order < 0.52 ? oil_film : other) += 1;
+  }
+  EXPECT_GT(oil_film, 60);
+  EXPECT_GT(other, 40);
+  EXPECT_GT(oil_film, other);
+}
+
 TEST(OtherCause, DependsOnItsRandomNumbersAlone) {
   response::spectrum::SpectrumWorkspace workspace;
   RandomStream one(1, 5, 0), again(1, 5, 0);

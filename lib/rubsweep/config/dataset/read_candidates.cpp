@@ -28,8 +28,8 @@ const auto& words() {
 }
 
 /// Whether stops of this kind have a number.
-bool has(Cause cause, const diagnose::UnknownRow& row, bool of_any_rotor) {
-  if (!row.of_file || cause == Cause::no_rub || (row.of_kit && !of_any_rotor)) return false;
+bool has(Cause cause, const diagnose::UnknownRow& row) {
+  if (!row.of_file || cause == Cause::no_rub) return false;
   if (row.unknown == Unknown::second_clearance_ratio) return cause == Cause::two_sides;
   if (row.unknown == Unknown::offset_ratio) return cause == Cause::annular_offset;
   return true;
@@ -60,8 +60,10 @@ std::optional<Candidate> read_candidate(const yaml::Value& value, bool of_any_ro
   if (candidate.cause != Cause::no_rub)
     read_spread(section, "clearance_m", model::positive, true, candidate.clearance_m);
   for (const diagnose::UnknownRow& row : diagnose::unknown_rows())
-    if (has(candidate.cause, row, of_any_rotor))
+    if (has(candidate.cause, row))
       read_spread(section, row.key, row.range, row.logarithmic, spread_of(candidate, row.unknown));
+  if (of_any_rotor && candidate.cause != Cause::no_rub && section.find("position_m"))
+    read_spread(section, "position_m", model::not_negative, false, candidate.position_m.emplace());
   section.refuse_unknown_keys();
   return candidate;
 }

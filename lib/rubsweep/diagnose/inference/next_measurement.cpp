@@ -37,11 +37,12 @@ std::vector<std::size_t> draw_cases(const Diagnosis& diagnosis) {
   for (std::size_t i = 0; i < diagnosis.set.cases.size(); ++i)
     if (counts(i)) all += diagnosis.posterior.weight(static_cast<Eigen::Index>(i));
   std::vector<std::size_t> drawn;
+  if (all <= 0) return drawn;
   double sum = 0;
   for (std::size_t i = 0; i < diagnosis.set.cases.size(); ++i) {
     if (!counts(i)) continue;
     sum += diagnosis.posterior.weight(static_cast<Eigen::Index>(i));
-    while (all > 0 && static_cast<double>(drawn.size()) + 0.5 < sum / all * cases_together) drawn.push_back(i);
+    while (static_cast<double>(drawn.size()) + 0.5 < sum / all * cases_together) drawn.push_back(i);
   }
   return drawn;
 }

@@ -31,10 +31,24 @@ Whirl any_ellipse(RandomStream& random) {
   return {std::cos(share), std::sin(share)};
 }
 
-/// A self-excited whirl, as of an oil film: nearly a circle, more often forward.
-Whirl near_circle(RandomStream& random) {
+/// A self-excited whirl: nearly a circle, forward or backward.
+Whirl near_circle(double share_forward, RandomStream& random) {
   const double rest = between_logarithms(1e-3, 0.3, random), most = std::sqrt(1 - rest * rest);
-  return random.uniform() < 0.75 ? Whirl{most, rest} : Whirl{rest, most};
+  return random.uniform() < share_forward ? Whirl{most, rest} : Whirl{rest, most};
+}
+
+/// A component of any order and its whirl: forced; self-excited; or the whirl of an oil film, forward at somewhat less
+/// than half the speed of the shaft (Muszynska, Rotordynamics, 2005, chapter 4), which is the commonest of its kind.
+struct FreeOrder {
+  double order = 0;
+  Whirl whirl{};
+};
+
+FreeOrder draw_free_order(RandomStream& random) {
+  const double kind = random.uniform();
+  if (kind < 0.25) return {0.38 + 0.12 * random.uniform(), near_circle(1, random)};
+  const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
+  return {order, kind < 0.5 ? near_circle(0.5, random) : any_ellipse(random)};
 }
 
 /// Adds a component of an order, whose angle is that of the shaft times the order and what it wandered.
@@ -92,9 +106,8 @@ void add_multiples(Vibration& vibration, double amplitude, RandomStream& random)
 
 /// Any order, forced or self-excited, with its harmonic and with sidebands, each or not.
 void add_free_order(Vibration& vibration, double amplitude, RandomStream& random) {
-  const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
+  const auto [order, whirl] = draw_free_order(random);
   const std::vector<double> wandered = wandering(vibration.samples().size(), random);
-  const Whirl whirl = random.uniform() < 0.5 ? any_ellipse(random) : near_circle(random);
   vibration.add(order, amplitude, whirl, wandered, random);
   if (random.uniform() < 0.5) {
     std::vector<double> twice = wandered;
