@@ -21,6 +21,10 @@ namespace {
 /// Share of each candidate that a forest of so many cases cannot tell from none.
 constexpr double least_probability = 1e-3;
 
+/// Vibrations of other causes for each case of a candidate. They cost no simulation, and are of more kinds than a
+/// candidate's motions.
+constexpr std::size_t other_causes_a_case = 4;
+
 /// Least width of an interval in which a length may lie: cases have any size, and must find place in it.
 constexpr double least_decades = 0.08;
 
@@ -139,7 +143,8 @@ void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int thre
                    ObservedCases& observed) {
   if (observed.of_other_causes.rows() == 0 && !set.cases.empty())
     observed.of_other_causes =
-        features_of_other_causes(problem, set.cases.size() / problem.candidates.size() + 1, threads);
+        features_of_other_causes(
+            problem, other_causes_a_case * (set.cases.size() / problem.candidates.size() + 1), threads);
   const auto before = static_cast<std::size_t>(observed.features.rows());
   const std::size_t added = set.cases.size() - before;
   if (added == 0) return;
