@@ -63,7 +63,7 @@ do for [format in formats] {
   set ytics nomirror out
   set autoscale xy
 
-  set lmargin at screen 0.60
+  set lmargin at screen 0.61
   set tmargin at screen 0.46
   set bmargin at screen 0.11
   set logscale y
@@ -72,7 +72,7 @@ do for [format in formats] {
   # A motion may be a single line.
   set xrange [-farthest_line:farthest_line]
   set xlabel "order (multiples of the speed)"
-  set label 4 sprintf("amplitude (%s)", unit) at screen 0.53, 0.285 center rotate by 90
+  set label 4 sprintf("amplitude (%s)", unit) at screen 0.515, 0.285 center rotate by 90
   plot "spectrum" using 1:2 with impulses linewidth 3 linecolor rgb blue, \
     "spectrum" using 1:3 with points pointtype 6 pointsize 0.9 linewidth 1.5 linecolor rgb green
   unset multiplot

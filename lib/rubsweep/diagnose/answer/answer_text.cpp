@@ -68,8 +68,9 @@ std::string trust_line(const Answer& answer) {
                           : "still moved by 3 % or more; +-: standard errors for want of motions");
   if (answer.interrupted)
     text += "  interrupted: an answer by the motions simulated so far\n";
-  return text + fmt::format("  {} simulated recordings in 100 lie as far from all others as this one\n",
-                            std::lround(100 * answer.p_value));
+  const long as_far = std::lround(100 * answer.p_value);
+  return text + fmt::format("  of 100 simulated recordings {} {} as far from all others as this one\n", as_far,
+                            as_far == 1 ? "lies" : "lie");
 }
 
 }  // namespace
