@@ -68,6 +68,8 @@ Candidate usual_candidate(Cause cause) {
   known(Unknown::kick_angle, 0);
   known(Unknown::kick_phase, 0);
   known(Unknown::offset_ratio, 0);
+  // From a rotor that is well balanced to one whose quiet whirl just clears the stop.
+  spread_of(candidate, Unknown::whirl_ratio) = {0.01, 1, true};
   return candidate;
 }
 

@@ -33,7 +33,7 @@ inline constexpr int fewest_turns = 4;
 
 /// Puts columns and instrument together, and subtracts the run-out of the shaft where a slow stretch is
 /// named. Turns that a gap in a signal touches are left out: the longest stretch without one stays. Findings:
-/// gaps, a clipped signal (its largest or smallest value more often in a row than a motion can have it), a
+/// gaps, a clipped signal (its largest or smallest value too often in a row, or too often in all), a
 /// dead probe, a speed that changes by more than 1 % from one turn to the next, vibration near half the
 /// sampling rate. Throws ConfigError, with `name`:line where a row is at fault, for columns that are not
 /// there, units that are not known, times that are not evenly spaced, and fewer turns than `fewest_turns`.

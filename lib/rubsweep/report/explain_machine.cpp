@@ -56,7 +56,8 @@ std::string explain_damping(const model::Stop& stop, const scene::Contact& conta
   if (ratio < 1) {
     text += fmt::format("; a free impact returns {:.4g} of its speed", contact::delivered_restitution(ratio));
   } else {
-    text += "; beyond critical, so that a free impact returns less than 0.2636 of its speed";
+    text += fmt::format("; beyond critical, so that a free impact returns less than {:.4g} of its speed",
+                        model::Stop::restitution_delivered_range.low);
   }
   return text + ")\n";
 }

@@ -21,10 +21,6 @@ namespace {
 /// Share of each candidate that a forest of so many cases cannot tell from none.
 constexpr double least_probability = 1e-3;
 
-/// Vibrations of other causes for each case of a candidate. They cost no simulation, and are of more kinds than a
-/// candidate's motions.
-constexpr std::size_t other_causes_a_case = 4;
-
 /// Least width of an interval in which a length may lie: cases have any size, and must find place in it.
 constexpr double least_decades = 0.08;
 
@@ -114,6 +110,14 @@ Spread widened(const Spread& spread) {
   return {spread.low / factor, spread.high * factor, true};
 }
 
+/// Share of the whirl ratios at which a quiet whirl of this radius is one in a clearance of the range. Its shape is the
+/// same at all of them.
+double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, double radius_m) {
+  const double low = std::max(ratios.low, radius_m / clearances.high),
+               high = std::min(ratios.high, radius_m / clearances.low);
+  return low < high ? std::log(high / low) / std::log(ratios.high / ratios.low) : 0;
+}
+
 /// Density of the logarithm of a case's size at that of the recording, over that of a size which goes by the
 /// candidate's clearances alone. These are drawn evenly in their logarithm: those that the size asks for count
 /// alike, others not at all. A known unbalance says the size of a case as well.
@@ -122,11 +126,15 @@ double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one
   const Candidate& candidate = problem.candidates[one.candidate];
   const double clearance = clearance_m(problem, one, case_size_m, seen_size_m);
   const Spread clearances = widened(candidate.clearance_m);
-  if (candidate.cause != Cause::no_rub && !inside(clearances, clearance)) return 0;
-  if (!problem.eccentricity_m) return 1;
+  const double density =
+      candidate.cause == Cause::no_rub
+          ? share_of_whirl_ratios(spread_of(candidate, Unknown::whirl_ratio), clearances,
+                                  clearance * value_of(values_at(candidate, one.unit), Unknown::whirl_ratio))
+          : (inside(clearances, clearance) ? 1 : 0);
+  if (!problem.eccentricity_m) return density;
   const Spread eccentricities = widened(*problem.eccentricity_m);
   if (!inside(eccentricities, one.motion.eccentricity_m * seen_size_m / case_size_m)) return 0;
-  return decades(clearances) / decades(eccentricities);
+  return density * decades(clearances) / decades(eccentricities);
 }
 
 /// Rows that were drawn from the priors.
@@ -143,8 +151,7 @@ void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int thre
                    ObservedCases& observed) {
   if (observed.of_other_causes.rows() == 0 && !set.cases.empty())
     observed.of_other_causes =
-        features_of_other_causes(
-            problem, other_causes_a_case * (set.cases.size() / problem.candidates.size() + 1), threads);
+        features_of_other_causes(problem, set.cases.size() / problem.candidates.size() + 1, threads);
   const auto before = static_cast<std::size_t>(observed.features.rows());
   const std::size_t added = set.cases.size() - before;
   if (added == 0) return;
