@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t fewest_equal = 5, fewest_times = 10;
 /// Readings of the value at an end of the range as a multiple of those of any other. The top of a sine, in a coarse
 /// converter, has 2.4 times those of the next value.
-constexpr std::size_t many_times = 5;
+constexpr std::size_t times_as_often = 5;
 constexpr double largest_change = 0.01;
 constexpr double fewest_readings = 20;
 
@@ -115,8 +115,8 @@ void add_findings(const Channel& channel, const Channels& table, std::optional<d
   }
   const double step = 2.5 * values.step;
   constexpr double nearly = 0.999;
-  const bool low_repeated = values.at_low >= many_times * values.most_between,
-             high_repeated = values.at_high >= many_times * values.most_between;
+  const bool low_repeated = values.at_low >= times_as_often * values.most_between,
+             high_repeated = values.at_high >= times_as_often * values.most_between;
   const bool below = is_cut_at(readings, values.low, step, low_repeated) ||
                      (full_scale && values.low <= -nearly * *full_scale),
              above = is_cut_at(readings, values.high, step, high_repeated) ||
