@@ -31,24 +31,10 @@ Whirl any_ellipse(RandomStream& random) {
   return {std::cos(share), std::sin(share)};
 }
 
-/// A self-excited whirl: nearly a circle, forward or backward.
-Whirl near_circle(double share_forward, RandomStream& random) {
+/// A self-excited whirl: nearly a circle.
+Whirl near_circle(bool forward, RandomStream& random) {
   const double rest = between_logarithms(1e-3, 0.3, random), most = std::sqrt(1 - rest * rest);
-  return random.uniform() < share_forward ? Whirl{most, rest} : Whirl{rest, most};
-}
-
-/// A component of any order and its whirl: forced; self-excited; or the whirl of an oil film, forward at somewhat less
-/// than half the speed of the shaft (Muszynska, Rotordynamics, 2005, chapter 4), which is the commonest of its kind.
-struct FreeOrder {
-  double order = 0;
-  Whirl whirl{};
-};
-
-FreeOrder draw_free_order(RandomStream& random) {
-  const double kind = random.uniform();
-  if (kind < 0.25) return {0.38 + 0.12 * random.uniform(), near_circle(1, random)};
-  const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
-  return {order, kind < 0.5 ? near_circle(0.5, random) : any_ellipse(random)};
+  return forward ? Whirl{most, rest} : Whirl{rest, most};
 }
 
 /// Adds a component of an order, whose angle is that of the shaft times the order and what it wandered.
@@ -67,9 +53,9 @@ class Vibration {
     }
   }
 
-  void add_unbalance(RandomStream& random) {
+  void add_unbalance(double backward_share, RandomStream& random) {
     const Complex forward = std::polar(1.0, 2 * pi * random.uniform()),
-                  backward = std::polar(between_logarithms(1e-3, 0.5, random), 2 * pi * random.uniform());
+                  backward = std::polar(backward_share, 2 * pi * random.uniform());
     for (std::size_t k = 0; k < z_.size(); ++k) {
       const double angle = 2 * pi * static_cast<double>(k) / samples_of_a_turn;
       z_[k] += forward * std::polar(1.0, angle) + backward * std::polar(1.0, -angle);
@@ -106,7 +92,8 @@ void add_multiples(Vibration& vibration, double amplitude, RandomStream& random)
 
 /// Any order, forced or self-excited, with its harmonic and with sidebands, each or not.
 void add_free_order(Vibration& vibration, double amplitude, RandomStream& random) {
-  const auto [order, whirl] = draw_free_order(random);
+  const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
+  const Whirl whirl = random.uniform() < 0.5 ? any_ellipse(random) : near_circle(random.uniform() < 0.5, random);
   const std::vector<double> wandered = wandering(vibration.samples().size(), random);
   vibration.add(order, amplitude, whirl, wandered, random);
   if (random.uniform() < 0.5) {
@@ -120,19 +107,31 @@ void add_free_order(Vibration& vibration, double amplitude, RandomStream& random
                     random);
 }
 
+/// The whirl of an oil film: forward at somewhat less than half the speed of the shaft (Muszynska, Rotordynamics, 2005,
+/// chapter 4).
+void add_oil_whirl(Vibration& vibration, double amplitude, RandomStream& random) {
+  const double order = 0.38 + 0.12 * random.uniform();
+  const std::vector<double> wandered = wandering(vibration.samples().size(), random);
+  vibration.add(order, amplitude, near_circle(true, random), wandered, random);
+}
+
 }  // namespace
 
 MotionLines vibration_of_another_cause(int turns, RandomStream& random,
                                        response::spectrum::SpectrumWorkspace& workspace) {
   Vibration vibration(turns);
-  vibration.add_unbalance(random);
-  const int components = 1 + static_cast<int>(4 * random.uniform() * random.uniform());
+  constexpr double unequal_supports = 0.125;
+  const bool alone = random.uniform() < unequal_supports;
+  vibration.add_unbalance(alone ? between_logarithms(0.3, 1, random) : between_logarithms(1e-3, 0.5, random), random);
+  const int components = alone ? 0 : 1 + static_cast<int>(4 * random.uniform() * random.uniform());
   for (int k = 0; k < components; ++k) {
-    const double amplitude = between_logarithms(0.05, 3, random);
-    if (random.uniform() < 0.5) {
+    const double amplitude = between_logarithms(0.05, 3, random), kind = random.uniform();
+    if (kind < 0.4) {
       add_multiples(vibration, amplitude, random);
-    } else {
+    } else if (kind < 0.8) {
       add_free_order(vibration, amplitude, random);
+    } else {
+      add_oil_whirl(vibration, amplitude, random);
     }
   }
   return lines_of(vibration.samples(), turns, most_order, workspace);
