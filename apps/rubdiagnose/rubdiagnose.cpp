@@ -58,7 +58,7 @@ struct Input {
 
 struct ReadRecording {
   recording::Recording recording;
-  std::string text;           ///< of its files
+  std::string text;            ///< of its files
   double probe_angle_deg = 0;  ///< of the first one
 };
 
@@ -116,8 +116,7 @@ Input read_input(const RubdiagnoseArguments& arguments) {
   problem = {.candidates = candidates.candidates,
              .prior = candidates.prior,
              .fixed = machine.fixed,
-             .eccentricity_m =
-                 candidates.eccentricity_m ? candidates.eccentricity_m : machine.eccentricity_m,
+             .eccentricity_m = candidates.eccentricity_m ? candidates.eccentricity_m : machine.eccentricity_m,
              .speed_hz = speed_hz,
              .turns = std::min(input.recording.turns(), most_turns),
              .measuring = candidates.measuring,

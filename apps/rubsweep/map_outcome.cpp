@@ -72,7 +72,8 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
     if (!arguments.quiet) print("figure: {}\n", arguments.figure->file().string());
   }
   if (arguments.report) {
-    if (const int code = write_report(program, arguments, directory.map().parent_path()); code != done) return code;
+    if (const int code = write_report(program, arguments, directory.map().parent_path()); code != done)
+      return code;
   }
   print("{}", view.next);
   return summary.has_failed_cells() ? some_cells_failed : done;

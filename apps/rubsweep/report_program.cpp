@@ -59,9 +59,9 @@ int say_interrupted(std::string_view program) {
 void require_report_program() {
   const std::filesystem::path file = sibling(report_program);
   if (::access(file.c_str(), X_OK) == 0) return;
-  throw IoError(
-      fmt::format("--report: there is no {}, which writes it, allowed: build {} as well, or install all programs",
-                  file.string(), report_program));
+  throw IoError(fmt::format(
+      "--report: there is no {}, which writes it, allowed: build {} as well, or install all programs",
+      file.string(), report_program));
 }
 
 int write_report(std::string_view program, const RubsweepArguments& arguments,

@@ -87,8 +87,9 @@ void add_verify(po::options_description& options, const char* meaning) {
 }
 
 void add_last(po::options_description& options) {
-  options.add_options()("summary", po::value<std::string>()->value_name("json"),
-                        "end with one line of JSON on standard output: exit code, seconds, counts, warnings, files")(
+  options.add_options()(
+      "summary", po::value<std::string>()->value_name("json"),
+      "end with one line of JSON on standard output: exit code, seconds, counts, warnings, files")(
       "quiet", "print errors only")(
       "help", "print this and exit; -h, -o and -j are short for --help, --output and --threads")(
       "version", "print the version and exit");

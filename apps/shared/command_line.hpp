@@ -46,8 +46,8 @@ StudyArguments study_arguments(const po::variables_map& given, std::string_view 
 std::optional<double> positive_number(const po::variables_map& given, const char* name);
 std::optional<double> not_negative_number(const po::variables_map& given, const char* name);
 
-/// Whether `name` is given, an option that asks for no run and goes alone or with --quiet, --summary and `beside`.
-/// Throws UsageError.
+/// Whether `name` is given, an option that asks for no run and goes alone or with --quiet, --summary and
+/// `beside`. Throws UsageError.
 bool asks_for(const char* name, const po::variables_map& given, std::string_view beside = "");
 
 /// The directory of --verify.

@@ -36,7 +36,8 @@ std::map<std::string, std::size_t>& counts() {
 }
 
 bool is_warning(std::string_view line) {
-  return line.find(": warning: ") != std::string_view::npos || line.find(": question: ") != std::string_view::npos;
+  return line.find(": warning: ") != std::string_view::npos ||
+         line.find(": question: ") != std::string_view::npos;
 }
 
 /// To the millisecond: more digits would only be noise.

@@ -1,8 +1,8 @@
-// diagnosis_calibration FIRST COUNT SEED CASES ROUNDS: recordings of machines that are drawn from the priors of
-// rubdata, one candidate after the other, diagnosed as rubdiagnose does with CASES motions of a candidate and at
-// most ROUNDS of narrowing. A line of CSV for each: the truth, the probabilities, and where the true numbers lie in
-// their posterior distributions. Machines, motions and readings are those of rubdata, whose code for them the
-// diagnosis does not use.
+// diagnosis_calibration FIRST COUNT SEED CASES ROUNDS: recordings of machines that are drawn from the priors
+// of rubdata, one candidate after the other, diagnosed as rubdiagnose does with CASES motions of a candidate
+// and at most ROUNDS of narrowing. A line of CSV for each: the truth, the probabilities, and where the true
+// numbers lie in their posterior distributions. Machines, motions and readings are those of rubdata, whose
+// code for them the diagnosis does not use.
 
 #include <fmt/format.h>
 

@@ -64,7 +64,7 @@ struct Candidate {
   std::string name;
   Cause cause = Cause::no_rub;
   std::array<Spread, unknown_count> spreads{};
-  Spread clearance_m{};  ///< of the first stop; usual candidates have none, the study says it
+  Spread clearance_m{};                ///< of the first stop; usual candidates have none, the study says it
   std::optional<Spread> position_m{};  ///< along the shaft of a rotor kit; else all places that it may have
 };
 

@@ -27,8 +27,8 @@ std::optional<FittedParameters> read_fitted_parameters(const std::filesystem::pa
 /// 95 % interval of a parameter; empty where it was not fitted.
 std::optional<Spread> interval_of(const FittedParameters& fitted, std::string_view name);
 
-/// Values as the fit leaves them: normally distributed, correlated. A value whose interval is not finite stays
-/// as it was found.
+/// Values as the fit leaves them: normally distributed, correlated. A value whose interval is not finite
+/// stays as it was found.
 Eigen::VectorXd draw_parameters(const FittedParameters& fitted, RandomStream& random);
 
 }  // namespace rubsweep::diagnose

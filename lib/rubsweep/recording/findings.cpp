@@ -14,8 +14,8 @@ namespace rubsweep::recording {
 namespace {
 
 constexpr std::size_t fewest_equal = 5, fewest_times = 10;
-/// Readings of the value at an end of the range as a multiple of those of any other. The top of a sine, in a coarse
-/// converter, has 2.4 times those of the next value.
+/// Readings of the value at an end of the range as a multiple of those of any other. The top of a sine, in a
+/// coarse converter, has 2.4 times those of the next value.
 constexpr std::size_t times_as_often = 5;
 constexpr double largest_change = 0.01;
 constexpr double fewest_readings = 20;
@@ -23,9 +23,9 @@ constexpr double fewest_readings = 20;
 /// How readings spread over their values.
 struct Values {
   double low = INFINITY, high = -INFINITY;
-  double step = INFINITY;             ///< smallest distance of two values: that of the converter, if there is one
+  double step = INFINITY;  ///< smallest distance of two values: that of the converter, if there is one
   std::size_t at_low = 0, at_high = 0;  ///< readings of the smallest and of the largest value
-  std::size_t most_between = 0;       ///< of the value between them that is read most often
+  std::size_t most_between = 0;         ///< of the value between them that is read most often
 };
 
 Values values_of(std::span<const double> readings) {
@@ -82,8 +82,9 @@ bool vibrates_near_half_the_rate(std::span<const double> readings) {
   return energy_near(readings, 0.95) > many_times * middle;
 }
 
-/// Whether readings stay at a value for long, or come to it time and again where no other value is `repeated`, and
-/// come to it by more than `step`: the top of a rounded curve that a coarse converter flattens is reached by one step.
+/// Whether readings stay at a value for long, or come to it time and again where no other value is
+/// `repeated`, and come to it by more than `step`: the top of a rounded curve that a coarse converter
+/// flattens is reached by one step.
 bool is_cut_at(std::span<const double> readings, double value, double step, bool repeated) {
   std::size_t times = 0;
   for (std::size_t k = 1; k < readings.size(); ++k) {

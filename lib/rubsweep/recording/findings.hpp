@@ -11,9 +11,9 @@
 namespace rubsweep::recording {
 
 /// Adds what is wrong with a probe's readings: gaps (NaN), with the place of the first one; a probe that
-/// reads one value only; clipping, where the largest or the smallest value is reached by more than the converter's
-/// step and stands at least five times in a row, or is reached ten times and read five times as often as any value
-/// between them, or where readings reach `full_scale` up or down.
+/// reads one value only; clipping, where the largest or the smallest value is reached by more than the
+/// converter's step and stands at least five times in a row, or is reached ten times and read five times as
+/// often as any value between them, or where readings reach `full_scale` up or down.
 void add_findings(const Channel& channel, const Channels& table, std::optional<double> full_scale,
                   std::vector<std::string>& findings);
 

@@ -179,11 +179,11 @@ std::string explain_rotating_damping(const scene::PreparedMachine& prepared, con
                        kit.rotating_damping_ratio.front());
   const double highest_hz = 20 * prepared.reduction->frequency_hz[0](0);
   const auto from_hz = structure::instability_hz(prepared.assembly, highest_hz);
-  return fmt::format("  damping that turns with the shaft: ratio {} and so on by mode; the quiet whirl is {}\n",
-                     kit.rotating_damping_ratio.front(),
-                     from_hz
-                         ? fmt::format("unstable from {} on and grows until it touches", model::speed_text(*from_hz))
-                         : "stable up to " + model::speed_text(highest_hz, 4));
+  return fmt::format(
+      "  damping that turns with the shaft: ratio {} and so on by mode; the quiet whirl is {}\n",
+      kit.rotating_damping_ratio.front(),
+      from_hz ? fmt::format("unstable from {} on and grows until it touches", model::speed_text(*from_hz))
+              : "stable up to " + model::speed_text(highest_hz, 4));
 }
 
 std::string explain_shaft(const model::RotorKit& kit) {
@@ -232,7 +232,8 @@ std::string explain_rotating_damping(const model::JeffcottRotor& rotor) {
       "grows "
       "until it touches\n",
       rotor.rotating_damping_ratio,
-      model::speed_text(rotor.natural_frequency_hz * (1 + rotor.damping_ratio / rotor.rotating_damping_ratio)));
+      model::speed_text(rotor.natural_frequency_hz *
+                        (1 + rotor.damping_ratio / rotor.rotating_damping_ratio)));
 }
 
 std::string explain_rotor(const scene::PreparedMachine& prepared, bool by_tables) {

@@ -68,7 +68,8 @@ TEST(ReadCandidateFile, UnbalanceAndPlacesAlongTheShaft) {
   EXPECT_EQ(read.candidates[2].position_m->low, 0.3);
   EXPECT_NE(refused("candidates: [{kind: no_rub, position_m: 0.1}, annular]\n").find("unknown key"),
             std::string::npos);
-  EXPECT_NE(refused("eccentricity_m: [0, 1.0e-5]\n").find("list.yaml:1:17: eccentricity_m"), std::string::npos);
+  EXPECT_NE(refused("eccentricity_m: [0, 1.0e-5]\n").find("list.yaml:1:17: eccentricity_m"),
+            std::string::npos);
 }
 
 TEST(ReadCandidateFile, RefusesListsThatLeaveNothingToChoose) {

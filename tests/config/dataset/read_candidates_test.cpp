@@ -14,7 +14,8 @@ std::string read(const std::string& text, std::vector<diagnose::Candidate>& cand
                  bool of_any_rotor = true) {
   return problems(text, [&](const yaml::Value& root) {
     yaml::Section section(root);
-    if (const auto value = section.require("candidates", "a list")) candidates = read_candidates(*value, of_any_rotor);
+    if (const auto value = section.require("candidates", "a list"))
+      candidates = read_candidates(*value, of_any_rotor);
   });
 }
 

@@ -13,6 +13,8 @@ TEST(JsonString, EscapesWhatJsonDoesNotTake) {
 
 TEST(JsonString, LeavesUtf8AsItIs) { EXPECT_EQ(json_string("µm"), "\"µm\""); }
 
+TEST(JsonString, BytesThatAreNoUtf8AreReplaced) { EXPECT_EQ(json_string("a\xff"), "\"a\uFFFD\""); }
+
 TEST(JsonString, ListsHoldEveryTextEmptyOnesToo) {
   EXPECT_EQ(json_list({}), "[]");
   EXPECT_EQ(json_list({"a", ""}), R"(["a",""])");

@@ -70,7 +70,8 @@ TEST(Posterior, AKnownUnbalanceTellsWhetherItExplainsTheSize) {
   observe_cases(problem, small_set(), 0, observed);
   const features::DescribedMotion quiet = recorded_case(0, 11);
   EXPECT_GT(posterior_of(problem, small_set(), observed, quiet, 0).probability(0), 0.8);
-  // A Jeffcott rotor at r = 2.2 whirls by e r^2 / (r^2 - 1), the root mean square of a circle being its radius.
+  // A Jeffcott rotor at r = 2.2 whirls by e r^2 / (r^2 - 1), the root mean square of a circle being its
+  // radius.
   const double r = 66 / 30.15, eccentricity_m = quiet.size_m * (r * r - 1) / (r * r);
   problem.eccentricity_m = {eccentricity_m / 1.2, eccentricity_m * 1.2, true};
   EXPECT_GT(posterior_of(problem, small_set(), observed, quiet, 0).probability(0), 0.8);
@@ -94,9 +95,8 @@ TEST(Posterior, KnowsWhatIsNoneOfThem) {
   RandomStream random(8, 0, 0);
   double probe_angle_rad = 0;
   const MotionLines measured = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
-  EXPECT_GT(
-      posterior_of(problem, small_set(), observed, features::describe(measured, {}, workspace), 0).none,
-      0.5);
+  EXPECT_GT(posterior_of(problem, small_set(), observed, features::describe(measured, {}, workspace), 0).none,
+            0.5);
 }
 
 TEST(Posterior, DoesNotDependOnThreads) {

@@ -148,7 +148,8 @@ class Writer {
     return fmt::format(
         R"({{"if":{{{}"properties":{{{}:{{"enum":{}}}}}}},"then":{},"else":{{"properties":{{{}:{}}}}}}})",
         needs_selector ? "\"required\":" + json_list({when.selector}) + "," : "", json_string(when.selector),
-        json_list(when.words), key.required && !part ? "{\"required\":" + json_list({key.name}) + "}" : "true",
+        json_list(when.words),
+        key.required && !part ? "{\"required\":" + json_list({key.name}) + "}" : "true",
         json_string(key.name), nothing(part));
   }
 

@@ -6,7 +6,8 @@
 
 namespace rubsweep::config::yaml {
 
-/// `text`, of UTF-8, as a string of JSON with its quotes.
+/// `text` as a string of JSON with its quotes. Bytes that are no UTF-8, as a file name may have, become
+/// U+FFFD.
 std::string json_string(std::string_view text);
 
 /// The `texts` as a list of JSON strings.

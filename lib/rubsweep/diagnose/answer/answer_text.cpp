@@ -35,9 +35,10 @@ std::string first_line(const Answer& answer) {
   if (answer.clipped) return "none of these can be told: a probe is clipped, and shows what no rotor does\n";
   const CandidateAnswer& first = answer.candidates.front();
   if (answer.none > first.probability)
-    return fmt::format("none of these, {} ({}): no simulated motion {} the recording\n", percent(answer.none),
-                       sureness(answer.none),
-                       answer.size_fits ? "resembles" : "of these clearances and this unbalance is as large as");
+    return fmt::format(
+        "none of these, {} ({}): no simulated motion {} the recording\n", percent(answer.none),
+        sureness(answer.none),
+        answer.size_fits ? "resembles" : "of these clearances and this unbalance is as large as");
   return fmt::format("{}, {} ({}): {}\n", first.name, percent(first.probability), sureness(first.probability),
                      words_for(first.cause));
 }
@@ -66,11 +67,10 @@ std::string trust_line(const Answer& answer) {
       answer.cases, answer.rounds, answer.rounds == 1 ? "round" : "rounds",
       answer.stands_still ? "stand still"
                           : "still moved by 3 % or more; +-: standard errors for want of motions");
-  if (answer.interrupted)
-    text += "  interrupted: an answer by the motions simulated so far\n";
+  if (answer.interrupted) text += "  interrupted: an answer by the motions simulated so far\n";
   const long as_far = std::lround(100 * answer.p_value);
-  return text + fmt::format("  of 100 simulated recordings {} {} as far from all others as this one\n", as_far,
-                            as_far == 1 ? "lies" : "lie");
+  return text + fmt::format("  of 100 simulated recordings {} {} as far from all others as this one\n",
+                            as_far, as_far == 1 ? "lies" : "lie");
 }
 
 }  // namespace

@@ -93,22 +93,24 @@ void add_multiples(Vibration& vibration, double amplitude, RandomStream& random)
 /// Any order, forced or self-excited, with its harmonic and with sidebands, each or not.
 void add_free_order(Vibration& vibration, double amplitude, RandomStream& random) {
   const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
-  const Whirl whirl = random.uniform() < 0.5 ? any_ellipse(random) : near_circle(random.uniform() < 0.5, random);
+  const Whirl whirl =
+      random.uniform() < 0.5 ? any_ellipse(random) : near_circle(random.uniform() < 0.5, random);
   const std::vector<double> wandered = wandering(vibration.samples().size(), random);
   vibration.add(order, amplitude, whirl, wandered, random);
   if (random.uniform() < 0.5) {
     std::vector<double> twice = wandered;
     for (double& angle : twice) angle *= 2;
-    vibration.add(2 * order, amplitude * between_logarithms(0.1, 1, random), any_ellipse(random), twice, random);
+    vibration.add(2 * order, amplitude * between_logarithms(0.1, 1, random), any_ellipse(random), twice,
+                  random);
   }
   if (random.uniform() < 0.5)
     for (const int side : {-1, 1})
-      vibration.add(order + side, amplitude * between_logarithms(0.05, 0.7, random), any_ellipse(random), wandered,
-                    random);
+      vibration.add(order + side, amplitude * between_logarithms(0.05, 0.7, random), any_ellipse(random),
+                    wandered, random);
 }
 
-/// The whirl of an oil film: forward at somewhat less than half the speed of the shaft (Muszynska, Rotordynamics, 2005,
-/// chapter 4).
+/// The whirl of an oil film: forward at somewhat less than half the speed of the shaft (Muszynska,
+/// Rotordynamics, 2005, chapter 4).
 void add_oil_whirl(Vibration& vibration, double amplitude, RandomStream& random) {
   const double order = 0.38 + 0.12 * random.uniform();
   const std::vector<double> wandered = wandering(vibration.samples().size(), random);
@@ -122,7 +124,8 @@ MotionLines vibration_of_another_cause(int turns, RandomStream& random,
   Vibration vibration(turns);
   constexpr double unequal_supports = 0.125;
   const bool alone = random.uniform() < unequal_supports;
-  vibration.add_unbalance(alone ? between_logarithms(0.3, 1, random) : between_logarithms(1e-3, 0.5, random), random);
+  vibration.add_unbalance(alone ? between_logarithms(0.3, 1, random) : between_logarithms(1e-3, 0.5, random),
+                          random);
   const int components = alone ? 0 : 1 + static_cast<int>(4 * random.uniform() * random.uniform());
   for (int k = 0; k < components; ++k) {
     const double amplitude = between_logarithms(0.05, 3, random), kind = random.uniform();

@@ -76,7 +76,8 @@ Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::s
         if (problem.measuring.from_rest) lines.at(0) = mean_of_another_cause(problem.seed, k);
         double probe_angle_rad = 0;
         const MotionLines seen = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
-        rows[k] = features::values_of(features::describe(seen, view_of(problem.measuring), workspace).features);
+        rows[k] =
+            features::values_of(features::describe(seen, view_of(problem.measuring), workspace).features);
       },
       [](std::size_t) {}, std::atomic<bool>{false});
   Eigen::MatrixXd features(static_cast<Eigen::Index>(count), rows.front().size());
@@ -110,27 +111,28 @@ Spread widened(const Spread& spread) {
   return {spread.low / factor, spread.high * factor, true};
 }
 
-/// Share of the whirl ratios at which a quiet whirl of this radius is one in a clearance of the range. Its shape is the
-/// same at all of them.
+/// Share of the whirl ratios at which a quiet whirl of this radius is one in a clearance of the range. Its
+/// shape is the same at all of them.
 double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, double radius_m) {
   const double low = std::max(ratios.low, radius_m / clearances.high),
                high = std::min(ratios.high, radius_m / clearances.low);
-  return low < high ? std::log(high / low) / std::log(ratios.high / ratios.low) : 0;
+  return low < high ? decades({low, high}) / decades(ratios) : 0;
 }
 
 /// Density of the logarithm of a case's size at that of the recording, over that of a size which goes by the
-/// candidate's clearances alone. These are drawn evenly in their logarithm: those that the size asks for count
-/// alike, others not at all. A known unbalance says the size of a case as well.
+/// candidate's clearances alone. These are drawn evenly in their logarithm: those that the size asks for
+/// count alike, others not at all. A quiet whirl counts by its whirl ratios. A known unbalance says the size
+/// of a case as well.
 double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
                        double seen_size_m) {
   const Candidate& candidate = problem.candidates[one.candidate];
   const double clearance = clearance_m(problem, one, case_size_m, seen_size_m);
   const Spread clearances = widened(candidate.clearance_m);
-  const double density =
-      candidate.cause == Cause::no_rub
-          ? share_of_whirl_ratios(spread_of(candidate, Unknown::whirl_ratio), clearances,
-                                  clearance * value_of(values_at(candidate, one.unit), Unknown::whirl_ratio))
-          : (inside(clearances, clearance) ? 1 : 0);
+  double density = inside(clearances, clearance) ? 1 : 0;
+  if (candidate.cause == Cause::no_rub)
+    density =
+        share_of_whirl_ratios(spread_of(candidate, Unknown::whirl_ratio), clearances,
+                              clearance * value_of(values_at(candidate, one.unit), Unknown::whirl_ratio));
   if (!problem.eccentricity_m) return density;
   const Spread eccentricities = widened(*problem.eccentricity_m);
   if (!inside(eccentricities, one.motion.eccentricity_m * seen_size_m / case_size_m)) return 0;
