@@ -38,7 +38,7 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
       rate_(state_.size()),
       probe_(state_.size()),
       states_(static_cast<std::size_t>(most_peak_states) * state_.size()),
-      zero_terms_(system_.contacts.size(), 0) {
+      zeros_(system_.contacts.size()) {
   dynamics_.follow(clock_.pulses());
 }
 
@@ -98,7 +98,7 @@ void TaylorRun<N>::join(const run::TurnRequest& request, long revolution, double
   clock_.change_pulses();
   std::copy(state.begin(), state.end(), state_.begin());
   dynamics_.modes() = modes;
-  std::ranges::fill(zero_terms_, 0);
+  zeros_.clear();
   law::enter_slips_by_state(dynamics_, state_, rate_, clock_.time());
   entered_ = true;
   begin_tangents(tangent_vectors, request.tangent_accuracy);
@@ -126,7 +126,7 @@ void TaylorRun<N>::enter_by_state() {
   clock_.change_pulses();
   const double phase = clock_.time();
   std::ranges::fill(dynamics_.modes(), Mode::open);
-  std::ranges::fill(zero_terms_, 0);
+  zeros_.clear();
   dynamics_(state_, rate_, phase);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) dynamics_.enter_by_state(i, state_, rate_);
   law::enter_slips_by_state(dynamics_, state_, rate_, phase);
@@ -171,7 +171,7 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
   }
   const bool limited = wanted >= left;
   double duration = limited ? left : wanted;
-  const JointEvent event = first_event(motion_, dynamics_, zero_terms_, duration);
+  const JointEvent event = first_event(motion_, dynamics_, zeros_.terms(), duration);
   const bool cut = event.share < 1 || event.contact;
   duration *= event.share;
   if (!take(report, fastest, duration,
@@ -217,7 +217,7 @@ bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration
   watch(report, fastest, duration);
   motion_.series().put_state(duration, state_.data());
   clock_.go_to(end_phase);
-  std::ranges::fill(zero_terms_, 0);
+  zeros_.clear();
   return true;
 }
 
@@ -261,7 +261,11 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
   dynamics_(state_, rate_, clock_.time());
   if (event.slip) {
     ++effort_.switches;
-    switch_slip(*event.contact, *event.slip);
+    if (*event.slip == contact::Slip::sticking) {
+      stop_slip(*event.contact);
+    } else {
+      zeros_.let_go(dynamics_, *event.contact, *event.slip, state_, probe_, clock_.time());
+    }
   }
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     const auto& c = system_.contacts[i];
@@ -279,31 +283,10 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
   }
 }
 
-/// `slip` as of SlipEvent. A contact that is let go starts with its friction, and so does its slip's rate.
-template <int N>
-void TaylorRun<N>::switch_slip(std::size_t i, contact::Slip slip) {
-  if (slip == contact::Slip::sticking) return stop_slip(i);
-  const bool others = law::let_go(dynamics_, i, slip, state_, probe_, clock_.time());
-  for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
-    if (j == i || (others && leaves_zero(j))) zero_terms_[j] = dynamics_.poised(j) ? 0 : 2;
-  }
-}
-
-/// Contact `i` stands, and begins to slip.
-template <int N>
-bool TaylorRun<N>::leaves_zero(std::size_t i) const {
-  return dynamics_.touches_dry(i) && dynamics_.slips()[i] != contact::Slip::sticking &&
-         !dynamics_.poised(i) && law::stands(dynamics_, i, state_);
-}
-
 /// Handles the zero of the slip of contact `i`; `rate_` is that before it was.
 template <int N>
 void TaylorRun<N>::stop_slip(std::size_t i) {
-  law::settle_slips(dynamics_, state_, probe_, clock_.time(), [i](std::size_t j) { return j == i; });
-  for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
-    if (!dynamics_.touches_dry(j) || (j != i && !law::stands(dynamics_, j, state_))) continue;
-    zero_terms_[j] = dynamics_.slips()[j] == contact::Slip::sticking || dynamics_.poised(j) ? 0 : 1;
-  }
+  zeros_.stop(dynamics_, i, state_, probe_, clock_.time());
   dynamics_(state_, probe_, clock_.time());
   if (tangents_.count() > 0) law::cross_slip(dynamics_, i, state_, rate_, probe_, tangents_.vectors());
   std::swap(rate_, probe_);

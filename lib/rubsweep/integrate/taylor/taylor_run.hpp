@@ -13,6 +13,7 @@
 #include "rubsweep/integrate/taylor/creep_choice.hpp"
 #include "rubsweep/integrate/taylor/expansion.hpp"
 #include "rubsweep/integrate/taylor/joint_event.hpp"
+#include "rubsweep/integrate/taylor/slip_zeros.hpp"
 #include "rubsweep/integrate/taylor/tangent_expansion.hpp"
 #include "rubsweep/numerics/full_turn.hpp"
 
@@ -84,10 +85,8 @@ class TaylorRun {
   void put_samples(run::TurnReport& report, double end_phase);
   void watch(run::TurnReport& report, double fastest, double duration);
   void switch_modes(run::TurnReport& report, const JointEvent& event);
-  void switch_slip(std::size_t i, contact::Slip slip);
   void stop_slip(std::size_t i);
   void settle_poised();
-  bool leaves_zero(std::size_t i) const;
   void project_tangents();
   void apply_impulses(run::TurnReport& report);
   void note_switch(run::TurnReport& report, std::size_t i, contact::Mode from);
@@ -107,8 +106,7 @@ class TaylorRun {
   long expansions_ = 0, expansion_limit_ = 0;
   std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
-  /// Per contact with dry friction: number of leading coefficients of the slip that are zero where it is now.
-  std::vector<int> zero_terms_;
+  SlipZeros zeros_;
   bool entered_ = false;
   int standstill_ = 0;
   int samples_wanted_ = 0;  ///< as asked for in this turn
