@@ -1,8 +1,11 @@
 #include "rubsweep/diagnose/lasting_motion.hpp"
 
+#include <algorithm>
 #include <complex>
+#include <variant>
 #include <vector>
 
+#include "rubsweep/diagnose/free_decay.hpp"
 #include "rubsweep/diagnose/turn_samples.hpp"
 #include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/integrate/start.hpp"
@@ -25,10 +28,10 @@ scene::Cell cell_of(const model::Machine& machine, double speed_hz, const scene:
                            speed_hz, unbalance);
 }
 
-/// Whether the run still touches something after the turns before the recording.
-bool lasts(const integrate::run::Run& run, integrate::run::TurnReport& turn) {
+/// Whether the run still touches something after so many turns.
+bool lasts(const integrate::run::Run& run, int turns, integrate::run::TurnReport& turn) {
   int untouched = 0;
-  for (int k = 0; k < turns_before_recording; ++k) {
+  for (int k = 0; k < turns; ++k) {
     if (run.advance({}, turn) != Outcome::ok) return false;
     untouched = turn.touched ? 0 : untouched + 1;
     if (untouched > turns_in_flight) return false;
@@ -55,6 +58,14 @@ std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::ru
 
 }  // namespace
 
+int turns_before_recording(const model::Machine& machine, double speed_hz) {
+  const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor);
+  if (!rotor) return kit_turns_before_recording;
+  constexpr double left = 5e-3;
+  return std::clamp(turns_to_decay(rotor->natural_frequency_hz, rotor->damping_ratio, speed_hz, left),
+                    fewest_turns_before_recording, most_turns_before_recording);
+}
+
 std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
                                             const scene::Unbalance& unbalance, int turns,
                                             response::spectrum::SpectrumWorkspace& workspace) {
@@ -64,7 +75,7 @@ std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, doubl
   integrate::exact::modes::ModeCache modes;
   const integrate::run::Run run = integrate::start(cell.scene, {}, modes);
   integrate::run::TurnReport turn;
-  if (!lasts(run, turn)) return std::nullopt;
+  if (!lasts(run, turns_before_recording(machine, speed_hz), turn)) return std::nullopt;
   auto motion = record(cell, run, turns, workspace);
   if (motion && motion->contact.contact_fraction == 0) return std::nullopt;
   return motion;

@@ -9,9 +9,15 @@
 
 namespace rubsweep::diagnose {
 
-/// Turns between the kick and the recording, and turns without contact after which a motion counts as one
-/// that has fallen back to quiet whirling.
-inline constexpr int turns_before_recording = 120, turns_in_flight = 30;
+/// Turns without contact after which a motion counts as one that has fallen back to quiet whirling.
+inline constexpr int turns_in_flight = 30;
+
+/// Turns between the kick and the recording. A Jeffcott rotor's free vibration dies away to a two-hundredth
+/// in them, but for slow decay: no more than `most_turns_before_recording`. A rotor kit waits as long as most
+/// Jeffcott rotors do.
+inline constexpr int fewest_turns_before_recording = 120, most_turns_before_recording = 400,
+                     kit_turns_before_recording = 200;
+int turns_before_recording(const model::Machine& machine, double speed_hz);
 
 inline constexpr double most_order = 8;  ///< of lines that are looked at
 
@@ -22,7 +28,7 @@ struct LastingMotion {
   double eccentricity_m = 0;
 };
 
-/// Runs a machine from its start for turns_before_recording and records so many turns. Empty
+/// Runs a machine from its start for turns_before_recording() and records so many turns. Empty
 /// where it touches nothing in them, fails, or cannot start.
 std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
                                             const scene::Unbalance& unbalance, int turns,

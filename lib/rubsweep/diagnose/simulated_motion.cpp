@@ -1,10 +1,9 @@
 #include "rubsweep/diagnose/simulated_motion.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <variant>
 
+#include "rubsweep/diagnose/free_decay.hpp"
 #include "rubsweep/diagnose/turn_samples.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/response/settle.hpp"
@@ -14,19 +13,13 @@ namespace rubsweep::diagnose {
 namespace {
 
 int turns_after_verdict(const model::JeffcottRotor& rotor, double speed_hz, bool touches) {
-  const int decay = turns_to_decay(rotor.natural_frequency_hz, rotor.damping_ratio, speed_hz);
+  constexpr double left = 1e-5;
+  const int decay = turns_to_decay(rotor.natural_frequency_hz, rotor.damping_ratio, speed_hz, left);
   return std::clamp(decay, fewest_turns_after_verdict,
                     touches ? most_turns_touching : most_turns_after_verdict);
 }
 
 }  // namespace
-
-int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz) {
-  constexpr double left = 1e-5, most = 1e6;
-  const double turns =
-      -std::log(left) * speed_hz / (2 * std::numbers::pi * damping_ratio * natural_frequency_hz);
-  return static_cast<int>(std::ceil(std::min(turns, most)));
-}
 
 std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, double speed_hz,
                                                const scene::Unbalance& unbalance, int turns,

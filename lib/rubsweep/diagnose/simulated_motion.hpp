@@ -15,14 +15,11 @@ namespace rubsweep::diagnose {
 
 inline constexpr int samples_per_revolution = 128;
 
-/// Turns of the shaft in which free vibration of a rotor falls to a hundred thousandth. The verdict on a
-/// motion comes while it is still dying away, and may find ten times the quiet whirl: a thousandth of that
-/// would stand in a recording as a line of its own.
-int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz);
-
-/// Most and fewest turns that pass between the verdict on a motion and its recording: those of turns_to_decay
-/// in between. Motions that touch a stop are not waited for longer than `most_turns_touching`, as contacts
-/// damp them, too.
+/// Most and fewest turns that pass between the verdict on a motion and its recording; in between those in
+/// which free vibration falls to a hundred thousandth. The verdict comes while it is still dying away, and
+/// may find ten times the quiet whirl: a thousandth of that would stand in a recording as a line of its own.
+/// Motions that touch a stop are not waited for longer than `most_turns_touching`, as contacts damp them,
+/// too.
 inline constexpr int fewest_turns_after_verdict = 40, most_turns_after_verdict = 2000,
                      most_turns_touching = 150;
 

@@ -104,9 +104,9 @@ double simulated_speed_hz(double speed_hz) {
 
 std::string cases_digest(const DiagnosisProblem& problem, const CaseOptions& options) {
   std::string text = fmt::format(
-      "{} {} {} {} {} {} {}\n{} {} {} {} {}\n", cases_version, problem.speed_hz, problem.turns, problem.seed,
-      options.cases_per_candidate, options.most_draws_per_case, turns_before_recording,
-      problem.fixed.rotor_mass_kg, problem.fixed.contact_radius_m, problem.fixed.casing_damping_ratio,
+      "{} {} {} {} {} {}\n{} {} {} {} {}\n", cases_version, problem.speed_hz, problem.turns, problem.seed,
+      options.cases_per_candidate, options.most_draws_per_case, problem.fixed.rotor_mass_kg,
+      problem.fixed.contact_radius_m, problem.fixed.casing_damping_ratio,
       problem.fixed.rotating_damping_ratio, problem.fixed.kit ? problem.fixed.kit->digest : "");
   const auto add = [&](const Spread& spread) {
     text += fmt::format(" {}:{}:{}", spread.low, spread.high, spread.logarithmic);

@@ -53,6 +53,15 @@ class Vibration {
     }
   }
 
+  /// Along one line across the shaft, in place of an ellipse. `direction` is that of the line from x.
+  void add_along(double order, double amplitude, double direction, RandomStream& random) {
+    const double phase = 2 * pi * random.uniform();
+    for (std::size_t k = 0; k < z_.size(); ++k) {
+      const double angle = 2 * pi * order * static_cast<double>(k) / samples_of_a_turn + phase;
+      z_[k] += std::polar(amplitude * std::cos(angle), direction);
+    }
+  }
+
   void add_unbalance(double backward_share, RandomStream& random) {
     const Complex forward = std::polar(1.0, 2 * pi * random.uniform()),
                   backward = std::polar(backward_share, 2 * pi * random.uniform());
@@ -117,6 +126,25 @@ void add_oil_whirl(Vibration& vibration, double amplitude, RandomStream& random)
   vibration.add(order, amplitude, near_circle(true, random), wandered, random);
 }
 
+/// A support that is loose, or stiff to one side: its stiffness changes along one direction, and the shaft
+/// vibrates along it at the multiples of its speed, now and then at those of half of it, which grow weaker
+/// (Goldman and Muszynska 1995).
+void add_directional_series(Vibration& vibration, RandomStream& random) {
+  const double direction = 2 * pi * random.uniform();
+  const double decay = between_logarithms(0.05, 0.7, random);
+  double amplitude = between_logarithms(0.03, 1, random);
+  for (int order = 2; order <= 8; ++order) {
+    vibration.add_along(order, amplitude * between_logarithms(0.3, 1, random), direction, random);
+    amplitude *= decay;
+  }
+  if (random.uniform() < 0.75) return;
+  amplitude = between_logarithms(0.03, 1, random);
+  for (int half = 1; half <= 7; half += 2) {
+    vibration.add_along(half / 2.0, amplitude * between_logarithms(0.3, 1, random), direction, random);
+    amplitude *= decay;
+  }
+}
+
 }  // namespace
 
 MotionLines vibration_of_another_cause(int turns, RandomStream& random,
@@ -129,10 +157,12 @@ MotionLines vibration_of_another_cause(int turns, RandomStream& random,
   const int components = alone ? 0 : 1 + static_cast<int>(4 * random.uniform() * random.uniform());
   for (int k = 0; k < components; ++k) {
     const double amplitude = between_logarithms(0.05, 3, random), kind = random.uniform();
-    if (kind < 0.4) {
+    if (kind < 0.3) {
       add_multiples(vibration, amplitude, random);
-    } else if (kind < 0.8) {
+    } else if (kind < 0.6) {
       add_free_order(vibration, amplitude, random);
+    } else if (kind < 0.8) {
+      add_directional_series(vibration, random);
     } else {
       add_oil_whirl(vibration, amplitude, random);
     }
