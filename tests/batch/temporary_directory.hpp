@@ -10,7 +10,7 @@
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {
-    std::string name = testing::TempDir() + "rubsweep_batch_XXXXXX";
+    std::string name = testing::TempDir() + "rubsweep_XXXXXX";
     path_ = ::mkdtemp(name.data());
   }
   ~TemporaryDirectory() { std::filesystem::remove_all(path_); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "batch/temporary_directory.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 
 namespace rubsweep::batch {
@@ -13,9 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(WrittenFiles, AreThoseThatWereCommittedEachOnceAndAreStillThere) {
-  const fs::path directory = fs::path(testing::TempDir()) / "written_files";
-  fs::create_directories(directory);
-  const fs::path kept = directory / "kept", removed = directory / "removed", given_up = directory / "given_up";
+  const TemporaryDirectory directory;
+  const fs::path kept = directory.path() / "kept", removed = directory.path() / "removed",
+                 given_up = directory.path() / "given_up";
   const auto count = [](const fs::path& path) { return std::ranges::count(written_files(), path); };
   write_whole_file(kept, "a");
   write_whole_file(removed, "b");
@@ -28,7 +29,6 @@ TEST(WrittenFiles, AreThoseThatWereCommittedEachOnceAndAreStillThere) {
   EXPECT_LT(std::ranges::find(files, kept), std::ranges::find(files, removed));
   fs::remove(removed);
   EXPECT_EQ(count(removed), 0);
-  fs::remove_all(directory);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "batch/temporary_directory.hpp"
 #include "dataset/small_study.hpp"
 #include "rubsweep/error.hpp"
 
@@ -20,14 +21,9 @@ std::string text_of(const fs::path& file) {
 
 class DataSetTest : public testing::Test {
  protected:
-  void SetUp() override {
-    // Tests run beside each other.
-    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    study_.directory = fs::path(testing::TempDir()) / ("data_set_test_" + name);
-    fs::remove_all(study_.directory);
-  }
-  void TearDown() override { fs::remove_all(study_.directory); }
+  void SetUp() override { study_.directory = directory_.path() / "recordings"; }
 
+  const TemporaryDirectory directory_;
   DataStudy study_ = small_study();
 };
 

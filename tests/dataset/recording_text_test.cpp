@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "batch/temporary_directory.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/recording/delimited_text.hpp"
 #include "rubsweep/recording/matlab_file.hpp"
@@ -58,13 +59,13 @@ TEST(RecordingText, TimesOfALongRecordingAtAHighRateAreThose) {
 }
 
 TEST(RecordingText, MatlabFileHoldsTheNumbersAsTheyAre) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "recording_text_test.mat";
+  const TemporaryDirectory directory;
+  const std::filesystem::path file = directory.path() / "recording.mat";
   for (const bool plane : {true, false}) {
     const LabelledRecording written = recording_of(plane);
     write_recording_matlab(written, file);
     expect_same(recording::read_matlab_file(file), written, 0);
   }
-  std::filesystem::remove(file);
 }
 
 TEST(RecordingText, RefusesADirectoryThatIsNotThere) {
@@ -92,9 +93,8 @@ class SmallFiles {
 };
 
 TEST(RecordingText, MatlabFileThatDoesNotFitOnTheDiskIsRefusedAndLeavesNothing) {
-  const std::filesystem::path directory =
-      std::filesystem::path(testing::TempDir()) / "recording_text_test_full";
-  std::filesystem::create_directory(directory);
+  const TemporaryDirectory directory;
+  const std::filesystem::path file = directory.path() / "recording.mat";
   LabelledRecording recording;
   for (int k = 0; k < 5000; ++k) {
     recording.t_s.push_back(1e-4 * k);
@@ -103,12 +103,11 @@ TEST(RecordingText, MatlabFileThatDoesNotFitOnTheDiskIsRefusedAndLeavesNothing) 
   }
   for (const rlim_t bytes : {rlim_t{0}, rlim_t{100}, rlim_t{5000}, rlim_t{20000}}) {
     const SmallFiles small(bytes);
-    EXPECT_THROW(write_recording_matlab(recording, directory / "recording.mat"), IoError) << bytes;
-    EXPECT_TRUE(std::filesystem::is_empty(directory)) << bytes;
+    EXPECT_THROW(write_recording_matlab(recording, file), IoError) << bytes;
+    EXPECT_TRUE(std::filesystem::is_empty(directory.path())) << bytes;
   }
-  write_recording_matlab(recording, directory / "recording.mat");
-  EXPECT_GT(std::filesystem::file_size(directory / "recording.mat"), 20000u);
-  std::filesystem::remove_all(directory);
+  write_recording_matlab(recording, file);
+  EXPECT_GT(std::filesystem::file_size(file), 20000u);
 }
 
 }  // namespace

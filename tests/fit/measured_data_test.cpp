@@ -9,6 +9,7 @@
 #include <string>
 
 #include "batch/message_of.hpp"
+#include "batch/temporary_directory.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::fit {
@@ -31,7 +32,8 @@ class MeasuredDataTest : public testing::Test {
     }
     return "none";
   }
-  const fs::path file_ = fs::temp_directory_path() / "measured_data_test.csv";
+  const TemporaryDirectory directory_;
+  const fs::path file_ = directory_.path() / "data.csv";
 };
 
 TEST_F(MeasuredDataTest, RingDown) {
@@ -91,25 +93,16 @@ TEST_F(MeasuredDataTest, SteadyPhasesCountFromTheSensor) {
 
 class MeasuredDataRubTest : public testing::Test {
  protected:
-  void SetUp() override {
-    // Tests run beside each other.
-    directory_ =
-        fs::path(testing::TempDir()) /
-        (std::string("measured_data_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(directory_);
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-
   void write(const std::string& measures, const std::string& lines) {
-    std::ofstream(directory_ / "measures.csv") << "quantity,value,uncertainty\n" << measures;
-    std::ofstream(directory_ / "lines.csv") << "order,amplitude_m,uncertainty_m,phase_deg\n" << lines;
+    std::ofstream(directory_.path() / "measures.csv") << "quantity,value,uncertainty\n" << measures;
+    std::ofstream(directory_.path() / "lines.csv") << "order,amplitude_m,uncertainty_m,phase_deg\n" << lines;
   }
   std::string refusal(const std::string& measures, const std::string& lines) {
     write(measures, lines);
-    return message_of<ConfigError>([&] { read_rub(directory_); });
+    return message_of<ConfigError>([&] { read_rub(directory_.path()); });
   }
 
-  fs::path directory_;
+  const TemporaryDirectory directory_;
 };
 
 const std::string half = "speed_hz,70.5,\nperiod_turns,2,\n",
@@ -117,7 +110,7 @@ const std::string half = "speed_hz,70.5,\nperiod_turns,2,\n",
 
 TEST_F(MeasuredDataRubTest, HasTheLinesWithAPhaseButTheGap) {
   write(half, lines);
-  const RubLines rub = read_rub(directory_);
+  const RubLines rub = read_rub(directory_.path());
   EXPECT_EQ(rub.speed_hz, 70.5);
   EXPECT_EQ(rub.turns, 2);
   EXPECT_EQ(rub.order, (std::vector<double>{-0.5, 0.5}));

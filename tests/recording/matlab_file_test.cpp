@@ -10,6 +10,7 @@
 #include <fstream>
 #include <string>
 
+#include "batch/temporary_directory.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::recording {
@@ -19,8 +20,6 @@ namespace fs = std::filesystem;
 
 class MatlabFile : public testing::TestWithParam<mat_ft> {
  protected:
-  void TearDown() override { fs::remove(file_); }
-
   mat_t* create() { return Mat_CreateVer(file_.c_str(), nullptr, GetParam()); }
 
   template <class Number>
@@ -32,8 +31,8 @@ class MatlabFile : public testing::TestWithParam<mat_ft> {
     Mat_VarFree(variable);
   }
 
-  const fs::path file_ =
-      fs::temp_directory_path() / ("matlab_file_test_" + std::to_string(GetParam()) + ".mat");
+  const TemporaryDirectory directory_;
+  const fs::path file_ = directory_.path() / "recording.mat";
 };
 
 TEST_P(MatlabFile, VectorsAndColumnsBecomeChannels) {
@@ -68,7 +67,8 @@ TEST_P(MatlabFile, FilesWithoutSignalsAreRefused) {
 INSTANTIATE_TEST_SUITE_P(Versions, MatlabFile, testing::Values(MAT_FT_MAT5, MAT_FT_MAT73));
 
 TEST(MatlabFileDamaged, IsNamed) {
-  const fs::path file = fs::temp_directory_path() / "matlab_file_test_damaged.mat";
+  const TemporaryDirectory directory;
+  const fs::path file = directory.path() / "damaged.mat";
   std::ofstream(file) << "MATLAB 5.0 MAT-file and nothing behind it";
   try {
     read_matlab_file(file);
@@ -76,7 +76,6 @@ TEST(MatlabFileDamaged, IsNamed) {
   } catch (const ConfigError& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with(file.string() + ": ")) << error.what();
   }
-  fs::remove(file);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "batch/temporary_directory.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::recording {
@@ -15,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(SoundFile, ReadingsAreSharesOfTheFullScale) {
-  const fs::path file = fs::temp_directory_path() / "sound_file_test.wav";
+  const TemporaryDirectory directory;
+  const fs::path file = directory.path() / "readings.wav";
   for (const int format : {SF_FORMAT_PCM_16, SF_FORMAT_PCM_24, SF_FORMAT_FLOAT}) {
     SF_INFO info{.frames = 0,
                  .samplerate = 12800,
@@ -36,11 +38,11 @@ TEST(SoundFile, ReadingsAreSharesOfTheFullScale) {
     EXPECT_NEAR(table.channels[1].values[1], -0.5, 1e-4);
     EXPECT_NEAR(table.channels[0].values[2], -1, 1e-4);
   }
-  fs::remove(file);
 }
 
 TEST(SoundFile, DamagedOnesAreNamed) {
-  const fs::path file = fs::temp_directory_path() / "sound_file_test_damaged.wav";
+  const TemporaryDirectory directory;
+  const fs::path file = directory.path() / "damaged.wav";
   std::ofstream(file) << "RIFF....WAVEjunk";
   try {
     read_sound_file(file);
@@ -48,11 +50,11 @@ TEST(SoundFile, DamagedOnesAreNamed) {
   } catch (const ConfigError& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with(file.string() + ": ")) << error.what();
   }
-  fs::remove(file);
 }
 
 TEST(SoundFile, OneThatWasCutShortIsRefused) {
-  const fs::path file = fs::temp_directory_path() / "sound_file_test_cut.wav";
+  const TemporaryDirectory directory;
+  const fs::path file = directory.path() / "cut.wav";
   SF_INFO info{.frames = 0,
                .samplerate = 12800,
                .channels = 1,
@@ -72,7 +74,6 @@ TEST(SoundFile, OneThatWasCutShortIsRefused) {
     EXPECT_EQ(std::string(error.what()),
               file.string() + ": breaks off after 1044 of 2044 bytes, allowed: a whole WAV file");
   }
-  fs::remove(file);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "batch/temporary_directory.hpp"
 #include "config/support.hpp"
 #include "rubsweep/config/print_config.hpp"
 
@@ -27,7 +28,8 @@ TEST(SupportTable, ReadsUnitsAndLeavesZeros) {
 }
 
 TEST(SupportTable, FromAFileIsPrintedInlineAndReadsBackTheSame) {
-  const std::string folder = testing::TempDir() + "support_table";
+  const TemporaryDirectory directory;
+  const std::string folder = directory.path().string();
   std::filesystem::create_directories(folder + "/tables");
   std::ofstream(folder + "/tables/film.csv")
       << "\xEF\xBB\xBF# of a supplier\n\nspeed_rpm , kxx_n_per_mm, "

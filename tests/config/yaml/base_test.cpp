@@ -1,10 +1,10 @@
 #include "rubsweep/config/yaml/base.hpp"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
 
+#include "batch/temporary_directory.hpp"
 #include "config/support.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/ring/print_ring_config.hpp"
@@ -19,14 +19,6 @@ namespace fs = std::filesystem;
 /// A directory of configurations that goes when the test ends.
 class Base : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "rubsweep-base-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    directory = name;
-  }
-
-  void TearDown() override { fs::remove_all(directory); }
-
   void write(const std::string& name, const std::string& text) const {
     fs::create_directories((directory / name).parent_path());
     std::ofstream(directory / name, std::ios::binary) << text;
@@ -51,7 +43,8 @@ class Base : public testing::Test {
     return "no error";
   }
 
-  fs::path directory;
+  const TemporaryDirectory temporary;
+  const fs::path& directory = temporary.path();
 };
 
 TEST_F(Base, GivesEveryKeyThatIsNotOverridden) {
