@@ -11,14 +11,14 @@
 namespace rubsweep::batch {
 namespace {
 
-using Cells = std::vector<std::size_t>;
+using CellNumbers = std::vector<std::size_t>;
 
-const JournalHeader header{"study", "program", 6, ""};
+const JournalHeader of_six_cells{"study", "program", 6, ""};
 
 TEST(FinishedCells, WithoutJournalsEverythingIsMissing) {
   const FinishedCells cells(6);
   EXPECT_EQ(cells.count(), 0u);
-  EXPECT_EQ(cells.missing(), (Cells{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(cells.missing(), (CellNumbers{0, 1, 2, 3, 4, 5}));
 }
 
 TEST(FinishedCells, AreThoseOfAllJournals) {
@@ -26,12 +26,12 @@ TEST(FinishedCells, AreThoseOfAllJournals) {
   const auto one = directory.path() / "one.journal", two = directory.path() / "two.journal";
   const std::string long_text(5000, 'x');
   {
-    Journal journal(one, header);
+    Journal journal(one, of_six_cells);
     journal.append(4, "four");
     journal.append(1, long_text);
   }
   {
-    Journal journal(two, header);
+    Journal journal(two, of_six_cells);
     journal.append(1, "again");
     journal.append(0, "");
   }
@@ -39,7 +39,7 @@ TEST(FinishedCells, AreThoseOfAllJournals) {
   EXPECT_EQ(cells.add(one), 0u);
   EXPECT_EQ(cells.add(two), 0u);
   EXPECT_EQ(cells.count(), 3u);
-  EXPECT_EQ(cells.missing(), (Cells{2, 3, 5}));
+  EXPECT_EQ(cells.missing(), (CellNumbers{2, 3, 5}));
   EXPECT_EQ(cells.text(0), "");
   EXPECT_EQ(cells.text(1), long_text) << "the first record counts";
   EXPECT_EQ(cells.text(4), "four");

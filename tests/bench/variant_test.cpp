@@ -11,8 +11,8 @@
 namespace rubsweep::bench {
 namespace {
 
-constexpr std::array tolerances{1e-4, 1e-6};
-const std::size_t steppers = integrate::adaptive::single_steppers().size();
+constexpr std::array coarse_tolerances{1e-4, 1e-6};
+const std::size_t stepper_count = integrate::adaptive::single_steppers().size();
 
 std::size_t exact_ones(const std::vector<Variant>& variants) {
   return static_cast<std::size_t>(std::count_if(variants.begin(), variants.end(), [](const Variant& v) {
@@ -22,8 +22,8 @@ std::size_t exact_ones(const std::vector<Variant>& variants) {
 
 TEST(Variants, ClosedFormsAreOneLine) {
   const auto variants =
-      variants_of(test::cell_of({}).scene, {}, 6, integrate::adaptive::single_steppers(), tolerances);
-  EXPECT_EQ(variants.size(), 1 + steppers * 2 * 2);
+      variants_of(test::cell_of({}).scene, {}, 6, integrate::adaptive::single_steppers(), coarse_tolerances);
+  EXPECT_EQ(variants.size(), 1 + stepper_count * 2 * 2);
   EXPECT_EQ(exact_ones(variants), 1u);
   EXPECT_FALSE(variants.front().stepper);
   EXPECT_FALSE(variants.front().relative_tolerance);
@@ -33,9 +33,10 @@ TEST(Variants, SteppersInsideTheExactSolverHaveALineEachBehindTaylorPieces) {
   model::Machine machine = test::machine_of({});
   machine.stops[0].geometry = model::AnnularGeometry{};
   const auto cell = scene::build_cell(machine, 75, scene::WhirlRatio{0.5});
-  const auto variants = variants_of(cell.scene, {}, 6, integrate::adaptive::single_steppers(), tolerances);
-  EXPECT_EQ(variants.size(), 1 + steppers * 2 * 3);
-  EXPECT_EQ(exact_ones(variants), 1 + steppers * 2);
+  const auto variants =
+      variants_of(cell.scene, {}, 6, integrate::adaptive::single_steppers(), coarse_tolerances);
+  EXPECT_EQ(variants.size(), 1 + stepper_count * 2 * 3);
+  EXPECT_EQ(exact_ones(variants), 1 + stepper_count * 2);
   EXPECT_FALSE(variants.front().stepper);
   for (const Variant& v : variants) {
     EXPECT_TRUE(v.method == integrate::run::Method::adaptive ||

@@ -31,6 +31,11 @@ inline std::string message_of(const std::string& text, const std::vector<std::st
   return "no error";
 }
 
+/// The same about the rotor kit of rotor_kit.yaml.
+inline std::string kit_message(const std::vector<std::string>& overrides) {
+  return message_of(test_file("rotor_kit.yaml"), overrides, "kit.yaml");
+}
+
 /// `text` with the first occurrence of `from` replaced.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);

@@ -4,23 +4,13 @@
 
 #include <cmath>
 
+#include "design/amplification.hpp"
+#include "design/study_of.hpp"
 #include "rubsweep/error.hpp"
 #include "scene/table_machine.hpp"
 
 namespace rubsweep::design {
 namespace {
-
-sweep::Study study_of(const model::Machine& machine) {
-  sweep::Study study;
-  study.machine = machine;
-  return study;
-}
-
-/// Quiet whirl of the rotor of 30 Hz over its eccentricity.
-double amplification(double hz) {
-  const double ratio = hz / 30;
-  return ratio * ratio / std::hypot(1 - ratio * ratio, 2 * 0.02 * ratio);
-}
 
 DesignCheck checked(const sweep::Study& study, const DesignQuestions& questions) {
   return check_design(study, scene::prepare_machine(study.machine), questions);
@@ -31,12 +21,13 @@ TEST(DesignCheck, OfAJeffcottRotorIsItsClosedForms) {
   const double eccentricity_m = 4 * 6350.0 / (160 * 60) * 1e-6;
   EXPECT_NEAR(check.eccentricity_m, eccentricity_m, 1e-18);
   EXPECT_EQ(check.vibration_limit_m, 25.4e-6) << "9600 rpm";
-  const double probe_m = 2 * eccentricity_m * amplification(50);
+  const double probe_m = 2 * eccentricity_m * amplification(50 / 30.0, 0.02);
   EXPECT_NEAR(check.worst_probe().major_axis_m.value, probe_m, 1e-9 * probe_m)
       << "the critical speed is outside";
   EXPECT_NEAR(check.scale, 25.4e-6 / probe_m, 1e-9 * check.scale);
   // Over the whole range: at the critical speed below the operating range.
-  const double zeta = 0.02, scaled_m = 25.4e-6 / amplification(50) / (2 * zeta * std::sqrt(1 - zeta * zeta));
+  const double zeta = 0.02,
+               scaled_m = 25.4e-6 / amplification(50 / 30.0, 0.02) / (2 * zeta * std::sqrt(1 - zeta * zeta));
   EXPECT_NEAR(check.clearances.at(0).major_axis_m, scaled_m, 1e-9 * scaled_m);
   EXPECT_NEAR(check.clearances.at(0).margin, 1 - scaled_m / (0.75 * 2e-3), 1e-9);
   ASSERT_EQ(check.locks.size(), 3u);

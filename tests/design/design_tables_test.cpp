@@ -5,7 +5,7 @@
 namespace rubsweep::design {
 namespace {
 
-DesignCheck some_check() {
+DesignCheck tabled_check() {
   DesignCheck check;
   check.operating = {50, 200};
   check.vibration_limit_m = 2e-5;
@@ -19,7 +19,7 @@ DesignCheck some_check() {
 }
 
 TEST(DesignTables, HaveALineForEachCheck) {
-  EXPECT_EQ(tables_of(some_check()).design_check_csv,
+  EXPECT_EQ(tables_of(tabled_check()).design_check_csv,
             "check,place,position_m,speed_hz,value,limit,unit,margin,verdict\n"
             "vibration,probe 0,0.25,50,1e-05,2e-05,m,0.5,ok\n"
             "clearance,stop 0,,30,3e-05,0.00015000000000000001,m,0.8,ok\n"
@@ -29,7 +29,7 @@ TEST(DesignTables, HaveALineForEachCheck) {
 }
 
 TEST(DesignTables, LimitOfTheProbesIsThatOfTheOperatingRange) {
-  EXPECT_EQ(tables_of(some_check()).unbalance_response_csv,
+  EXPECT_EQ(tables_of(tabled_check()).unbalance_response_csv,
             "place,position_m,speed_hz,major_axis_m,limit_m\n"
             "probe 0,0.25,10,1e-06,\n"
             "probe 0,0.25,50,2e-06,2e-05\n"
@@ -37,10 +37,10 @@ TEST(DesignTables, LimitOfTheProbesIsThatOfTheOperatingRange) {
 }
 
 TEST(DesignTables, KicksAreEmptyWhereNoneStartsARub) {
-  EXPECT_EQ(tables_of(some_check()).kicks_csv,
+  EXPECT_EQ(tables_of(tabled_check()).kicks_csv,
             "speed_hz,force_n,motion,runs,failed\n50,,,8,0\n60,17.5,subharmonic 1/2,12,1\n");
-  EXPECT_EQ(tables_of(some_check()).lock_speeds_csv, "speed_hz,p,first_mode,q,second_mode\n60,3,2,1,1\n");
-  DesignCheck check = some_check();
+  EXPECT_EQ(tables_of(tabled_check()).lock_speeds_csv, "speed_hz,p,first_mode,q,second_mode\n60,3,2,1,1\n");
+  DesignCheck check = tabled_check();
   check.kicks.clear();
   EXPECT_EQ(tables_of(check).kicks_csv, "") << "no file";
 }

@@ -10,8 +10,8 @@
 namespace rubsweep::design {
 namespace {
 
+using namespace std::complex_literals;
 using Complex = std::complex<double>;
-const Complex i(0, 1);
 
 /// Largest distance from the middle over a turn, doubled.
 double traced_axis(const Eigen::Vector2cd& amplitude) {
@@ -24,14 +24,14 @@ double traced_axis(const Eigen::Vector2cd& amplitude) {
 }
 
 TEST(EllipticOrbit, AxisOfACircleIsItsDiameter) {
-  EXPECT_DOUBLE_EQ(major_axis({3.0, -3.0 * i}), 6);
-  EXPECT_DOUBLE_EQ(major_axis({3.0, 3.0 * i}), 6) << "backward";
+  EXPECT_DOUBLE_EQ(major_axis({3.0, -3.0i}), 6);
+  EXPECT_DOUBLE_EQ(major_axis({3.0, 3.0i}), 6) << "backward";
 }
 
 /// Neither the peak to peak of x, 2, nor that of y is the axis.
 TEST(EllipticOrbit, AxisOfALeaningLineIsLongerThanItsShadows) {
   EXPECT_NEAR(major_axis({1.0, 1.0}), 2 * std::sqrt(2), 1e-15);
-  EXPECT_NEAR(major_axis({3.0 * i, 4.0 * i}), 10, 1e-14);
+  EXPECT_NEAR(major_axis({3.0i, 4.0i}), 10, 1e-14);
 }
 
 TEST(EllipticOrbit, AxisIsThatOfTheTracedOrbit) {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 
+#include "design/study_of.hpp"
 #include "rubsweep/sweep/evaluate_cell.hpp"
 #include "scene/one_side_machine.hpp"
 
@@ -11,12 +12,6 @@ namespace rubsweep::design {
 namespace {
 
 const std::atomic<bool> never{false};
-
-sweep::Study study_of(const model::Machine& machine) {
-  sweep::Study study;
-  study.machine = machine;
-  return study;
-}
 
 std::vector<KickThreshold> thresholds(const sweep::Study& study, double eccentricity_m,
                                       const std::vector<double>& speeds_hz, int threads = 1) {

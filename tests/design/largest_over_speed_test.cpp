@@ -6,16 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "design/amplification.hpp"
+
 namespace rubsweep::design {
 namespace {
 
 /// Quiet whirl of a Jeffcott rotor of 50 Hz: largest at 1 / sqrt(1 - 2 zeta^2), 1 / (2 zeta sqrt(1 -
 /// zeta^2)).
-double amplification(double hz, double damping_ratio) {
-  const double ratio = hz / 50;
-  return ratio * ratio / std::hypot(1 - ratio * ratio, 2 * damping_ratio * ratio);
-}
-
 TEST(LargestOverSpeed, FindsAResonanceAThousandTimesNarrowerThanTheSteps) {
   for (const double zeta : {0.1, 1e-3, 1e-6}) {
     const SpeedRange range{1, 173};
@@ -24,7 +21,7 @@ TEST(LargestOverSpeed, FindsAResonanceAThousandTimesNarrowerThanTheSteps) {
     EXPECT_TRUE(std::ranges::is_sorted(speeds));
     EXPECT_EQ(speeds.front(), 1);
     EXPECT_EQ(speeds.back(), 173);
-    const Largest found = largest_over_speed(speeds, [&](double hz) { return amplification(hz, zeta); });
+    const Largest found = largest_over_speed(speeds, [&](double hz) { return amplification(hz / 50, zeta); });
     EXPECT_NEAR(found.speed_hz, 50 / std::sqrt(1 - 2 * zeta * zeta), 1e-5 * (1 + zeta)) << zeta;
     const double expected = 1 / (2 * zeta * std::sqrt(1 - zeta * zeta));
     EXPECT_NEAR(found.value, expected, 1e-9 * expected) << zeta;

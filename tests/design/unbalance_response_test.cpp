@@ -2,19 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
+#include "design/amplification.hpp"
 #include "scene/kit_machine.hpp"
 #include "scene/table_machine.hpp"
 
 namespace rubsweep::design {
 namespace {
-
-/// Radius of the quiet whirl of a Jeffcott rotor over its eccentricity.
-double amplification(double speed_ratio, double damping_ratio) {
-  const double square = speed_ratio * speed_ratio;
-  return square / std::hypot(1 - square, 2 * damping_ratio * speed_ratio);
-}
 
 TEST(UnbalanceResponse, OfAJeffcottRotorIsACircleOfItsClosedForm) {
   const scene::PreparedMachine prepared = scene::prepare_machine(scene::one_side_machine());

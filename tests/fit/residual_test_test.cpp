@@ -9,7 +9,7 @@
 namespace rubsweep::fit {
 namespace {
 
-std::vector<double> noise(unsigned seed) {
+std::vector<double> white_noise(unsigned seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, 2);
   std::vector<double> values(300);
@@ -19,13 +19,13 @@ std::vector<double> noise(unsigned seed) {
 
 TEST(ResidualTest, NoiseIsWhite) {
   int alarms = 0;
-  for (unsigned seed = 1; seed <= 200; ++seed) alarms += !test_residuals(noise(seed)).white;
+  for (unsigned seed = 1; seed <= 200; ++seed) alarms += !test_residuals(white_noise(seed)).white;
   // Two tests of one per cent each.
   EXPECT_LE(alarms, 10);
 }
 
 TEST(ResidualTest, AWeakVibrationIsFoundWithItsFrequency) {
-  auto values = noise(1);
+  auto values = white_noise(1);
   for (std::size_t k = 0; k < values.size(); ++k)
     values[k] += 1.2 * std::cos(2 * std::numbers::pi * 0.12 * static_cast<double>(k));
   const ResidualTest test = test_residuals(values);
@@ -35,7 +35,7 @@ TEST(ResidualTest, AWeakVibrationIsFoundWithItsFrequency) {
 }
 
 TEST(ResidualTest, NeighboursThatHangTogetherAreNoNoise) {
-  auto values = noise(2);
+  auto values = white_noise(2);
   for (std::size_t k = 1; k < values.size(); ++k) values[k] += 0.6 * values[k - 1];
   const ResidualTest test = test_residuals(values);
   EXPECT_FALSE(test.white);

@@ -14,7 +14,7 @@ using Complex = std::complex<double>;
 
 /// Steady response of a Jeffcott rotor of 30 Hz to unbalance, at every speed of a slow run-up, seen along x
 /// and y.
-struct RunUp {
+struct SlowRunUp {
   std::vector<double> x, y, angle, speed;
 };
 
@@ -23,8 +23,8 @@ Complex steady(double hz) {
   return 1e-4 * s * s / Complex(1 - s * s, 2 * 0.02 * s);
 }
 
-RunUp slow_run_up() {
-  RunUp run;
+SlowRunUp slow_run_up() {
+  SlowRunUp run;
   for (int k = 0; k < 80000; ++k) {
     const double t = 1e-3 * k, hz = 10 + 0.5 * t, phi = 2 * pi * (10 * t + 0.25 * t * t);
     const Complex z = steady(hz) * std::polar(1.0, phi) + Complex(2e-5, -3e-5);
@@ -36,13 +36,13 @@ RunUp slow_run_up() {
   return run;
 }
 
-OneXSignal signal_of(const RunUp& run, std::span<const Complex> phasor, std::span<const double> noise,
+OneXSignal signal_of(const SlowRunUp& run, std::span<const Complex> phasor, std::span<const double> noise,
                      double sensor_angle_deg) {
   return {phasor, noise, run.angle, run.speed, sensor_angle_deg};
 }
 
 TEST(BodeOneX, FitsWhatTheReadingsAddAndTellsTheLag) {
-  const RunUp run = slow_run_up();
+  const SlowRunUp run = slow_run_up();
   const std::vector<Complex> nothing(run.x.size());
   for (const bool vertical : {false, true}) {
     const OneX one = one_x(signal_of(run, nothing, vertical ? run.y : run.x, vertical ? 90 : 0), 5);
@@ -56,7 +56,7 @@ TEST(BodeOneX, FitsWhatTheReadingsAddAndTellsTheLag) {
 }
 
 TEST(BodeOneX, IsThePhasorAtTheInstantAndItsTopThatOfTheCurve) {
-  const RunUp run = slow_run_up();
+  const SlowRunUp run = slow_run_up();
   std::vector<Complex> phasor;
   for (const double hz : run.speed) phasor.push_back(steady(hz));
   const OneX one = one_x(signal_of(run, phasor, {}, 0), 10);
@@ -72,7 +72,7 @@ TEST(BodeOneX, IsThePhasorAtTheInstantAndItsTopThatOfTheCurve) {
 }
 
 TEST(BodeOneX, HasNoTopAtAnEnd) {
-  const RunUp run = slow_run_up();
+  const SlowRunUp run = slow_run_up();
   std::vector<Complex> rising, falling;
   for (const double hz : run.speed) {
     rising.emplace_back(hz);
@@ -83,7 +83,7 @@ TEST(BodeOneX, HasNoTopAtAnEnd) {
 }
 
 TEST(BodeOneX, TooShortForAWindow) {
-  RunUp run{{}, {}, {0, 1, 2}, {1, 1, 1}};
+  SlowRunUp run{{}, {}, {0, 1, 2}, {1, 1, 1}};
   const std::vector<Complex> few(3);
   EXPECT_TRUE(one_x(signal_of(run, few, {}, 0), 5).plot.empty());
   EXPECT_TRUE(one_x({}, 5).plot.empty());

@@ -22,7 +22,7 @@ struct Rotor {
 
 /// 1X once a revolution, by classical Runge-Kutta in small fixed steps in the frame that stands still, from
 /// the quiet motion of the first speed without its bow: a free vibration is left.
-std::vector<BodePoint> ramp(const Rotor& rotor, double from_hz, double to_hz, double rate_hz_per_s) {
+std::vector<BodePoint> plot_of_ramp(const Rotor& rotor, double from_hz, double to_hz, double rate_hz_per_s) {
   const double w = 2 * pi * rotor.natural_hz, damping = 2 * rotor.damping_ratio * w, h = 1e-4;
   const auto speed = [&](double t) { return 2 * pi * (from_hz + rate_hz_per_s * t); };
   const auto angle = [&](double t) { return 2 * pi * (from_hz * t + rate_hz_per_s * t * t / 2); };
@@ -58,8 +58,8 @@ double speed_of_largest_hz(const std::vector<BodePoint>& plot) {
 TEST(RampResonance, IsThatOfTheRotorHoweverFastTheRamp) {
   for (const auto& [ratio, rate] :
        {std::pair{0.01, 4.0}, {0.01, -4.0}, {0.01, 24.0}, {0.001, 4.0}, {0.1, 4.0}}) {
-    const auto plot = rate > 0 ? ramp({.damping_ratio = ratio}, 15, 45, rate)
-                               : ramp({.damping_ratio = ratio}, 45, 15, rate);
+    const auto plot = rate > 0 ? plot_of_ramp({.damping_ratio = ratio}, 15, 45, rate)
+                               : plot_of_ramp({.damping_ratio = ratio}, 45, 15, rate);
     const auto fit = fit_ramp_resonance(plot, rate);
     ASSERT_TRUE(fit) << ratio << ' ' << rate;
     EXPECT_NEAR(fit->frequency_hz, 30, 3e-5) << ratio << ' ' << rate;
@@ -71,7 +71,7 @@ TEST(RampResonance, IsThatOfTheRotorHoweverFastTheRamp) {
 }
 
 TEST(RampResonance, AllowsForABowAndForOtherModes) {
-  const auto plot = ramp({.bow_m = {4e-6, 7e-6}, .rest_m = {3e-6, -1e-6}}, 15, 45, 4);
+  const auto plot = plot_of_ramp({.bow_m = {4e-6, 7e-6}, .rest_m = {3e-6, -1e-6}}, 15, 45, 4);
   const auto fit = fit_ramp_resonance(plot, 4);
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->frequency_hz, 30, 3e-5);
@@ -79,7 +79,7 @@ TEST(RampResonance, AllowsForABowAndForOtherModes) {
 }
 
 TEST(RampResonance, NoiseIsLeftAsMisfit) {
-  auto plot = ramp({}, 15, 45, 4);
+  auto plot = plot_of_ramp({}, 15, 45, 4);
   double largest_m = 0;
   for (const BodePoint& point : plot) largest_m = std::max(largest_m, point.amplitude_m);
   std::mt19937_64 random(1);
@@ -100,8 +100,8 @@ TEST(RampResonance, NoiseIsLeftAsMisfit) {
 }
 
 TEST(RampResonance, TwoModesLeaveAMisfit) {
-  auto plot = ramp({}, 15, 45, 4);
-  const auto second = ramp({.natural_hz = 31.5}, 15, 45, 4);
+  auto plot = plot_of_ramp({}, 15, 45, 4);
+  const auto second = plot_of_ramp({.natural_hz = 31.5}, 15, 45, 4);
   for (std::size_t k = 0; k < plot.size(); ++k) {
     const Complex sum = std::polar(plot[k].amplitude_m, plot[k].phase_deg * pi / 180) -
                         std::polar(second[k].amplitude_m, second[k].phase_deg * pi / 180);
@@ -114,7 +114,7 @@ TEST(RampResonance, TwoModesLeaveAMisfit) {
 
 TEST(RampResonance, IsEmptyWhereThereIsNothingToFit) {
   EXPECT_FALSE(fit_ramp_resonance({}, 4));
-  const auto plot = ramp({}, 15, 45, 4);
+  const auto plot = plot_of_ramp({}, 15, 45, 4);
   EXPECT_FALSE(fit_ramp_resonance(std::span(plot).first(12), 4));
   EXPECT_FALSE(fit_ramp_resonance(plot, -4));  // the speed changes the other way
   const std::vector<BodePoint> still(40, BodePoint{20, 0, 0});

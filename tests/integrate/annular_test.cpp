@@ -18,7 +18,7 @@ using test::annular_scene;
 using test::FullRub;
 using test::start_at;
 constexpr Complex i{0, 1};
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Complex position(const std::vector<double>& states, std::size_t row = 0) {
   return {states[4 * row], states[4 * row + 1]};

@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "integrate/largest_difference.hpp"
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "support/rolling_scene.hpp"
@@ -18,7 +19,7 @@
 namespace rubsweep::integrate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 run::SolverOptions stepper(run::Stepper which, double tolerance) {
   run::SolverOptions options;
@@ -26,12 +27,6 @@ run::SolverOptions stepper(run::Stepper which, double tolerance) {
   options.stepper = which;
   options.relative_tolerance = tolerance;
   return options;
-}
-
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
-  return largest;
 }
 
 /// Unit mass on a unit spring along y, pressed by N on a wall across x whose surface moves: slip = y' + V,
@@ -166,7 +161,7 @@ double split_apart(const scene::Scene& scene, const std::pair<scene::Contact, sc
   for (int k = 0; k < turns; ++k) {
     EXPECT_EQ(one_run.advance({}, a), run::Outcome::ok) << k;
     EXPECT_EQ(two_run.advance({}, b), run::Outcome::ok) << k;
-    apart = std::max(apart, distance(a.section, b.section));
+    apart = std::max(apart, largest_difference(a.section, b.section));
   }
   return apart;
 }
@@ -316,7 +311,7 @@ TEST(DryFriction, AWallWhoseTangentTheRingsPassesLetsTheRunGoOn) {
     for (int k = 0; k < 6; ++k) {
       ASSERT_EQ(run.advance({}, a), run::Outcome::ok) << k;
       ASSERT_EQ(other.advance({}, b), run::Outcome::ok) << k;
-      EXPECT_LT(distance(a.section, b.section), 1e-8) << k;
+      EXPECT_LT(largest_difference(a.section, b.section), 1e-8) << k;
       other.restart(a.section);
     }
     EXPECT_GT(a.effort.switches, 6);
@@ -345,7 +340,7 @@ TEST_P(DryFrictionRandom, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDiff
       asked.tangent_vectors.setIdentity(4, 4);
       ASSERT_EQ(run.advance(asked, a), run::Outcome::ok);
       ASSERT_EQ(other.advance({}, b), run::Outcome::ok);
-      EXPECT_LT(distance(a.section, b.section), 2e-8) << "cell " << cell << " turn " << k;
+      EXPECT_LT(largest_difference(a.section, b.section), 2e-8) << "cell " << cell << " turn " << k;
       if (const Eigen::MatrixXd* moved = a.tangent_vectors.get()) {
         const Eigen::MatrixXd by_solver = *moved;
         stuck += std::abs(by_solver.determinant()) < 1e-9;  // what sticks loses a rank

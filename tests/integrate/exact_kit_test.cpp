@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 #include <numbers>
 
+#include "integrate/largest_difference.hpp"
 #include "integrate/rubbing_kit.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/hybrid_run.hpp"
@@ -12,12 +12,6 @@
 
 namespace rubsweep::integrate {
 namespace {
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
 
 TEST(ExactKit, TurnsInContactHaveClosedFormsAndAgreeWithTheAdaptiveSolver) {
   for (const double speed_hz : {70.0, 110.0}) {

@@ -2,8 +2,7 @@
 // between, against long double, against Taylor pieces alone and against differences.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
+#include "integrate/largest_difference.hpp"
 #include "rubsweep/integrate/hybrid_run.hpp"
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
 #include "support/long_double_reference.hpp"
@@ -25,12 +24,6 @@ scene::Scene dry_scene() {
   model::Machine machine = test::machine_of(thin_shaft(100, 3e-4));
   machine.stops[0].friction = model::ConstantFriction{0.1};
   return scene::build_cell(machine, 75, scene::WhirlRatio{0.4}).scene;
-}
-
-double difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
 }
 
 void expect_long_double(const test::OneSideRotor& rotor, int steps, double bound) {
@@ -78,12 +71,12 @@ void expect_pieces_alone(const scene::Scene& scene, int turns, double bound, dou
     if (k > 0) pieces.resume(a.section, k);
     ASSERT_EQ(run.advance(asked, a), run::Outcome::ok) << k;
     ASSERT_EQ(pieces.advance(asked, b), run::Outcome::ok) << k;
-    EXPECT_LT(difference(a.section, b.section), bound) << k;
+    EXPECT_LT(largest_difference(a.section, b.section), bound) << k;
     ASSERT_EQ(a.sample_count, 64) << k;
     ASSERT_EQ(b.sample_count, 64) << k;
     a.samples.resize(std::size_t{64} * 8);
     b.samples.resize(std::size_t{64} * 8);
-    EXPECT_LT(difference(a.samples, b.samples), bound) << k;
+    EXPECT_LT(largest_difference(a.samples, b.samples), bound) << k;
     EXPECT_EQ(a.hits, b.hits) << k;
     EXPECT_EQ(a.switches.size(), b.switches.size()) << k;
     EXPECT_EQ(a.touched, b.touched) << k;
@@ -123,7 +116,7 @@ TEST(ReversingSlip, BetweenTwoStops) {
     if (k > 0) pieces.resume(a.section, k);
     ASSERT_EQ(run.advance({}, a), run::Outcome::ok) << k;
     ASSERT_EQ(pieces.advance({}, b), run::Outcome::ok) << k;
-    EXPECT_LT(difference(a.section, b.section), 1e-11) << k;
+    EXPECT_LT(largest_difference(a.section, b.section), 1e-11) << k;
   }
   EXPECT_GT(a.effort.taylor_pieces, 0);
   EXPECT_LT(a.effort.taylor_pieces, b.effort.steps);
@@ -143,7 +136,7 @@ TEST(ReversingSlip, AlwaysBackwardHasClosedForms) {
     if (k > 0) pieces.resume(a.section, k);
     ASSERT_EQ(run.advance({}, a), run::Outcome::ok) << k;
     ASSERT_EQ(pieces.advance({}, b), run::Outcome::ok) << k;
-    EXPECT_LT(difference(a.section, b.section), 1e-12) << k;
+    EXPECT_LT(largest_difference(a.section, b.section), 1e-12) << k;
     switches = a.effort.switches;
   }
   EXPECT_GT(switches, 4);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "integrate/largest_difference.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
 #include "support/simple_scenes.hpp"
@@ -14,7 +15,7 @@
 namespace rubsweep::integrate {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Unit mass on unit springs along x and y, a stiff damped wall across x that it is pressed on, whose surface
 /// may move; one revolution lasts 2 pi seconds over `speed`.
@@ -35,12 +36,6 @@ struct Held {
     return scene;
   }
 };
-
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
-  return largest;
-}
 
 TEST(StickingStretch, ABodyHeldByFrictionCostsWhatOneAtRestDoes) {
   const Held held{.speed = 0.1};
@@ -72,8 +67,8 @@ void expect_like_pieces(const scene::Scene& scene, int turns, double tolerance, 
     asked.tangent_vectors = Eigen::MatrixXd::Identity(4, 4);
     ASSERT_EQ(run.advance(asked, a), run::Outcome::ok);
     ASSERT_EQ(pieces.advance(asked, b), run::Outcome::ok);
-    EXPECT_LT(distance(a.section, b.section), tolerance) << k;
-    EXPECT_LT(distance(a.samples, b.samples), tolerance) << k;
+    EXPECT_LT(largest_difference(a.section, b.section), tolerance) << k;
+    EXPECT_LT(largest_difference(a.samples, b.samples), tolerance) << k;
     EXPECT_NEAR(a.peak_contact_force_n, b.peak_contact_force_n, 1e-6) << k;
     EXPECT_NEAR(a.peak_displacement_m, b.peak_displacement_m, 1e-8) << k;
     EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 1e-12) << k;

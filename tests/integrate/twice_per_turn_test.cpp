@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 
+#include "integrate/largest_difference.hpp"
 #include "integrate/rubbing_kit.hpp"
 #include "rubsweep/bench/long_double_run.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
@@ -16,14 +17,6 @@ namespace rubsweep::integrate {
 namespace {
 
 using Complex = std::complex<double>;
-
-template <class A, class B>
-double largest_difference(const A& a, const B& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    largest = std::max(largest, static_cast<double>(std::abs(a[i] - b[i])));
-  return largest;
-}
 
 /// A scene with a force of twice the shaft's frequency that is `share` of the one that turns, in other
 /// directions.

@@ -7,7 +7,7 @@
 namespace rubsweep::model {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Machine jeffcott() {
   return {.rotor = JeffcottRotor{.mass_kg = 2.5, .natural_frequency_hz = 40, .damping_ratio = 0.02},

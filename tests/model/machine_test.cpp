@@ -3,17 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "batch/message_of.hpp"
+#include "model/infinity.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::model {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Stop rigid_stop() {
   Stop stop;

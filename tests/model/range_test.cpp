@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "model/infinity.hpp"
 #include "rubsweep/model/magnitude.hpp"
 
 namespace rubsweep::model {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
 
 TEST(RangeContains, ClosedEndsBelongToTheIntervalOpenEndsDoNot) {

@@ -10,7 +10,7 @@
 namespace rubsweep::page {
 namespace {
 
-std::vector<Boundary> read(const std::string& text) {
+std::vector<Boundary> boundaries_of(const std::string& text) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "boundaries.csv";
   std::ofstream(path, std::ios::binary) << text;
@@ -18,7 +18,7 @@ std::vector<Boundary> read(const std::string& text) {
 }
 
 TEST(Boundaries, OneLineForEachFamilyAndKind) {
-  const auto lines = read(
+  const auto lines = boundaries_of(
       "# any comment\n"
       "family,kind,point,speed_hz,unbalance,extra\n"
       "a,fold,0,50,0.1,x\na,fold,1,60,0.2,x\na,flip,0,60,0.2,x\nb,flip,0,70,0.3,x\nb,flip,1,,,x\nb,flip,2,80,"
@@ -33,22 +33,22 @@ TEST(Boundaries, OneLineForEachFamilyAndKind) {
 }
 
 TEST(Boundaries, TheMeasureOfTheMapComesBeforeAnyOther) {
-  EXPECT_EQ(read("speed_hz,unbalance_m,whirl_ratio\n50,1e-5,0.3\n").at(0).points.at(0)[1], 0.3);
-  EXPECT_EQ(read("speed_hz,unbalance_m\n50,1e-5\n").at(0).points.at(0)[1], 1e-5);
+  EXPECT_EQ(boundaries_of("speed_hz,unbalance_m,whirl_ratio\n50,1e-5,0.3\n").at(0).points.at(0)[1], 0.3);
+  EXPECT_EQ(boundaries_of("speed_hz,unbalance_m\n50,1e-5\n").at(0).points.at(0)[1], 1e-5);
 }
 
 TEST(Boundaries, OfAnotherMapAreLeftOut) {
   const std::string rows = "speed_hz,unbalance\n50,0.1\n";
-  EXPECT_EQ(read(rows).size(), 1u);
-  EXPECT_EQ(read("# digest abc\n" + rows).size(), 1u);
-  EXPECT_TRUE(read("# digest abd\n" + rows).empty());
+  EXPECT_EQ(boundaries_of(rows).size(), 1u);
+  EXPECT_EQ(boundaries_of("# digest abc\n" + rows).size(), 1u);
+  EXPECT_TRUE(boundaries_of("# digest abd\n" + rows).empty());
 }
 
 TEST(Boundaries, NoFileHasNoLinesAndOneWithoutColumnsIsRefused) {
   EXPECT_TRUE(read_boundaries("/nowhere/boundaries.csv", "whirl_ratio", "").empty());
-  EXPECT_THROW(read("speed_hz,height\n50,1\n"), IoError);
-  EXPECT_THROW(read("speed,unbalance\n50,1\n"), IoError);
-  EXPECT_THROW(read("speed_hz,unbalance\n50,high\n"), IoError);
+  EXPECT_THROW(boundaries_of("speed_hz,height\n50,1\n"), IoError);
+  EXPECT_THROW(boundaries_of("speed,unbalance\n50,1\n"), IoError);
+  EXPECT_THROW(boundaries_of("speed_hz,unbalance\n50,high\n"), IoError);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace rubsweep::page {
 namespace {
 
-MapTable read(const std::string& text) {
+MapTable table_of(const std::string& text) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";
   std::ofstream(path, std::ios::binary) << text;
@@ -19,7 +19,7 @@ MapTable read(const std::string& text) {
 }
 
 TEST(MapTable, ColumnsOfNumbersAndOfWordsAndWhatIsEmpty) {
-  const MapTable map = read(
+  const MapTable map = table_of(
       "# rubsweep 9.8.7\n# digest abc\n# units: SI\n"
       "speed_hz,class,order,robust,new_column\n"
       "50,non_contact,,,1.5\n"
@@ -40,14 +40,14 @@ TEST(MapTable, ColumnsOfNumbersAndOfWordsAndWhatIsEmpty) {
 }
 
 TEST(MapTable, AColumnWithOneWordIsOneOfWords) {
-  const MapTable map = read("status\n1\nok\n2\n");
+  const MapTable map = table_of("status\n1\nok\n2\n");
   EXPECT_EQ(map.word("status", 0), "1");
   EXPECT_EQ(map.word("status", 1), "ok");
   EXPECT_EQ(map.digest, "");
 }
 
 TEST(MapTable, ARowCutShortHasItsPlace) {
-  EXPECT_THROW(read("a,b\n1\n"), IoError);
+  EXPECT_THROW(table_of("a,b\n1\n"), IoError);
   EXPECT_THROW(read_map_table("/nowhere/map.csv"), IoError);
 }
 
@@ -71,7 +71,7 @@ TEST(MapTable, ItsRowsAreInTheOrderOfTheCellsWhateverThatOfTheFile) {
 }
 
 TEST(MapTable, ADamagedCellHasItsPlace) {
-  const auto problem = [](const std::string& text) { return message_of<IoError>([&] { read(text); }); };
+  const auto problem = [](const std::string& text) { return message_of<IoError>([&] { table_of(text); }); };
   EXPECT_TRUE(
       problem("speed_hz,class\n50,chaotic\n60,foo\n").ends_with("map.csv:3: 'foo' is no class of a motion"));
   EXPECT_NE(problem("speed_hz,peak_displacement_m\n50,1e-3\n60,abc\n").find("map.csv:3: "),

@@ -12,7 +12,7 @@ namespace {
 using Cells = std::vector<std::size_t>;
 
 /// 5 x 3 cells of one block on the lattice of every fourth cell, and another axis over a key.
-sweep::Grid grid() {
+sweep::Grid lattice_grid() {
   sweep::Grid grid{{10, 20, 30, 40, 50}, sweep::UnbalanceMeasure::whirl_ratio, {0.1, 0.2, 0.3}};
   grid.axes = {{{"kick.force_n"}, {1}, {100}}};
   grid.refinement = sweep::Refinement{2, 0};
@@ -26,7 +26,7 @@ MapTable map_of(const Cells& cells, const std::vector<std::string>& classes) {
                  {"revolutions", {}, {}}, {"status", {}, {}},      {"kick.force_n", {}, {}}};
   for (std::size_t i = 0; i < cells.size(); ++i) {
     map.columns[0].numbers.push_back(10.0 * static_cast<double>(cells[i] % 5 + 1));
-    map.columns[1].numbers.push_back(grid().unbalance[cells[i] / 5]);
+    map.columns[1].numbers.push_back(lattice_grid().unbalance[cells[i] / 5]);
     map.columns[3].numbers.push_back(classes[i] == "subharmonic" ? 2 : std::nan(""));
     map.columns[4].numbers.push_back(100 + static_cast<double>(i));
     map.columns[5].words.emplace_back("ok");
@@ -38,7 +38,7 @@ MapTable map_of(const Cells& cells, const std::vector<std::string>& classes) {
 TEST(PaintedTable, GivesTheCellsOfAUniformBlockItsClassAndNothingElse) {
   const Cells corners{0, 4, 10, 14};
   const PaintedTable painted =
-      painted_table(map_of(corners, std::vector<std::string>(4, "subharmonic")), grid());
+      painted_table(map_of(corners, std::vector<std::string>(4, "subharmonic")), lattice_grid());
   EXPECT_EQ(painted.computed, corners);
   ASSERT_EQ(painted.map.rows, 15U);
   EXPECT_EQ(painted.map.word("class", 7), "subharmonic");
@@ -56,7 +56,8 @@ TEST(PaintedTable, GivesTheCellsOfAUniformBlockItsClassAndNothingElse) {
 
 TEST(PaintedTable, RefusesAMapThatLacksACell) {
   const auto without = [](const Cells& cells) {
-    return painted_table(map_of(cells, std::vector<std::string>(cells.size(), "subharmonic")), grid());
+    return painted_table(map_of(cells, std::vector<std::string>(cells.size(), "subharmonic")),
+                         lattice_grid());
   };
   EXPECT_NO_THROW(without({0, 4, 10, 14}));
   EXPECT_THROW(without({0, 4, 10}), IoError);
@@ -73,7 +74,7 @@ TEST(PaintedTable, PaintsEachBlockByItself) {
     all.push_back(cell);
     classes.emplace_back("chaotic");
   }
-  const PaintedTable painted = painted_table(map_of(all, classes), grid());
+  const PaintedTable painted = painted_table(map_of(all, classes), lattice_grid());
   EXPECT_EQ(painted.map.word("class", 1), "non_contact");
   EXPECT_EQ(painted.map.word("class", 8), "chaotic");
   EXPECT_EQ(painted.computed, (Cells{0, 2, 3, 4, 5, 7, 8, 9, 10, 12, 13, 14}));
@@ -82,7 +83,7 @@ TEST(PaintedTable, PaintsEachBlockByItself) {
 TEST(PaintedTable, RefusesARowThatIsNoCell) {
   MapTable map = map_of({0, 4}, {"chaotic", "chaotic"});
   map.columns[0].numbers[1] = 51;
-  EXPECT_THROW(painted_table(map, grid()), IoError);
+  EXPECT_THROW(painted_table(map, lattice_grid()), IoError);
 }
 
 }  // namespace

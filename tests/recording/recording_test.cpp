@@ -33,7 +33,7 @@ Channels ellipse() {
 const Instrument two_probes{
     .time = "t", .probes = {{"A", 45, 8.0}, {"B", 135, 8.0}}, .keyphasor = Keyphasor{.column = "KP"}};
 
-std::string fault(const Channels& channels, const Instrument& instrument) {
+std::string recording_fault(const Channels& channels, const Instrument& instrument) {
   try {
     make_recording(channels, instrument, "f.csv");
   } catch (const ConfigError& error) {
@@ -115,28 +115,28 @@ TEST(Recording, NamesWhatIsWrong) {
 TEST(Recording, RefusesWhatCannotBeUsed) {
   Channels jumps = ellipse();
   for (std::size_t k = 2000; k < 4000; ++k) jumps.channels[0].values[k] += 3;
-  EXPECT_EQ(fault(jumps, two_probes),
+  EXPECT_EQ(recording_fault(jumps, two_probes),
             "f.csv:2003: 't' goes from 499.75 to 503, allowed: a step of 0.25 as elsewhere");
   Channels drifts = ellipse();
   for (std::size_t k = 2000; k < 4000; ++k)
     drifts.channels[0].values[k] -= 0.05 * static_cast<double>(k - 2000);  // steps of 0.2 instead of 0.25
-  EXPECT_NE(fault(drifts, two_probes).find("steps off its place, allowed: an even sampling rate"),
+  EXPECT_NE(recording_fault(drifts, two_probes).find("steps off its place, allowed: an even sampling rate"),
             std::string::npos);
   Instrument misspelt = two_probes;
   misspelt.probes[1].column = "C";
-  EXPECT_EQ(fault(ellipse(), misspelt), "f.csv: has no column 'C', allowed: 't', 'A', 'B', 'KP'");
+  EXPECT_EQ(recording_fault(ellipse(), misspelt), "f.csv: has no column 'C', allowed: 't', 'A', 'B', 'KP'");
   Channels stuck = ellipse();
   stuck.channels[3].values.assign(4000, -6.0);
-  EXPECT_EQ(fault(stuck, two_probes),
+  EXPECT_EQ(recording_fault(stuck, two_probes),
             "f.csv: 'KP': the keyphasor's signal does not change, "
             "allowed: one that a mark changes every turn");
   Instrument slow = two_probes;
   slow.keyphasor.reset();
   slow.speed_hz = 1e12;
-  EXPECT_EQ(fault(ellipse(), slow),
+  EXPECT_EQ(recording_fault(ellipse(), slow),
             "f.csv: has fewer than two readings a turn at speed_hz, allowed: up to half the sampling rate");
   slow.speed_hz = 2;
-  EXPECT_EQ(fault(ellipse(), slow), "f.csv: holds 1 whole turns of the shaft, allowed: 4 or more");
+  EXPECT_EQ(recording_fault(ellipse(), slow), "f.csv: holds 1 whole turns of the shaft, allowed: 4 or more");
 }
 
 }  // namespace

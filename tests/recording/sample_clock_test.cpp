@@ -17,7 +17,7 @@ Channels table() {
   return channels;
 }
 
-std::string fault(const Channels& channels, const Instrument& instrument) {
+std::string clock_fault(const Channels& channels, const Instrument& instrument) {
   try {
     clock_of(channels, instrument, "f.csv");
   } catch (const ConfigError& error) {
@@ -34,30 +34,30 @@ TEST(SampleClock, TimesOfAColumnARateOrTheFile) {
   Channels sound = table();
   sound.sampling_rate_hz = 8000;
   EXPECT_EQ(clock_of(sound, {}, "f.wav").rate_hz, 8000);
-  EXPECT_EQ(fault(table(), {}),
+  EXPECT_EQ(clock_fault(table(), {}),
             "f.csv: says no times, allowed: with time or sampling_rate_hz in its description");
 }
 
 TEST(SampleClock, TimesThatDoNotRiseAreRefused) {
   Channels still = table();
   still.channels[0].values.assign(100, 0.0);
-  EXPECT_EQ(fault(still, {.time = "t"}),
+  EXPECT_EQ(clock_fault(still, {.time = "t"}),
             "f.csv: reading 2: 't' does not rise from 0 to 0, allowed: times one after the other");
 }
 
 TEST(SampleClock, TwoColumnsOfOneNameAreRefused) {
   Channels twice = table();
   twice.channels[1].name = "t";
-  EXPECT_EQ(fault(twice, {.time = "t"}), "f.csv: has two columns 't', allowed: names that differ");
+  EXPECT_EQ(clock_fault(twice, {.time = "t"}), "f.csv: has two columns 't', allowed: names that differ");
   EXPECT_EQ(find_channel(table(), "x", "f.csv").unit, "um");
 }
 
 TEST(SampleClock, AStretchOutsideOfTheRecordingIsRefused) {
-  EXPECT_EQ(fault(table(), {.time = "t", .from_s = 3}),
+  EXPECT_EQ(clock_fault(table(), {.time = "t", .from_s = 3}),
             "f.csv: lasts from 0.005 to 0.0545 s, allowed: from_s and to_s that leave some of it");
-  EXPECT_EQ(fault(table(), {.time = "t", .to_s = 0.001}),
+  EXPECT_EQ(clock_fault(table(), {.time = "t", .to_s = 0.001}),
             "f.csv: lasts from 0.005 to 0.0545 s, allowed: from_s and to_s that leave some of it");
-  EXPECT_EQ(fault(table(), {.time = "t", .from_s = 0.01, .to_s = 0.02}), "");
+  EXPECT_EQ(clock_fault(table(), {.time = "t", .from_s = 0.01, .to_s = 0.02}), "");
 }
 
 }  // namespace

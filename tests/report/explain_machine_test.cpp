@@ -4,15 +4,11 @@
 
 #include <string>
 
+#include "report/says.hpp"
 #include "scene/kit_machine.hpp"
 
 namespace rubsweep::report {
 namespace {
-
-testing::AssertionResult says(const std::string& text, const std::string& part) {
-  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "no \"" << part << "\" in\n" << text;
-}
 
 TEST(ExplainMachine, MovingCasing) {
   const std::string text = explain_machine(scene::one_side_machine(), 45);

@@ -3,19 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <string_view>
 
+#include "report/says.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/report/explain_machine.hpp"
 #include "sweep/one_side_study.hpp"
 
 namespace rubsweep::report {
 namespace {
-
-testing::AssertionResult says(const std::string& text, std::string_view part) {
-  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "no \"" << part << "\" in\n" << text;
-}
 
 TEST(ExplainStudy, BeginsWithTheSceneAtTheLowestSpeed) {
   const sweep::Study study = sweep::one_side_study({75, 50, 90}, {0.4});
@@ -24,8 +19,9 @@ TEST(ExplainStudy, BeginsWithTheSceneAtTheLowestSpeed) {
 
 TEST(ExplainStudy, GridWhateverItsOrder) {
   sweep::Study study = sweep::one_side_study({75, 50, 90}, {0.6, 0.1});
-  EXPECT_TRUE(says(explain_study(study),
-                   "sweep: 6 cells, 3 speeds from 50 to 90 Hz (3000 to 5400 rpm), 2 whirl ratios from 0.1 to 0.6\n"));
+  EXPECT_TRUE(
+      says(explain_study(study),
+           "sweep: 6 cells, 3 speeds from 50 to 90 Hz (3000 to 5400 rpm), 2 whirl ratios from 0.1 to 0.6\n"));
   study.grid.measure = sweep::UnbalanceMeasure::eccentricity_m;
   EXPECT_TRUE(says(explain_study(study), "2 eccentricities from 0.1 to 0.6 m\n"));
 }

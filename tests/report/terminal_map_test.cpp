@@ -18,10 +18,10 @@ std::string line(MotionClass motion_class, std::optional<int> order = {}) {
   return map_line(row);
 }
 
-const sweep::Grid grid{{50, 60, 70}, sweep::UnbalanceMeasure::whirl_ratio, {0.2, 0.6}};
+const sweep::Grid small_grid{{50, 60, 70}, sweep::UnbalanceMeasure::whirl_ratio, {0.2, 0.6}};
 
 TerminalMap small_map() {
-  TerminalMap map(grid);
+  TerminalMap map(small_grid);
   map.add(line(MotionClass::non_contact));
   map.add(line(MotionClass::chaotic));
   map.add(line(MotionClass::unsettled));
@@ -41,7 +41,7 @@ TEST(TerminalMap, HasACharacterForEachCellUnbalanceUpward) {
 }
 
 TEST(TerminalMap, LeavesUnfinishedCellsBlankAndOutOfTheLegend) {
-  TerminalMap map(grid);
+  TerminalMap map(small_grid);
   for (int i = 0; i < 2; ++i) {
     map.add(line(MotionClass::chaotic));
     map.add_unfinished();
@@ -58,7 +58,7 @@ TEST(TerminalMap, LeavesUnfinishedCellsBlankAndOutOfTheLegend) {
 }
 
 TEST(TerminalMap, IsInTheUnitsOfThePerson) {
-  sweep::Grid written = grid;
+  sweep::Grid written = small_grid;
   written.measure = sweep::UnbalanceMeasure::eccentricity_m;
   written.written_speed = {.key = "speed_rpm", .unit = "rpm", .units_per_si = 60};
   written.written_unbalance = {.key = "unbalance_g_mm",
@@ -87,7 +87,7 @@ TEST(TerminalMap, TheTypicalRubIsOfTheMostFrequentSettledKind) {
   const TerminalMap map = small_map();
   ASSERT_TRUE(map.typical_rub());
   EXPECT_EQ(map.name(*map.typical_rub()), "subharmonic 1/2");
-  TerminalMap quiet(grid);
+  TerminalMap quiet(small_grid);
   for (int i = 0; i < 6; ++i) quiet.add(line(i < 5 ? MotionClass::unsettled : MotionClass::non_contact));
   EXPECT_FALSE(quiet.typical_rub());
 }
@@ -115,7 +115,7 @@ TEST(TerminalMap, ALargeMapIsThinnedToTheRoomThereIs) {
 }
 
 TEST(TerminalMap, OfAnotherNumberOfCellsShowsNothing) {
-  TerminalMap map(grid);
+  TerminalMap map(small_grid);
   map.add(line(MotionClass::chaotic));
   EXPECT_EQ(map.text(80, false), "");
 }

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "response/companion_growth.hpp"
+#include "response/golden_angle.hpp"
 
 namespace rubsweep::response {
 namespace {
 
 constexpr int window = 64;
-constexpr double golden_angle = 2.39996322972865332;  ///< returns as badly as an angle can
 
 /// Follows a map whose observed x is the first of its coordinates. `contact_ends`: turns after which there is
 /// none.

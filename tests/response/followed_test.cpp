@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "response/golden_angle.hpp"
+
 namespace rubsweep::response {
 namespace {
-
-constexpr double golden_angle = 2.39996322972865332;  ///< returns as badly as an angle can
 
 /// 400 turns of an angle whose circle shrinks by `decay` a turn, beside a third number that grows by `drift`.
 Followed turning(double angle, double decay, double drift = 0) {

@@ -7,14 +7,13 @@
 #include <numbers>
 #include <optional>
 
+#include "response/golden_angle.hpp"
 #include "rubsweep/response/settle.hpp"
 #include "support/set_a_cell.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::response {
 namespace {
-
-constexpr double golden_angle = 2.39996322972865332;  ///< returns as badly as an angle can
 
 /// Verdict of the watch on a made-up motion of four states, given by section and growth after each turn: the
 /// revolutions at which it was called a torus, or those at which the watch ended.

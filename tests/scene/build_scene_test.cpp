@@ -18,7 +18,7 @@ namespace rubsweep::scene {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Complex start_position(const Cell& cell) {
   return {cell.scene.displacement_m(0), cell.scene.displacement_m(1)};

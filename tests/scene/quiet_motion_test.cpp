@@ -14,7 +14,7 @@ namespace rubsweep::scene {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A structure without any symmetry: full stiffness, damping with a gyroscopic part.
 structure::LinearSystem full_system(unsigned seed) {

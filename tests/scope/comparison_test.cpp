@@ -7,12 +7,13 @@
 #include <numbers>
 #include <random>
 
+#include "scope/samples.hpp"
+
 namespace rubsweep::scope {
 namespace {
 
 using std::numbers::pi;
 using Complex = std::complex<double>;
-constexpr int samples = 128;
 
 /// A 1/2 motion from an angle of the shaft on, in turns.
 std::vector<Complex> half_order(int turns, double begin, double noise_m) {
@@ -48,8 +49,9 @@ TEST(Comparison, AnotherMotionDiffers) {
   EXPECT_GT(comparison.misfit, 100);
   EXPECT_NEAR(comparison.unexplained, (29e-10 + 9e-10) / (64e-10 + 29e-10 + 9e-10), 0.01);
   EXPECT_NE(comparison_summary(comparison).find("+0.5X: measured"), std::string::npos);
-  EXPECT_NE(comparison_summary(comparison, {model::LengthUnit::mil, true}).find(" mil peak to peak, simulated "),
-            std::string::npos);
+  EXPECT_NE(
+      comparison_summary(comparison, {model::LengthUnit::mil, true}).find(" mil peak to peak, simulated "),
+      std::string::npos);
   EXPECT_TRUE(comparison_csv(comparison).starts_with("order,measured_m,"));
 }
 

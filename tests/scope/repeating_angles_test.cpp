@@ -6,13 +6,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "scope/samples.hpp"
+
 namespace rubsweep::scope {
 namespace {
 
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-constexpr int samples = 128, turns = 32;
+constexpr int turns = 32;
 
 /// A 1/2 motion at an angle in turns.
 Complex motion_at(double angle) {

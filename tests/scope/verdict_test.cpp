@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "scope/samples.hpp"
+
 namespace rubsweep::scope {
 namespace {
 
@@ -13,8 +15,6 @@ using std::numbers::pi;
 using Complex = std::complex<double>;
 using response::spectrum::OrbitKind;
 using response::spectrum::WhirlKind;
-
-constexpr int samples = 128;
 
 struct Line {
   double order = 0;

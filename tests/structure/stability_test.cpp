@@ -13,9 +13,9 @@
 namespace rubsweep::structure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-Assembly jeffcott(double stationary, double rotating) {
+Assembly damped_jeffcott(double stationary, double rotating) {
   return assemble_jeffcott({.mass_kg = 0.8,
                             .natural_frequency_hz = 30,
                             .damping_ratio = stationary,
@@ -27,14 +27,14 @@ Assembly jeffcott(double stationary, double rotating) {
 /// c_r (w - w_n).
 TEST(StabilityInstabilityHz, OfAJeffcottRotorIsTheClosedForm) {
   for (const auto& [stationary, rotating] : {std::pair{0.02, 0.01}, {0.01, 0.04}, {0.05, 0.05}}) {
-    const auto found = instability_hz(jeffcott(stationary, rotating), 400);
+    const auto found = instability_hz(damped_jeffcott(stationary, rotating), 400);
     ASSERT_TRUE(found);
     const double expected = 30 * (1 + stationary / rotating);
     EXPECT_NEAR(*found, expected, 1e-5 * expected) << stationary << " " << rotating;
   }
-  EXPECT_NEAR(instability_hz(jeffcott(0, 0.01), 400).value(), 30, 1e-3);
-  EXPECT_FALSE(instability_hz(jeffcott(0.02, 0), 400));
-  EXPECT_FALSE(instability_hz(jeffcott(0.1, 0.005), 600)) << "630 Hz";
+  EXPECT_NEAR(instability_hz(damped_jeffcott(0, 0.01), 400).value(), 30, 1e-3);
+  EXPECT_FALSE(instability_hz(damped_jeffcott(0.02, 0), 400));
+  EXPECT_FALSE(instability_hz(damped_jeffcott(0.1, 0.005), 600)) << "630 Hz";
 }
 
 /// Roots of s^2 + 2 (z + zr) s + 1 - 2 i zr w = 0 in units of the natural frequency.
@@ -44,7 +44,7 @@ TEST(StabilityGrowthPerS, IsTheRootOfTheComplexEquation) {
     const std::complex<double> half = stationary + rotating;
     const auto root = std::sqrt(half * half - 1.0 + std::complex<double>(0, 2 * rotating * speed));
     const double growth = natural * std::max((-half + root).real(), (-half - root).real());
-    EXPECT_NEAR(growth_per_s(jeffcott(stationary, rotating), speed * natural), growth, 1e-9 * natural);
+    EXPECT_NEAR(growth_per_s(damped_jeffcott(stationary, rotating), speed * natural), growth, 1e-9 * natural);
   }
 }
 

@@ -15,17 +15,20 @@ struct Circle {
   double radius = 1, lowest = -2;
 };
 
+/// Its position is found by its type alone, and hides none of an orbit.
 struct CirclePoint {
   Eigen::VectorXd at, tangent;
   double arclength = 0;
+
+  friend const Eigen::VectorXd& position_of(const Circle&, const CirclePoint& point) { return point.at; }
 };
 
 struct CircleCorrection : NewtonOutcome {
   Eigen::VectorXd at;
+
+  friend const Eigen::VectorXd& position_of(const Circle&, const CircleCorrection& found) { return found.at; }
 };
 
-const Eigen::VectorXd& position_of(const Circle&, const CirclePoint& point) { return point.at; }
-const Eigen::VectorXd& position_of(const Circle&, const CircleCorrection& found) { return found.at; }
 const Eigen::VectorXd& nearest_image(const Circle&, const Eigen::VectorXd& at, const CirclePoint&) {
   return at;
 }

@@ -13,7 +13,7 @@
 namespace rubsweep::branch::families {
 namespace {
 
-sweep::Study study() { return test::half_orbit_study({0.4}); }
+sweep::Study study_of_one_ratio() { return test::half_orbit_study({0.4}); }
 
 /// The half orbit at a whirl ratio of 0.4, which exists from 61.6 to 90.9 Hz: cells 1 to 3, where the kick of
 /// cell 2 leads to it.
@@ -21,7 +21,7 @@ const Families& half_orbit() {
   static const Families families = [] {
     const std::atomic<bool> stop{false};
     const std::vector<std::size_t> proven{2};
-    return families_of(study(), proven, 1, stop);
+    return families_of(study_of_one_ratio(), proven, 1, stop);
   }();
   return families;
 }
@@ -33,7 +33,7 @@ std::vector<std::string> labels() {
 std::vector<LabelCheck> check(const Families& families, const std::vector<std::string>& labels,
                               FamilyRecords records = {}, int threads = 1) {
   const std::atomic<bool> stop{false};
-  return check_labels(study(), labels, families, threads, stop, records);
+  return check_labels(study_of_one_ratio(), labels, families, threads, stop, records);
 }
 
 CheckResult finding_outside(const Families& families) {

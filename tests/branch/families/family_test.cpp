@@ -18,7 +18,7 @@
 namespace rubsweep::branch::families {
 namespace {
 
-sweep::Study study() { return test::half_orbit_study({0.3, 0.4}); }
+sweep::Study study_of_two_ratios() { return test::half_orbit_study({0.3, 0.4}); }
 
 /// The half orbit of set A at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz: the
 /// family is in the cells between, and ends at these folds, which continuation along the whole branch finds
@@ -26,7 +26,7 @@ sweep::Study study() { return test::half_orbit_study({0.3, 0.4}); }
 TEST(FamilyFamilies, TheHalfOrbitOfAMap) {
   const std::atomic<bool> stop{false};
   const std::vector<std::size_t> proven{7};  // 75 Hz, 0.4
-  const Families families = families_of(study(), proven, 2, stop);
+  const Families families = families_of(study_of_two_ratios(), proven, 2, stop);
   EXPECT_TRUE(families.not_followed.empty());
   ASSERT_EQ(families.list.size(), 1u);
   const Family& family = families.list[0];
@@ -60,7 +60,8 @@ TEST(FamilyFamilies, TheHalfOrbitOfAMap) {
 TEST(FamilyFamilies, DoNotDependOnTheNumberOfThreads) {
   const std::atomic<bool> stop{false};
   const std::vector<std::size_t> proven{2, 3, 7};
-  const Families one = families_of(study(), proven, 1, stop), three = families_of(study(), proven, 3, stop);
+  const Families one = families_of(study_of_two_ratios(), proven, 1, stop),
+                 three = families_of(study_of_two_ratios(), proven, 3, stop);
   ASSERT_EQ(one.list.size(), three.list.size());
   for (std::size_t i = 0; i < one.list.size(); ++i) {
     const Family &a = one.list[i], &b = three.list[i];
@@ -81,15 +82,15 @@ TEST(FamilyFamilies, GoOnFromWhatWasFound) {
   std::atomic<bool> stop{false};
   std::vector<std::pair<std::size_t, std::string>> lines;
   FamilyRecords whole([&](std::size_t cell, std::string_view line) { lines.emplace_back(cell, line); });
-  const Families undisturbed = families_of(study(), proven, 2, stop, whole);
+  const Families undisturbed = families_of(study_of_two_ratios(), proven, 2, stop, whole);
   ASSERT_GT(lines.size(), 6u);
 
   std::size_t kept = 0;
   FamilyRecords first([&](std::size_t, std::string_view) { stop = ++kept == lines.size() / 2; });
-  families_of(study(), proven, 1, stop, first);
+  families_of(study_of_two_ratios(), proven, 1, stop, first);
   EXPECT_LT(kept, lines.size());
   stop = false;
-  const Families resumed = families_of(study(), proven, 1, stop, first);
+  const Families resumed = families_of(study_of_two_ratios(), proven, 1, stop, first);
   EXPECT_EQ(kept, lines.size()) << "nothing is found twice";
   ASSERT_EQ(resumed.list.size(), undisturbed.list.size());
   for (std::size_t i = 0; i < resumed.list.size(); ++i) {
@@ -151,7 +152,7 @@ TEST(FamilyFamilies, CirclesAndOvalsInAnAnnulus) {
 /// A cell whose kick leads to rest has no orbit to follow, whatever a map says.
 TEST(FamilyFamilies, ACellThatIsNotFound) {
   const std::atomic<bool> stop{false};
-  sweep::Study at_rest = study();
+  sweep::Study at_rest = study_of_two_ratios();
   at_rest.machine.kick->force_n = 1;
   const std::vector<std::size_t> proven{7};
   const Families families = families_of(at_rest, proven, 1, stop);

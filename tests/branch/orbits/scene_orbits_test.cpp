@@ -8,6 +8,7 @@
 #include <functional>
 #include <numbers>
 
+#include "branch/orbits/full_rub.hpp"
 #include "rubsweep/branch/continuation/follow.hpp"
 #include "rubsweep/branch/orbits/settled_start.hpp"
 #include "rubsweep/error.hpp"
@@ -21,7 +22,7 @@
 namespace rubsweep::branch::orbits {
 namespace {
 
-constexpr double zeta = 0.05, stiffness = 4, unbalance = 0.3;
+constexpr double unbalance = 0.3;
 
 /// Full annular rub without friction: ((1 + b - W^2) r - b)^2 + (2 zeta W r)^2 = (e W^2)^2 is a quadratic
 /// equation for W^2 at each radius r. This is its larger root; empty where there is none.

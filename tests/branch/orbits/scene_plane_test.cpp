@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "branch/orbits/full_rub.hpp"
 #include "branch/two_mass.hpp"
 #include "rubsweep/branch/continuation/follow.hpp"
 #include "rubsweep/branch/curves/curve_start.hpp"
@@ -155,8 +156,6 @@ TEST_F(ScenePlaneTwoMass, Tori) {
   EXPECT_TRUE(curve.forward == continuation::Ending::resonance ||
               curve.backward == continuation::Ending::resonance);
 }
-
-constexpr double zeta = 0.05, stiffness = 4;
 
 std::optional<scene::Scene> annular(double speed, double unbalance) {
   return test::annular_scene(1, zeta, speed, unbalance, 0, stiffness, 0);

@@ -13,10 +13,6 @@ model::Bow bow_with(const std::vector<std::string>& overrides) {
   return model::kit_of(machine)->bow.value();
 }
 
-std::string message(const std::string& override) {
-  return message_of(test_file("rotor_kit.yaml"), {override}, "kit.yaml");
-}
-
 TEST(Bow, IsALineThroughPoints) {
   const model::Bow bow = bow_with({});
   EXPECT_EQ(std::get<model::BowPoints>(bow.shape).deflection_m, (std::vector<double>{0, 1e-5, 0}));
@@ -30,12 +26,13 @@ TEST(Bow, IsAModeInsteadOfALine) {
 }
 
 TEST(Bow, ProblemsHaveTheirPlaces) {
-  EXPECT_NE(message("rotor.bow={mode: 1}").find("rotor.bow.amplitude_m: missing"), std::string::npos);
-  EXPECT_NE(message("rotor.bow={phase_deg: 1}")
+  EXPECT_NE(kit_message({"rotor.bow={mode: 1}"}).find("rotor.bow.amplitude_m: missing"), std::string::npos);
+  EXPECT_NE(kit_message({"rotor.bow={phase_deg: 1}"})
                 .find("rotor.bow: one key is missing, allowed: exactly one of mode, position_m"),
             std::string::npos);
-  EXPECT_NE(message("rotor.bow.position_m=[0, 0.1, 2]").find("rotor.bow.position_m.2: 2 is out of range"),
-            std::string::npos);
+  EXPECT_NE(
+      kit_message({"rotor.bow.position_m=[0, 0.1, 2]"}).find("rotor.bow.position_m.2: 2 is out of range"),
+      std::string::npos);
 }
 
 }  // namespace

@@ -74,7 +74,8 @@ Answer read(const std::filesystem::path& file, const std::string& variable) {
   yaml::Diagnostics diagnostics("my.yaml", {});
   const yaml::Node node{yaml::Node::Kind::scalar, {-1, 3, 7}, variable};
   Answer answer{read_matlab_matrix(file, variable, {node, "rotor.mass.variable", diagnostics}), ""};
-  if (diagnostics.count() > 0) answer.problem = message_of<ConfigError>([&] { diagnostics.throw_if_any(); });
+  if (diagnostics.count() > 0)
+    answer.problem = ::message_of<ConfigError>([&] { diagnostics.throw_if_any(); });
   return answer;
 }
 

@@ -29,7 +29,7 @@ std::string problem(const std::string& text, bool quoted = false) {
   yaml::Diagnostics diagnostics("my.yaml", {});
   EXPECT_FALSE(read(text, diagnostics, quoted));
   EXPECT_EQ(diagnostics.count(), 1U);
-  return message_of<ConfigError>([&] { diagnostics.throw_if_any(); });
+  return ::message_of<ConfigError>([&] { diagnostics.throw_if_any(); });
 }
 
 TEST(MatrixMarket, ReadsEveryForm) {

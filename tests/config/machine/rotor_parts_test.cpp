@@ -25,10 +25,6 @@ const std::vector<std::string> built{"rotor.housings=[{mass_kg: 2}, {mass_kg: 3,
                                      "rotor.discs=[{position_m: 0.25, geometry: {outer_diameter_m: 0.1, "
                                      "width_m: 0.01, density_kg_per_m3: 7850}}]"};
 
-std::string message(const std::vector<std::string>& overrides) {
-  return message_of(test_file("rotor_kit.yaml"), overrides, "kit.yaml");
-}
-
 TEST(RotorParts, ReadEveryKey) {
   const auto machine = read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml", built).study.machine;
   const model::RotorKit& kit = *model::kit_of(machine);
@@ -60,58 +56,64 @@ TEST(RotorParts, WhatIsPrintedReadsBackTheSame) {
 }
 
 TEST(RotorParts, ProblemsOfHousingsHaveTheirPlaces) {
-  EXPECT_NE(message({supports}).find("rotor.supports.0.on_housing: there are no housings"),
+  EXPECT_NE(kit_message({supports}).find("rotor.supports.0.on_housing: there are no housings"),
             std::string::npos);
-  EXPECT_NE(message({"rotor.housings=[{mass_kg: 2}]", supports})
+  EXPECT_NE(kit_message({"rotor.housings=[{mass_kg: 2}]", supports})
                 .find("rotor.supports.1.on_housing: 1 is out of range, allowed: an integer from 0 to 0"),
             std::string::npos);
-  EXPECT_NE(message({"rotor.housings=[{mass_kg: 2}, {mass_kg: 3}, {mass_kg: 1}]", supports})
+  EXPECT_NE(kit_message({"rotor.housings=[{mass_kg: 2}, {mass_kg: 3}, {mass_kg: 1}]", supports})
                 .find("rotor.supports: leaves the shaft or a housing free to move in x"),
             std::string::npos);
-  EXPECT_NE(message({"rotor.housings=[{mass_kg: 2}]", "rotor.supports.0.at_housing=0"}).find("given beside"),
-            std::string::npos);
-  EXPECT_NE(message({"rotor.housings=[{mass_kg: 2}]", "rotor.supports.1.on_housing=0"})
+  EXPECT_NE(
+      kit_message({"rotor.housings=[{mass_kg: 2}]", "rotor.supports.0.at_housing=0"}).find("given beside"),
+      std::string::npos);
+  EXPECT_NE(kit_message({"rotor.housings=[{mass_kg: 2}]", "rotor.supports.1.on_housing=0"})
                 .find("rotor.supports.1.on_housing: given beside a pedestal, allowed: one of the two"),
             std::string::npos);
-  EXPECT_NE(message({"rotor.housings=[{mass_kg: 0}]"}).find("rotor.housings.0.mass_kg: 0 is out of range"),
-            std::string::npos);
+  EXPECT_NE(
+      kit_message({"rotor.housings=[{mass_kg: 0}]"}).find("rotor.housings.0.mass_kg: 0 is out of range"),
+      std::string::npos);
 }
 
 TEST(RotorParts, ProblemsOfGeometryHaveTheirPlaces) {
-  EXPECT_NE(message({"rotor.discs.0.geometry={outer_diameter_m: 0.1, width_m: 0.01, density_kg_per_m3: 1}"})
-                .find("given beside"),
-            std::string::npos);
   EXPECT_NE(
-      message({"rotor.discs=[{position_m: 0.25, geometry: {outer_diameter_m: 0.1, inner_diameter_m: 0.1, "
-               "width_m: 0.01, density_kg_per_m3: 1}}]"})
+      kit_message({"rotor.discs.0.geometry={outer_diameter_m: 0.1, width_m: 0.01, density_kg_per_m3: 1}"})
+          .find("given beside"),
+      std::string::npos);
+  EXPECT_NE(
+      kit_message({"rotor.discs=[{position_m: 0.25, geometry: {outer_diameter_m: 0.1, inner_diameter_m: 0.1, "
+                   "width_m: 0.01, density_kg_per_m3: 1}}]"})
           .find("rotor.discs.0.geometry.inner_diameter_m: no disc is left, allowed: a number below "
                 "outer_diameter_m"),
       std::string::npos);
-  EXPECT_NE(message({"rotor.discs=[{position_m: 0.25, geometry: {outer_diameter_m: 0.1}}]"})
+  EXPECT_NE(kit_message({"rotor.discs=[{position_m: 0.25, geometry: {outer_diameter_m: 0.1}}]"})
                 .find("rotor.discs.0.geometry.width_m: missing"),
             std::string::npos);
-  EXPECT_NE(message({"rotor.supports.0.fault={impulse_ns: 1, bearing: {defect: race, pitch_diameter_m: 0.04, "
-                     "ball_diameter_m: 0.05, balls: 8}}"})
-                .find("rotor.supports.0.fault.bearing.defect: 'race' is unknown"),
-            std::string::npos);
-  EXPECT_NE(message({"rotor.supports.0.fault={impulse_ns: 1, bearing: {defect: ball, pitch_diameter_m: 0.04, "
-                     "ball_diameter_m: 0.05, balls: 8}}"})
-                .find("ball_diameter_m: leaves no room for a shaft"),
-            std::string::npos);
   EXPECT_NE(
-      message({"rotor.supports.0.fault.bearing={defect: ball, pitch_diameter_m: 0.04, ball_diameter_m: 0.01, "
-               "balls: 8}"})
+      kit_message({"rotor.supports.0.fault={impulse_ns: 1, bearing: {defect: race, pitch_diameter_m: 0.04, "
+                   "ball_diameter_m: 0.05, balls: 8}}"})
+          .find("rotor.supports.0.fault.bearing.defect: 'race' is unknown"),
+      std::string::npos);
+  EXPECT_NE(
+      kit_message({"rotor.supports.0.fault={impulse_ns: 1, bearing: {defect: ball, pitch_diameter_m: 0.04, "
+                   "ball_diameter_m: 0.05, balls: 8}}"})
+          .find("ball_diameter_m: leaves no room for a shaft"),
+      std::string::npos);
+  EXPECT_NE(
+      kit_message(
+          {"rotor.supports.0.fault.bearing={defect: ball, pitch_diameter_m: 0.04, ball_diameter_m: 0.01, "
+           "balls: 8}"})
           .find("given beside"),
       std::string::npos);
 }
 
 TEST(RotorParts, LoadsThatAreNoNumbersAreRefused) {
-  EXPECT_NE(message({"rotor.static_loads=[{position_m: 0.3, force_x_n: .inf}]"}).find("is not finite"),
+  EXPECT_NE(kit_message({"rotor.static_loads=[{position_m: 0.3, force_x_n: .inf}]"}).find("is not finite"),
             std::string::npos);
-  EXPECT_NE(message({"rotor.static_loads=[{position_m: 0.6, force_x_n: 1}]"})
+  EXPECT_NE(kit_message({"rotor.static_loads=[{position_m: 0.6, force_x_n: 1}]"})
                 .find("rotor.static_loads.0.position_m: 0.6 is out of range"),
             std::string::npos);
-  EXPECT_NE(message({"rotor.clearances_from=centre"}).find("'centre' is unknown, allowed: axis, sag"),
+  EXPECT_NE(kit_message({"rotor.clearances_from=centre"}).find("'centre' is unknown, allowed: axis, sag"),
             std::string::npos);
 }
 

@@ -6,7 +6,7 @@
 namespace rubsweep::config::machine {
 namespace {
 
-constexpr const char* built =
+constexpr const char* built_shaft =
     "rotor.shaft=[{length_m: 0.2, outer_diameter_m: 0.01, outer_diameter_end_m: 0.02, inner_diameter_end_m: "
     "0.001, "
     "youngs_modulus_pa: 2.06e11, shear_modulus_pa: 7.9e10, density_kg_per_m3: 7850, shear_coefficient: "
@@ -20,7 +20,8 @@ constexpr const char* built =
     "shear_coefficient: none}]}]";
 
 TEST(ShaftSegment, ReadsEveryKey) {
-  const auto machine = read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml", {built}).study.machine;
+  const auto machine =
+      read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml", {built_shaft}).study.machine;
   const model::RotorKit& kit = *model::kit_of(machine);
   ASSERT_EQ(kit.shaft.size(), 2U);
   EXPECT_EQ(kit.shaft[0].outer_diameter_end_m, 0.02);
@@ -41,7 +42,7 @@ TEST(ShaftSegment, ReadsEveryKey) {
 
 TEST(ShaftSegment, WhatIsPrintedReadsBackTheSame) {
   const std::string printed =
-      print_config(read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml", {built}));
+      print_config(read_run_config_text(test_file("rotor_kit.yaml"), "kit.yaml", {built_shaft}));
   EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
   for (const std::string key :
        {"outer_diameter_end_m: 0.02", "layers:", "shear_coefficient: none", "gyroscopic: off"})

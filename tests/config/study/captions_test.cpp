@@ -9,13 +9,13 @@
 namespace rubsweep::config::study {
 namespace {
 
-std::string with(const std::string& captions) { return captions + "\n" + test_file("minimal.yaml"); }
+std::string with_captions(const std::string& captions) { return captions + "\n" + test_file("minimal.yaml"); }
 
 TEST(Captions, AreReadPrintedAndNoPartOfTheDigest) {
   const std::string captions =
       "title: \"Pump 7: \\\"wet\\\" end\"\nauthor: R\xC3\xA9mi\nnote: |\n  first line\n\n  # third\n";
-  const RunConfig config = read_run_config_text(with(captions), "test.yaml", {}),
-                  plain = read_run_config_text(with(""), "test.yaml", {});
+  const RunConfig config = read_run_config_text(with_captions(captions), "test.yaml", {}),
+                  plain = read_run_config_text(with_captions(""), "test.yaml", {});
   EXPECT_EQ(config.captions,
             (batch::Captions{"Pump 7: \"wet\" end", "R\xC3\xA9mi", "first line\n\n# third\n"}));
   EXPECT_EQ(study_digest(config.study), study_digest(plain.study));
@@ -26,7 +26,7 @@ TEST(Captions, AreReadPrintedAndNoPartOfTheDigest) {
 }
 
 TEST(Captions, HoldNothingThatATerminalWouldObey) {
-  const auto problem = [](const std::string& caption) { return message_of(with(caption)); };
+  const auto problem = [](const std::string& caption) { return message_of(with_captions(caption)); };
   EXPECT_EQ(problem("title: \"a\\x1b[2Jb\""),
             "test.yaml:1:8: title: holds the character \\x1b, which cannot be shown, allowed: UTF-8 text of "
             "one line");

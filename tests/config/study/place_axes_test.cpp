@@ -1,5 +1,6 @@
 #include "rubsweep/config/study/place_axes.hpp"
 
+#include "config/study/with_sweep_lines.hpp"
 #include "config/support.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
@@ -7,14 +8,8 @@
 namespace rubsweep::config::study {
 namespace {
 
-/// The minimal configuration with its sweep on two lines of its own.
 std::string with_sweep(const std::string& speed, const std::string& unbalance, const std::string& more = "") {
-  return "rotor: {kind: jeffcott, mass_kg: 0.8, natural_frequency_hz: 30, damping_ratio: 0.02}\n"
-         "stops:\n"
-         "  - {kind: one_side, angle_deg: 90, clearance_m: 1e-3, stiffness_n_per_m: 2e6, restitution: 0.7,\n"
-         "     contact_radius_m: 0.0375}\n"
-         "sweep:\n  " +
-         speed + "\n  " + unbalance + "\n" + more + "output: {directory: results}\n";
+  return with_sweep_lines(speed + "\n  " + unbalance + "\n" + more);
 }
 
 sweep::Grid grid(const std::string& speed, const std::string& unbalance, const std::string& more = "") {
@@ -25,7 +20,7 @@ std::string digest(const std::string& speed, const std::string& unbalance) {
   return study_digest(read_run_config_text(with_sweep(speed, unbalance), "test.yaml", {}).study);
 }
 
-const std::string speed = "speed_hz: {from: 50, to: 150, count: 6}", ratio = "whirl_ratio: {values: [0.4]}";
+const std::string speed = "speed_hz: {from: 50, to: 150, count: 6}";
 
 TEST(PlaceAxes, TakesSpeedsInRevolutionsPerMinute) {
   EXPECT_EQ(grid("speed_rpm: {from: 3000, to: 9000, count: 6}", ratio).speed_hz, grid(speed, ratio).speed_hz);

@@ -14,17 +14,18 @@ const std::vector<std::string> two_stops{
     "restitution: 0.7, contact_radius_m: 0.02, casing: {mass_kg: 0.05, stiffness_n_per_m: 5e5, "
     "damping_ratio: 0.1}}]"};
 
-RunConfig with(std::vector<std::string> overrides) {
+RunConfig with_two_stops(std::vector<std::string> overrides) {
   overrides.insert(overrides.begin(), two_stops.begin(), two_stops.end());
   return read_run_config_text(test_file("minimal.yaml"), "test.yaml", overrides);
 }
 
-std::string problem(const std::string& override_text) {
+std::string start_problem(const std::string& override_text) {
   return message_of(test_file("minimal.yaml"), {two_stops[0], override_text});
 }
 
 TEST(Start, ReadsRotorAndCasingsAndPrintsThemBack) {
-  const RunConfig config = with({"start={x_m: 1e-3, vy_m_per_s: -0.5, casings: {1: {vx_m_per_s: 0.25}}}"});
+  const RunConfig config =
+      with_two_stops({"start={x_m: 1e-3, vy_m_per_s: -0.5, casings: {1: {vx_m_per_s: 0.25}}}"});
   const model::Start& start = config.study.machine.start.value();
   EXPECT_EQ(start.rotor.x_m, 1e-3);
   EXPECT_EQ(start.rotor.y_m, std::nullopt);
@@ -41,23 +42,23 @@ TEST(Start, ReadsRotorAndCasingsAndPrintsThemBack) {
 }
 
 TEST(Start, AnEmptyOneReadsBackAndIsNotTheSameStudy) {
-  const RunConfig empty = with({"start={}"});
+  const RunConfig empty = with_two_stops({"start={}"});
   ASSERT_TRUE(empty.study.machine.start);
   const std::string printed = print_config(empty);
   EXPECT_TRUE(read_run_config_text(printed, "printed.yaml", {}).study.machine.start);
-  EXPECT_NE(study_digest(empty.study), study_digest(with({}).study));
+  EXPECT_NE(study_digest(empty.study), study_digest(with_two_stops({}).study));
 }
 
 TEST(Start, TakesAKickBackAndAKickAStart) {
-  const RunConfig started = with({"kick={force_n: 200, duration_s: 0.005}", "start={}"});
+  const RunConfig started = with_two_stops({"kick={force_n: 200, duration_s: 0.005}", "start={}"});
   EXPECT_FALSE(started.study.machine.kick);
-  const RunConfig kicked = with({"start={x_m: 1}", "kick={force_n: 200, duration_s: 0.005}"});
+  const RunConfig kicked = with_two_stops({"start={x_m: 1}", "kick={force_n: 200, duration_s: 0.005}"});
   EXPECT_FALSE(kicked.study.machine.start);
 }
 
 TEST(Start, IsReachedByAxes) {
-  const auto study = with({"start={}", "sweep.x={key: start.casings.1.y_m, values: [0, 1e-5]}",
-                           "sweep.y={key: start.vx_m_per_s, values: [0.5]}"})
+  const auto study = with_two_stops({"start={}", "sweep.x={key: start.casings.1.y_m, values: [0, 1e-5]}",
+                                     "sweep.y={key: start.vx_m_per_s, values: [0.5]}"})
                          .study;
   const model::Start start = study.with_keys(sweep::key_values(study.grid, 1)).machine.start.value();
   EXPECT_EQ(start.casings.at(1).value().y_m, 1e-5);
@@ -66,16 +67,16 @@ TEST(Start, IsReachedByAxes) {
 
 TEST(Start, RefusesWhatItCannotBe) {
   EXPECT_EQ(
-      problem("start={z_m: 1}"),
+      start_problem("start={z_m: 1}"),
       "--set start={z_m: 1}: start.z_m: unknown key (did you mean 'x_m'?), allowed: x_m, y_m, vx_m_per_s, "
       "vy_m_per_s, casings");
-  EXPECT_EQ(problem("start={x_m: 101}"),
+  EXPECT_EQ(start_problem("start={x_m: 101}"),
             "--set start={x_m: 101}: start.x_m: 101 is out of range, allowed: a number >= -100 and <= 100");
   EXPECT_EQ(
-      problem("start={casings: {0: {x_m: 0}}}"),
+      start_problem("start={casings: {0: {x_m: 0}}}"),
       "--set start={casings: {0: {x_m: 0}}}: start.casings.0: is of a rigid casing, which has no state, "
       "allowed: a casing that moves");
-  EXPECT_EQ(problem("start={casings: {2: {x_m: 0}}}"),
+  EXPECT_EQ(start_problem("start={casings: {2: {x_m: 0}}}"),
             "--set start={casings: {2: {x_m: 0}}}: start.casings.2: unknown key (did you mean '0'?), "
             "allowed: 0, 1");
 }

@@ -7,19 +7,20 @@
 namespace rubsweep::config::study {
 namespace {
 
-RunConfig with(const std::string& study) {
+RunConfig with_study(const std::string& study) {
   return read_run_config_text(test_file("minimal.yaml"), "test.yaml",
                               {"kick={force_n: 200, duration_s: 0.005}", "study=" + study});
 }
 
-std::string problem(const std::string& study) {
+std::string study_problem(const std::string& study) {
   const std::string message =
       message_of(test_file("minimal.yaml"), {"kick={force_n: 200, duration_s: 0.005}", "study=" + study});
   return message.substr(message.rfind("}: ") + 3);
 }
 
 TEST(StudyKind, ReadsAThreshold) {
-  const auto threshold = with("{kind: threshold, key: kick.force_n, values: [10, 20, 40]}").study.threshold;
+  const auto threshold =
+      with_study("{kind: threshold, key: kick.force_n, values: [10, 20, 40]}").study.threshold;
   ASSERT_TRUE(threshold);
   EXPECT_EQ(threshold->axis.keys, std::vector<std::string>{"kick.force_n"});
   EXPECT_EQ(threshold->axis.values, (std::vector<double>{10, 20, 40}));
@@ -29,16 +30,17 @@ TEST(StudyKind, ReadsAThreshold) {
 TEST(StudyKind, IsPrintedAndCountsInTheDigest) {
   const RunConfig plain = read_run_config_text(test_file("minimal.yaml"), "test.yaml",
                                                {"kick={force_n: 200, duration_s: 0.005}"});
-  const RunConfig scan = with("{kind: threshold, key: kick.force_n, from: 10, to: 40, count: 3, scale: log}");
-  const RunConfig finer =
-      with("{kind: threshold, key: kick.force_n, from: 10, to: 40, count: 3, scale: log, tolerance: 1e-4}");
+  const RunConfig scan =
+      with_study("{kind: threshold, key: kick.force_n, from: 10, to: 40, count: 3, scale: log}");
+  const RunConfig finer = with_study(
+      "{kind: threshold, key: kick.force_n, from: 10, to: 40, count: 3, scale: log, tolerance: 1e-4}");
   EXPECT_NE(study_digest(plain.study), study_digest(scan.study));
   EXPECT_NE(study_digest(finer.study), study_digest(scan.study));
   EXPECT_EQ(print_config(read_run_config_text(print_config(finer), "printed", {})), print_config(finer));
 }
 
 TEST(StudyKind, ReadsAndPrintsBasins) {
-  const RunConfig config = with(
+  const RunConfig config = with_study(
       "{kind: basin, samples: 100, over: [{key: kick.force_n, from: 1, to: 400, scale: log}, "
       "{key: kick.angle_deg, from: 0, to: 360}]}");
   ASSERT_TRUE(config.study.basin);
@@ -52,31 +54,32 @@ TEST(StudyKind, ReadsAndPrintsBasins) {
 TEST(StudyKind, OfAMapIsThatOfNoStudy) {
   const RunConfig plain = read_run_config_text(test_file("minimal.yaml"), "test.yaml",
                                                {"kick={force_n: 200, duration_s: 0.005}"});
-  EXPECT_EQ(print_config(with("{kind: map}")), print_config(plain));
+  EXPECT_EQ(print_config(with_study("{kind: map}")), print_config(plain));
 }
 
 TEST(StudyKind, RefusesBasinsThatCannotBeDrawn) {
-  EXPECT_EQ(problem("{kind: basin, samples: 0, over: [{key: kick.force_n, from: 1, to: 400}]}"),
+  EXPECT_EQ(study_problem("{kind: basin, samples: 0, over: [{key: kick.force_n, from: 1, to: 400}]}"),
             "study.samples: 0 is out of range, allowed: an integer from 1 to 1000000");
-  EXPECT_EQ(problem("{kind: basin, samples: 9, over: [{key: kick.force_n, from: -1, to: 400}]}"),
+  EXPECT_EQ(study_problem("{kind: basin, samples: 9, over: [{key: kick.force_n, from: -1, to: 400}]}"),
             "kick.force_n: -1 is out of range, allowed: a number >= 0");
-  EXPECT_EQ(problem("{kind: basin, samples: 9, over: [{key: kick.force_n, from: 0, to: 4, scale: log}]}"),
-            "study.over.0.scale: a logarithmic scale has no place for 0 or less, allowed: from and to > 0");
-  EXPECT_EQ(problem("{kind: basin, samples: 9, over: [{key: kick.force_n, from: 0, to: 0}]}"),
+  EXPECT_EQ(
+      study_problem("{kind: basin, samples: 9, over: [{key: kick.force_n, from: 0, to: 4, scale: log}]}"),
+      "study.over.0.scale: a logarithmic scale has no place for 0 or less, allowed: from and to > 0");
+  EXPECT_EQ(study_problem("{kind: basin, samples: 9, over: [{key: kick.force_n, from: 0, to: 0}]}"),
             "study.over.0.to: is no other number than from, allowed: another number");
 }
 
 TEST(StudyKind, RefusesWhatIsNoScan) {
-  EXPECT_EQ(problem("{kind: treshold}"),
+  EXPECT_EQ(study_problem("{kind: treshold}"),
             "study.kind: 'treshold' is unknown (did you mean 'threshold'?), allowed: threshold, basin, map");
-  EXPECT_EQ(problem("{kind: threshold, key: kick.force_n, values: [20, 10]}"),
+  EXPECT_EQ(study_problem("{kind: threshold, key: kick.force_n, values: [20, 10]}"),
             "study.values: does not ascend, allowed: two values or more, each larger than the one before");
   EXPECT_EQ(
-      problem("{kind: threshold, key: kick.force_n, from: 5, count: 1}"),
+      study_problem("{kind: threshold, key: kick.force_n, from: 5, count: 1}"),
       "study.count: one value is no scan, allowed: two values or more, each larger than the one before");
-  EXPECT_EQ(problem("{kind: threshold, key: kick.force_n, values: [-1, 10]}"),
+  EXPECT_EQ(study_problem("{kind: threshold, key: kick.force_n, values: [-1, 10]}"),
             "kick.force_n: -1 is out of range, allowed: a number >= 0");
-  EXPECT_EQ(problem("{kind: threshold, key: kick.force_n, values: [1, 10], tolerance: 0}"),
+  EXPECT_EQ(study_problem("{kind: threshold, key: kick.force_n, values: [1, 10], tolerance: 0}"),
             "study.tolerance: 0 is out of range, allowed: a number >= 1e-12 and <= 0.5");
 }
 

@@ -5,7 +5,7 @@
 namespace rubsweep::config::yaml {
 namespace {
 
-std::string problem(const std::string& text) {
+std::string json_problem(const std::string& text) {
   Diagnostics diagnostics("kit.yaml", {});
   parse_json(text, "rotor.file", diagnostics, diagnostics.add_file("rotor.json"));
   try {
@@ -38,13 +38,13 @@ TEST(JsonDocument, BecomesTheTreeOfTheFile) {
 }
 
 TEST(JsonDocument, WhatIsNoneSaysWhere) {
-  EXPECT_TRUE(problem("{\"a\": 1,\n \"b\": }").starts_with("rotor.json:2:7: rotor.file: no JSON: "))
-      << problem("{\"a\": 1,\n \"b\": }");
-  EXPECT_TRUE(problem("").starts_with("rotor.json:1:")) << problem("");
-  EXPECT_TRUE(problem("{\"a\": NaN}").starts_with("rotor.json:1:")) << problem("{\"a\": NaN}");
-  EXPECT_NE(problem("\"" + std::string(max_document_bytes, 'x') + "\"").find("the file is too large"),
+  EXPECT_TRUE(json_problem("{\"a\": 1,\n \"b\": }").starts_with("rotor.json:2:7: rotor.file: no JSON: "))
+      << json_problem("{\"a\": 1,\n \"b\": }");
+  EXPECT_TRUE(json_problem("").starts_with("rotor.json:1:")) << json_problem("");
+  EXPECT_TRUE(json_problem("{\"a\": NaN}").starts_with("rotor.json:1:")) << json_problem("{\"a\": NaN}");
+  EXPECT_NE(json_problem("\"" + std::string(max_document_bytes, 'x') + "\"").find("the file is too large"),
             std::string::npos);
-  EXPECT_NE(problem(std::string(4000, '[')).find("too many values"), std::string::npos);
+  EXPECT_NE(json_problem(std::string(4000, '[')).find("too many values"), std::string::npos);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace rubsweep::config::yaml {
 namespace {
 
-std::string problem(const std::string& text) {
+std::string toml_problem(const std::string& text) {
   Diagnostics diagnostics("kit.yaml", {});
   parse_toml(text, "rotor.file", diagnostics, diagnostics.add_file("rotor.toml"));
   try {
@@ -39,12 +39,13 @@ TEST(TomlDocument, BecomesTheTreeOfTheFile) {
 }
 
 TEST(TomlDocument, WhatIsNoneSaysWhere) {
-  EXPECT_TRUE(problem("a = 1\nb = = 2\n").starts_with("rotor.toml:2:5: rotor.file: no TOML: "))
-      << problem("a = 1\nb = = 2\n");
-  EXPECT_TRUE(problem("a = 1\na = 2\n").starts_with("rotor.toml:2:")) << problem("a = 1\na = 2\n");
-  EXPECT_NE(problem("a = \"" + std::string(max_document_bytes, 'x') + "\"\n").find("the file is too large"),
-            std::string::npos);
-  EXPECT_NE(problem("a = " + std::string(40, '[') + std::string(40, ']') + "\n").find("too many values"),
+  EXPECT_TRUE(toml_problem("a = 1\nb = = 2\n").starts_with("rotor.toml:2:5: rotor.file: no TOML: "))
+      << toml_problem("a = 1\nb = = 2\n");
+  EXPECT_TRUE(toml_problem("a = 1\na = 2\n").starts_with("rotor.toml:2:")) << toml_problem("a = 1\na = 2\n");
+  EXPECT_NE(
+      toml_problem("a = \"" + std::string(max_document_bytes, 'x') + "\"\n").find("the file is too large"),
+      std::string::npos);
+  EXPECT_NE(toml_problem("a = " + std::string(40, '[') + std::string(40, ']') + "\n").find("too many values"),
             std::string::npos);
 }
 

@@ -5,19 +5,13 @@
 #include <cmath>
 #include <vector>
 
+#include "integrate/adaptive/with.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "support/rolling_scene.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::integrate::adaptive {
 namespace {
-
-run::SolverOptions with(run::Stepper stepper, double tolerance) {
-  run::SolverOptions options;
-  options.stepper = stepper;
-  options.relative_tolerance = tolerance;
-  return options;
-}
 
 struct Finished {
   std::vector<double> section;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "integrate/adaptive/with.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/run/work_bound.hpp"
@@ -26,15 +27,6 @@ Complex displacement_after(const scene::Scene& scene, const run::SolverOptions& 
   run::TurnReport turn;
   for (int k = 0; k < turns; ++k) EXPECT_EQ(advance({}, turn), run::Outcome::ok);
   return scene.length_scale_m * Complex(turn.section[0], turn.section[1]);
-}
-
-run::SolverOptions with(run::Stepper stepper, double tolerance,
-                        run::ContactHandling contact = run::ContactHandling::located) {
-  run::SolverOptions options;
-  options.stepper = stepper;
-  options.relative_tolerance = tolerance;
-  options.contact = contact;
-  return options;
 }
 
 std::string stepper_name(const testing::TestParamInfo<run::Stepper>& stepper) {

@@ -10,7 +10,6 @@ namespace rubsweep::integrate::exact {
 namespace {
 
 constexpr Eigen::Index states = 8;
-using State = TangentsSideBySide::State;
 
 /// Both kinds, to which the same is done.
 struct Both {
@@ -20,7 +19,7 @@ struct Both {
     plain.resize(states, count);
     tested.resize(states, count);
     for (std::size_t i = before; i < count; ++i) {
-      const State z = Eigen::VectorXd::Random(states);
+      const TangentsSideBySide::State z = Eigen::VectorXd::Random(states);
       plain.set(i, z);
       tested.set(i, z);
     }

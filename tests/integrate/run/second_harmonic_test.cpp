@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-scene::Scene scene_with(const Eigen::VectorXcd& second_n) {
+scene::Scene scene_with_harmonic(const Eigen::VectorXcd& second_n) {
   scene::Scene scene = test::one_mass_scene(2, 800, 3, 0.31, 1e-3);
   scene.second_harmonic_n = second_n;
   return scene;
@@ -24,10 +24,10 @@ scene::Scene scene_with(const Eigen::VectorXcd& second_n) {
 const Eigen::Vector2cd second_n{std::complex<double>(3, -2), std::complex<double>(-0.5, 1)};
 
 TEST(SecondHarmonic, ItsPartsAddUpToTheForce) {
-  EXPECT_TRUE(second_harmonic(scene_with({})).empty());
+  EXPECT_TRUE(second_harmonic(scene_with_harmonic({})).empty());
   for (const double turns : {0.0, 0.13, 0.6, 0.99}) {
     Eigen::Vector2d sum(0, 0);
-    for (const HarmonicPart& part : second_harmonic(scene_with(second_n)))
+    for (const HarmonicPart& part : second_harmonic(scene_with_harmonic(second_n)))
       sum += part.top_n * std::sin(4 * pi * (turns + part.turns_ahead));
     EXPECT_LT((sum - (second_n * std::polar(1.0, 4 * pi * turns)).real()).norm(), 1e-14);
   }
@@ -35,7 +35,7 @@ TEST(SecondHarmonic, ItsPartsAddUpToTheForce) {
 
 /// Behind the pulses of the scene, from the first and for ever, with the same angles in every revolution.
 TEST(SecondHarmonic, ItActsAlways) {
-  scene::Scene scene = scene_with(second_n);
+  scene::Scene scene = scene_with_harmonic(second_n);
   scene.pulses.push_back({Eigen::Vector2d(1, 0), 5, 0.1 * scene.period_s()});
   PulseTimes times(scene, state_scale(scene), 2 * pi);
   EXPECT_EQ(times.acting(), (std::vector<std::size_t>{1, 2}));
@@ -51,7 +51,7 @@ TEST(SecondHarmonic, ItActsAlways) {
 }
 
 TEST(SecondHarmonic, TheScaledSystemHasItInItsUnits) {
-  const scene::Scene scene = scene_with(second_n);
+  const scene::Scene scene = scene_with_harmonic(second_n);
   const ScaledSystem<2> system = scale<2>(scene);
   ASSERT_EQ(system.pulses.size(), 2U);
   Eigen::Vector2d sum(0, 0);

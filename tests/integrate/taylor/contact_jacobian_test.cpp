@@ -14,8 +14,8 @@ using contact::Mode;
 using numerics::both;
 using numerics::Twin;
 
-constexpr int order = 14;
-constexpr std::size_t terms = order;
+constexpr int jacobian_order = 14;
+constexpr std::size_t terms = jacobian_order;
 const Twin none{};
 
 ContactLaw law_with(double damping) {
@@ -35,7 +35,7 @@ std::array<Twin, terms> forces(ContactSeries& series, const ContactLaw& law, Mod
   series.set_distance(Twin{1.1, -0.4} + at_start);
   series.begin(law, mode, 1, contact::Slip::forward);
   std::array<Twin, terms> force;
-  for (int k = 0; k < order; ++k) {
+  for (int k = 0; k < jacobian_order; ++k) {
     const Twin rate = Twin{0.5 * std::sin(0.4 + k), 0.7 * std::cos(1.1 * k)} / both(std::tgamma(k + 1.0));
     series.set_velocity(k, rate + (k == 0 ? growing : Twin{}));
     force[static_cast<std::size_t>(k)] = series.force_term(k);
@@ -60,14 +60,14 @@ TEST(ContactJacobian, IsTheDerivativeOfTheForce) {
         forces(series, law, mode, none, none);
         ContactJacobian jacobian;
         jacobian.follow(series);
-        jacobian.extend(order - 2);
+        jacobian.extend(jacobian_order - 2);
         EXPECT_EQ(jacobian.damped(), law.damper(mode) != 0);
         const auto a = [&](int k) { return axis == 0 ? jacobian.first(k) : jacobian.second(k); };
         const auto b = [&](int k) {
           if (!jacobian.damped()) return Twin{};
           return axis == 0 ? jacobian.first_damped(k) : jacobian.second_damped(k);
         };
-        for (int k = 0; k < order - 1; ++k) {
+        for (int k = 0; k < jacobian_order - 1; ++k) {
           const auto at = static_cast<std::size_t>(k);
           const Twin staying = (staying_above[at] - staying_below[at]) / both(2 * small),
                      growing = (growing_above[at] - growing_below[at]) / both(2 * small);

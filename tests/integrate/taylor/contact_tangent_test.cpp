@@ -13,7 +13,7 @@ namespace {
 using contact::Mode;
 using numerics::Twin;
 
-constexpr int order = 16;
+constexpr int tangent_order = 16;
 
 /// Coefficient k of the rates of a motion and of a change of it, which decay as those of a smooth one do.
 Twin motion_rate(int k) {
@@ -22,12 +22,12 @@ Twin motion_rate(int k) {
 Twin change_rate(int k) { return Twin{std::sin(2.0 + k), std::cos(0.3 + 1.3 * k)} / std::tgamma(k + 1.0); }
 
 /// Coefficients of the force along the motion plus `share` of its change.
-std::array<Twin, order> forces(ContactSeries& series, const ContactLaw& law, Mode mode, double slip,
-                               double share) {
+std::array<Twin, tangent_order> forces(ContactSeries& series, const ContactLaw& law, Mode mode, double slip,
+                                       double share) {
   series.set_distance(Twin{1.3, 0.5} + numerics::both(share) * Twin{0.6, -0.8});
   series.begin(law, mode, slip, contact::Slip::forward);
-  std::array<Twin, order> force;
-  for (int k = 0; k < order; ++k) {
+  std::array<Twin, tangent_order> force;
+  for (int k = 0; k < tangent_order; ++k) {
     series.set_velocity(k, motion_rate(k) + numerics::both(share) * change_rate(k));
     force[static_cast<std::size_t>(k)] = series.force_term(k);
   }
@@ -50,7 +50,7 @@ ContactLaw law_of(bool annular, bool varies) {
 
 /// Coefficients of the force's change, of the last of `Count` vectors side by side.
 template <int Count>
-std::array<Twin, order - 1> changes(const ContactSeries& series) {
+std::array<Twin, tangent_order - 1> changes(const ContactSeries& series) {
   using Term = typename ContactTangents<Count>::Term;
   const auto fill = [](Twin last) {
     Term all;
@@ -61,10 +61,10 @@ std::array<Twin, order - 1> changes(const ContactSeries& series) {
   ContactJacobian jacobian;
   jacobian.follow(series);
   ContactTangents<Count> tangents;
-  tangents.follow(series, jacobian, order - 1);
+  tangents.follow(series, jacobian, tangent_order - 1);
   tangents.begin(fill(Twin{0.6, -0.8}));
-  std::array<Twin, order - 1> force;
-  for (int k = 0; k < order - 1; ++k)
+  std::array<Twin, tangent_order - 1> force;
+  for (int k = 0; k < tangent_order - 1; ++k)
     force[static_cast<std::size_t>(k)] = tangents.force_term(k, fill(change_rate(k))).back();
   return force;
 }

@@ -15,7 +15,7 @@ namespace {
 
 using contact::Mode;
 
-const std::vector<double> start{1.3, 0.4, 0.1, -0.1, 0.5, -0.9, 0.2, 0.3};
+const std::vector<double> start_state{1.3, 0.4, 0.1, -0.1, 0.5, -0.9, 0.2, 0.3};
 constexpr double duration = 0.05;
 
 /// An annular and a flat stop, with friction that does not vary and with friction that does.
@@ -43,7 +43,7 @@ Moved step(const run::ScaledSystem<4>& system, const scene::Scene& scene, double
   Moved moved;
   Expansion<4> motion(system);
   const run::PulseTimes no_pulses(scene, run::state_scale(scene), 2 * std::numbers::pi);
-  motion.expand(start.data(), 0.3, no_pulses, {mode}, {contact::Slip::forward});
+  motion.expand(start_state.data(), 0.3, no_pulses, {mode}, {contact::Slip::forward});
   moved.in_registers = motion.only_slip().has_value() || motion.flies();
   motion.series().put_state(duration, moved.state.data());
   for (Eigen::MatrixXd* vectors : {&moved.tangents, &moved.alone}) {
@@ -64,7 +64,7 @@ void expect_agreement(const run::ScaledSystem<4>& system, const scene::Scene& sc
   EXPECT_TRUE(here.in_registers);
   EXPECT_FALSE(there.in_registers);
   EXPECT_LT(distance(here.state, there.state), 1e-14);
-  EXPECT_GT(distance(here.state, start), 0.01);
+  EXPECT_GT(distance(here.state, start_state), 0.01);
   const double size = there.tangents.cwiseAbs().maxCoeff();
   EXPECT_LT((here.tangents - there.tangents).cwiseAbs().maxCoeff(), 1e-13 * size);
   // Several share a Jacobian.

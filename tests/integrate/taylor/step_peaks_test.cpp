@@ -13,11 +13,11 @@ namespace rubsweep::integrate::taylor {
 namespace {
 
 using contact::Mode;
-constexpr int order = 24;
+constexpr int peak_order = 24;
 
 Expansion<2> expanded(const run::ScaledSystem<2>& system, const scene::Scene& scene,
                       const std::vector<double>& state, Mode mode) {
-  Expansion<2> motion(system, {.order = order});
+  Expansion<2> motion(system, {.order = peak_order});
   const run::PulseTimes none(scene, run::state_scale(scene), 2 * std::numbers::pi);
   motion.expand(state.data(), 0, none, {mode}, {contact::Slip::forward});
   return motion;
@@ -46,9 +46,9 @@ TEST(StepPeaks, FindTheForceWhereTheRotorTurnsRound) {
   const auto system = run::scale<2>(scene);
   Expansion<2> motion = expanded(system, scene, {1, 0, v, 0}, Mode::sprung);
   const double deepest = -1 / (w * w) + std::hypot(1 / (w * w), v / w);
-  EXPECT_NEAR(largest_force(motion.contact(0), order, w, 0.6), k_c * deepest, 5e-5);
+  EXPECT_NEAR(largest_force(motion.contact(0), peak_order, w, 0.6), k_c * deepest, 5e-5);
   const double early = 0.1;
-  EXPECT_NEAR(largest_force(motion.contact(0), order, w, early),
+  EXPECT_NEAR(largest_force(motion.contact(0), peak_order, w, early),
               k_c * (-(1 - std::cos(w * early)) / (w * w) + v * std::sin(w * early) / w), 1e-12);
 }
 

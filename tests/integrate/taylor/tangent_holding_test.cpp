@@ -13,7 +13,7 @@
 namespace rubsweep::integrate::taylor {
 namespace {
 
-constexpr int order = 12;
+constexpr int holding_order = 12;
 using State = Eigen::Vector4d;
 
 constexpr double angle_rad = 0.3;  ///< of the normal
@@ -35,26 +35,28 @@ struct Sticking {
 };
 
 /// Coefficients of the friction that holds the rotor from `state` on.
-std::array<double, order> holding(const Sticking& rotor, const State& state) {
-  Expansion<2> motion(rotor.system, {.order = order});
+std::array<double, holding_order> holding(const Sticking& rotor, const State& state) {
+  Expansion<2> motion(rotor.system, {.order = holding_order});
   rotor.expand(motion, state);
-  std::array<double, order> force{};
-  for (int k = 0; k < order; ++k) force[static_cast<std::size_t>(k)] = motion.contact(0).holding().number(k);
+  std::array<double, holding_order> force{};
+  for (int k = 0; k < holding_order; ++k)
+    force[static_cast<std::size_t>(k)] = motion.contact(0).holding().number(k);
   return force;
 }
 
 /// The same of a small change of that motion, expanded as simply as can be.
-std::array<double, order> change_of_holding(const Sticking& rotor, const State& state, const State& change) {
-  Expansion<2> motion(rotor.system, {.order = order + 1});
+std::array<double, holding_order> change_of_holding(const Sticking& rotor, const State& state,
+                                                    const State& change) {
+  Expansion<2> motion(rotor.system, {.order = holding_order + 1});
   rotor.expand(motion, state);
   const run::ScaledContact<2>& contact = rotor.system.contacts[0];
   std::vector<ContactTangents<1>> tangents(1);
-  tangents[0].follow(motion.contact(0), motion.jacobian(0), order);
-  TangentHolding tested(1, order + 1);
+  tangents[0].follow(motion.contact(0), motion.jacobian(0), holding_order);
+  TangentHolding tested(1, holding_order + 1);
   Eigen::Vector2d w = change.head<2>(), rate = change.tail<2>();
   tangents[0].begin({at_contact(contact, w)});
-  std::array<double, order> force{};
-  for (int k = 0; k < order; ++k) {
+  std::array<double, holding_order> force{};
+  for (int k = 0; k < holding_order; ++k) {
     Eigen::Vector2d acceleration = -rotor.system.stiffness * w - rotor.system.damping * rate;
     const numerics::Twin push = tangents[0].force_term(k, {at_contact(contact, rate)})[0];
     acceleration += contact.first_push * push[0] + contact.second_push * push[1];
@@ -81,7 +83,7 @@ TEST(TangentHolding, IsTheDifferenceOfTwoMotions) {
     const auto later = holding(rotor, state + small * change),
                earlier = holding(rotor, state - small * change),
                derivative = change_of_holding(rotor, state, change);
-    for (std::size_t k = 0; k < order; ++k) {
+    for (std::size_t k = 0; k < holding_order; ++k) {
       const double expected = (later[k] - earlier[k]) / (2 * small);
       EXPECT_NEAR(derivative[k], expected, 1e-7 * (1 + std::abs(expected))) << annular << ' ' << k;
     }

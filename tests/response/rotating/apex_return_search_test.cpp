@@ -5,15 +5,14 @@
 #include <cmath>
 #include <complex>
 #include <functional>
-#include <numbers>
 
+#include "response/rotating/full_turn.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double full_turn = 2 * std::numbers::pi;
 constexpr int samples = 128;
 
 /// Turn `k` of z = w(phase) e^{i phase} of one mass.

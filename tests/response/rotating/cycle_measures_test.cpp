@@ -5,16 +5,15 @@
 #include <cmath>
 #include <complex>
 #include <functional>
-#include <numbers>
 #include <vector>
 
+#include "response/rotating/full_turn.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double length_m = 1e-3;
 
 struct Amplitude {

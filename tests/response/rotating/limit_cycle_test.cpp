@@ -3,15 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "response/rotating/full_turn.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-constexpr double full_turn = 2 * std::numbers::pi;
 
 /// r' = a r (1 - r^2), angle' = w, s' = -b s: in closed form a cycle r = 1, s = 0 of period 2 pi / w with the
 /// multipliers 1, e^{-2 a T} and e^{-b T}.

@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <numbers>
 #include <vector>
 
 #include "response/annular_cell.hpp"
+#include "response/rotating/full_turn.hpp"
+#include "response/rotating/initial_state.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
@@ -17,7 +18,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-constexpr double full_turn = 2 * std::numbers::pi;
 
 integrate::run::SolverOptions tight() {
   integrate::run::SolverOptions options;
@@ -34,11 +34,6 @@ scene::Scene bouncing() {
   return scene;
 }
 
-VectorXd initial(const scene::Scene& scene) {
-  const auto state = integrate::run::scaled_initial_state(scene);
-  return Eigen::Map<const VectorXd>(state.data(), static_cast<Eigen::Index>(state.size()));
-}
-
 TEST(RotatingFlow, OneTurnIsThatOfTheAdaptiveSolver) {
   const auto scene = bouncing();
   integrate::run::TurnRequest asked;
@@ -46,7 +41,7 @@ TEST(RotatingFlow, OneTurnIsThatOfTheAdaptiveSolver) {
   asked.peaks = true;
   asked.samples_per_revolution = 16;
   ASSERT_EQ(integrate::adaptive::start_adaptive(scene, tight())(asked, turn), integrate::run::Outcome::ok);
-  const auto arc = RotatingFlow(scene, tight(), 16).from(initial(scene), full_turn);
+  const auto arc = RotatingFlow(scene, tight(), 16).from(initial_state(scene), full_turn);
   ASSERT_TRUE(arc);
   EXPECT_GT(turn.hits, 0);
   EXPECT_EQ(arc->hits, turn.hits);
@@ -69,8 +64,8 @@ TEST(RotatingFlow, ARoughOneIsAsGoodAsItsTolerance) {
   rough.relative_tolerance = 1e-6;
   for (const scene::Scene& scene : {bouncing(), two_rings}) {
     for (const double angle : {1.0, 4.4, full_turn}) {
-      const auto best = RotatingFlow(scene, tight(), 0).end_from(initial(scene), angle);
-      const auto end = RotatingFlow(scene, rough, 0).end_from(initial(scene), angle);
+      const auto best = RotatingFlow(scene, tight(), 0).end_from(initial_state(scene), angle);
+      const auto end = RotatingFlow(scene, rough, 0).end_from(initial_state(scene), angle);
       ASSERT_TRUE(best && end);
       const double error = (*end - *best).cwiseAbs().maxCoeff();
       EXPECT_LT(error, 2e-8) << angle;
@@ -92,7 +87,7 @@ TEST(RotatingFlow, TransitionIsWhatDifferencesSay) {
   for (const auto& [scene, options] :
        {std::pair{bouncing(), tight()}, std::pair{two_rings(), tight()}, std::pair{bouncing(), smoothed}}) {
     const RotatingFlow flow(scene, options, 0);
-    const VectorXd start = initial(scene);
+    const VectorXd start = initial_state(scene);
     const double angle = 4.4;
     const auto arc = flow.from(start, angle);
     ASSERT_TRUE(arc);
@@ -111,7 +106,7 @@ TEST(RotatingFlow, TwoStretchesAreOne) {
   const auto scene = bouncing();
   const RotatingFlow flow(scene, tight(), 32);
   const double a = 1.7, b = 9.1;
-  const auto first = flow.from(initial(scene), a), whole = flow.from(initial(scene), a + b);
+  const auto first = flow.from(initial_state(scene), a), whole = flow.from(initial_state(scene), a + b);
   ASSERT_TRUE(first && whole);
   const auto second = flow.from(first->end, b);
   ASSERT_TRUE(second);
@@ -125,9 +120,9 @@ TEST(RotatingFlow, TwoStretchesAreOne) {
 
 TEST(RotatingFlow, StandsStillOnFullAnnularRub) {
   const auto scene = test::FullRub{}.scene();
-  const auto arc = RotatingFlow(scene, tight(), 0).from(initial(scene), 20.0);
+  const auto arc = RotatingFlow(scene, tight(), 0).from(initial_state(scene), 20.0);
   ASSERT_TRUE(arc);
-  EXPECT_LT((arc->end - initial(scene)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((arc->end - initial_state(scene)).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_EQ(arc->hits, 0);
   EXPECT_NEAR(arc->contact_fraction, 1, 1e-12);
 }
@@ -136,7 +131,7 @@ TEST(RotatingFlow, SaysWhenTheSolverFails) {
   integrate::run::SolverOptions options = tight();
   options.max_steps_per_revolution = 10;
   const auto scene = bouncing();
-  EXPECT_FALSE(RotatingFlow(scene, options, 0).from(initial(scene), full_turn));
+  EXPECT_FALSE(RotatingFlow(scene, options, 0).from(initial_state(scene), full_turn));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "response/annular_cell.hpp"
+#include "response/rotating/initial_state.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "support/annular_scene.hpp"
 
@@ -22,16 +23,11 @@ TEST(RotatingFrameTurned, TurnsEveryPairFromXToY) {
   EXPECT_LT((turned(turned(state, 0.7), -0.7) - state).norm(), 1e-15);
 }
 
-VectorXd initial(const scene::Scene& scene) {
-  const auto state = integrate::run::scaled_initial_state(scene);
-  return Eigen::Map<const VectorXd>(state.data(), static_cast<Eigen::Index>(state.size()));
-}
-
 TEST(RotatingFrameField, StandsStillOnTheClosedFormOfFullAnnularRub) {
   const test::FullRub rub;
   const scene::Scene scene = rub.scene();
   const RotatingField field(scene, {});
-  const VectorXd state = initial(scene);
+  const VectorXd state = initial_state(scene);
   EXPECT_LT(field.rate(state).cwiseAbs().maxCoeff(), 1e-14);
   EXPECT_TRUE(field.touches(state));
   EXPECT_FALSE(field.touches(0.8 * state));

@@ -4,16 +4,15 @@
 
 #include <cmath>
 
+#include "response/spectrum/comb_samples.hpp"
 #include "response/synthetic_motion.hpp"
 
 namespace rubsweep::response::testing {
 namespace {
 
-constexpr int turns = 128;
-constexpr int per_turn = 64;
-
 std::optional<spectrum::SpectralLine> largest_of(const std::function<Complex(double)>& z, double spacing) {
-  return spectrum::largest_comb_line(sample(z, 0, turns, per_turn), per_turn, spacing);
+  return spectrum::largest_comb_line(sample(z, 0, comb_turns, comb_samples_per_turn), comb_samples_per_turn,
+                                     spacing);
 }
 
 TEST(CombLineLargest, HasTheOrderAndAmplitudeThatStandBetweenTwoBins) {

@@ -6,20 +6,19 @@
 #include <random>
 #include <vector>
 
+#include "response/spectrum/comb_samples.hpp"
 #include "response/synthetic_motion.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::response::testing {
 namespace {
 
-constexpr int turns = 128;
-constexpr int per_turn = 64;
-
 using TimeFunction = std::function<Complex(double)>;
 
 std::optional<spectrum::Comb> comb_of(const TimeFunction& z) {
   spectrum::SpectrumWorkspace workspace;
-  return spectrum::find_comb(sample(z, 0, turns, per_turn), per_turn, workspace);
+  return spectrum::find_comb(sample(z, 0, comb_turns, comb_samples_per_turn), comb_samples_per_turn,
+                             workspace);
 }
 
 /// Lines at 1 + k spacing with the given amplitudes for k = first, first + 1, ...
@@ -106,15 +105,15 @@ TEST(CombFind, DoesNotCloseWhileItStillGrowsOrShrinks) {
 TEST(CombFind, DoesNotCloseInNoiseNorChaos) {
   std::mt19937 bits(1);
   std::normal_distribution<double> normal;
-  std::vector<Complex> z(turns * per_turn);
+  std::vector<Complex> z(comb_turns * comb_samples_per_turn);
   for (auto& value : z) value = {normal(bits), normal(bits)};
   spectrum::SpectrumWorkspace workspace;
-  const auto noise = spectrum::find_comb(z, per_turn, workspace);
+  const auto noise = spectrum::find_comb(z, comb_samples_per_turn, workspace);
   EXPECT_FALSE(noise->closed);
   EXPECT_LT(noise->energy_share, 0.9);
 
   std::vector<double> henon{0.1, 0.2};
-  for (int k = 0; k < turns; ++k)
+  for (int k = 0; k < comb_turns; ++k)
     henon.push_back(1 - 1.4 * henon.back() * henon.back() + 0.3 * henon[henon.size() - 2]);
   const auto chaos = comb_of([&henon](double turn) {
     const auto k = static_cast<std::size_t>(turn);

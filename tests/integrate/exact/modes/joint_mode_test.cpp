@@ -11,7 +11,6 @@
 namespace rubsweep::integrate::exact::modes {
 namespace {
 
-using State = Eigen::Vector4d;
 using contact::Mode;
 
 /// One mass between walls at x = 1 and x = -0.5, K = 1e4 N/m, d = 100 Ns/m.
@@ -23,7 +22,8 @@ struct BetweenWalls {
   }
   std::size_t joint(double x, double velocity) const {
     const auto system = run::scale<Eigen::Dynamic>(scene);
-    return joint_mode_of(system.contacts, State(x, 0, velocity, 0), State(velocity, 0, -400 * x, 0));
+    return joint_mode_of(system.contacts, Eigen::Vector4d(x, 0, velocity, 0),
+                         Eigen::Vector4d(velocity, 0, -400 * x, 0));
   }
 };
 
@@ -52,7 +52,7 @@ TEST(JointMode, AtTheWallTheDirectionDecides) {
 TEST(JointModeKinematicsOf, IsPenetrationAndItsRates) {
   const BetweenWalls walls;
   const auto system = run::scale<Eigen::Dynamic>(walls.scene);
-  const auto k = kinematics_of(system.contacts[1], State(-0.7, 9, -2, 9), -5);
+  const auto k = kinematics_of(system.contacts[1], Eigen::Vector4d(-0.7, 9, -2, 9), -5);
   EXPECT_NEAR(k.penetration, 0.2, 1e-15);
   EXPECT_EQ(k.closing_speed, 2);
   EXPECT_EQ(k.closing_acceleration, -5);

@@ -12,12 +12,11 @@ namespace rubsweep::integrate::exact::modes {
 namespace {
 
 using Modes = MachineModes<4>;
-using Mode = LinearMode<4>;
-using State = Mode::State;
+using State = LinearMode<4>::State;
 
 const State start{{0.3, -0.2, 0.1, 0.05, 200, 90, -300, 700}};
 
-State after(const Mode& mode, double time_s) {
+State after(const LinearMode<4>& mode, double time_s) {
   State free = mode.to_free(start);
   move_pairs(flow_of_pairs(mode, time_s), free);
   return free;
@@ -25,7 +24,7 @@ State after(const Mode& mode, double time_s) {
 
 /// The free vibration's part of every guard and force, over a step: the value is that of the row on (u, u'),
 /// the rate its derivative, and the second derivative stays within the bound.
-void expect_sum_of(const Mode& mode, const ModalTerms& terms, const Eigen::RowVectorXd& physical) {
+void expect_sum_of(const LinearMode<4>& mode, const ModalTerms& terms, const Eigen::RowVectorXd& physical) {
   const double step = mode.longest_step_s, small = 1e-4 * step;
   const auto value = [&](double time_s) {
     const State free = after(mode, time_s);
@@ -49,7 +48,7 @@ TEST(ModeViews, GuardsAndForcesAreThoseOfTheState) {
   Modes modes(test::cell_of({}).scene);
   int guards = 0, touches = 0;
   for (std::size_t joint = 0; joint < 4; ++joint) {
-    const Mode* mode = modes.mode(joint);
+    const LinearMode<4>* mode = modes.mode(joint);
     ASSERT_TRUE(mode);
     if (!mode->paired) continue;
     for (const auto& guard : mode->guards) {
@@ -69,7 +68,7 @@ TEST(ModeViews, GuardsAndForcesAreThoseOfTheState) {
 TEST(ModeViews, ConstantsAreThoseOfTheRest) {
   const scene::Scene scene = test::cell_of({}).scene;
   Modes modes(scene);
-  const Mode& open = *modes.mode(0);
+  const LinearMode<4>& open = *modes.mode(0);
   ASSERT_EQ(open.guards.size(), 1U);
   const auto& guard = open.guards[0];
   const double clearance = modes.system().contacts[0].clearance;

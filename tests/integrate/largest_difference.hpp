@@ -1,0 +1,18 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace rubsweep::integrate {
+
+/// Of the numbers of two lists, one by one.
+template <class A, class B>
+double largest_difference(const A& a, const B& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, static_cast<double>(std::abs(a[i] - b[i])));
+  return largest;
+}
+
+}  // namespace rubsweep::integrate

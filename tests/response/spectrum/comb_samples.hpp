@@ -1,0 +1,8 @@
+#pragma once
+
+namespace rubsweep::response::testing {
+
+/// Of the motions whose spectra are combs.
+inline constexpr int comb_turns = 128, comb_samples_per_turn = 64;
+
+}  // namespace rubsweep::response::testing
