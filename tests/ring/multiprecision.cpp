@@ -12,7 +12,7 @@ namespace rubsweep::ring {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
-using PreciseComplex = boost::multiprecision::cpp_complex_50;
+using Complex = boost::multiprecision::cpp_complex_50;
 
 /// State matrix, row by row, by Gauss-Jordan elimination with pivoting. Time in units of 0.01 s.
 template <class Number>
@@ -59,10 +59,10 @@ std::vector<Number> polynomial(const System& system, double speed) {
   return characteristic_polynomial(state_matrix_rows<Number>(system, speed), size);
 }
 
-std::vector<PreciseComplex> roots(const System& system, double speed) {
+std::vector<Complex> roots(const System& system, double speed) {
   const std::vector<Real> coefficients = polynomial<Real>(system, speed);
   const std::size_t count = coefficients.size() - 1;
-  std::vector<PreciseComplex> x;
+  std::vector<Complex> x;
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = 0.4 + 6.283185307179586 * static_cast<double>(i) / static_cast<double>(count);
     x.emplace_back(Real(1.3 * std::cos(angle)), Real(1.3 * std::sin(angle)));
@@ -70,23 +70,23 @@ std::vector<PreciseComplex> roots(const System& system, double speed) {
   for (int iteration = 0; iteration < 400; ++iteration) {
     Real largest(0);
     for (std::size_t i = 0; i < count; ++i) {
-      PreciseComplex value(1), slope(0);
+      Complex value(1), slope(0);
       for (std::size_t k = 1; k <= count; ++k) {
         slope = slope * x[i] + value;
         value = value * x[i] + coefficients[k];
       }
-      if (value == PreciseComplex(0)) continue;
-      PreciseComplex others(0);
+      if (value == Complex(0)) continue;
+      Complex others(0);
       for (std::size_t k = 0; k < count; ++k) {
-        if (k != i) others += PreciseComplex(1) / (x[i] - x[k]);
+        if (k != i) others += Complex(1) / (x[i] - x[k]);
       }
-      const PreciseComplex step = PreciseComplex(1) / (slope / value - others);
+      const Complex step = Complex(1) / (slope / value - others);
       x[i] -= step;
       largest = std::max(largest, Real(abs(step)));
     }
     if (largest < Real("1e-45")) break;
   }
-  for (PreciseComplex& root : x) root *= 100;
+  for (Complex& root : x) root *= 100;
   return x;
 }
 
@@ -99,20 +99,20 @@ int sign_changes(const System& system, double speed) {
 
 std::vector<std::complex<double>> roots_with_50_digits(const System& system, double speed_rad_per_s) {
   std::vector<std::complex<double>> result;
-  for (const PreciseComplex& root : roots(system, speed_rad_per_s)) {
+  for (const Complex& root : roots(system, speed_rad_per_s)) {
     result.emplace_back(root.real().convert_to<double>(), root.imag().convert_to<double>());
   }
   return result;
 }
 
 double discriminant_with_50_digits(const System& system, double speed_rad_per_s, std::complex<double> place) {
-  std::vector<PreciseComplex> x = roots(system, speed_rad_per_s);
-  const PreciseComplex target(place.real(), place.imag());
-  std::sort(x.begin(), x.end(), [&](const PreciseComplex& a, const PreciseComplex& b) {
+  std::vector<Complex> x = roots(system, speed_rad_per_s);
+  const Complex target(place.real(), place.imag());
+  std::sort(x.begin(), x.end(), [&](const Complex& a, const Complex& b) {
     return Real(abs(a - target)) < Real(abs(b - target));
   });
-  const PreciseComplex difference = x[0] - x[1];
-  return PreciseComplex(difference * difference).real().convert_to<double>();
+  const Complex difference = x[0] - x[1];
+  return Complex(difference * difference).real().convert_to<double>();
 }
 
 int routh_hurwitz_with_50_digits(const System& system, double speed_rad_per_s) {
