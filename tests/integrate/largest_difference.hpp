@@ -6,7 +6,7 @@
 
 namespace rubsweep::integrate {
 
-/// Of the numbers of two lists, one by one.
+/// Largest difference between two lists of numbers, one by one.
 template <class A, class B>
 double largest_difference(const A& a, const B& b) {
   double largest = 0;

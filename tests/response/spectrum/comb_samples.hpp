@@ -2,7 +2,7 @@
 
 namespace rubsweep::response::testing {
 
-/// Of the motions whose spectra are combs.
+/// Turns and samples of the motions whose spectra are combs.
 inline constexpr int comb_turns = 128, comb_samples_per_turn = 64;
 
 }  // namespace rubsweep::response::testing
