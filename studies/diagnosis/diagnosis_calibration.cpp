@@ -169,7 +169,7 @@ struct Truth {
 void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& studied,
                const recording::Recording& recording, const diagnose::inference::DiagnosisProblem& problem,
                const diagnose::features::DescribedMotion& seen,
-               const diagnose::inference::Diagnosis& diagnosis) {
+               const diagnose::inference::Diagnosis& diagnosis, std::mt19937_64& ranks_of_equals) {
   const bool clipped = std::ranges::any_of(recording.findings, [](const std::string& finding) {
     return finding.find("clipped") != std::string::npos;
   });
@@ -186,7 +186,6 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
     Eigen::VectorXd weight = diagnosis.posterior.weight;
     for (Eigen::Index i = 0; i < weight.size(); ++i)
       if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != *truth.candidate) weight(i) = 0;
-    std::mt19937_64 random(machine);
     for (const Quantity quantity : asked_quantities()) {
       const Eigen::VectorXd values =
           values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
@@ -197,8 +196,8 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
         return diagnose::inference::share_below(values, weight, x, quantity == Quantity::stop_angle);
       };
       const double from = below(value - equal * std::abs(value)), to = below(value + equal * std::abs(value));
-      line += fmt::format(",{:.4f}",
-                          std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random));
+      line += fmt::format(",{:.4f}", std::uniform_real_distribution<double>(
+                                         from, std::max(from, to) + 1e-12)(ranks_of_equals));
     }
   }
   // Recordings of no candidate have no ranks.
@@ -240,11 +239,12 @@ void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
   options.most_rounds = rounds;
   options.with_standard_error = false;
   const diagnose::inference::CaseSet set = prior_cases(problem, options.cases);
+  std::mt19937_64 ranks_of_equals(~(seed * 1'000'003 + machine));
   const auto answer = [&](const dataset::LabelledRecording& labelled, const Truth& truth) {
     const recording::Recording recording = measured(labelled);
     const diagnose::features::DescribedMotion seen = seen_in(recording, problem);
     print_row(machine, truth, studied, recording, problem, seen,
-              diagnose::inference::diagnose(problem, seen, options, set));
+              diagnose::inference::diagnose(problem, seen, options, set), ranks_of_equals);
   };
   constexpr std::size_t recordings_per_candidate = 2, foreign_recordings = 2;
   for (std::size_t k = 0; k < recordings_per_candidate * problem.candidates.size(); ++k) {
