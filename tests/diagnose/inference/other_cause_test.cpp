@@ -22,7 +22,7 @@ TEST(OtherCause, VibratesAtOnceTheSpeedAndAtOthers) {
       if (j % 12 != 0) between += std::norm(lines.at(j));
     (between > 1e-4 ? free_orders : others) += 1;
   }
-  // One to four components, two in five of them multiples of the speed, or an ellipse alone.
+  // One to four components, half of them multiples of the speed, or an ellipse alone.
   EXPECT_GT(free_orders, 80);
   EXPECT_GT(others, 40);
 }

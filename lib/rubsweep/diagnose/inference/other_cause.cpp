@@ -58,7 +58,7 @@ class Vibration {
     const double phase = 2 * pi * random.uniform();
     for (std::size_t k = 0; k < z_.size(); ++k) {
       const double angle = 2 * pi * order * static_cast<double>(k) / samples_of_a_turn + phase;
-      z_[k] += std::polar(amplitude * std::cos(angle), direction);
+      z_[k] += amplitude * std::cos(angle) * std::polar(1.0, direction);
     }
   }
 
@@ -128,7 +128,7 @@ void add_oil_whirl(Vibration& vibration, double amplitude, RandomStream& random)
 
 /// A support that is loose, or stiff to one side: its stiffness changes along one direction, and the shaft
 /// vibrates along it at the multiples of its speed, now and then at those of half of it, which grow weaker
-/// (Goldman and Muszynska 1995).
+/// (Muszynska and Goldman, Chaos, Solitons and Fractals 5, 1995).
 void add_directional_series(Vibration& vibration, RandomStream& random) {
   const double direction = 2 * pi * random.uniform();
   const double decay = between_logarithms(0.05, 0.7, random);

@@ -9,8 +9,9 @@ namespace rubsweep::diagnose::inference {
 inline constexpr double prior_of_none = 1.0 / 6;
 
 /// Vibration of a cause that no candidate stands for: unbalance, and one to four further components at any
-/// order, each forward or backward in any share or nearly a circle, which may have harmonics, sidebands at the
-/// shaft speed, and a phase that wanders. Its lines up to most_order, in units of that at 1X; all numbers are drawn.
+/// order, each forward or backward in any share, nearly a circle, or along one line with its harmonics. They
+/// may have sidebands at the shaft speed and a phase that wanders. Its lines up to most_order, in units of
+/// that at 1X; all numbers are drawn.
 MotionLines vibration_of_another_cause(int turns, RandomStream& random,
                                        response::spectrum::SpectrumWorkspace& workspace);
 
