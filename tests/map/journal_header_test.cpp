@@ -14,7 +14,7 @@ namespace {
 
 class JournalHeaderOfAStudy : public testing::Test {
  protected:
-  const SmallMap map_;
+  const SmallMap map_{};
   const std::filesystem::path path_ = map_.temporary.path() / "map.journal";
   const sweep::Study study_ = SmallMap::config().study;
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -13,6 +11,8 @@
 
 #include "batch/message_of.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/dense/cholesky.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/structure/beam_element.hpp"
 #include "structure/steel.hpp"
 
@@ -25,14 +25,14 @@ using std::numbers::pi;
 /// gyroscopic system that are positive. One per pair of conjugates.
 Eigen::VectorXd whirl_rad_per_s(const LateralSystem& system, double speed_rad_per_s) {
   const Eigen::Index n = system.coordinates();
-  const Eigen::LLT<Eigen::MatrixXd> mass(system.mass);
+  const numerics::dense::CholeskyFactors mass(system.mass);
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   a.topRightCorner(n, n).setIdentity();
   a.bottomLeftCorner(n, n) = -mass.solve(system.stiffness);
-  a.bottomRightCorner(n, n) = -mass.solve(system.damping + speed_rad_per_s * system.gyroscopic);
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(a, false);
+  a.bottomRightCorner(n, n) =
+      -mass.solve(Eigen::MatrixXd(system.damping + speed_rad_per_s * system.gyroscopic));
   std::vector<double> found;
-  for (const auto& value : solver.eigenvalues()) {
+  for (const auto& value : numerics::dense::eigenvalues(a)) {
     if (value.imag() > 0) found.push_back(value.imag());
   }
   std::sort(found.begin(), found.end());

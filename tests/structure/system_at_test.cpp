@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <complex>
 #include <numbers>
 
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/structure/kit_assembly.hpp"
 #include "rubsweep/structure/stability.hpp"
 #include "scene/table_machine.hpp"
@@ -23,7 +24,8 @@ Eigen::Vector2cd response_of(const Assembly& assembly, double speed_rad_per_s) {
                                    i * speed_rad_per_s * system.damping;
   const auto& map = system.points[static_cast<std::size_t>(assembly.rotor_points[0])].map;
   return map.cast<std::complex<double>>() *
-         dynamic.partialPivLu().solve(speed_rad_per_s * speed_rad_per_s * system.unbalance_kg);
+         numerics::dense::solve(dynamic,
+                                Eigen::VectorXcd(speed_rad_per_s * speed_rad_per_s * system.unbalance_kg));
 }
 
 /// The machine without the damping that is said by modes, which are others at every speed.

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <complex>
 #include <vector>
 
+#include "rubsweep/numerics/dense/cholesky.hpp"
+#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/structure/beam_shaft.hpp"
 #include "rubsweep/structure/lateral_system.hpp"
 
@@ -22,10 +23,10 @@ inline structure::LateralSystem full(const model::RotorKit& kit) {
 inline std::vector<std::complex<double>> eigenvalues(const model::RotorKit& kit, double speed_rad_per_s) {
   const structure::LateralSystem system = full(kit);
   const Eigen::Index n = system.coordinates();
-  const Eigen::LLT<Eigen::MatrixXd> mass(system.mass);
+  const numerics::dense::CholeskyFactors mass(system.mass);
   const auto normalised = [&](const Eigen::MatrixXd& matrix) {
-    const Eigen::MatrixXd half = mass.matrixL().solve(matrix);
-    return Eigen::MatrixXd(mass.matrixL().solve(Eigen::MatrixXd(half.transpose())).transpose());
+    const Eigen::MatrixXd half = mass.solve_lower(matrix);
+    return Eigen::MatrixXd(mass.solve_lower(half.transpose()).transpose());
   };
   // Displacements in units in which they are as large as velocities: otherwise slow modes lose their digits.
   const Eigen::MatrixXd stiffness = normalised(system.stiffness);
@@ -35,8 +36,7 @@ inline std::vector<std::complex<double>> eigenvalues(const model::RotorKit& kit,
   generator.bottomLeftCorner(n, n) = -stiffness * rate.cwiseInverse().asDiagonal();
   generator.bottomRightCorner(n, n) = -normalised(system.damping + speed_rad_per_s * system.gyroscopic);
   std::vector<std::complex<double>> found;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(generator, false);
-  for (const auto& value : solver.eigenvalues()) {
+  for (const auto& value : numerics::dense::eigenvalues(generator)) {
     if (value.imag() > 0) found.push_back(value);
   }
   std::ranges::sort(found, {}, [](const std::complex<double>& value) { return value.imag(); });
