@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "rubsweep/diagnose/drawn_machine.hpp"
 #include "rubsweep/diagnose/other_lines.hpp"
@@ -47,6 +48,23 @@ TEST(LastingMotion, IsTheOneThatAVerdictIsGivenOn) {
     EXPECT_DOUBLE_EQ(lasting->eccentricity_m, judged->eccentricity_m);
   }
   EXPECT_GT(compared, 0);
+}
+
+TEST(LastingMotion, IsRecordedWhenFreeVibrationHasDiedAway) {
+  const auto turns_with = [](double damping_ratio) {
+    Point values = rubbing_point();
+    values[static_cast<std::size_t>(Unknown::damping_ratio)] = damping_ratio;
+    return turns_before_recording(drawn_machine(Cause::one_side, values, 1e-4, {}), 70);
+  };
+  EXPECT_EQ(turns_with(0.2), fewest_turns_before_recording);
+  EXPECT_EQ(turns_with(0.002), most_turns_before_recording);
+  const int turns = turns_with(0.01);
+  const auto left = [](int count) { return std::exp(-0.01 * 2 * std::numbers::pi * 30 * count / 70.0); };
+  EXPECT_LE(left(turns), 1.0 / 200);
+  EXPECT_GT(left(turns - 1), 1.0 / 200);
+  model::Machine kit;
+  kit.rotor = model::RotorKit{};
+  EXPECT_EQ(turns_before_recording(kit, 70), kit_turns_before_recording);
 }
 
 TEST(LastingMotion, WithoutContactIsTheWhirlOfTheUnbalance) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "integrate/largest_difference.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/integrate/start.hpp"
 
@@ -75,14 +76,6 @@ Found run(const HardScene& hard, const SolverOptions& options) {
   return result;
 }
 
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  EXPECT_EQ(a.size(), b.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 class HardScenes : public testing::TestWithParam<NamedHardScene> {};
 
 INSTANTIATE_TEST_SUITE_P(All, HardScenes, testing::ValuesIn(hard_scenes),
@@ -96,7 +89,8 @@ TEST_P(HardScenes, AnswerOfEverySolver) {
     SCOPED_TRACE(solver.name);
     const Found found = run(hard, solver.options);
     ASSERT_EQ(integrate::run::to_string(found.outcome), "ok");
-    const double error = largest_difference(found.section, answer) / solver.options.relative_tolerance;
+    const double error =
+        integrate::largest_difference(found.section, answer) / solver.options.relative_tolerance;
     EXPECT_LT(error, hard.error_per_tolerance);
     EXPECT_EQ(found.hits, hard.hits.value_or(found.hits));
     if (hard.energy_j) {

@@ -1,16 +1,19 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace rubsweep::integrate {
 
-/// Largest difference between two lists of numbers, one by one.
-template <class A, class B>
+/// Largest difference between two lists of numbers, one by one, which are expected to be equally long.
+template <class A, class B = A>
 double largest_difference(const A& a, const B& b) {
+  EXPECT_EQ(a.size(), b.size());
   double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
     largest = std::max(largest, static_cast<double>(std::abs(a[i] - b[i])));
   return largest;
 }

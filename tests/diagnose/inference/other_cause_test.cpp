@@ -46,6 +46,26 @@ TEST(OtherCause, WhirlsForwardBelowHalfTheSpeedMoreOftenThanAtOtherOrders) {
   EXPECT_GT(oil_film, other);
 }
 
+TEST(OtherCause, VibratesAlongOneDirectionAtItsMultiplesNowAndThen) {
+  response::spectrum::SpectrumWorkspace workspace;
+  constexpr int turns = 12, all = 500;
+  int along_one = 0;
+  for (std::uint64_t k = 0; k < all; ++k) {
+    RandomStream random(3, k, 0);
+    const MotionLines lines = vibration_of_another_cause(turns, random, workspace);
+    // A line across the shaft is an ellipse without area: forward and backward are equal.
+    int without_area = 0;
+    for (int order = 2; order <= 5; ++order) {
+      const double forward = std::abs(lines.at(order * turns)), backward = std::abs(lines.at(-order * turns));
+      without_area += forward > 1e-8 && std::abs(forward - backward) < 1e-3 * forward;
+    }
+    along_one += without_area == 4;
+  }
+  // By one to four components, of which a free order or a multiple may lie on the same lines.
+  EXPECT_GT(along_one, all / 10);
+  EXPECT_LT(along_one, all / 3);
+}
+
 TEST(OtherCause, DependsOnItsRandomNumbersAlone) {
   response::spectrum::SpectrumWorkspace workspace;
   RandomStream one(1, 5, 0), again(1, 5, 0);

@@ -50,16 +50,18 @@ TEST(Posterior, ExcludesClearancesThatTheCandidateDoesNotHave) {
 TEST(Posterior, AQuietWhirlAsLargeAsManyClearancesIsNone) {
   DiagnosisProblem problem = small_problem();
   problem.candidates[0].clearance_m = {1e-4, 2e-4, true};
+  // Few cases leave a quiet whirl beside vibrations of other causes that hardly differ from it.
+  const CaseSet set = prior_cases(problem, {.cases_per_candidate = 200});
   ObservedCases observed;
-  observe_cases(problem, small_set(), 0, observed);
+  observe_cases(problem, set, 0, observed);
   features::DescribedMotion seen = recorded_case(0, 11);
   const auto no_rub_at = [&](double size_m) {
     seen.size_m = size_m;
-    const Posterior posterior = posterior_of(problem, small_set(), observed, seen, 0);
+    const Posterior posterior = posterior_of(problem, set, observed, seen, 0);
     return (1 - posterior.none) * posterior.probability(0);
   };
   // At whirl ratios from 0.01 to 1 and clearances of 100 to 200 um.
-  EXPECT_GT(no_rub_at(1e-5), 0.6);
+  EXPECT_GT(no_rub_at(1e-5), 0.8);
   EXPECT_LT(no_rub_at(4e-4), 0.1);
   EXPECT_LT(no_rub_at(4e-7), 0.1);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "integrate/largest_difference.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
@@ -19,12 +20,6 @@ namespace rubsweep::integrate::taylor {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
-  return largest;
-}
 
 /// However steep: on the closed form, and no turn is left to a stepper.
 TEST(Creep, RollsOnItsClosedForm) {

@@ -10,12 +10,18 @@ namespace {
 using contact::Slip;
 using test::Pressed;
 
-TEST(SlipZeros, AStoppedContactThatSlipsOnStartsFromOneZero) {
-  // A spring of 1.1 against friction of 1: it slips on, and of its slip the value alone is zero.
-  Pressed pressed(1.1, -0.3);
+/// Zeros after the forward slip of the contact has come to zero.
+SlipZeros stopped(Pressed& pressed) {
   pressed.law.slips()[0] = Slip::forward;
   SlipZeros zeros(1);
   zeros.stop(pressed.law, 0, pressed.state, pressed.rate, 0);
+  return zeros;
+}
+
+TEST(SlipZeros, AStoppedContactThatSlipsOnStartsFromOneZero) {
+  // A spring of 1.1 against friction of 1: it slips on, and of its slip the value alone is zero.
+  Pressed pressed(1.1, -0.3);
+  SlipZeros zeros = stopped(pressed);
   EXPECT_EQ(pressed.law.slips()[0], Slip::backward);
   EXPECT_EQ(zeros.terms(), std::vector<int>{1});
   zeros.clear();
@@ -24,9 +30,7 @@ TEST(SlipZeros, AStoppedContactThatSlipsOnStartsFromOneZero) {
 
 TEST(SlipZeros, AStoppedContactThatSticksHasNoRootToPass) {
   Pressed pressed(0.9, -0.3);
-  pressed.law.slips()[0] = Slip::forward;
-  SlipZeros zeros(1);
-  zeros.stop(pressed.law, 0, pressed.state, pressed.rate, 0);
+  const SlipZeros zeros = stopped(pressed);
   EXPECT_EQ(pressed.law.slips()[0], Slip::sticking);
   EXPECT_EQ(zeros.terms(), std::vector<int>{0});
 }

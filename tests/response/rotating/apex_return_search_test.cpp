@@ -6,7 +6,7 @@
 #include <complex>
 #include <functional>
 
-#include "response/rotating/full_turn.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::response::rotating {
@@ -22,7 +22,7 @@ integrate::run::TurnReport turn_of(const std::function<Complex(double)>& w, int 
   turn.touched = touched;
   const auto z = [&](double phase) { return w(phase) * std::polar(1.0, phase); };
   for (int j = 0; j < samples; ++j) {
-    const double phase = full_turn * (k + static_cast<double>(j) / samples);
+    const double phase = numerics::full_turn * (k + static_cast<double>(j) / samples);
     const Complex place = z(phase), velocity = (z(phase + 1e-5) - z(phase - 1e-5)) / 2e-5;
     turn.samples.insert(turn.samples.end(), {place.real(), place.imag(), velocity.real(), velocity.imag()});
   }
@@ -50,7 +50,7 @@ TEST(ApexReturnSearch, NamesTheTimeBetweenMaximaThatReturn) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->maxima, 1);
   ASSERT_EQ(found->periods_rad.size(), 1u);
-  EXPECT_NEAR(found->periods_rad[0], full_turn / 0.61, 5e-3);
+  EXPECT_NEAR(found->periods_rad[0], numerics::full_turn / 0.61, 5e-3);
 }
 
 TEST(ApexReturnSearch, OffersTheHalfOfAReturnThatIsNearToo) {
@@ -58,8 +58,8 @@ TEST(ApexReturnSearch, OffersTheHalfOfAReturnThatIsNearToo) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->maxima, 2);
   ASSERT_EQ(found->periods_rad.size(), 2u);
-  EXPECT_NEAR(found->periods_rad[0], full_turn / 0.61, 5e-3);
-  EXPECT_NEAR(found->periods_rad[1], 2 * full_turn / 0.61, 5e-3);
+  EXPECT_NEAR(found->periods_rad[0], numerics::full_turn / 0.61, 5e-3);
+  EXPECT_NEAR(found->periods_rad[1], 2 * numerics::full_turn / 0.61, 5e-3);
 }
 
 TEST(ApexReturnSearch, FindsNothingWithoutAMaximumInTheLastTurnOrWithoutContact) {

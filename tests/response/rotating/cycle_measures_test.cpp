@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "response/rotating/full_turn.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::response::rotating {
@@ -34,12 +34,12 @@ RotatingArc arc_of(double spacing, const std::vector<Amplitude>& lines) {
     return Eigen::Vector4d(z.real(), z.imag(), v.real(), v.imag());
   };
   RotatingArc arc;
-  arc.angle_rad = full_turn / spacing;
+  arc.angle_rad = numerics::full_turn / spacing;
   arc.end = state(arc.angle_rad, arc.angle_rad);
   const int samples = motion::ResponseOptions{}.samples_per_revolution;
-  for (int k = 0; full_turn * k / samples < arc.angle_rad; ++k) {
+  for (int k = 0; numerics::full_turn * k / samples < arc.angle_rad; ++k) {
     arc.samples.conservativeResize(4, k + 1);
-    arc.samples.col(k) = state(full_turn * k / samples, 0);
+    arc.samples.col(k) = state(numerics::full_turn * k / samples, 0);
   }
   return arc;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "response/rotating/full_turn.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {
@@ -19,7 +19,7 @@ struct NormalForm {
   double a = 0.1, w = 0.6, b = 0.3;
   double push_out = 0;  ///< at r < 0.95, where no derivative shows it
 
-  double period() const { return full_turn / w; }
+  double period() const { return numerics::full_turn / w; }
   VectorXd rate(const VectorXd& y) const {
     const double growth = a * (1 - y.head(2).squaredNorm());
     return VectorXd{{growth * y(0) - w * y(1), growth * y(1) + w * y(0), -b * y(2)}};

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "response/annular_cell.hpp"
-#include "response/rotating/full_turn.hpp"
 #include "response/rotating/initial_state.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/numerics/full_turn.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 #include "support/annular_scene.hpp"
 
@@ -41,7 +41,7 @@ TEST(RotatingFlow, OneTurnIsThatOfTheAdaptiveSolver) {
   asked.peaks = true;
   asked.samples_per_revolution = 16;
   ASSERT_EQ(integrate::adaptive::start_adaptive(scene, tight())(asked, turn), integrate::run::Outcome::ok);
-  const auto arc = RotatingFlow(scene, tight(), 16).from(initial_state(scene), full_turn);
+  const auto arc = RotatingFlow(scene, tight(), 16).from(initial_state(scene), numerics::full_turn);
   ASSERT_TRUE(arc);
   EXPECT_GT(turn.hits, 0);
   EXPECT_EQ(arc->hits, turn.hits);
@@ -63,7 +63,7 @@ TEST(RotatingFlow, ARoughOneIsAsGoodAsItsTolerance) {
   integrate::run::SolverOptions rough;
   rough.relative_tolerance = 1e-6;
   for (const scene::Scene& scene : {bouncing(), two_rings}) {
-    for (const double angle : {1.0, 4.4, full_turn}) {
+    for (const double angle : {1.0, 4.4, numerics::full_turn}) {
       const auto best = RotatingFlow(scene, tight(), 0).end_from(initial_state(scene), angle);
       const auto end = RotatingFlow(scene, rough, 0).end_from(initial_state(scene), angle);
       ASSERT_TRUE(best && end);
@@ -115,7 +115,7 @@ TEST(RotatingFlow, TwoStretchesAreOne) {
   EXPECT_EQ(first->hits + second->hits, whole->hits);
   EXPECT_NEAR((a * first->contact_fraction + b * second->contact_fraction) / (a + b), whole->contact_fraction,
               1e-8);
-  EXPECT_EQ(whole->samples.cols(), static_cast<Eigen::Index>(32 * (a + b) / full_turn) + 1);
+  EXPECT_EQ(whole->samples.cols(), static_cast<Eigen::Index>(32 * (a + b) / numerics::full_turn) + 1);
 }
 
 TEST(RotatingFlow, StandsStillOnFullAnnularRub) {
@@ -131,7 +131,7 @@ TEST(RotatingFlow, SaysWhenTheSolverFails) {
   integrate::run::SolverOptions options = tight();
   options.max_steps_per_revolution = 10;
   const auto scene = bouncing();
-  EXPECT_FALSE(RotatingFlow(scene, options, 0).from(initial_state(scene), full_turn));
+  EXPECT_FALSE(RotatingFlow(scene, options, 0).from(initial_state(scene), numerics::full_turn));
 }
 
 }  // namespace
