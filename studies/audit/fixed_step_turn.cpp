@@ -1,11 +1,11 @@
 #include "audit/fixed_step_turn.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <complex>
 
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
 namespace rubsweep::audit {
@@ -14,7 +14,7 @@ namespace {
 class Equations {
  public:
   explicit Equations(const scene::Scene& scene)
-      : scene_(scene), inverse_mass_(scene.structure.mass.inverse()) {
+      : scene_(scene), inverse_mass_(numerics::dense::FullPivotFactors(scene.structure.mass).inverse()) {
     for (const scene::Contact& contact : scene.contacts)
       relative_.emplace_back(scene::relative_map(scene.structure, contact));
   }

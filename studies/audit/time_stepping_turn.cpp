@@ -1,7 +1,5 @@
 #include "audit/time_stepping_turn.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,8 @@
 
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/numerics/dense/least_norm.hpp"
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
 namespace rubsweep::audit {
@@ -50,7 +50,7 @@ struct Friction {
       if (count == 1)
         found(0) = wanted(0) / inner(0, 0);
       else
-        found = inner.completeOrthogonalDecomposition().solve(wanted);
+        found = numerics::dense::least_norm_solution(Eigen::MatrixXd(inner), Eigen::VectorXd(wanted));
       for (Eigen::Index k = 0; k < count; ++k) force(free[static_cast<std::size_t>(k)]) = found(k);
     }
     const Few slip = start - mobility * force;
@@ -92,7 +92,9 @@ class Stepping {
         h_(step_s),
         stiffness_(scene.structure.stiffness),
         forward_(scene.structure.mass - step_s / 2 * scene.structure.damping),
-        inverse_((scene.structure.mass + step_s / 2 * scene.structure.damping).inverse()) {
+        inverse_(
+            numerics::dense::FullPivotFactors(scene.structure.mass + step_s / 2 * scene.structure.damping)
+                .inverse()) {
     for (const scene::Contact& contact : scene.contacts)
       relative_.emplace_back(scene::relative_map(scene.structure, contact));
   }

@@ -5,47 +5,30 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 #include <vector>
 
 #include "batch/message_of.hpp"
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/dense/cholesky.hpp"
-#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/structure/beam_element.hpp"
 #include "structure/steel.hpp"
+#include "structure/whirl_eigenvalues.hpp"
 
 namespace rubsweep::structure {
 namespace {
 
 using std::numbers::pi;
 
-/// Whirl frequencies in rad/s at a shaft speed, ascending: imaginary parts of the eigenvalues of the damped
-/// gyroscopic system that are positive. One per pair of conjugates.
+/// Whirl frequencies in rad/s at a shaft speed, ascending.
 Eigen::VectorXd whirl_rad_per_s(const LateralSystem& system, double speed_rad_per_s) {
-  const Eigen::Index n = system.coordinates();
-  const numerics::dense::CholeskyFactors mass(system.mass);
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  a.topRightCorner(n, n).setIdentity();
-  a.bottomLeftCorner(n, n) = -mass.solve(system.stiffness);
-  a.bottomRightCorner(n, n) =
-      -mass.solve(Eigen::MatrixXd(system.damping + speed_rad_per_s * system.gyroscopic));
-  std::vector<double> found;
-  for (const auto& value : numerics::dense::eigenvalues(a)) {
-    if (value.imag() > 0) found.push_back(value.imag());
-  }
-  std::sort(found.begin(), found.end());
-  return Eigen::Map<Eigen::VectorXd>(found.data(), static_cast<Eigen::Index>(found.size()));
-}
-
-LateralSystem full(const BeamShaft& shaft) {
-  const auto identity = Eigen::MatrixXd::Identity(shaft.coordinates(), shaft.coordinates());
-  return project(shaft, {identity, identity});
+  const std::vector<std::complex<double>> values = whirl_eigenvalues(system, speed_rad_per_s);
+  return Eigen::Map<const Eigen::VectorXcd>(values.data(), static_cast<Eigen::Index>(values.size())).imag();
 }
 
 Eigen::VectorXd whirl(const model::RotorKit& kit, double rpm) {
-  return whirl_rad_per_s(full(assemble_beam_shaft(kit, {})), rpm * pi / 30);
+  return whirl_rad_per_s(full(kit), rpm * pi / 30);
 }
 
 /// Disc cut from the shaft's steel, keyed on a shaft of 50 mm.
@@ -189,7 +172,7 @@ TEST(LateralSystemProject, CrossTermsKeepTheirPlaces) {
   kit.supports[0].stiffness_xy_n_per_m = 3e5;
   kit.supports[0].stiffness_yx_n_per_m = -2e5;
   kit.supports[1].damping_yx_ns_per_m = 70;
-  const LateralSystem system = full(assemble_beam_shaft(kit, {}));
+  const LateralSystem system = full(kit);
   EXPECT_EQ(system.stiffness(0, 1), 3e5);
   EXPECT_EQ(system.stiffness(1, 0), -2e5);
   const Eigen::Index last = 2 * (2 * 7 - 2);  // deflection of the last of seven nodes, x plane

@@ -1,9 +1,10 @@
 #include "rubsweep/fit/correlated_noise.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+
+#include "rubsweep/numerics/dense/lu.hpp"
 
 namespace rubsweep::fit {
 namespace {
@@ -35,7 +36,7 @@ struct BlockSums {
 void add_blocks(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& normal,
                 const Eigen::VectorXd& residuals, const RowsInTime& in_time, BlockSums& sums) {
   const Eigen::Index length = block_length(residuals, in_time), blocks = in_time.instants / length;
-  const Eigen::MatrixXd inverse = normal.fullPivLu().inverse();
+  const Eigen::MatrixXd inverse = numerics::dense::FullPivotFactors(normal).inverse();
   for (Eigen::Index b = 0; b < blocks; ++b) {
     // Blocks differ by one instant in length.
     const Eigen::Index from = b * in_time.instants / blocks;
@@ -48,7 +49,7 @@ void add_blocks(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& normal,
       own += part.transpose() * part;
       gradient += part.transpose() * residuals.segment(begin, count);
     }
-    const Eigen::VectorXd moved = (normal - own).fullPivLu().solve(gradient);
+    const Eigen::VectorXd moved = numerics::dense::solve_full_pivot(normal - own, gradient);
     const Eigen::VectorXd share = (inverse * own * inverse).diagonal();
     const double of_blocks = static_cast<double>(blocks - 1) / static_cast<double>(blocks);
     sums.moved += of_blocks * moved.cwiseAbs2();
@@ -84,7 +85,7 @@ void allow_for_correlation(const LeastSquaresFit& fit, const std::vector<RowsInT
     add_blocks(jacobian, normal, fit.residuals, rows, sums);
     white.segment(rows.begin, rows.instants * rows.rows).setZero();
   }
-  const Eigen::MatrixXd inverse = normal.fullPivLu().inverse();
+  const Eigen::MatrixXd inverse = numerics::dense::FullPivotFactors(normal).inverse();
   const Eigen::VectorXd beside =
       (inverse * jacobian.transpose() * white.asDiagonal() * jacobian * inverse).diagonal();
   for (Eigen::Index i = 0; i < count; ++i) {

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <utility>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/spectral/singular_values.hpp"
 
 namespace rubsweep::fit {
 
@@ -25,9 +25,9 @@ Uncertainty uncertainty_of(const LeastSquaresFit& fit, int eliminated) {
   Eigen::MatrixXd normed = fit.jacobian;
   for (Eigen::Index i = 0; i < count; ++i)
     if (length(i) > 0) normed.col(i) /= length(i);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(normed, Eigen::ComputeThinV);
-  found.singular = svd.singularValues();
-  found.direction = svd.matrixV();
+  numerics::spectral::SingularValues decomposed = numerics::spectral::singular_values(normed);
+  found.singular = std::move(decomposed.values);
+  found.direction = std::move(decomposed.v);
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
   constexpr double rounding = 1e-9;
   for (Eigen::Index k = 0; k < count; ++k) {

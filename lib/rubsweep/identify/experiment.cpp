@@ -1,6 +1,5 @@
 #include "rubsweep/identify/experiment.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/spectral/hermitian.hpp"
 
 namespace rubsweep::identify {
 namespace {
@@ -84,11 +84,9 @@ FreeResponse free_response(const scene::PreparedMachine& machine, double duratio
 double lowest_frequency_hz(const scene::PreparedMachine& machine) {
   const auto& system = machine.assembly.system;
   const Eigen::MatrixXd stiffness = (system.stiffness + system.stiffness.transpose()) / 2;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, system.mass,
-                                                                        Eigen::EigenvaluesOnly);
-  if (modes.info() != Eigen::Success)
-    throw SolverError("lowest frequency: the eigenvalue iteration does not converge");
-  return std::sqrt(std::max(modes.eigenvalues().minCoeff(), 0.0)) / (2 * std::numbers::pi);
+  const Eigen::VectorXd squares = numerics::spectral::generalized_eigenvalues(stiffness, system.mass);
+  if (!squares.allFinite()) throw SolverError("lowest frequency: the eigenvalue iteration does not converge");
+  return std::sqrt(std::max(squares.minCoeff(), 0.0)) / (2 * std::numbers::pi);
 }
 
 RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz, double rate_hz_per_s,

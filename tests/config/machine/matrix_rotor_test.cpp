@@ -10,10 +10,10 @@
 #include "config/machine/book_examples.hpp"
 #include "config/machine/matrix_text.hpp"
 #include "config/machine/ross_text.hpp"
-#include "config/machine/whirl_eigenvalues.hpp"
 #include "rubsweep/config/exported_matrices.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/structure/matrix_export.hpp"
+#include "structure/whirl_eigenvalues.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 
 void expect_within(const model::RotorKit& a, const model::RotorKit& b, double tolerance) {
-  const structure::LateralSystem left = full(a), right = full(b);
+  const structure::LateralSystem left = structure::full(a), right = structure::full(b);
   const auto relative = [](const Eigen::MatrixXd& x, const Eigen::MatrixXd& y) {
     return (x - y).norm() / x.norm();
   };
@@ -32,7 +32,8 @@ void expect_within(const model::RotorKit& a, const model::RotorKit& b, double to
 
 /// Relative to the moduli of the eigenvalues.
 double whirl_difference(const model::RotorKit& a, const model::RotorKit& b, double speed_rad_per_s) {
-  const auto left = eigenvalues(a, speed_rad_per_s), right = eigenvalues(b, speed_rad_per_s);
+  const auto left = structure::whirl_eigenvalues(structure::full(a), speed_rad_per_s),
+             right = structure::whirl_eigenvalues(structure::full(b), speed_rad_per_s);
   double largest = left.size() == right.size() ? 0 : 1;
   for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i)
     largest = std::max(largest, std::abs(left[i] - right[i]) / std::abs(left[i]));
@@ -41,7 +42,7 @@ double whirl_difference(const model::RotorKit& a, const model::RotorKit& b, doub
 
 void expect_printed(const model::RotorKit& kit, double speed_rad_per_s, const std::vector<double>& printed,
                     double within) {
-  const auto found = eigenvalues(kit, speed_rad_per_s);
+  const auto found = structure::whirl_eigenvalues(structure::full(kit), speed_rad_per_s);
   for (std::size_t i = 0; i < printed.size(); ++i)
     EXPECT_NEAR(found.at(i).imag(), printed[i], within * printed[i]) << i;
 }

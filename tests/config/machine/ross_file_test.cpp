@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "config/machine/ross_text.hpp"
-#include "config/machine/whirl_eigenvalues.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/structure/beam_element.hpp"
 #include "rubsweep/structure/beam_shaft.hpp"
+#include "structure/whirl_eigenvalues.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 
 double difference(const model::RotorKit& a, const model::RotorKit& b) {
-  const structure::LateralSystem left = full(a), right = full(b);
+  const structure::LateralSystem left = structure::full(a), right = structure::full(b);
   const auto relative = [](const Eigen::MatrixXd& x, const Eigen::MatrixXd& y) {
     return (x - y).norm() / std::max(x.norm(), 1e-300);
   };
@@ -39,7 +39,7 @@ TEST(RossFile, HasTheFrequenciesThatRossGives) {
                                    {6571.65564509833, 6571.65564510396}, {6694.12290558583, 6694.12290558584},
                                    {20930.0413369614, 20930.2639284908}, {20932.7676594552, 20932.7676594556},
                                    {20954.3012452393, 20954.5711812063}, {20962.5392659309, 20962.539265933}};
-  const auto found = eigenvalues(kit, 200);
+  const auto found = structure::whirl_eigenvalues(structure::full(kit), 200);
   for (std::size_t i = 0; i < std::size(printed); ++i) {
     const auto [wd, wn] = std::pair(printed[i][0], printed[i][1]);
     EXPECT_NEAR(found[i].imag(), wd, 1e-9 * wn) << i;
@@ -95,7 +95,8 @@ TEST(RossFile, IsTheTypedRotor) {
       ross_bearing(1, 6, "kxx = 1000000"));
   EXPECT_LT(difference(read, typed), 1e-12);
   for (const double speed : {0.0, 4000 * pi / 30}) {
-    const auto a = eigenvalues(read, speed), b = eigenvalues(typed, speed);
+    const auto a = structure::whirl_eigenvalues(structure::full(read), speed),
+               b = structure::whirl_eigenvalues(structure::full(typed), speed);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(a[i].imag(), b[i].imag(), 1e-11 * b[i].imag()) << i;
   }
 }

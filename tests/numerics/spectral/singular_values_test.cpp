@@ -23,5 +23,15 @@ TEST(SingularValues, LastColumnsAreNullVectorsOfASingularMatrix) {
   EXPECT_LE((a.transpose() * found.u.col(1)).norm(), 1e-15 * a.norm());
 }
 
+TEST(SingularValues, OfATallMatrixAreAsManyAsItsColumns) {
+  const MatrixXd a{{3, 0}, {0, 1}, {4, 0}};
+  const SingularValues found = singular_values(a);
+  ASSERT_EQ(found.values.size(), 2);
+  EXPECT_NEAR(found.values(0), 5, 1e-14);
+  EXPECT_NEAR(found.values(1), 1, 1e-14);
+  EXPECT_EQ(found.u.cols(), 2);
+  EXPECT_LE((found.u * found.values.asDiagonal() * found.v.transpose() - a).norm(), 1e-14);
+}
+
 }  // namespace
 }  // namespace rubsweep::numerics::spectral

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+#include <limits>
 
 namespace rubsweep::numerics::spectral {
 
@@ -15,7 +16,9 @@ dense::SelfAdjointModes<MatrixXcd> hermitian_modes(const MatrixXcd& a) {
 }
 
 VectorXd generalized_eigenvalues(const MatrixXd& a, const MatrixXd& b) {
-  return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(a, b, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(a, b, Eigen::EigenvaluesOnly);
+  if (solver.info() == Eigen::Success) return solver.eigenvalues();
+  return VectorXd::Constant(a.rows(), std::numeric_limits<double>::quiet_NaN());
 }
 
 MatrixXcd unitary_columns(const MatrixXcd& a, Eigen::Index count) {

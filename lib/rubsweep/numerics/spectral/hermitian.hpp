@@ -12,7 +12,8 @@ namespace rubsweep::numerics::spectral {
 /// As dense::self_adjoint_modes, of a Hermitian matrix.
 dense::SelfAdjointModes<Eigen::MatrixXcd> hermitian_modes(const Eigen::MatrixXcd& a);
 
-/// The w of a x = w b x with b positive definite, smallest first (GeneralizedSelfAdjointEigenSolver).
+/// The w of a x = w b x with b positive definite, smallest first (GeneralizedSelfAdjointEigenSolver); all NaN
+/// where the iteration does not converge.
 Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// As dense::orthonormal_columns, of a complex matrix.

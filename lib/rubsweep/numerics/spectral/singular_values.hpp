@@ -4,8 +4,8 @@
 
 namespace rubsweep::numerics::spectral {
 
-/// Singular value decomposition a = u diag(values) v^T of a square matrix (JacobiSVD), largest value first.
-/// Here so that Eigen's templates are compiled once.
+/// Singular value decomposition a = u diag(values) v^T (JacobiSVD), largest value first, with as many columns
+/// of u and v as there are values. Here so that Eigen's templates are compiled once.
 struct SingularValues {
   Eigen::MatrixXd u, v;
   Eigen::VectorXd values;

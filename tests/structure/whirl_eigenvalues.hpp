@@ -10,18 +10,18 @@
 #include "rubsweep/structure/beam_shaft.hpp"
 #include "rubsweep/structure/lateral_system.hpp"
 
-namespace rubsweep::config::machine {
+namespace rubsweep::structure {
 
 /// The rotor in all its coordinates.
-inline structure::LateralSystem full(const model::RotorKit& kit) {
-  const structure::BeamShaft shaft = structure::assemble_beam_shaft(kit, {});
+inline LateralSystem full(const model::RotorKit& kit) {
+  const BeamShaft shaft = assemble_beam_shaft(kit, {});
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(shaft.coordinates(), shaft.coordinates());
-  return structure::project(shaft, {identity, identity});
+  return project(shaft, {identity, identity});
 }
 
-/// Eigenvalues with a positive imaginary part, by it.
-inline std::vector<std::complex<double>> eigenvalues(const model::RotorKit& kit, double speed_rad_per_s) {
-  const structure::LateralSystem system = full(kit);
+/// Eigenvalues with a positive imaginary part at a shaft speed, by it: one of each pair of conjugates.
+inline std::vector<std::complex<double>> whirl_eigenvalues(const LateralSystem& system,
+                                                           double speed_rad_per_s) {
   const Eigen::Index n = system.coordinates();
   const numerics::dense::CholeskyFactors mass(system.mass);
   const auto normalised = [&](const Eigen::MatrixXd& matrix) {
@@ -43,4 +43,4 @@ inline std::vector<std::complex<double>> eigenvalues(const model::RotorKit& kit,
   return found;
 }
 
-}  // namespace rubsweep::config::machine
+}  // namespace rubsweep::structure
