@@ -119,25 +119,37 @@ diagnose::Cause by_rule(const diagnose::features::DescribedMotion& seen) {
 
 /// Largest share of one candidate among the cases of the priors that are most like the recording, each
 /// feature in units of its spread, and that candidate: tells whether the candidates differ in this recording
-/// at all.
+/// at all. Cases count by how likely they are as large as the recording; those that cannot be are none.
 std::pair<std::size_t, double> of_the_nearest(const diagnose::features::DescribedMotion& seen,
-                                              const diagnose::inference::Diagnosis& diagnosis,
-                                              std::size_t candidates) {
-  constexpr std::size_t nearest = 15;
+                                              const diagnose::inference::DiagnosisProblem& problem,
+                                              const diagnose::inference::Diagnosis& diagnosis) {
+  struct Near {
+    double distance = 0, density = 0;
+    std::size_t candidate = 0;
+  };
   const Eigen::MatrixXd& all = diagnosis.observed.features;
   const Eigen::RowVectorXd middle = all.colwise().mean(),
                            spread = (all.rowwise() - middle).array().square().colwise().mean().sqrt() + 1e-12;
   const Eigen::RowVectorXd here = values_of(seen.features).transpose();
-  std::vector<std::pair<double, std::size_t>> distances;
-  for (Eigen::Index i = 0; i < all.rows(); ++i)
-    if (!diagnosis.set.cases[static_cast<std::size_t>(i)].proposed)
-      distances.emplace_back(((all.row(i) - here).array() / spread.array()).square().sum(),
-                             diagnosis.set.cases[static_cast<std::size_t>(i)].candidate);
-  std::ranges::nth_element(distances, distances.begin() + nearest);
-  std::vector<double> count(candidates, 0.0);
-  for (std::size_t k = 0; k < nearest; ++k) count[distances[k].second] += 1.0 / nearest;
-  const auto most = std::ranges::max_element(count);
-  return {static_cast<std::size_t>(most - count.begin()), *most};
+  std::vector<Near> cases;
+  for (Eigen::Index i = 0; i < all.rows(); ++i) {
+    const diagnose::inference::SimulatedCase& one = diagnosis.set.cases[static_cast<std::size_t>(i)];
+    const double density = density_of_size(problem, one, diagnosis.observed.size_m(i), seen.size_m);
+    if (!one.proposed && density > 0)
+      cases.push_back(
+          {((all.row(i) - here).array() / spread.array()).square().sum(), density, one.candidate});
+  }
+  constexpr std::size_t most_near = 15;
+  const std::size_t near = std::min(most_near, cases.size());
+  std::ranges::partial_sort(cases, cases.begin() + static_cast<std::ptrdiff_t>(near), {}, &Near::distance);
+  std::vector<double> share(problem.candidates.size(), 0.0);
+  double sum = 0;
+  for (std::size_t k = 0; k < near; ++k) {
+    share[cases[k].candidate] += cases[k].density;
+    sum += cases[k].density;
+  }
+  const auto most = std::ranges::max_element(share);
+  return {static_cast<std::size_t>(most - share.begin()), sum > 0 ? *most / sum : 0};
 }
 
 /// Numbers that a Jeffcott rotor has.
@@ -173,7 +185,7 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
   const bool clipped = std::ranges::any_of(recording.findings, [](const std::string& finding) {
     return finding.find("clipped") != std::string::npos;
   });
-  const auto [nearest, share] = of_the_nearest(seen, diagnosis, problem.candidates.size());
+  const auto [nearest, share] = of_the_nearest(seen, problem, diagnosis);
   std::string line = fmt::format("{},{},{},{},{},{},{:.3f}", machine, truth.cause, truth.motion_class,
                                  truth.order, studied.sampling_rate_hz, studied.probes, studied.speed_ratio);
   for (const double p : diagnosis.posterior.probability) line += fmt::format(",{:.4f}", p);

@@ -112,6 +112,42 @@ void add_strongest(const HannEnergy& energy, Features& features) {
   }
 }
 
+/// Distance of an order to the next whole one.
+double off_whole(double order) { return std::abs(order - std::round(order)); }
+
+/// The strongest line between the multiples: the energy there that lies on none of its sidebands, at its
+/// order and whole ones, and its width. Both are small for a fraction or a torus, large for chaos and for
+/// several causes.
+void add_sidebands(const HannEnergy& energy, Features& features) {
+  int best = 0;
+  for (int k = energy.first(); k <= energy.last(); ++k)
+    if (between_multiples(energy, k, 2) && energy[k] > energy[best]) best = k;
+  const double fraction = off_whole(order_of_line(energy, best));
+  constexpr double reach_bins = 1.6;
+  constexpr int wide_bins = 6;
+  double all = 0, beside = 0, near = 0, narrow = 0;
+  for (int k = energy.first(); k <= energy.last(); ++k) {
+    if (!between_multiples(energy, k, 2)) continue;
+    const double off_band = off_whole(static_cast<double>(k) / energy.turns()) - fraction;
+    all += energy[k];
+    if (std::abs(off_band) * energy.turns() <= reach_bins) beside += energy[k];
+    if (std::abs(k - best) <= wide_bins) near += energy[k];
+    if (std::abs(k - best) <= 1) narrow += energy[k];
+  }
+  const bool seen = all > 10 * smallest_energy;
+  add(features, "energy off the sidebands of line 1", seen ? logarithm(1 - beside / all) : 0);
+  add(features, "width of line 1", seen ? logarithm(1 - narrow / near) : 0);
+}
+
+/// Even multiples over odd ones: what two equal sides do alike has no even ones.
+void add_parity(const HannEnergy& energy, Features& features) {
+  double even = 0, odd = 0;
+  constexpr int most_multiple = 7;
+  for (int order = 2; order <= most_multiple; ++order)
+    (order % 2 == 0 ? even : odd) += energy.near(order, 1) + energy.near(-order, 1);
+  add(features, "even over odd multiples", logarithm(even) - logarithm(odd));
+}
+
 /// A fifth of all lines are weaker than this.
 void add_noise(const HannEnergy& energy, Features& features) {
   std::vector<double> between;
@@ -182,6 +218,8 @@ Features line_features(const MotionLines& lines, bool plane) {
   add_fractions(energy, features);
   add_rest(energy, features);
   add_strongest(energy, features);
+  add_sidebands(energy, features);
+  add_parity(energy, features);
   add_noise(energy, features);
   if (plane) {
     add_phases(lines, features);

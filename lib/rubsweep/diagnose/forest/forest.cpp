@@ -11,13 +11,13 @@
 namespace rubsweep::diagnose::forest {
 
 Forest::Forest(const LabelledSamples& samples, const ForestOptions& options)
-    : features_(samples.features),
+    : discriminants_(samples),
+      features_(discriminants_.beside(samples.features)),
       label_(samples.label),
       classes_(samples.classes),
       threads_(options.threads) {
-  const BinnedFeatures bins = binned(samples.features);
-  const TreeOptions tree_options{std::max(1, static_cast<int>(samples.features.cols()) / 3),
-                                 options.least_leaf};
+  const BinnedFeatures bins = binned(features_);
+  const TreeOptions tree_options{std::max(1, static_cast<int>(features_.cols()) / 3), options.least_leaf};
   std::vector<std::optional<Tree>> grown(static_cast<std::size_t>(options.trees));
   batch::parallel_run(
       grown.size(), threads_,
@@ -44,7 +44,7 @@ Eigen::VectorXd Forest::weights(const Eigen::VectorXd& features, int without) co
 }
 
 Eigen::VectorXd Forest::posterior_weights(const Eigen::VectorXd& features) const {
-  return weights(features, -1);
+  return weights(discriminants_.beside(features.transpose()).transpose(), -1);
 }
 
 Eigen::VectorXd Forest::out_of_bag_weights(int sample) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rubsweep/diagnose/forest/linear_discriminants.hpp"
 #include "rubsweep/diagnose/forest/tree.hpp"
 
 namespace rubsweep::diagnose::forest {
@@ -17,7 +18,8 @@ struct ForestOptions {
 
 /// Random forest (Breiman 2001) as the kernel of approximate Bayesian computation: samples are drawn from
 /// priors, and those that share leaves with an observation are draws from its posterior, the candidate (Pudlo
-/// et al. 2016) and the numbers of the machine (Raynal et al. 2019) alike.
+/// et al. 2016) and the numbers of the machine (Raynal et al. 2019) alike. Linear discriminant functions of
+/// the labels stand beside the features, as Pudlo et al. advise.
 class Forest {
  public:
   Forest(const LabelledSamples& samples, const ForestOptions& options);
@@ -32,9 +34,11 @@ class Forest {
   Eigen::MatrixXd out_of_bag_probabilities() const;
 
  private:
+  /// `features`: with the discriminants.
   Eigen::VectorXd weights(const Eigen::VectorXd& features, int without) const;
 
-  Eigen::MatrixXd features_;
+  LinearDiscriminants discriminants_;
+  Eigen::MatrixXd features_;  ///< with the discriminants
   std::vector<int> label_;
   int classes_ = 0, threads_ = 0;
   std::vector<Tree> trees_;

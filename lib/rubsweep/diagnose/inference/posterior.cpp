@@ -119,26 +119,6 @@ double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, dou
   return low < high ? decades({low, high}) / decades(ratios) : 0;
 }
 
-/// Density of the logarithm of a case's size at that of the recording, over that of a size which goes by the
-/// candidate's clearances alone. These are drawn evenly in their logarithm: those that the size asks for
-/// count alike, others not at all. A quiet whirl counts by its whirl ratios. A known unbalance says the size
-/// of a case as well.
-double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
-                       double seen_size_m) {
-  const Candidate& candidate = problem.candidates[one.candidate];
-  const double clearance = clearance_m(problem, one, case_size_m, seen_size_m);
-  const Spread clearances = widened(candidate.clearance_m);
-  double density = inside(clearances, clearance) ? 1 : 0;
-  if (candidate.cause == Cause::no_rub)
-    density =
-        share_of_whirl_ratios(spread_of(candidate, Unknown::whirl_ratio), clearances,
-                              clearance * value_of(values_at(candidate, one.unit), Unknown::whirl_ratio));
-  if (!problem.eccentricity_m) return density;
-  const Spread eccentricities = widened(*problem.eccentricity_m);
-  if (!inside(eccentricities, one.motion.eccentricity_m * seen_size_m / case_size_m)) return 0;
-  return density * decades(clearances) / decades(eccentricities);
-}
-
 /// Rows that were drawn from the priors.
 Eigen::MatrixXd rows_of_priors(const CaseSet& set, const Eigen::MatrixXd& features) {
   std::vector<Eigen::Index> rows;
@@ -181,6 +161,22 @@ void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int thre
 double clearance_m(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
                    double seen_size_m) {
   return simulated_clearance_m(problem.candidates[one.candidate]) * seen_size_m / case_size_m;
+}
+
+double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
+                       double seen_size_m) {
+  const Candidate& candidate = problem.candidates[one.candidate];
+  const double clearance = clearance_m(problem, one, case_size_m, seen_size_m);
+  const Spread clearances = widened(candidate.clearance_m);
+  double density = inside(clearances, clearance) ? 1 : 0;
+  if (candidate.cause == Cause::no_rub)
+    density =
+        share_of_whirl_ratios(spread_of(candidate, Unknown::whirl_ratio), clearances,
+                              clearance * value_of(values_at(candidate, one.unit), Unknown::whirl_ratio));
+  if (!problem.eccentricity_m) return density;
+  const Spread eccentricities = widened(*problem.eccentricity_m);
+  if (!inside(eccentricities, one.motion.eccentricity_m * seen_size_m / case_size_m)) return 0;
+  return density * decades(clearances) / decades(eccentricities);
 }
 
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
