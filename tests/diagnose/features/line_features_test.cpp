@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
+#include "tones.hpp"
 #include "turned_lines.hpp"
 #include "value_of.hpp"
 
@@ -24,17 +26,34 @@ TEST(LineFeatures, AreSharesOfTheEnergy) {
 }
 
 TEST(LineFeatures, FindALineBetweenTwoBins) {
-  // A line at 0.43X over 30 turns, as a transform of its samples has it.
-  constexpr int turns = 30, n = 32;
-  std::vector<std::complex<double>> samples;
-  for (int j = 0; j < turns * n; ++j) {
-    const double angle = 2 * 3.14159265358979324 * j / n;
-    samples.push_back(std::polar(1.0, angle) + std::polar(0.5, 0.43 * angle));
-  }
-  response::spectrum::SpectrumWorkspace workspace;
-  const Features features = line_features(lines_of(samples, turns, 4, workspace), true);
+  const Features features = line_features(tones({{1, 1}, {0.43, 0.5}}), true);
   EXPECT_NEAR(value_of(features, "order of line 1 between multiples"), 0.43, 0.005);
   EXPECT_NEAR(std::pow(10, value_of(features, "energy of line 1 between multiples")), 0.2, 0.02);
+}
+
+TEST(LineFeatures, TellATorusFromTwoCauses) {
+  const std::vector<Tone> torus{{1, 1}, {0.43, 0.5}, {1.43, 0.2}, {0.57, 0.2}, {-0.43, 0.1}};
+  std::vector<Tone> causes = torus;
+  causes.push_back({0.22, 0.5});
+  const char* off = "energy off the sidebands of line 1";
+  EXPECT_LT(value_of(line_features(tones(torus), true), off), -2);
+  const double share = 0.25 / (0.25 + 0.25 + 0.04 + 0.04 + 0.01);
+  EXPECT_NEAR(value_of(line_features(tones(causes), true), off), std::log10(share), 0.1);
+}
+
+TEST(LineFeatures, TellALineFromABandOfLines) {
+  std::vector<Tone> band{{1, 1}, {0.43, 0.5}};
+  const double narrow = value_of(line_features(tones(band), true), "width of line 1");
+  for (const double beside : {-0.15, -0.1, 0.1, 0.15}) band.push_back({0.43 + beside, 0.35});
+  EXPECT_LT(narrow, -1);
+  EXPECT_GT(value_of(line_features(tones(band), true), "width of line 1"), -0.4);
+}
+
+TEST(LineFeatures, TellOddMultiplesFromEvenOnes) {
+  const char* parity = "even over odd multiples";
+  EXPECT_LT(value_of(line_features(tones({{1, 1}, {3, 0.2}, {-5, 0.1}}), true), parity), -5);
+  EXPECT_GT(value_of(line_features(tones({{1, 1}, {2, 0.2}, {-4, 0.1}}), true), parity), 5);
+  EXPECT_NEAR(value_of(line_features(tones({{1, 1}, {2, 0.2}, {3, 0.2}}), true), parity), 0, 1e-6);
 }
 
 TEST(LineFeatures, OfACircleHaveNothingBetweenMultiples) {

@@ -48,6 +48,15 @@ TEST(Forest, IsAsSureOfSamplesItDidNotDrawAsOfNewOnes) {
   EXPECT_LT(error / static_cast<double>(told.rows()), 0.08);
 }
 
+TEST(Forest, SeesWhatNoFeatureAloneTells) {
+  const LabelledSamples samples = slanting_clouds(300, 6);
+  const Eigen::MatrixXd told = Forest(samples, {}).out_of_bag_probabilities();
+  double right = 0;
+  for (Eigen::Index i = 0; i < told.rows(); ++i)
+    right += told(i, samples.label[static_cast<std::size_t>(i)]) / static_cast<double>(told.rows());
+  EXPECT_GT(right, 0.98);
+}
+
 TEST(Forest, DoesNotDependOnThreads) {
   const LabelledSamples samples = two_clouds(400, 5);
   const Eigen::Vector2d here(0.2, -0.1);

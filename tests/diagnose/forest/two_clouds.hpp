@@ -20,6 +20,16 @@ inline LabelledSamples two_clouds(int count, std::uint64_t seed) {
   return samples;
 }
 
+/// Two clouds that overlap in both features, and differ by 1 in the difference of these alone.
+inline LabelledSamples slanting_clouds(int count, std::uint64_t seed) {
+  LabelledSamples samples = two_clouds(count, seed);
+  for (int i = 0; i < count; ++i) {
+    const double common = 3 * samples.features(i, 1);
+    samples.features.row(i) << common + samples.label[static_cast<std::size_t>(i)], common;
+  }
+  return samples;
+}
+
 /// Probability of the second cloud by Bayes' theorem, which is weighted `odds` times the first.
 inline double second_cloud(double x, double odds = 1) { return 1 / (1 + std::exp(-2 * x) / odds); }
 

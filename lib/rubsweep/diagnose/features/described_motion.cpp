@@ -5,6 +5,7 @@
 #include <string>
 
 #include "rubsweep/diagnose/features/line_features.hpp"
+#include "rubsweep/diagnose/features/phase_features.hpp"
 #include "rubsweep/diagnose/features/waveform_features.hpp"
 
 namespace rubsweep::diagnose::features {
@@ -32,8 +33,9 @@ DescribedMotion describe(const MotionLines& lines, const View& view,
   const Eigen::VectorXcd waveform = waveform_of(lines, samples_of_a_turn, workspace);
   DescribedMotion motion{line_features(lines, view.plane), size_of(lines),
                          view.plane ? lopsided_direction(waveform) : 0};
-  const Features shape = view.plane ? orbit_features(waveform) : signal_features(waveform.real());
-  motion.features.insert(motion.features.end(), shape.begin(), shape.end());
+  for (const Features& further : {phase_features(lines, view.plane),
+                                  view.plane ? orbit_features(waveform) : signal_features(waveform.real())})
+    motion.features.insert(motion.features.end(), further.begin(), further.end());
   if (view.plane && view.directions) {
     add_direction("lopsided direction", motion.direction_rad, motion.features);
     // An ellipse a e^{i phi} + b e^{-i phi} is longest along half the angle of a b.

@@ -3,59 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <complex>
 #include <vector>
+
+#include "rubsweep/diagnose/features/hann_energy.hpp"
 
 namespace rubsweep::diagnose::features {
 namespace {
 
-using Complex = std::complex<double>;
-
 constexpr double smallest_energy = 1e-7;  ///< share below which energy counts as none
 constexpr int most_fraction = 5;          ///< 1/2 to 1/5
 
-/// Energy of every line as a Hann window sees it, as a share of all.
-class HannEnergy {
- public:
-  HannEnergy(const MotionLines& lines, bool plane)
-      : turns_(lines.turns), last_(lines.last()), first_(plane ? -last_ : 1) {
-    const double all = size_of(lines) * size_of(lines) * (plane ? 1 : 0.5);
-    share_.assign(static_cast<std::size_t>(2 * last_ + 1), 0);
-    for (int k = first_; k <= last_; ++k) {
-      if (k == 0) continue;
-      const auto line = [&](int j) { return j == 0 || std::abs(j) > last_ ? Complex(0) : lines.at(j); };
-      // The window keeps 3/8 of the energy of a line amidst a bin.
-      share_[index(k)] = std::norm(line(k) / 2.0 - (line(k - 1) + line(k + 1)) / 4.0) * 8 / 3 / all;
-    }
-  }
-
-  int first() const { return first_; }
-  int last() const { return last_; }
-  int turns() const { return turns_; }
-  double operator[](int k) const { return k < first_ || k > last_ ? 0 : share_[index(k)]; }
-
-  double near(double order, int bins) const {
-    const int middle = static_cast<int>(std::lround(order * turns_));
-    double sum = 0;
-    for (int k = middle - bins; k <= middle + bins; ++k) sum += (*this)[k];
-    return sum;
-  }
-
- private:
-  std::size_t index(int k) const { return static_cast<std::size_t>(k + last_); }
-  int turns_, last_, first_;
-  std::vector<double> share_;
-};
-
 double logarithm(double share) { return std::log10(std::max(share, smallest_energy)); }
-
-/// Whether a line is apart from all multiples of the shaft speed, 0X included.
-bool between_multiples(const HannEnergy& energy, int k, int bins) {
-  const double order = static_cast<double>(k) / energy.turns();
-  return std::abs(k - std::lround(order) * energy.turns()) > bins;
-}
 
 void add_multiples(const HannEnergy& energy, bool plane, Features& features) {
   for (int order = plane ? -4 : 1; order <= 5; ++order)
@@ -86,24 +45,11 @@ void add_rest(const HannEnergy& energy, Features& features) {
   add(features, "energy below 1X", logarithm(slow));
 }
 
-/// Order of the line by the parabola through the logarithms of its energy and those beside it.
-double order_of_line(const HannEnergy& energy, int k) {
-  const auto height = [&](int j) { return std::log(std::max(energy[j], 1e-300)); };
-  const double left = height(k - 1), middle = height(k), right = height(k + 1),
-               bend = left - 2 * middle + right;
-  const double shift = bend < 0 ? std::clamp((left - right) / (2 * bend), -0.5, 0.5) : 0;
-  return (k + shift) / energy.turns();
-}
-
 /// The two strongest lines between the multiples.
 void add_strongest(const HannEnergy& energy, Features& features) {
   std::vector<int> found;
   for (int rank = 1; rank <= 2; ++rank) {
-    int best = 0;
-    for (int k = energy.first(); k <= energy.last(); ++k) {
-      const bool taken = std::ranges::any_of(found, [&](int other) { return std::abs(k - other) <= 2; });
-      if (between_multiples(energy, k, 2) && !taken && energy[k] > energy[best]) best = k;
-    }
+    const int best = strongest_between_multiples(energy, found);
     const double share = best == 0 ? 0 : energy[best - 1] + energy[best] + energy[best + 1];
     add(features, fmt::format("order of line {} between multiples", rank),
         share > 10 * smallest_energy ? order_of_line(energy, best) : 0);
@@ -119,9 +65,7 @@ double off_whole(double order) { return std::abs(order - std::round(order)); }
 /// order and whole ones, and its width. Both are small for a fraction or a torus, large for chaos and for
 /// several causes.
 void add_sidebands(const HannEnergy& energy, Features& features) {
-  int best = 0;
-  for (int k = energy.first(); k <= energy.last(); ++k)
-    if (between_multiples(energy, k, 2) && energy[k] > energy[best]) best = k;
+  const int best = strongest_between_multiples(energy, {});
   const double fraction = off_whole(order_of_line(energy, best));
   constexpr double reach_bins = 1.6;
   constexpr int wide_bins = 6;
@@ -158,57 +102,6 @@ void add_noise(const HannEnergy& energy, Features& features) {
   add(features, "noise", std::log10(std::max(*fifth, 1e-14)));
 }
 
-/// Orders a + b = c + d (times 2): the phase of A_a A_b / (A_c A_d) does not change when the motion is turned
-/// or recorded from another mark.
-struct PhaseRelation {
-  std::array<int, 2> gained, lost;
-};
-constexpr std::array plane_relations{PhaseRelation{{6, -2}, {2, 2}},  PhaseRelation{{4, -2}, {-4, 6}},
-                                     PhaseRelation{{4, -4}, {2, -2}}, PhaseRelation{{4, 4}, {2, 6}},
-                                     PhaseRelation{{1, 3}, {2, 2}},   PhaseRelation{{-1, 3}, {1, 1}},
-                                     PhaseRelation{{1, -1}, {2, -2}}};
-
-/// The phase as a point inside the unit circle, which is nearer to the middle where the lines are weak.
-void add_phases(const MotionLines& lines, Features& features) {
-  const double size = size_of(lines);
-  const auto line = [&](int half_orders) {
-    const int twice = half_orders * lines.turns, k = twice / 2;
-    return twice % 2 != 0 || std::abs(k) > lines.last() ? Complex(0) : lines.at(k);
-  };
-  constexpr double visible = 0.01;  // of the size: half of the length of a phase's arrow
-  const auto arrow = [&](int half_orders) {
-    const Complex a = line(half_orders);
-    return a / (std::abs(a) + visible * size);
-  };
-  for (const PhaseRelation& r : plane_relations) {
-    const Complex phase =
-        arrow(r.gained[0]) * arrow(r.gained[1]) * std::conj(arrow(r.lost[0]) * arrow(r.lost[1]));
-    const std::string name =
-        fmt::format("phase of {}/2, {}/2 to {}/2, {}/2", r.gained[0], r.gained[1], r.lost[0], r.lost[1]);
-    add(features, name + ", cosine", phase.real());
-    add(features, name + ", sine", phase.imag());
-  }
-}
-
-/// The same of one probe: A_b / A_a^m, where b = m a.
-void add_phases_of_one_probe(const MotionLines& lines, Features& features) {
-  const double size = size_of(lines);
-  struct Relation {
-    int half_orders, times, of;
-  };
-  for (const Relation r : {Relation{4, 2, 2}, {6, 3, 2}, {2, 2, 1}, {3, 3, 1}, {8, 4, 2}}) {
-    const auto arrow = [&](int half_orders) {
-      const int twice = half_orders * lines.turns, k = twice / 2;
-      const Complex a = twice % 2 != 0 || k > lines.last() ? Complex(0) : lines.at(k);
-      return a / (std::abs(a) + 0.01 * size);
-    };
-    const Complex phase = arrow(r.half_orders) * std::conj(std::pow(arrow(r.of), r.times));
-    const std::string name = fmt::format("phase of {}/2 to {} times {}/2", r.half_orders, r.times, r.of);
-    add(features, name + ", cosine", phase.real());
-    add(features, name + ", sine", phase.imag());
-  }
-}
-
 }  // namespace
 
 Features line_features(const MotionLines& lines, bool plane) {
@@ -221,11 +114,6 @@ Features line_features(const MotionLines& lines, bool plane) {
   add_sidebands(energy, features);
   add_parity(energy, features);
   add_noise(energy, features);
-  if (plane) {
-    add_phases(lines, features);
-  } else {
-    add_phases_of_one_probe(lines, features);
-  }
   return features;
 }
 

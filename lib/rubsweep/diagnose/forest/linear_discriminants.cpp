@@ -35,6 +35,9 @@ Eigen::MatrixXd covariance_within(const LabelledSamples& samples, const Eigen::M
 }  // namespace
 
 LinearDiscriminants::LinearDiscriminants(const LabelledSamples& samples) {
+  constexpr Eigen::Index samples_of_a_feature = 10;
+  axes_.resize(samples.features.cols(), 0);
+  if (samples.features.rows() < samples_of_a_feature * samples.features.cols()) return;
   constexpr double least_deviation = 1e-9;
   middle_ = samples.features.colwise().mean();
   deviation_ =
@@ -54,6 +57,7 @@ Eigen::MatrixXd LinearDiscriminants::standard(const Eigen::MatrixXd& features) c
 }
 
 Eigen::MatrixXd LinearDiscriminants::beside(const Eigen::MatrixXd& features) const {
+  if (axes_.cols() == 0) return features;
   Eigen::MatrixXd both(features.rows(), features.cols() + axes_.cols());
   both << features, standard(features) * axes_;
   return both;

@@ -8,7 +8,8 @@ namespace rubsweep::diagnose::forest {
 
 /// Linear discriminant functions of labelled samples (Fisher 1936): for every label the projection of the
 /// features on the inverse of the covariance within the labels times their mean under this label. Features
-/// count in units of their standard deviation, up to four of them.
+/// count in units of their standard deviation, up to four of them. Where there are fewer than ten samples for
+/// each feature there are none: they would separate these samples and no others.
 class LinearDiscriminants {
  public:
   explicit LinearDiscriminants(const LabelledSamples& samples);
