@@ -22,7 +22,7 @@ constexpr std::array plane_relations{PhaseRelation{{6, -2}, {2, 2}},  PhaseRelat
                                      PhaseRelation{{1, 3}, {2, 2}},   PhaseRelation{{-1, 3}, {1, 1}},
                                      PhaseRelation{{1, -1}, {2, -2}}};
 
-/// Of two probes.
+/// Phases of forward and backward lines, which two probes tell.
 void add_phases(const MotionLines& lines, Features& features) {
   const double size = size_of(lines);
   const auto line = [&](int half_orders) {

@@ -44,7 +44,7 @@ LinearDiscriminants::LinearDiscriminants(const LabelledSamples& samples) {
       (samples.features.rowwise() - middle_).array().square().colwise().mean().sqrt() + least_deviation;
   const Eigen::MatrixXd rows = standard(samples.features), mean = means_of(samples, rows);
   Eigen::MatrixXd covariance = covariance_within(samples, rows, mean);
-  // Of few samples, or of features that depend on each other, it would be singular.
+  // The covariance of features that depend on each other is singular.
   constexpr double ridge = 0.01;
   covariance.diagonal().array() += ridge;
   axes_ = numerics::dense::CholeskyFactors(covariance).solve(Eigen::MatrixXd(mean.transpose()));
