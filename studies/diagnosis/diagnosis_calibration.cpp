@@ -22,6 +22,7 @@
 #include "foreign_motion.hpp"
 #include "rubsweep/dataset/labelled_recording.hpp"
 #include "rubsweep/dataset/readings.hpp"
+#include "rubsweep/diagnose/inference/density_of_size.hpp"
 #include "rubsweep/diagnose/inference/diagnosis.hpp"
 #include "rubsweep/diagnose/inference/quantity.hpp"
 #include "rubsweep/recording/recording.hpp"

@@ -1,6 +1,5 @@
 #include "rubsweep/diagnose/inference/posterior.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <complex>
@@ -13,6 +12,7 @@
 #include "rubsweep/diagnose/draw_purpose.hpp"
 #include "rubsweep/diagnose/forest/forest.hpp"
 #include "rubsweep/diagnose/forest/novelty.hpp"
+#include "rubsweep/diagnose/inference/density_of_size.hpp"
 #include "rubsweep/diagnose/inference/other_cause.hpp"
 
 namespace rubsweep::diagnose::inference {
@@ -20,9 +20,6 @@ namespace {
 
 /// Share of each candidate that a forest of so many cases cannot tell from none.
 constexpr double least_probability = 1e-3;
-
-/// Least width of an interval in which a length may lie: cases have any size, and must find place in it.
-constexpr double least_decades = 0.08;
 
 /// Probabilities to a power.
 Eigen::RowVectorXd sharpened(const Eigen::RowVectorXd& probability, double power) {
@@ -102,23 +99,6 @@ forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSe
   return samples;
 }
 
-bool inside(const Spread& spread, double value) { return value >= spread.low && value <= spread.high; }
-
-double decades(const Spread& spread) { return std::log10(spread.high / spread.low); }
-
-Spread widened(const Spread& spread) {
-  const double factor = std::pow(10, std::max(0.0, least_decades - decades(spread)) / 2);
-  return {spread.low / factor, spread.high * factor, true};
-}
-
-/// Share of the whirl ratios at which a quiet whirl of this radius is one in a clearance of the range. Its
-/// shape is the same at all of them.
-double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, double radius_m) {
-  const double low = std::max(ratios.low, radius_m / clearances.high),
-               high = std::min(ratios.high, radius_m / clearances.low);
-  return low < high ? decades({low, high}) / decades(ratios) : 0;
-}
-
 /// Rows that were drawn from the priors.
 Eigen::MatrixXd rows_of_priors(const CaseSet& set, const Eigen::MatrixXd& features) {
   std::vector<Eigen::Index> rows;
@@ -156,27 +136,6 @@ void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int thre
     observed.direction_rad(row) = seen[k].seen.direction_rad;
     observed.probe_angle_rad(row) = seen[k].probe_angle_rad;
   }
-}
-
-double clearance_m(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
-                   double seen_size_m) {
-  return simulated_clearance_m(problem.candidates[one.candidate]) * seen_size_m / case_size_m;
-}
-
-double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
-                       double seen_size_m) {
-  const Candidate& candidate = problem.candidates[one.candidate];
-  const double clearance = clearance_m(problem, one, case_size_m, seen_size_m);
-  const Spread clearances = widened(candidate.clearance_m);
-  double density = inside(clearances, clearance) ? 1 : 0;
-  if (candidate.cause == Cause::no_rub)
-    density =
-        share_of_whirl_ratios(spread_of(candidate, Unknown::whirl_ratio), clearances,
-                              clearance * value_of(values_at(candidate, one.unit), Unknown::whirl_ratio));
-  if (!problem.eccentricity_m) return density;
-  const Spread eccentricities = widened(*problem.eccentricity_m);
-  if (!inside(eccentricities, one.motion.eccentricity_m * seen_size_m / case_size_m)) return 0;
-  return density * decades(clearances) / decades(eccentricities);
 }
 
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
