@@ -9,7 +9,8 @@ CANDIDATES = ("no_rub", "one_side", "two_sides", "annular", "annular_offset")
 NONE = "none"
 PARTS = 5  # of the unit interval, in which ranks are counted
 
-# Share of the nearest cases that are of one candidate, from which candidates differ in a recording.
+# Share of one candidate among the nearest cases, by how likely each is as large as the recording, from which candidates
+# differ in it.
 TELLING = 0.79
 
 

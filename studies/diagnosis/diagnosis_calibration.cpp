@@ -121,9 +121,9 @@ diagnose::Cause by_rule(const diagnose::features::DescribedMotion& seen) {
 /// Largest share of one candidate among the cases of the priors that are most like the recording, each
 /// feature in units of its spread, and that candidate: tells whether the candidates differ in this recording
 /// at all. Cases count by how likely they are as large as the recording; those that cannot be are none.
-std::pair<std::size_t, double> of_the_nearest(const diagnose::features::DescribedMotion& seen,
-                                              const diagnose::inference::DiagnosisProblem& problem,
-                                              const diagnose::inference::Diagnosis& diagnosis) {
+std::pair<std::size_t, double> nearest_candidate(const diagnose::features::DescribedMotion& seen,
+                                                 const diagnose::inference::DiagnosisProblem& problem,
+                                                 const diagnose::inference::Diagnosis& diagnosis) {
   struct Near {
     double distance = 0, density = 0;
     std::size_t candidate = 0;
@@ -186,7 +186,7 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
   const bool clipped = std::ranges::any_of(recording.findings, [](const std::string& finding) {
     return finding.find("clipped") != std::string::npos;
   });
-  const auto [nearest, share] = of_the_nearest(seen, problem, diagnosis);
+  const auto [nearest, share] = nearest_candidate(seen, problem, diagnosis);
   std::string line = fmt::format("{},{},{},{},{},{},{:.3f}", machine, truth.cause, truth.motion_class,
                                  truth.order, studied.sampling_rate_hz, studied.probes, studied.speed_ratio);
   for (const double p : diagnosis.posterior.probability) line += fmt::format(",{:.4f}", p);
