@@ -35,7 +35,7 @@ TEST(LineFeatures, TellATorusFromTwoCauses) {
   const std::vector<Tone> torus{{1, 1}, {0.43, 0.5}, {1.43, 0.2}, {0.57, 0.2}, {-0.43, 0.1}};
   std::vector<Tone> causes = torus;
   causes.push_back({0.22, 0.5});
-  const char* off = "energy off the sidebands of line 1";
+  const char* off = "energy off the sidebands of line 1 between multiples";
   EXPECT_LT(value_of(line_features(tones(torus), true), off), -2);
   const double share = 0.25 / (0.25 + 0.25 + 0.04 + 0.04 + 0.01);
   EXPECT_NEAR(value_of(line_features(tones(causes), true), off), std::log10(share), 0.1);
@@ -43,10 +43,10 @@ TEST(LineFeatures, TellATorusFromTwoCauses) {
 
 TEST(LineFeatures, TellALineFromABandOfLines) {
   std::vector<Tone> band{{1, 1}, {0.43, 0.5}};
-  const double narrow = value_of(line_features(tones(band), true), "width of line 1");
+  const double narrow = value_of(line_features(tones(band), true), "width of line 1 between multiples");
   for (const double beside : {-0.15, -0.1, 0.1, 0.15}) band.push_back({0.43 + beside, 0.35});
   EXPECT_LT(narrow, -1);
-  EXPECT_GT(value_of(line_features(tones(band), true), "width of line 1"), -0.4);
+  EXPECT_GT(value_of(line_features(tones(band), true), "width of line 1 between multiples"), -0.4);
 }
 
 TEST(LineFeatures, TellOddMultiplesFromEvenOnes) {

@@ -79,8 +79,9 @@ void add_sidebands(const HannEnergy& energy, Features& features) {
     if (std::abs(k - best) <= 1) narrow += energy[k];
   }
   const bool seen = all > 10 * smallest_energy;
-  add(features, "energy off the sidebands of line 1", seen ? logarithm(1 - beside / all) : 0);
-  add(features, "width of line 1", seen ? logarithm(1 - narrow / near) : 0);
+  add(features, "energy off the sidebands of line 1 between multiples",
+      seen ? logarithm(1 - beside / all) : 0);
+  add(features, "width of line 1 between multiples", seen ? logarithm(1 - narrow / near) : 0);
 }
 
 /// Even multiples over odd ones: what two equal sides do alike has no even ones.
