@@ -30,10 +30,10 @@ def print_firsts(calibration):
 
 
 def print_ranks(calibration):
-    print("ranks of true numbers in five equal parts, and chi-square of 4 degrees (9.5 at 5 %):")
+    print("ranks of true numbers in five equal parts, chi-square of 4 degrees (9.5 at 5 %), and share in the intervals of 95 %:")
     for name in calibration.rank_names():
         counts = calibration.ranks(name)
-        print(f"  {name.removeprefix('rank_of_'):<22} {counts}  {chi_square(counts):.1f}")
+        print(f"  {name.removeprefix('rank_of_'):<22} {counts}  {chi_square(counts):.1f}  {calibration.inside(name):.3f}")
 
 
 def main():

@@ -1,5 +1,6 @@
 """Calibration of probabilities: how often statements are right, and what they say of each truth."""
 
+import random
 from collections import Counter, defaultdict
 from dataclasses import dataclass
 
@@ -36,7 +37,7 @@ class Calibration:
 
     @classmethod
     def of_tables(cls, paths):
-        return cls(row for path in paths for row in csv_table.read_table(path, "truth", "none", "rule", "share_of_nearest", *CANDIDATES))
+        return cls(row for path in paths for row in csv_table.read_table(path, "truth", "none", "rule", "share_of_nearest", "effective_cases", *CANDIDATES))
 
     def statements(self):
         """From the least likely tenth to the likeliest; a tenth without any is left out."""
@@ -62,12 +63,26 @@ class Calibration:
     def rank_names(self):
         return [name for name in self.rows[0] if name.startswith("rank_of_")]
 
-    def ranks(self, name):
-        """How many true numbers lie in each part of their posterior distribution. No rub has none."""
-        ranks = [float(row[name]) for row in self.rows if row[name] and row["truth"] != "no_rub"]
+    def places(self, name):
+        """Shares of the posterior distributions below the true numbers, each with its number of equal cases. No rub has none."""
+        places = ((float(row[name]), float(row["effective_cases"])) for row in self.rows if row[name] and row["truth"] != "no_rub")
         # A candidate whose cases weigh nothing says nothing of its numbers.
-        ranks = [rank for rank in ranks if rank == rank]
+        return [(share, cases) for share, cases in places if share == share]
+
+    def ranks(self, name):
+        """How many true numbers lie in each part of their posterior distribution.
+
+        Among n equal cases a number has n + 1 places, which share the unit interval; it is anywhere in its own.
+        """
+        anywhere = random.Random(name)
+        ranks = [(cases * share + anywhere.random()) / (cases + 1) for share, cases in self.places(name)]
         return [sum(min(PARTS - 1, int(PARTS * rank)) == part for rank in ranks) for part in range(PARTS)]
+
+    def inside(self, name, probability=0.95):
+        """Share of the true numbers that lie in the interval that is said to hold them with this probability."""
+        outside = (1 - probability) / 2
+        places = self.places(name)
+        return sum(outside <= share <= 1 - outside for share, _ in places) / len(places) if places else 0.0
 
 
 def probabilities(row):

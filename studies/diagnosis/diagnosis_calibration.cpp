@@ -167,6 +167,7 @@ void print_header() {
   line += ",none,p_value,rounds,sharpness,motions,rule,nearest,share_of_nearest";
   for (const diagnose::Cause cause : diagnose::all_causes)
     line += fmt::format(",{}_before_rounds", to_string(cause));
+  line += ",effective_cases";
   for (const Quantity quantity : asked_quantities())
     line += fmt::format(",rank_of_{}", diagnose::inference::to_string(quantity));
   fmt::print("{}\n", line);
@@ -179,10 +180,39 @@ struct Truth {
   const dataset::LabelledRecording* labelled = nullptr;
 };
 
+/// How likely the posterior of the true candidate says that numbers are smaller than they are.
+struct TrueRanks {
+  double effective_cases = 0;  ///< equal ones that the weights of its cases count for (Kish 1965)
+  std::vector<double> rank{};  ///< of asked_quantities()
+};
+
+/// Equal values, as of a contact that never ends, have any rank among each other.
+TrueRanks ranks_of(const diagnose::inference::DiagnosisProblem& problem,
+                   const diagnose::features::DescribedMotion& seen,
+                   const diagnose::inference::Diagnosis& diagnosis, const Truth& truth,
+                   std::mt19937_64& random) {
+  Eigen::VectorXd weight = diagnosis.posterior.weight;
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != *truth.candidate) weight(i) = 0;
+  TrueRanks ranks{.effective_cases = weight.sum() * weight.sum() / weight.squaredNorm()};
+  for (const Quantity quantity : asked_quantities()) {
+    const Eigen::VectorXd values =
+        values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
+    const double value = truth_of(*truth.labelled, quantity);
+    constexpr double equal = 1e-6;
+    const auto below = [&](double x) {
+      return diagnose::inference::share_below(values, weight, x, quantity == Quantity::stop_angle);
+    };
+    const double from = below(value - equal * std::abs(value)), to = below(value + equal * std::abs(value));
+    ranks.rank.push_back(std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random));
+  }
+  return ranks;
+}
+
 void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& studied,
                const recording::Recording& recording, const diagnose::inference::DiagnosisProblem& problem,
                const diagnose::features::DescribedMotion& seen,
-               const diagnose::inference::Diagnosis& diagnosis, std::mt19937_64& ranks_of_equals) {
+               const diagnose::inference::Diagnosis& diagnosis, std::mt19937_64& random_ranks) {
   const bool clipped = std::ranges::any_of(recording.findings, [](const std::string& finding) {
     return finding.find("clipped") != std::string::npos;
   });
@@ -196,25 +226,12 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
                       share);
   for (const double p : diagnosis.history.front()) line += fmt::format(",{:.4f}", p);
   if (truth.candidate) {
-    Eigen::VectorXd weight = diagnosis.posterior.weight;
-    for (Eigen::Index i = 0; i < weight.size(); ++i)
-      if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != *truth.candidate) weight(i) = 0;
-    for (const Quantity quantity : asked_quantities()) {
-      const Eigen::VectorXd values =
-          values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
-      const double value = truth_of(*truth.labelled, quantity);
-      // Equal values, as of a contact that never ends, have any rank among each other.
-      constexpr double equal = 1e-6;
-      const auto below = [&](double x) {
-        return diagnose::inference::share_below(values, weight, x, quantity == Quantity::stop_angle);
-      };
-      const double from = below(value - equal * std::abs(value)), to = below(value + equal * std::abs(value));
-      line += fmt::format(",{:.4f}", std::uniform_real_distribution<double>(
-                                         from, std::max(from, to) + 1e-12)(ranks_of_equals));
-    }
+    const TrueRanks ranks = ranks_of(problem, seen, diagnosis, truth, random_ranks);
+    line += fmt::format(",{:.1f}", ranks.effective_cases);
+    for (const double rank : ranks.rank) line += fmt::format(",{:.4f}", rank);
   }
   // Recordings of no candidate have no ranks.
-  if (!truth.candidate) line.append(asked_quantities().size(), ',');
+  if (!truth.candidate) line.append(asked_quantities().size() + 1, ',');
   fmt::print("{}\n", line);
   std::fflush(stdout);
 }
@@ -252,12 +269,12 @@ void run(std::size_t machine, std::uint64_t seed, int cases, int rounds) {
   options.most_rounds = rounds;
   options.with_standard_error = false;
   const diagnose::inference::CaseSet set = prior_cases(problem, options.cases);
-  std::mt19937_64 ranks_of_equals(~(seed * 1'000'003 + machine));
+  std::mt19937_64 random_ranks(~(seed * 1'000'003 + machine));
   const auto answer = [&](const dataset::LabelledRecording& labelled, const Truth& truth) {
     const recording::Recording recording = measured(labelled);
     const diagnose::features::DescribedMotion seen = seen_in(recording, problem);
     print_row(machine, truth, studied, recording, problem, seen,
-              diagnose::inference::diagnose(problem, seen, options, set), ranks_of_equals);
+              diagnose::inference::diagnose(problem, seen, options, set), random_ranks);
   };
   constexpr std::size_t recordings_per_candidate = 2, foreign_recordings = 2;
   for (std::size_t k = 0; k < recordings_per_candidate * problem.candidates.size(); ++k) {
