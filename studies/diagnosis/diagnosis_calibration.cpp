@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "foreign_motion.hpp"
+#include "nearest_candidate.hpp"
 #include "rubsweep/dataset/labelled_recording.hpp"
 #include "rubsweep/dataset/readings.hpp"
-#include "rubsweep/diagnose/inference/density_of_size.hpp"
 #include "rubsweep/diagnose/inference/diagnosis.hpp"
 #include "rubsweep/diagnose/inference/quantity.hpp"
 #include "rubsweep/recording/recording.hpp"
@@ -118,41 +118,6 @@ diagnose::Cause by_rule(const diagnose::features::DescribedMotion& seen) {
   return second > third ? diagnose::Cause::one_side : diagnose::Cause::two_sides;
 }
 
-/// Largest share of one candidate among the cases of the priors that are most like the recording, each
-/// feature in units of its spread, and that candidate: tells whether the candidates differ in this recording
-/// at all. Cases count by how likely they are as large as the recording; those that cannot be are none.
-std::pair<std::size_t, double> nearest_candidate(const diagnose::features::DescribedMotion& seen,
-                                                 const diagnose::inference::DiagnosisProblem& problem,
-                                                 const diagnose::inference::Diagnosis& diagnosis) {
-  struct Near {
-    double distance = 0, density = 0;
-    std::size_t candidate = 0;
-  };
-  const Eigen::MatrixXd& all = diagnosis.observed.features;
-  const Eigen::RowVectorXd middle = all.colwise().mean(),
-                           spread = (all.rowwise() - middle).array().square().colwise().mean().sqrt() + 1e-12;
-  const Eigen::RowVectorXd here = values_of(seen.features).transpose();
-  std::vector<Near> cases;
-  for (Eigen::Index i = 0; i < all.rows(); ++i) {
-    const diagnose::inference::SimulatedCase& one = diagnosis.set.cases[static_cast<std::size_t>(i)];
-    const double density = density_of_size(problem, one, diagnosis.observed.size_m(i), seen.size_m);
-    if (!one.proposed && density > 0)
-      cases.push_back(
-          {((all.row(i) - here).array() / spread.array()).square().sum(), density, one.candidate});
-  }
-  constexpr std::size_t most_near = 15;
-  const std::size_t near = std::min(most_near, cases.size());
-  std::ranges::partial_sort(cases, cases.begin() + static_cast<std::ptrdiff_t>(near), {}, &Near::distance);
-  std::vector<double> share(problem.candidates.size(), 0.0);
-  double sum = 0;
-  for (std::size_t k = 0; k < near; ++k) {
-    share[cases[k].candidate] += cases[k].density;
-    sum += cases[k].density;
-  }
-  const auto most = std::ranges::max_element(share);
-  return {static_cast<std::size_t>(most - share.begin()), sum > 0 ? *most / sum : 0};
-}
-
 /// Numbers that a Jeffcott rotor has.
 std::vector<Quantity> asked_quantities() {
   std::vector<Quantity> asked;
@@ -216,7 +181,7 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
   const bool clipped = std::ranges::any_of(recording.findings, [](const std::string& finding) {
     return finding.find("clipped") != std::string::npos;
   });
-  const auto [nearest, share] = nearest_candidate(seen, problem, diagnosis);
+  const auto [nearest, share] = diagnose::nearest_candidate(seen, problem, diagnosis);
   std::string line = fmt::format("{},{},{},{},{},{},{:.3f}", machine, truth.cause, truth.motion_class,
                                  truth.order, studied.sampling_rate_hz, studied.probes, studied.speed_ratio);
   for (const double p : diagnosis.posterior.probability) line += fmt::format(",{:.4f}", p);

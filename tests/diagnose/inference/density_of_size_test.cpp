@@ -11,8 +11,8 @@ namespace {
 
 constexpr double case_size_m = 1e-4;
 
-/// Of a case of the candidate with these numbers in the middle of their ranges, whose clearance would have to
-/// be this one.
+/// Density of a case of the candidate whose clearance would have to be this one. Its numbers stand in the
+/// middle of their ranges.
 double density_at(const DiagnosisProblem& problem, std::size_t candidate, double clearance,
                   double eccentricity_m = 0) {
   SimulatedCase one{.candidate = candidate};

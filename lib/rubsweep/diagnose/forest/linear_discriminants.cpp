@@ -25,9 +25,10 @@ Eigen::MatrixXd means_of(const LabelledSamples& samples, const Eigen::MatrixXd& 
 /// Weighted covariance of the rows about the means of their labels.
 Eigen::MatrixXd covariance_within(const LabelledSamples& samples, const Eigen::MatrixXd& rows,
                                   const Eigen::MatrixXd& mean) {
+  const double all = samples.weight.sum();
   Eigen::MatrixXd scaled(rows.rows(), rows.cols());
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
-    scaled.row(i) = std::sqrt(samples.weight(i) / samples.weight.sum()) *
+    scaled.row(i) = std::sqrt(samples.weight(i) / all) *
                     (rows.row(i) - mean.row(samples.label[static_cast<std::size_t>(i)]));
   return scaled.transpose() * scaled;
 }
