@@ -37,7 +37,7 @@ class Calibration:
 
     @classmethod
     def of_tables(cls, paths):
-        return cls(row for path in paths for row in csv_table.read_table(path, "truth", "none", "rule", "share_of_nearest", "effective_cases", *CANDIDATES))
+        return cls(row for path in paths for row in csv_table.read_table(path, "truth", "none", "rule", "share_of_nearest", *CANDIDATES))
 
     def statements(self):
         """From the least likely tenth to the likeliest; a tenth without any is left out."""
@@ -64,8 +64,12 @@ class Calibration:
         return [name for name in self.rows[0] if name.startswith("rank_of_")]
 
     def places(self, name):
-        """Shares of the posterior distributions below the true numbers, each with its number of equal cases. No rub has none."""
-        places = ((float(row[name]), float(row["effective_cases"])) for row in self.rows if row[name] and row["truth"] != "no_rub")
+        """Shares of the posterior distributions below the true numbers, each with its number of equal cases. No rub has none.
+
+        A table that does not tell these numbers is taken to have many.
+        """
+        rows = (row for row in self.rows if row[name] and row["truth"] != "no_rub")
+        places = ((float(row[name]), float(row.get("effective_cases") or "inf")) for row in rows)
         # A candidate whose cases weigh nothing says nothing of its numbers.
         return [(share, cases) for share, cases in places if share == share]
 
@@ -75,7 +79,7 @@ class Calibration:
         Among n equal cases a number has n + 1 places, which share the unit interval; it is anywhere in its own.
         """
         anywhere = random.Random(name)
-        ranks = [(cases * share + anywhere.random()) / (cases + 1) for share, cases in self.places(name)]
+        ranks = [share + (anywhere.random() - share) / (cases + 1) for share, cases in self.places(name)]
         return [sum(min(PARTS - 1, int(PARTS * rank)) == part for rank in ranks) for part in range(PARTS)]
 
     def inside(self, name, probability=0.95):

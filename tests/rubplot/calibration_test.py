@@ -45,6 +45,10 @@ class CalibrationTest(figures.FigureTest):
         self.assertLess(chi_square(found.ranks("rank_of_clearance_m")), 18.5)  # a chance of 0.1 %
         self.assertEqual(found.inside("rank_of_clearance_m"), 0.5)
 
+    def test_ranks_of_an_older_table_are_its_shares(self):
+        rows = (row("one_side", 1, 0, place, cases="") for place in (0.1, 0.3, 0.5, 0.7, 0.9))
+        self.assertEqual(self.calibration(*rows).ranks("rank_of_clearance_m"), [1, 1, 1, 1, 1])
+
     def test_intervals_hold_what_lies_between_their_ends(self):
         found = self.calibration(*(row("one_side", 1, 0, place) for place in (0.01, 0.03, 0.5, 0.97, 0.99)))
         self.assertAlmostEqual(found.inside("rank_of_clearance_m"), 0.6)
