@@ -9,7 +9,7 @@ namespace rubsweep::diagnose::features {
 HannEnergy::HannEnergy(const MotionLines& lines, bool plane)
     : turns_(lines.turns), last_(lines.last()), first_(plane ? -last_ : 1) {
   const double all = size_of(lines) * size_of(lines) * (plane ? 1 : 0.5);
-  share_.assign(static_cast<std::size_t>(2 * last_ + 1), 0);
+  share_.assign(2 * static_cast<std::size_t>(last_) + 1, 0);
   for (int k = first_; k <= last_; ++k) {
     if (k == 0) continue;
     const auto line = [&](int j) {

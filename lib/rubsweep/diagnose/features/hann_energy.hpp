@@ -23,7 +23,7 @@ class HannEnergy {
   double near(double order, int bins) const;
 
  private:
-  std::size_t index(int k) const { return static_cast<std::size_t>(k + last_); }
+  std::size_t index(int k) const { return static_cast<std::size_t>(std::ptrdiff_t{k} + last_); }
   int turns_, last_, first_;
   std::vector<double> share_;
 };
