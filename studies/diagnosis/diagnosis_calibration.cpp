@@ -156,9 +156,7 @@ TrueRanks ranks_of(const diagnose::inference::DiagnosisProblem& problem,
                    const diagnose::features::DescribedMotion& seen,
                    const diagnose::inference::Diagnosis& diagnosis, const Truth& truth,
                    std::mt19937_64& random) {
-  Eigen::VectorXd weight = diagnosis.posterior.weight;
-  for (Eigen::Index i = 0; i < weight.size(); ++i)
-    if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != *truth.candidate) weight(i) = 0;
+  const Eigen::VectorXd weight = weights_of(diagnosis, *truth.candidate);
   TrueRanks ranks{.effective_cases = weight.sum() * weight.sum() / weight.squaredNorm()};
   for (const Quantity quantity : asked_quantities()) {
     const Eigen::VectorXd values =

@@ -8,10 +8,12 @@
 
 namespace rubsweep::diagnose {
 
-/// Forward circles at some orders over 30 turns, as a transform of their samples has them.
+/// A circle; backward at an order below 0.
 struct Tone {
   double order = 0, amplitude = 0;
 };
+
+/// Their sum over 30 turns, as a transform of its samples has it.
 inline MotionLines tones(const std::vector<Tone>& all) {
   constexpr int turns = 30, samples_of_a_turn = 32;
   std::vector<std::complex<double>> samples;

@@ -34,6 +34,14 @@ TEST(Diagnosis, AddsMotionsThatResembleTheRecording) {
   EXPECT_GT(weight[1] / count[1], 1.2 * weight[0] / count[0]);
 }
 
+TEST(Diagnosis, SharesItsWeightsAmongTheCandidates) {
+  const Diagnosis diagnosis = diagnose(small_problem(), recorded_case(1, 21), quick(), small_set());
+  const Eigen::VectorXd first = weights_of(diagnosis, 0), second = weights_of(diagnosis, 1);
+  EXPECT_EQ(first + second, diagnosis.posterior.weight);
+  EXPECT_EQ(first.cwiseProduct(second).maxCoeff(), 0);
+  EXPECT_NEAR(second.sum(), diagnosis.posterior.probability(1), 0.01);
+}
+
 TEST(Diagnosis, DoesNotDependOnThreads) {
   const features::DescribedMotion seen = recorded_case(1, 22);
   const Diagnosis one = diagnose(small_problem(), seen, quick(1)),

@@ -15,14 +15,6 @@ using inference::Diagnosis;
 using inference::DiagnosisProblem;
 using inference::Quantity;
 
-/// Weights of the cases of one candidate, zero for all others.
-Eigen::VectorXd weights_of(const Diagnosis& diagnosis, std::size_t candidate) {
-  Eigen::VectorXd weight = diagnosis.posterior.weight;
-  for (Eigen::Index i = 0; i < weight.size(); ++i)
-    if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != candidate) weight(i) = 0;
-  return weight;
-}
-
 std::vector<NumberInterval> numbers_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
                                        const features::DescribedMotion& seen, std::size_t candidate) {
   const Eigen::VectorXd weight = weights_of(diagnosis, candidate);

@@ -79,4 +79,11 @@ Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMot
   return diagnosis;
 }
 
+Eigen::VectorXd weights_of(const Diagnosis& diagnosis, std::size_t candidate) {
+  Eigen::VectorXd weight = diagnosis.posterior.weight;
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    if (diagnosis.set.cases[static_cast<std::size_t>(i)].candidate != candidate) weight(i) = 0;
+  return weight;
+}
+
 }  // namespace rubsweep::diagnose::inference

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "rubsweep/diagnose/inference/posterior.hpp"
@@ -8,10 +9,10 @@ namespace rubsweep::diagnose::inference {
 
 struct DiagnosisOptions {
   CaseOptions cases{};
-  int most_rounds = 3;         ///< of draws near cases that resemble the recording
-  int draws_per_round = 800;   ///< of all candidates together
+  int most_rounds = 3;              ///< of draws near cases that resemble the recording
+  int draws_per_round = 800;        ///< of all candidates together
   bool with_standard_error = true;  ///< where the probabilities do not stand still
-  double least_change = 0.03;  ///< of a probability between two rounds, below which they stand still
+  double least_change = 0.03;       ///< of a probability between two rounds, below which they stand still
 };
 
 /// Answer of a diagnosis with all that it rests on.
@@ -31,5 +32,8 @@ struct Diagnosis {
 /// drawn by then.
 Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMotion& seen,
                    const DiagnosisOptions& options, std::optional<CaseSet> set = {});
+
+/// Weights of the cases of one candidate, zero for all others.
+Eigen::VectorXd weights_of(const Diagnosis& diagnosis, std::size_t candidate);
 
 }  // namespace rubsweep::diagnose::inference
