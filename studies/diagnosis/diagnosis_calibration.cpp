@@ -24,6 +24,7 @@
 #include "rubsweep/dataset/labelled_recording.hpp"
 #include "rubsweep/dataset/readings.hpp"
 #include "rubsweep/diagnose/inference/diagnosis.hpp"
+#include "rubsweep/diagnose/inference/marginal.hpp"
 #include "rubsweep/diagnose/inference/quantity.hpp"
 #include "rubsweep/recording/recording.hpp"
 #include "studied_machine.hpp"
@@ -145,29 +146,21 @@ struct Truth {
   const dataset::LabelledRecording* labelled = nullptr;
 };
 
-/// How likely the posterior of the true candidate says that numbers are smaller than they are.
-struct TrueRanks {
-  double effective_cases = 0;  ///< equal ones that the weights of its cases count for (Kish 1965)
-  std::vector<double> rank{};  ///< of asked_quantities()
-};
-
+/// How likely the posterior of the true candidate says that asked_quantities() are smaller than they are.
 /// Equal values, as of a contact that never ends, have any rank among each other.
-TrueRanks ranks_of(const diagnose::inference::DiagnosisProblem& problem,
-                   const diagnose::features::DescribedMotion& seen,
-                   const diagnose::inference::Diagnosis& diagnosis, const Truth& truth,
-                   std::mt19937_64& random) {
-  const Eigen::VectorXd weight = weights_of(diagnosis, *truth.candidate);
-  TrueRanks ranks{.effective_cases = weight.sum() * weight.sum() / weight.squaredNorm()};
+std::vector<double> ranks_of(const diagnose::inference::DiagnosisProblem& problem,
+                             const diagnose::features::DescribedMotion& seen,
+                             const diagnose::inference::Diagnosis& diagnosis, const Truth& truth,
+                             std::mt19937_64& random) {
+  std::vector<double> ranks;
   for (const Quantity quantity : asked_quantities()) {
-    const Eigen::VectorXd values =
-        values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
+    const diagnose::inference::Marginal marginal =
+        marginal_of(problem, diagnosis, seen, *truth.candidate, quantity);
     const double value = truth_of(*truth.labelled, quantity);
     constexpr double equal = 1e-6;
-    const auto below = [&](double x) {
-      return diagnose::inference::share_below(values, weight, x, quantity == Quantity::stop_angle);
-    };
-    const double from = below(value - equal * std::abs(value)), to = below(value + equal * std::abs(value));
-    ranks.rank.push_back(std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random));
+    const double from = marginal.share_below(value - equal * std::abs(value)),
+                 to = marginal.share_below(value + equal * std::abs(value));
+    ranks.push_back(std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random));
   }
   return ranks;
 }
@@ -188,13 +181,16 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
                       diagnosis.set.cases.size(), to_string(by_rule(seen)), problem.candidates[nearest].name,
                       share);
   for (const double p : diagnosis.history.front()) line += fmt::format(",{:.4f}", p);
-  if (truth.candidate) {
-    const TrueRanks ranks = ranks_of(problem, seen, diagnosis, truth, random_ranks);
-    line += fmt::format(",{:.1f}", ranks.effective_cases);
-    for (const double rank : ranks.rank) line += fmt::format(",{:.4f}", rank);
+  // A recording of no candidate has no ranks, nor has one that no case of its candidate is like.
+  const Eigen::VectorXd weight =
+      truth.candidate ? weights_of(diagnosis, *truth.candidate) : Eigen::VectorXd::Zero(1);
+  line += fmt::format(",{:.1f}", diagnose::inference::effective_cases(weight));
+  if (weight.sum() > 0) {
+    for (const double rank : ranks_of(problem, seen, diagnosis, truth, random_ranks))
+      line += fmt::format(",{:.4f}", rank);
+  } else {
+    line.append(asked_quantities().size(), ',');
   }
-  // Recordings of no candidate have no ranks.
-  if (!truth.candidate) line.append(asked_quantities().size() + 1, ',');
   fmt::print("{}\n", line);
   std::fflush(stdout);
 }

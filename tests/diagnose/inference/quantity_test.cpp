@@ -9,22 +9,6 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-TEST(Quantity, QuantilesAreThoseOfTheWeights) {
-  const Eigen::Vector4d values(1, 2, 3, 4), weight(0.1, 0.4, 0.4, 0.1);
-  EXPECT_EQ(weighted_quantile(values, weight, 0.05, false), 1);
-  EXPECT_EQ(weighted_quantile(values, weight, 0.5, false), 2);
-  EXPECT_EQ(weighted_quantile(values, weight, 0.95, false), 4);
-  EXPECT_NEAR(share_below(values, weight, 3, false), 0.7, 1e-12);
-  EXPECT_NEAR(share_below(values, weight, 2.5, false), 0.5, 1e-12);
-}
-
-TEST(Quantity, AnglesGoRound) {
-  const Eigen::Vector3d values(170, 179, -175), weight(1, 1, 1);
-  EXPECT_NEAR(weighted_quantile(values, weight, 0.5, true), 179, 1e-9);
-  EXPECT_NEAR(weighted_quantile(values, weight, 1, true), -175, 1e-9);
-  EXPECT_NEAR(share_below(values, weight, -178, true), 2.0 / 3, 1e-12);
-}
-
 TEST(Quantity, OfACaseThatIsTheRecordingIsItsOwn) {
   const DiagnosisProblem problem = small_problem();
   ObservedCases observed;

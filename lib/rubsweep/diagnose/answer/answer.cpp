@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "rubsweep/diagnose/inference/marginal.hpp"
+
 namespace rubsweep::diagnose::answer {
 namespace {
 
@@ -17,18 +19,17 @@ using inference::Quantity;
 
 std::vector<NumberInterval> numbers_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
                                        const features::DescribedMotion& seen, std::size_t candidate) {
-  const Eigen::VectorXd weight = weights_of(diagnosis, candidate);
-  if (problem.candidates[candidate].cause == Cause::no_rub || weight.sum() == 0) return {};
+  if (problem.candidates[candidate].cause == Cause::no_rub || weights_of(diagnosis, candidate).sum() == 0)
+    return {};
   std::vector<NumberInterval> numbers;
   for (const Quantity quantity : inference::all_quantities) {
-    const bool angle = quantity == Quantity::stop_angle;
     // A round stop about the rest position stands in no direction.
-    if (angle && problem.candidates[candidate].cause == Cause::annular) continue;
+    if (quantity == Quantity::stop_angle && problem.candidates[candidate].cause == Cause::annular) continue;
     if (quantity == Quantity::position && !problem.fixed.kit) continue;
-    const Eigen::VectorXd values =
-        values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
-    const auto at = [&](double share) { return inference::weighted_quantile(values, weight, share, angle); };
-    numbers.push_back({std::string(to_string(quantity)), at(0.5), at(0.025), at(0.975)});
+    const inference::Marginal marginal =
+        inference::marginal_of(problem, diagnosis, seen, candidate, quantity);
+    numbers.push_back({std::string(to_string(quantity)), marginal.quantile(0.5), marginal.quantile(0.025),
+                       marginal.quantile(0.975)});
   }
   return numbers;
 }
@@ -49,7 +50,7 @@ std::vector<DecidingFeature> deciding_features(const Diagnosis& diagnosis,
       // Where few cases resemble the recording all of the candidate speak for it.
       constexpr double fewest = 10;
       Eigen::ArrayXd weight = w[k].array();
-      if (weight.sum() * weight.sum() < fewest * weight.square().sum() || weight.sum() == 0)
+      if (inference::effective_cases(w[k]) < fewest)
         for (Eigen::Index i = 0; i < weight.size(); ++i)
           weight(i) =
               diagnosis.set.cases[static_cast<std::size_t>(i)].candidate == (k == 0 ? first : second) ? 1 : 0;
@@ -132,8 +133,8 @@ Answer answer_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
   answer.none_standard_error = error(order.size());
   for (const std::size_t c : order)
     answer.candidates.push_back({problem.candidates[c].name, problem.candidates[c].cause,
-                                 (1 - answer.none) * probability(c),
-                                 numbers_of(problem, diagnosis, seen, c), error(c)});
+                                 (1 - answer.none) * probability(c), numbers_of(problem, diagnosis, seen, c),
+                                 error(c)});
   if (order.size() > 1) answer.deciding = deciding_features(diagnosis, seen, order[0], order[1]);
   answer.best = best_motions(problem, diagnosis, recorded);
   answer.next = std::move(next);

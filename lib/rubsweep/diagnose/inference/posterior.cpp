@@ -144,10 +144,12 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   const forest::Forest forest(samples, {.seed = problem.seed, .threads = threads});
   const Eigen::VectorXd here = features::values_of(seen.features);
   Eigen::VectorXd weight = forest.posterior_weights(here);
-  for (std::size_t i = 0; i < set.cases.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    weight(k) *= density_of_size(problem, set.cases[i], observed.size_m(k), seen.size_m);
-  }
+  const auto cases = static_cast<Eigen::Index>(set.cases.size());
+  Eigen::VectorXd by_size(cases);
+  for (Eigen::Index i = 0; i < cases; ++i)
+    by_size(i) =
+        density_of_size(problem, set.cases[static_cast<std::size_t>(i)], observed.size_m(i), seen.size_m);
+  weight.head(cases).array() *= by_size.array();
   Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
   for (Eigen::Index i = 0; i < weight.size(); ++i)
     share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
@@ -158,7 +160,8 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   const Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness);
   posterior.none = all(samples.classes - 1);
   posterior.probability = all.head(samples.classes - 1).transpose() / (1 - posterior.none);
-  posterior.weight = weight.head(static_cast<Eigen::Index>(set.cases.size()));
+  posterior.by_size = by_size.cwiseProduct(samples.weight.head(cases));
+  posterior.weight = weight.head(cases);
   for (Eigen::Index i = 0; i < posterior.weight.size(); ++i) {
     const int label = samples.label[static_cast<std::size_t>(i)];
     if (share(label) > 0) posterior.weight(i) *= posterior.probability(label) / share(label);

@@ -10,6 +10,7 @@ namespace rubsweep::diagnose::inference {
 struct Posterior {
   Eigen::VectorXd probability{};  ///< of every candidate, given that it is one of them
   Eigen::VectorXd weight{};       ///< of every case; those of a candidate add up to its probability
+  Eigen::VectorXd by_size{};      ///< weight of every case by the size of the recording, before its features
   double none = 0;                ///< probability that it is none of them
   double sharpness = 1;  ///< power that makes the probabilities of cases not drawn by a tree fit best
 };

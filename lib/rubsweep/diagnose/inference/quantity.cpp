@@ -1,12 +1,8 @@
 #include "rubsweep/diagnose/inference/quantity.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <numbers>
-#include <numeric>
-#include <vector>
 
 #include "rubsweep/error.hpp"
 
@@ -14,14 +10,6 @@ namespace rubsweep::diagnose::inference {
 namespace {
 
 using std::numbers::pi;
-
-double wrapped_deg(double angle_deg) { return std::remainder(angle_deg, 360.0); }
-
-double mean_direction_deg(const Eigen::VectorXd& values, const Eigen::VectorXd& weight) {
-  std::complex<double> sum = 0;
-  for (Eigen::Index i = 0; i < values.size(); ++i) sum += weight(i) * std::polar(1.0, values(i) * pi / 180);
-  return std::arg(sum) * 180 / pi;
-}
 
 double value_in_case(const DiagnosisProblem& problem, const SimulatedCase& one, const ObservedCases& observed,
                      Eigen::Index row, const features::DescribedMotion& seen, Quantity quantity) {
@@ -57,6 +45,8 @@ double value_in_case(const DiagnosisProblem& problem, const SimulatedCase& one, 
 
 }  // namespace
 
+double wrapped_deg(double angle_deg) { return std::remainder(angle_deg, 360.0); }
+
 std::string_view to_string(Quantity quantity) {
   switch (quantity) {
     case Quantity::clearance:
@@ -90,33 +80,6 @@ Eigen::VectorXd values_in_cases(const DiagnosisProblem& problem, const CaseSet& 
   for (Eigen::Index i = 0; i < values.size(); ++i)
     values(i) = value_in_case(problem, set.cases[static_cast<std::size_t>(i)], observed, i, seen, quantity);
   return values;
-}
-
-double share_below(const Eigen::VectorXd& values, const Eigen::VectorXd& weight, double value, bool angle) {
-  const double middle = angle ? mean_direction_deg(values, weight) : 0;
-  const auto place = [&](double x) { return angle ? wrapped_deg(x - middle) : x; };
-  double below = 0, equal = 0;
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const double x = place(values(i));
-    (x < place(value) ? below : equal) += x <= place(value) ? weight(i) : 0;
-  }
-  return (below + equal / 2) / weight.sum();
-}
-
-double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weight, double share,
-                         bool angle) {
-  const double middle = angle ? mean_direction_deg(values, weight) : 0;
-  std::vector<std::pair<double, double>> sorted;
-  for (Eigen::Index i = 0; i < values.size(); ++i)
-    if (weight(i) > 0) sorted.emplace_back(angle ? wrapped_deg(values(i) - middle) : values(i), weight(i));
-  if (sorted.empty()) return std::nan("");
-  std::ranges::sort(sorted);
-  double left = share * weight.sum();
-  for (const auto& [value, w] : sorted) {
-    left -= w;
-    if (left <= 0) return angle ? wrapped_deg(value + middle) : value;
-  }
-  return angle ? wrapped_deg(sorted.back().first + middle) : sorted.back().first;
 }
 
 }  // namespace rubsweep::diagnose::inference

@@ -22,12 +22,15 @@ enum class Quantity {
   friction
 };
 inline constexpr std::array all_quantities{
-    Quantity::clearance,  Quantity::stop_angle,   Quantity::position,    Quantity::contact_fraction,
-    Quantity::peak_force, Quantity::eccentricity, Quantity::whirl_ratio, Quantity::stiffness,
+    Quantity::clearance,   Quantity::stop_angle,   Quantity::position,    Quantity::contact_fraction,
+    Quantity::peak_force,  Quantity::eccentricity, Quantity::whirl_ratio, Quantity::stiffness,
     Quantity::restitution, Quantity::friction};
 
 /// Name with its unit: clearance_m, stop_angle_deg.
 std::string_view to_string(Quantity quantity);
+
+/// The same angle in [-180, 180].
+double wrapped_deg(double angle_deg);
 
 /// Value in every case, scaled and turned to the recording. Stop angles: of two probes, or of a machine that
 /// is not the same in all directions, from +x, in (-180, 180]; else from the direction in which the one probe
@@ -35,13 +38,5 @@ std::string_view to_string(Quantity quantity);
 Eigen::VectorXd values_in_cases(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
                                 Quantity quantity);
-
-/// Weighted share of values below `value`, those equal to it half. An angle is compared on the circle, cut
-/// opposite to the mean direction.
-double share_below(const Eigen::VectorXd& values, const Eigen::VectorXd& weight, double value, bool angle);
-
-/// Value below which a share of the weight lies; of angles likewise.
-double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weight, double share,
-                         bool angle);
 
 }  // namespace rubsweep::diagnose::inference
