@@ -1,6 +1,5 @@
 """Calibration of probabilities: how often statements are right, and what they say of each truth."""
 
-import random
 from collections import Counter, defaultdict
 from dataclasses import dataclass
 
@@ -63,30 +62,20 @@ class Calibration:
     def rank_names(self):
         return [name for name in self.rows[0] if name.startswith("rank_of_")]
 
-    def places(self, name):
-        """Shares of the posterior distributions below the true numbers, each with its number of equal cases. No rub has none.
-
-        A table that does not tell these numbers is taken to have many.
-        """
-        rows = (row for row in self.rows if row[name] and row["truth"] != "no_rub")
-        places = ((float(row[name]), float(row.get("effective_cases") or "inf")) for row in rows)
-        # A candidate whose cases weigh nothing says nothing of its numbers.
-        return [(share, cases) for share, cases in places if share == share]
-
     def ranks(self, name):
-        """How many true numbers lie in each part of their posterior distribution.
+        """Shares of the posterior distributions below the true numbers, of recordings whose cause has such a number."""
+        return [float(row[name]) for row in self.rows if row[name]]
 
-        Among n equal cases a number has n + 1 places, which share the unit interval; it is anywhere in its own.
-        """
-        anywhere = random.Random(name)
-        ranks = [share + (anywhere.random() - share) / (cases + 1) for share, cases in self.places(name)]
+    def counts(self, name):
+        """How many true numbers lie in each part of their posterior distribution."""
+        ranks = self.ranks(name)
         return [sum(min(PARTS - 1, int(PARTS * rank)) == part for rank in ranks) for part in range(PARTS)]
 
     def inside(self, name, probability=0.95):
         """Share of the true numbers that lie in the interval that is said to hold them with this probability."""
         outside = (1 - probability) / 2
-        places = self.places(name)
-        return sum(outside <= share <= 1 - outside for share, _ in places) / len(places) if places else 0.0
+        ranks = self.ranks(name)
+        return sum(outside <= rank <= 1 - outside for rank in ranks) / len(ranks) if ranks else 0.0
 
 
 def probabilities(row):

@@ -146,23 +146,32 @@ struct Truth {
   const dataset::LabelledRecording* labelled = nullptr;
 };
 
-/// How likely the posterior of the true candidate says that asked_quantities() are smaller than they are.
-/// Equal values, as of a contact that never ends, have any rank among each other.
-std::vector<double> ranks_of(const diagnose::inference::DiagnosisProblem& problem,
-                             const diagnose::features::DescribedMotion& seen,
-                             const diagnose::inference::Diagnosis& diagnosis, const Truth& truth,
-                             std::mt19937_64& random) {
-  std::vector<double> ranks;
+/// Posterior probability, given the true candidate, of less than the true value. Equal values, as of a
+/// contact that never ends, have any rank among each other.
+double rank_of(const diagnose::inference::Marginal& marginal, double value, std::mt19937_64& random) {
+  constexpr double equal = 1e-6;
+  const double from = marginal.share_below(value - equal * std::abs(value)),
+               to = marginal.share_below(value + equal * std::abs(value));
+  return std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random);
+}
+
+/// Columns of equal cases and ranks; empty where there is no candidate, no case of it that is like the
+/// recording, or no such number.
+std::string columns_of_numbers(const diagnose::inference::DiagnosisProblem& problem,
+                               const diagnose::features::DescribedMotion& seen,
+                               const diagnose::inference::Diagnosis& diagnosis, const Truth& truth,
+                               std::mt19937_64& random) {
+  const double count =
+      truth.candidate ? diagnose::inference::effective_cases(weights_of(diagnosis, *truth.candidate)) : 0;
+  std::string columns = count > 0 ? fmt::format(",{:.1f}", count) : ",";
   for (const Quantity quantity : asked_quantities()) {
-    const diagnose::inference::Marginal marginal =
-        marginal_of(problem, diagnosis, seen, *truth.candidate, quantity);
-    const double value = truth_of(*truth.labelled, quantity);
-    constexpr double equal = 1e-6;
-    const double from = marginal.share_below(value - equal * std::abs(value)),
-                 to = marginal.share_below(value + equal * std::abs(value));
-    ranks.push_back(std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random));
+    columns += ',';
+    if (count == 0 || !has_quantity(problem, *truth.candidate, quantity)) continue;
+    columns +=
+        fmt::format("{:.4f}", rank_of(marginal_of(problem, diagnosis, seen, *truth.candidate, quantity),
+                                      truth_of(*truth.labelled, quantity), random));
   }
-  return ranks;
+  return columns;
 }
 
 void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& studied,
@@ -181,16 +190,7 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
                       diagnosis.set.cases.size(), to_string(by_rule(seen)), problem.candidates[nearest].name,
                       share);
   for (const double p : diagnosis.history.front()) line += fmt::format(",{:.4f}", p);
-  // A recording of no candidate has no ranks, nor has one that no case of its candidate is like.
-  const Eigen::VectorXd weight =
-      truth.candidate ? weights_of(diagnosis, *truth.candidate) : Eigen::VectorXd::Zero(1);
-  line += fmt::format(",{:.1f}", diagnose::inference::effective_cases(weight));
-  if (weight.sum() > 0) {
-    for (const double rank : ranks_of(problem, seen, diagnosis, truth, random_ranks))
-      line += fmt::format(",{:.4f}", rank);
-  } else {
-    line.append(asked_quantities().size(), ',');
-  }
+  line += columns_of_numbers(problem, seen, diagnosis, truth, random_ranks);
   fmt::print("{}\n", line);
   std::fflush(stdout);
 }

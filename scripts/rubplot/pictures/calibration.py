@@ -30,7 +30,7 @@ def firsts(calibration):
 def ranks(calibration):
     """A block of parts of each number: middle of the part, count over the one that is expected."""
     for name in calibration.rank_names():
-        counts = calibration.ranks(name)
+        counts = calibration.counts(name)
         expected = sum(counts) / PARTS or 1
         for part, count in enumerate(counts):
             yield f"{(part + 0.5) / PARTS:.17g} {count / expected:.17g}"
@@ -44,7 +44,7 @@ def settings(calibration):
         yield f"array {array}[{len(words)}]"
         for place, word in enumerate(words, 1):
             yield f"{array}[{place}] = {quoted(word.replace('_', ' '))}"
-    expected = max(sum(calibration.ranks(name)) for name in calibration.rank_names()) / PARTS
+    expected = max(sum(calibration.counts(name)) for name in calibration.rank_names()) / PARTS
     yield f"band = {1.96 * ((1 - 1 / PARTS) / max(1, expected)) ** 0.5:.17g}"
 
 

@@ -19,13 +19,10 @@ using inference::Quantity;
 
 std::vector<NumberInterval> numbers_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
                                        const features::DescribedMotion& seen, std::size_t candidate) {
-  if (problem.candidates[candidate].cause == Cause::no_rub || weights_of(diagnosis, candidate).sum() == 0)
-    return {};
+  if (weights_of(diagnosis, candidate).sum() == 0) return {};
   std::vector<NumberInterval> numbers;
   for (const Quantity quantity : inference::all_quantities) {
-    // A round stop about the rest position stands in no direction.
-    if (quantity == Quantity::stop_angle && problem.candidates[candidate].cause == Cause::annular) continue;
-    if (quantity == Quantity::position && !problem.fixed.kit) continue;
+    if (!has_quantity(problem, candidate, quantity)) continue;
     const inference::Marginal marginal =
         inference::marginal_of(problem, diagnosis, seen, candidate, quantity);
     numbers.push_back({std::string(to_string(quantity)), marginal.quantile(0.5), marginal.quantile(0.025),

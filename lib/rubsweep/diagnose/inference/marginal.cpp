@@ -16,87 +16,92 @@ double mean_direction_deg(const Eigen::VectorXd& values, const Eigen::VectorXd& 
   return std::arg(sum) * 180 / pi;
 }
 
-struct WeightedCase {
-  double value = 0, weight = 0, prior = 0;
+/// All cases of one value, and their shares of the posterior and of the prior.
+struct ValueShare {
+  double value = 0, posterior = 0, prior = 0;
 };
 
-/// Between y0 at x0 and y1 at x1; the middle where x0 is x1.
-double interpolated(double x, double x0, double y0, double x1, double y1) {
-  return x1 > x0 ? y0 + (y1 - y0) * (x - x0) / (x1 - x0) : (y0 + y1) / 2;
+/// In rising order, those that are equal together.
+std::vector<ValueShare> sorted_shares(std::vector<ValueShare> cases) {
+  std::ranges::stable_sort(cases, {}, &ValueShare::value);
+  std::vector<ValueShare> merged;
+  for (const ValueShare& one : cases) {
+    if (merged.empty() || merged.back().value != one.value) merged.push_back({one.value, 0, 0});
+    merged.back().posterior += one.posterior;
+    merged.back().prior += one.prior;
+  }
+  return merged;
 }
 
-/// Half of the weights of each case and all of those before it, of their sum.
-std::vector<double> middles(const std::vector<WeightedCase>& cases, double WeightedCase::*weight) {
-  std::vector<double> middle;
-  double sum = 0;
-  for (const WeightedCase& one : cases) {
-    middle.push_back(sum + one.*weight / 2);
-    sum += one.*weight;
-  }
-  for (double& place : middle) place /= sum;
-  return middle;
-}
+/// Point of the map from the probability of less in the prior to that in the posterior.
+struct Knot {
+  double prior = 0, posterior = 0;
+};
 
-/// Probability of less than each case. Those that weigh something are where their plotting positions say, the
-/// others between them as the prior says.
-std::vector<double> shares_below(const std::vector<WeightedCase>& cases, double count) {
-  const std::vector<double> prior = middles(cases, &WeightedCase::prior),
-                            posterior = middles(cases, &WeightedCase::weight);
-  std::vector<double> share(cases.size());
-  std::size_t first_open = 0;
-  double prior_before = 0, share_before = 0;
-  const auto fill = [&](std::size_t end, double prior_here, double share_here) {
-    for (std::size_t k = first_open; k < end; ++k)
-      share[k] = interpolated(prior[k], prior_before, share_before, prior_here, share_here);
-  };
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (cases[i].weight <= 0) continue;
-    share[i] = (count * posterior[i] + 0.5) / (count + 1);
-    fill(i, prior[i], share[i]);
-    first_open = i + 1;
-    prior_before = prior[i];
-    share_before = share[i];
+/// `count` equal cases at even steps of the posterior, at their plotting positions; those of one value are
+/// spread evenly over its share of the prior.
+std::vector<Knot> knots_of(const std::vector<ValueShare>& shares, int count) {
+  std::vector<Knot> knots{{0, 0}};
+  double prior = 0, posterior = 0;
+  int before = 0;
+  for (const ValueShare& one : shares) {
+    posterior += one.posterior;
+    const int up_to = one.value == shares.back().value
+                          ? count
+                          : std::clamp(static_cast<int>(std::floor(posterior * count + 0.5)), before, count);
+    for (int k = before; k < up_to; ++k)
+      knots.push_back({prior + one.prior * (k - before + 0.5) / (up_to - before), (k + 1.0) / (count + 1)});
+    before = up_to;
+    prior += one.prior;
   }
-  fill(cases.size(), 1, 1);
-  return share;
+  knots.push_back({1, 1});
+  return knots;
 }
 
 }  // namespace
 
 double effective_cases(const Eigen::VectorXd& weight) {
   const double sum = weight.sum();
-  return sum > 0 ? sum * sum / weight.squaredNorm() : 0;
+  return sum > 0 ? 1 / (weight / sum).squaredNorm() : 0;
 }
 
 Marginal::Marginal(const Eigen::VectorXd& values, const Eigen::VectorXd& weight, const Eigen::VectorXd& prior,
                    bool angle)
     : angle_(angle) {
   if (angle) middle_deg_ = mean_direction_deg(values, weight);
-  std::vector<WeightedCase> cases;
+  std::vector<ValueShare> cases;
+  const double all = weight.sum(), all_of_prior = prior.sum();
   for (Eigen::Index i = 0; i < values.size(); ++i)
-    if (prior(i) > 0)
-      cases.push_back({angle ? wrapped_deg(values(i) - middle_deg_) : values(i), weight(i), prior(i)});
-  std::ranges::stable_sort(cases, {}, &WeightedCase::value);
-  share_ = shares_below(cases, effective_cases(weight));
-  for (const WeightedCase& one : cases) value_.push_back(one.value);
+    if (const double share = prior(i) / all_of_prior; share > 0)
+      cases.push_back({angle ? wrapped_deg(values(i) - middle_deg_) : values(i), weight(i) / all, share});
+  const std::vector<ValueShare> shares = sorted_shares(std::move(cases));
+  const std::vector<Knot> knots =
+      knots_of(shares, std::max(1, static_cast<int>(std::lround(effective_cases(weight)))));
+  double below = 0;
+  auto next = knots.begin() + 1;
+  for (const ValueShare& one : shares) {
+    below = std::min(1.0, below + one.prior);
+    while (next + 1 != knots.end() && next->prior < below) ++next;
+    const Knot& last = *(next - 1);
+    value_.push_back(one.value);
+    up_to_.push_back(last.posterior +
+                     (next->posterior - last.posterior) * (below - last.prior) / (next->prior - last.prior));
+  }
+  up_to_.back() = 1;
 }
 
 double Marginal::share_below(double value) const {
   const double x = angle_ ? wrapped_deg(value - middle_deg_) : value;
   const auto [first, last] = std::ranges::equal_range(value_, x);
-  const auto below = first - value_.begin(), not_above = last - value_.begin();
-  const auto share = [&](std::ptrdiff_t k) { return share_[static_cast<std::size_t>(k)]; };
-  if (below < not_above) return (share(below) + share(not_above - 1)) / 2;
-  if (first == value_.begin()) return 0;
-  if (first == value_.end()) return 1;
-  return interpolated(x, *(first - 1), share(below - 1), *first, share(below));
+  const auto before = [&](auto it) {
+    return it == value_.begin() ? 0 : up_to_[static_cast<std::size_t>(it - value_.begin() - 1)];
+  };
+  return (before(first) + before(last)) / 2;
 }
 
 double Marginal::quantile(double share) const {
-  const auto above = std::ranges::lower_bound(share_, share);
-  const auto k = static_cast<std::size_t>(above - share_.begin());
-  double x = value_[std::min(k, value_.size() - 1)];
-  if (k > 0 && k < value_.size()) x = interpolated(share, share_[k - 1], value_[k - 1], share_[k], value_[k]);
+  const auto reached = std::ranges::lower_bound(up_to_, share) - up_to_.begin();
+  const double x = value_[std::min(static_cast<std::size_t>(reached), value_.size() - 1)];
   return angle_ ? wrapped_deg(x + middle_deg_) : x;
 }
 
@@ -106,7 +111,7 @@ Marginal marginal_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis
   for (std::size_t i = 0; i < diagnosis.set.cases.size(); ++i)
     if (diagnosis.set.cases[i].candidate == candidate) rows.push_back(static_cast<Eigen::Index>(i));
   const Eigen::VectorXd values = values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
-  return {values(rows), diagnosis.posterior.weight(rows), diagnosis.posterior.by_size(rows),
+  return {values(rows), diagnosis.posterior.weight(rows), diagnosis.posterior.prior_weight(rows),
           quantity == Quantity::stop_angle};
 }
 

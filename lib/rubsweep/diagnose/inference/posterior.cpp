@@ -145,11 +145,11 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   const Eigen::VectorXd here = features::values_of(seen.features);
   Eigen::VectorXd weight = forest.posterior_weights(here);
   const auto cases = static_cast<Eigen::Index>(set.cases.size());
-  Eigen::VectorXd by_size(cases);
+  Eigen::VectorXd density(cases);
   for (Eigen::Index i = 0; i < cases; ++i)
-    by_size(i) =
+    density(i) =
         density_of_size(problem, set.cases[static_cast<std::size_t>(i)], observed.size_m(i), seen.size_m);
-  weight.head(cases).array() *= by_size.array();
+  weight.head(cases).array() *= density.array();
   Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
   for (Eigen::Index i = 0; i < weight.size(); ++i)
     share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
@@ -160,11 +160,12 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   const Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness);
   posterior.none = all(samples.classes - 1);
   posterior.probability = all.head(samples.classes - 1).transpose() / (1 - posterior.none);
-  posterior.by_size = by_size.cwiseProduct(samples.weight.head(cases));
+  posterior.prior_weight = density.cwiseProduct(samples.weight.head(cases));
   posterior.weight = weight.head(cases);
   for (Eigen::Index i = 0; i < posterior.weight.size(); ++i) {
     const int label = samples.label[static_cast<std::size_t>(i)];
-    if (share(label) > 0) posterior.weight(i) *= posterior.probability(label) / share(label);
+    if (share(label) > 0)
+      posterior.weight(i) = posterior.weight(i) / share(label) * posterior.probability(label);
   }
   return posterior;
 }

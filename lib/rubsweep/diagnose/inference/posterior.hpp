@@ -8,10 +8,11 @@ namespace rubsweep::diagnose::inference {
 
 /// Probabilities after a recording.
 struct Posterior {
-  Eigen::VectorXd probability{};  ///< of every candidate, given that it is one of them
-  Eigen::VectorXd weight{};       ///< of every case; those of a candidate add up to its probability
-  Eigen::VectorXd by_size{};      ///< weight of every case by the size of the recording, before its features
-  double none = 0;                ///< probability that it is none of them
+  Eigen::VectorXd probability{};   ///< of every candidate, given that it is one of them
+  Eigen::VectorXd weight{};        ///< of every case; those of a candidate add up to its probability
+  Eigen::VectorXd prior_weight{};  ///< of every case before its features are compared: importance_weights
+                                   ///< times density_of_size
+  double none = 0;                 ///< probability that it is none of them
   double sharpness = 1;  ///< power that makes the probabilities of cases not drawn by a tree fit best
 };
 

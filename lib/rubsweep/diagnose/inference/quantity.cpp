@@ -45,6 +45,13 @@ double value_in_case(const DiagnosisProblem& problem, const SimulatedCase& one, 
 
 }  // namespace
 
+bool has_quantity(const DiagnosisProblem& problem, std::size_t candidate, Quantity quantity) {
+  const Cause cause = problem.candidates[candidate].cause;
+  if (cause == Cause::no_rub) return false;
+  if (quantity == Quantity::stop_angle) return cause != Cause::annular;
+  return quantity != Quantity::position || problem.fixed.kit;
+}
+
 double wrapped_deg(double angle_deg) { return std::remainder(angle_deg, 360.0); }
 
 std::string_view to_string(Quantity quantity) {

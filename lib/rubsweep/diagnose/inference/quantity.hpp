@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 #include "rubsweep/diagnose/inference/posterior.hpp"
@@ -29,11 +30,15 @@ inline constexpr std::array all_quantities{
 /// Name with its unit: clearance_m, stop_angle_deg.
 std::string_view to_string(Quantity quantity);
 
+/// Whether a candidate has such a number: no rub has none, a round stop about the rest position stands in no
+/// direction, and a Jeffcott rotor has no places.
+bool has_quantity(const DiagnosisProblem& problem, std::size_t candidate, Quantity quantity);
+
 /// The same angle in [-180, 180].
 double wrapped_deg(double angle_deg);
 
 /// Value in every case, scaled and turned to the recording. Stop angles: of two probes, or of a machine that
-/// is not the same in all directions, from +x, in (-180, 180]; else from the direction in which the one probe
+/// is not the same in all directions, from +x, in [-180, 180]; else from the direction in which the one probe
 /// looks.
 Eigen::VectorXd values_in_cases(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
