@@ -38,13 +38,13 @@ def ranks(calibration):
 
 
 def settings(calibration):
-    """Assignments for the template: names, and the band that 95 % of the counts lie in."""
+    """Assignments for the template: names, and the band that 95 % of the counts lie in, of the number with the fewest."""
     names = [name.removeprefix("rank_of_").rsplit("_", 1)[0] if "_per_" not in name else "stiffness" for name in calibration.rank_names()]
     for array, words in (("answer", ANSWERS), ("truth", truths_of(calibration)), ("number", names)):
         yield f"array {array}[{len(words)}]"
         for place, word in enumerate(words, 1):
             yield f"{array}[{place}] = {quoted(word.replace('_', ' '))}"
-    expected = max(sum(calibration.counts(name)) for name in calibration.rank_names()) / PARTS
+    expected = min(sum(calibration.counts(name)) for name in calibration.rank_names()) / PARTS
     yield f"band = {1.96 * ((1 - 1 / PARTS) / max(1, expected)) ** 0.5:.17g}"
 
 

@@ -25,9 +25,10 @@ TEST(AnswerText, SaysWhenItIsNoneOfThese) {
   answer.candidates[0].probability = 0.05;
   EXPECT_EQ(first_line(answer), "none of these, 93 % (sure): no simulated motion resembles the recording");
   answer.size_fits = false;
-  EXPECT_EQ(first_line(answer),
-            "none of these, 93 % (sure): no simulated motion of these clearances and this unbalance is as large as "
-            "the recording");
+  EXPECT_EQ(
+      first_line(answer),
+      "none of these, 93 % (sure): no simulated motion of these clearances and this unbalance is as large as "
+      "the recording");
   answer.clipped = true;
   EXPECT_EQ(first_line(answer),
             "none of these can be told: a probe is clipped, and shows what no rotor does");
@@ -42,6 +43,14 @@ TEST(AnswerText, SaysNumbersWithTheirIntervals) {
   EXPECT_NE(text.find("4200 rpm"), std::string::npos);
   EXPECT_NE(text.find("at 77 Hz (4620 rpm)            0.40 bits"), std::string::npos) << text;
   EXPECT_NE(answer_text(small_answer(), {.unit = model::LengthUnit::mil}).find("mil"), std::string::npos);
+}
+
+TEST(AnswerText, SaysWhereAStopMayStandInAnyDirection) {
+  Answer answer = small_answer();
+  answer.candidates[0].numbers.back() = {"stop_angle_deg", 10, -169.6, -170.4};
+  EXPECT_NE(answer_text(answer).find("stop_angle             any direction\n"), std::string::npos);
+  answer.candidates[0].numbers.back() = {"stop_angle_deg", -178, 164, -12};
+  EXPECT_NE(answer_text(answer).find("from 164 deg to -12 deg"), std::string::npos);
 }
 
 TEST(AnswerText, SaysThatItWasInterrupted) {

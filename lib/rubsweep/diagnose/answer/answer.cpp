@@ -31,26 +31,30 @@ std::vector<NumberInterval> numbers_of(const DiagnosisProblem& problem, const Di
   return numbers;
 }
 
+/// Weights of the cases that speak for a candidate: all the same where few resemble the recording.
+Eigen::ArrayXd speaking_weights(const Diagnosis& diagnosis, std::size_t candidate) {
+  constexpr double fewest = 10;
+  Eigen::ArrayXd weight = weights_of(diagnosis, candidate).array();
+  if (inference::effective_cases(weight.matrix()) >= fewest) return weight;
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    weight(i) = diagnosis.set.cases[static_cast<std::size_t>(i)].candidate == candidate ? 1 : 0;
+  return weight;
+}
+
 /// Features that tell the two likeliest candidates apart most, as normal distributions would have it.
 std::vector<DecidingFeature> deciding_features(const Diagnosis& diagnosis,
                                                const features::DescribedMotion& seen, std::size_t first,
                                                std::size_t second) {
   constexpr std::size_t most = 5;
-  const Eigen::VectorXd w[2] = {weights_of(diagnosis, first), weights_of(diagnosis, second)};
-  if (w[0].sum() == 0) return {};
+  if (weights_of(diagnosis, first).sum() == 0) return {};
+  const Eigen::ArrayXd weights[2] = {speaking_weights(diagnosis, first), speaking_weights(diagnosis, second)};
   std::vector<DecidingFeature> features;
   for (std::size_t j = 0; j < seen.features.size(); ++j) {
     const auto column = diagnosis.observed.features.col(static_cast<Eigen::Index>(j)).array();
     DecidingFeature feature{.name = seen.features[j].name, .recorded = seen.features[j].value};
     double mean[2], spread[2];
     for (int k = 0; k < 2; ++k) {
-      // Where few cases resemble the recording all of the candidate speak for it.
-      constexpr double fewest = 10;
-      Eigen::ArrayXd weight = w[k].array();
-      if (inference::effective_cases(w[k]) < fewest)
-        for (Eigen::Index i = 0; i < weight.size(); ++i)
-          weight(i) =
-              diagnosis.set.cases[static_cast<std::size_t>(i)].candidate == (k == 0 ? first : second) ? 1 : 0;
+      const Eigen::ArrayXd& weight = weights[k];
       mean[k] = (weight * column).sum() / weight.sum();
       spread[k] = std::sqrt((weight * (column - mean[k]).square()).sum() / weight.sum()) + 1e-6;
     }
