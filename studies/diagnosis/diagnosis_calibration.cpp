@@ -24,7 +24,6 @@
 #include "rubsweep/dataset/labelled_recording.hpp"
 #include "rubsweep/dataset/readings.hpp"
 #include "rubsweep/diagnose/inference/diagnosis.hpp"
-#include "rubsweep/diagnose/inference/marginal.hpp"
 #include "rubsweep/diagnose/inference/quantity.hpp"
 #include "rubsweep/recording/recording.hpp"
 #include "studied_machine.hpp"
@@ -150,26 +149,23 @@ struct Truth {
 /// contact that never ends, have any rank among each other.
 double rank_of(const diagnose::inference::Marginal& marginal, double value, std::mt19937_64& random) {
   constexpr double equal = 1e-6;
-  const double from = marginal.share_below(value - equal * std::abs(value)),
-               to = marginal.share_below(value + equal * std::abs(value));
+  const double from = marginal.probability_below(value - equal * std::abs(value)),
+               to = marginal.probability_up_to(value + equal * std::abs(value));
   return std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random);
 }
 
 /// Columns of equal cases and ranks; empty where there is no candidate, no case of it that is like the
 /// recording, or no such number.
-std::string columns_of_numbers(const diagnose::inference::DiagnosisProblem& problem,
-                               const diagnose::features::DescribedMotion& seen,
-                               const diagnose::inference::Diagnosis& diagnosis, const Truth& truth,
+std::string columns_of_numbers(const diagnose::inference::Diagnosis& diagnosis, const Truth& truth,
                                std::mt19937_64& random) {
-  const double count =
-      truth.candidate ? diagnose::inference::effective_cases(weights_of(diagnosis, *truth.candidate)) : 0;
-  std::string columns = count > 0 ? fmt::format(",{:.1f}", count) : ",";
+  if (!truth.candidate) return std::string(asked_quantities().size() + 1, ',');
+  const double count = diagnose::inference::effective_cases(weights_of(diagnosis, *truth.candidate));
+  std::string columns = fmt::format(",{:.1f}", count);
   for (const Quantity quantity : asked_quantities()) {
     columns += ',';
-    if (count == 0 || !has_quantity(problem, *truth.candidate, quantity)) continue;
-    columns +=
-        fmt::format("{:.4f}", rank_of(marginal_of(problem, diagnosis, seen, *truth.candidate, quantity),
-                                      truth_of(*truth.labelled, quantity), random));
+    for (const auto& [known, marginal] : diagnosis.marginals[*truth.candidate])
+      if (known == quantity)
+        columns += fmt::format("{:.4f}", rank_of(marginal, truth_of(*truth.labelled, quantity), random));
   }
   return columns;
 }
@@ -190,7 +186,7 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
                       diagnosis.set.cases.size(), to_string(by_rule(seen)), problem.candidates[nearest].name,
                       share);
   for (const double p : diagnosis.history.front()) line += fmt::format(",{:.4f}", p);
-  line += columns_of_numbers(problem, seen, diagnosis, truth, random_ranks);
+  line += columns_of_numbers(diagnosis, truth, random_ranks);
   fmt::print("{}\n", line);
   std::fflush(stdout);
 }

@@ -14,6 +14,10 @@ namespace {
 Eigen::VectorXd even_values() { return Eigen::VectorXd::LinSpaced(1001, 0, 1); }
 Eigen::VectorXd even_prior() { return Eigen::VectorXd::Ones(1001); }
 
+double share_below(const Marginal& marginal, double value) {
+  return (marginal.probability_below(value) + marginal.probability_up_to(value)) / 2;
+}
+
 Eigen::VectorXd weights_at(std::initializer_list<int> cases) {
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(1001);
   for (const int i : cases) weight(i) += 1;
@@ -26,9 +30,9 @@ TEST(Marginal, EqualCasesStandAtWeibullsPlottingPositions) {
   EXPECT_EQ(marginal.quantile(0.4), even_values()(300));
   EXPECT_EQ(marginal.quantile(0.6), even_values()(350));
   EXPECT_EQ(marginal.quantile(0.8), even_values()(700));
-  EXPECT_NEAR(marginal.share_below(0.2), 0.3, 1e-3);
-  EXPECT_EQ(marginal.share_below(-0.1), 0);
-  EXPECT_EQ(marginal.share_below(1.1), 1);
+  EXPECT_NEAR(share_below(marginal, 0.2), 0.3, 1e-3);
+  EXPECT_EQ(share_below(marginal, -0.1), 0);
+  EXPECT_EQ(share_below(marginal, 1.1), 1);
 }
 
 TEST(Marginal, ReachesTowardsThePriorWhereFewCasesCount) {
@@ -37,7 +41,7 @@ TEST(Marginal, ReachesTowardsThePriorWhereFewCasesCount) {
   EXPECT_NEAR(marginal.quantile(0.25), 0.4, 2e-3);
   EXPECT_NEAR(marginal.quantile(0.75), 0.9, 2e-3);
   for (const double share : {0.025, 0.3, 0.6, 0.975})
-    EXPECT_NEAR(marginal.share_below(marginal.quantile(share)), share, 3e-3);
+    EXPECT_NEAR(share_below(marginal, marginal.quantile(share)), share, 3e-3);
 }
 
 TEST(Marginal, OfManyCasesIsTheirWeightedDistribution) {
@@ -62,11 +66,11 @@ TEST(Marginal, DoesNotDependOnTheOrderOfEqualValues) {
   other_way << 0, 1, 0, 0, 0, 1;
   const Eigen::VectorXd prior = Eigen::VectorXd::Ones(6);
   const Marginal one(values, weight, prior, false), other(values, other_way, prior, false);
-  EXPECT_EQ(one.share_below(5), other.share_below(5));
-  EXPECT_EQ(one.share_below(4.9), other.share_below(4.9));
-  EXPECT_EQ(one.share_below(5.1), 1);
+  EXPECT_EQ(share_below(one, 5), share_below(other, 5));
+  EXPECT_EQ(share_below(one, 4.9), share_below(other, 4.9));
+  EXPECT_EQ(share_below(one, 5.1), 1);
   const Marginal all_equal(Eigen::Vector2d(5, 5), Eigen::Vector2d(1, 0), Eigen::Vector2d(1, 1), false);
-  EXPECT_EQ(all_equal.share_below(5), 0.5);
+  EXPECT_EQ(share_below(all_equal, 5), 0.5);
   EXPECT_EQ(all_equal.quantile(0.025), 5);
 }
 
@@ -76,7 +80,7 @@ TEST(Marginal, AnglesGoRound) {
   EXPECT_NEAR(marginal.quantile(0.25), 169.2, 1e-9);
   EXPECT_NEAR(marginal.quantile(0.5), 180, 1e-9);
   EXPECT_NEAR(marginal.quantile(0.75), 185.4 - 360, 1e-9);
-  EXPECT_NEAR(marginal.share_below(-178), 0.5 + 0.25 * 2 / 5.4, 0.03);
+  EXPECT_NEAR(share_below(marginal, -178), 0.5 + 0.25 * 2 / 5.4, 0.03);
 }
 
 struct Calibration {
@@ -95,7 +99,7 @@ Calibration calibration_of(Posterior draw, int draws, double spread) {
     Eigen::VectorXd weight = Eigen::VectorXd::Zero(1001);
     for (int k = 0; k < draws; ++k)
       weight(static_cast<int>(1000 * draw(random))) += std::exp(spread * normal(random));
-    const double place = Marginal(even_values(), weight, even_prior(), false).share_below(draw(random));
+    const double place = share_below(Marginal(even_values(), weight, even_prior(), false), draw(random));
     found.inside += place > 0.025 && place < 0.975 ? 1.0 / trials : 0;
     found.below_middle += place < 0.5 ? 1.0 / trials : 0;
   }
@@ -132,6 +136,16 @@ TEST(Marginal, IsTooWideWhereFewCasesTellMuch) {
   const Calibration found = calibration_of(near_one_value, 12, 0.3);
   EXPECT_GT(found.inside, 0.95);
   EXPECT_NEAR(found.below_middle, 0.5, four_deviations_at_50);
+}
+
+TEST(Marginal, TheBetaTransformMovesProbabilitiesAndKeepsTheMedian) {
+  const Marginal even(even_values(), even_values().cwiseMax(1), even_prior(), false);
+  EXPECT_EQ(even.beta_transformed(1).quantile(0.3), even.quantile(0.3));
+  const Marginal narrow = even.beta_transformed(2);
+  EXPECT_NEAR(narrow.quantile(0.5), 0.5, 2e-3);
+  // 3 u^2 - 2 u^3 is the distribution function for parameters of 2.
+  EXPECT_NEAR(narrow.probability_up_to(0.2), 3 * 0.04 - 2 * 0.008, 2e-3);
+  EXPECT_NEAR(narrow.quantile(3 * 0.04 - 2 * 0.008), 0.2, 3e-3);
 }
 
 TEST(Marginal, EffectiveCasesAreThoseOfEqualWeight) {

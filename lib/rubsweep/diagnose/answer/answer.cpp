@@ -8,26 +8,17 @@
 #include <numeric>
 #include <utility>
 
-#include "rubsweep/diagnose/inference/marginal.hpp"
-
 namespace rubsweep::diagnose::answer {
 namespace {
 
 using inference::Diagnosis;
 using inference::DiagnosisProblem;
-using inference::Quantity;
 
-std::vector<NumberInterval> numbers_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
-                                       const features::DescribedMotion& seen, std::size_t candidate) {
-  if (weights_of(diagnosis, candidate).sum() == 0) return {};
+std::vector<NumberInterval> numbers_of(const std::vector<inference::QuantityMarginal>& marginals) {
   std::vector<NumberInterval> numbers;
-  for (const Quantity quantity : inference::all_quantities) {
-    if (!has_quantity(problem, candidate, quantity)) continue;
-    const inference::Marginal marginal =
-        inference::marginal_of(problem, diagnosis, seen, candidate, quantity);
+  for (const auto& [quantity, marginal] : marginals)
     numbers.push_back({std::string(to_string(quantity)), marginal.quantile(0.5), marginal.quantile(0.025),
                        marginal.quantile(0.975)});
-  }
   return numbers;
 }
 
@@ -134,7 +125,7 @@ Answer answer_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
   answer.none_standard_error = error(order.size());
   for (const std::size_t c : order)
     answer.candidates.push_back({problem.candidates[c].name, problem.candidates[c].cause,
-                                 (1 - answer.none) * probability(c), numbers_of(problem, diagnosis, seen, c),
+                                 (1 - answer.none) * probability(c), numbers_of(diagnosis.marginals[c]),
                                  error(c)});
   if (order.size() > 1) answer.deciding = deciding_features(diagnosis, seen, order[0], order[1]);
   answer.best = best_motions(problem, diagnosis, recorded);

@@ -72,10 +72,12 @@ Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMot
     if (round == options.most_rounds || diagnosis.stands_still || stopped(options)) break;
     narrow(problem, options, round + 1, diagnosis);
   }
+  for (std::size_t c = 0; c < problem.candidates.size(); ++c)
+    diagnosis.marginals.push_back(
+        marginals_of(problem, diagnosis.set, diagnosis.observed, diagnosis.posterior, seen, c, threads));
   diagnosis.p_value = p_value_of(diagnosis.set, diagnosis.observed, seen, threads);
   if (!diagnosis.stands_still && options.with_standard_error)
-    diagnosis.standard_error =
-        sampling_errors(problem, diagnosis.set, diagnosis.observed, seen, threads);
+    diagnosis.standard_error = sampling_errors(problem, diagnosis.set, diagnosis.observed, seen, threads);
   return diagnosis;
 }
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rubsweep/diagnose/inference/posterior.hpp"
+#include "rubsweep/diagnose/inference/candidate_marginals.hpp"
 
 namespace rubsweep::diagnose::inference {
 
@@ -20,6 +20,7 @@ struct Diagnosis {
   CaseSet set{};
   ObservedCases observed{};
   Posterior posterior{};
+  std::vector<std::vector<QuantityMarginal>> marginals{};  ///< marginals_of every candidate
   std::vector<Eigen::VectorXd> history{};  ///< probabilities of the candidates after each round
   double p_value = 1;                      ///< p_value_of
   bool stands_still = false;               ///< the last round changed them by less than least_change

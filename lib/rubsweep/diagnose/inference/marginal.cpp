@@ -1,9 +1,12 @@
 #include "rubsweep/diagnose/inference/marginal.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
+
+#include "rubsweep/diagnose/inference/quantity.hpp"
 
 namespace rubsweep::diagnose::inference {
 namespace {
@@ -73,7 +76,7 @@ Marginal::Marginal(const Eigen::VectorXd& values, const Eigen::VectorXd& weight,
   const double all = weight.sum(), all_of_prior = prior.sum();
   for (Eigen::Index i = 0; i < values.size(); ++i)
     if (const double share = prior(i) / all_of_prior; share > 0)
-      cases.push_back({angle ? wrapped_deg(values(i) - middle_deg_) : values(i), weight(i) / all, share});
+      cases.push_back({from_middle(values(i)), weight(i) / all, share});
   const std::vector<ValueShare> shares = sorted_shares(std::move(cases));
   const std::vector<Knot> knots =
       knots_of(shares, std::max(1, static_cast<int>(std::lround(effective_cases(weight)))));
@@ -90,13 +93,12 @@ Marginal::Marginal(const Eigen::VectorXd& values, const Eigen::VectorXd& weight,
   up_to_.back() = 1;
 }
 
-double Marginal::share_below(double value) const {
-  const double x = angle_ ? wrapped_deg(value - middle_deg_) : value;
-  const auto [first, last] = std::ranges::equal_range(value_, x);
-  const auto before = [&](auto it) {
-    return it == value_.begin() ? 0 : up_to_[static_cast<std::size_t>(it - value_.begin() - 1)];
-  };
-  return (before(first) + before(last)) / 2;
+double Marginal::probability_below(double value) const {
+  return before(std::ranges::lower_bound(value_, from_middle(value)) - value_.begin());
+}
+
+double Marginal::probability_up_to(double value) const {
+  return before(std::ranges::upper_bound(value_, from_middle(value)) - value_.begin());
 }
 
 double Marginal::quantile(double share) const {
@@ -105,14 +107,16 @@ double Marginal::quantile(double share) const {
   return angle_ ? wrapped_deg(x + middle_deg_) : x;
 }
 
-Marginal marginal_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
-                     const features::DescribedMotion& seen, std::size_t candidate, Quantity quantity) {
-  std::vector<Eigen::Index> rows;
-  for (std::size_t i = 0; i < diagnosis.set.cases.size(); ++i)
-    if (diagnosis.set.cases[i].candidate == candidate) rows.push_back(static_cast<Eigen::Index>(i));
-  const Eigen::VectorXd values = values_in_cases(problem, diagnosis.set, diagnosis.observed, seen, quantity);
-  return {values(rows), diagnosis.posterior.weight(rows), diagnosis.posterior.prior_weight(rows),
-          quantity == Quantity::stop_angle};
+Marginal Marginal::beta_transformed(double beta) const {
+  Marginal transformed = *this;
+  for (double& probability : transformed.up_to_) probability = boost::math::ibeta(beta, beta, probability);
+  return transformed;
+}
+
+double Marginal::from_middle(double value) const { return angle_ ? wrapped_deg(value - middle_deg_) : value; }
+
+double Marginal::before(std::ptrdiff_t k) const {
+  return k == 0 ? 0 : up_to_[static_cast<std::size_t>(k - 1)];
 }
 
 }  // namespace rubsweep::diagnose::inference

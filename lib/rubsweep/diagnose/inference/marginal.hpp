@@ -4,9 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "rubsweep/diagnose/inference/diagnosis.hpp"
-#include "rubsweep/diagnose/inference/quantity.hpp"
-
 namespace rubsweep::diagnose::inference {
 
 /// Number of equal cases that say as much as cases of these weights: (sum w)^2 / sum w^2 (Kish 1965); 0
@@ -25,22 +22,24 @@ class Marginal {
   Marginal(const Eigen::VectorXd& values, const Eigen::VectorXd& weight, const Eigen::VectorXd& prior,
            bool angle);
 
-  /// Probability of less than `value`, and half of that of `value` itself.
-  double share_below(double value) const;
+  double probability_below(double value) const;  ///< of less than `value`
+  double probability_up_to(double value) const;  ///< of `value` or less
 
   /// Value of the case at which the probability of this value or less reaches `share`, from 0 to 1.
   double quantile(double share) const;
 
+  /// Narrower about the median for `beta` > 1, wider for less: its probabilities are those that a beta
+  /// distribution with both parameters `beta` has below them.
+  Marginal beta_transformed(double beta) const;
+
  private:
+  double from_middle(double value) const;  ///< of an angle; else the value itself
+  double before(std::ptrdiff_t k) const;   ///< probability of the first k values
+
   bool angle_;
   double middle_deg_ = 0;        ///< mean direction
   std::vector<double> value_{};  ///< rising
   std::vector<double> up_to_{};  ///< probability of each value or less; the last is 1
 };
-
-/// Marginal posterior of a quantity, given that the cause is this candidate. Cases of it must weigh
-/// something.
-Marginal marginal_of(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
-                     const features::DescribedMotion& seen, std::size_t candidate, Quantity quantity);
 
 }  // namespace rubsweep::diagnose::inference

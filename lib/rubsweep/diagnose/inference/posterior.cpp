@@ -5,12 +5,12 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/diagnose/draw_purpose.hpp"
-#include "rubsweep/diagnose/forest/forest.hpp"
 #include "rubsweep/diagnose/forest/novelty.hpp"
 #include "rubsweep/diagnose/inference/density_of_size.hpp"
 #include "rubsweep/diagnose/inference/other_cause.hpp"
@@ -141,26 +141,28 @@ void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int thre
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
                        const features::DescribedMotion& seen, int threads) {
   const forest::LabelledSamples samples = samples_of(problem, set, observed);
-  const forest::Forest forest(samples, {.seed = problem.seed, .threads = threads});
   const Eigen::VectorXd here = features::values_of(seen.features);
-  Eigen::VectorXd weight = forest.posterior_weights(here);
+  Posterior posterior;
+  posterior.forest = std::make_shared<const forest::Forest>(
+      samples, forest::ForestOptions{.seed = problem.seed, .threads = threads});
+  Eigen::VectorXd weight = posterior.forest->posterior_weights(here);
   const auto cases = static_cast<Eigen::Index>(set.cases.size());
-  Eigen::VectorXd density(cases);
+  posterior.importance = samples.weight.head(cases);
+  posterior.size_density.resize(cases);
   for (Eigen::Index i = 0; i < cases; ++i)
-    density(i) =
+    posterior.size_density(i) =
         density_of_size(problem, set.cases[static_cast<std::size_t>(i)], observed.size_m(i), seen.size_m);
-  weight.head(cases).array() *= density.array();
+  weight.head(cases).array() *= posterior.size_density.array();
   Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
   for (Eigen::Index i = 0; i < weight.size(); ++i)
     share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
   // No case and no other vibration is like it.
   if (share.sum() == 0) share(samples.classes - 1) = 1;
-  Posterior posterior;
-  posterior.sharpness = best_sharpness(forest.out_of_bag_probabilities(), samples.label, samples.weight);
+  posterior.sharpness =
+      best_sharpness(posterior.forest->out_of_bag_probabilities(), samples.label, samples.weight);
   const Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness);
   posterior.none = all(samples.classes - 1);
   posterior.probability = all.head(samples.classes - 1).transpose() / (1 - posterior.none);
-  posterior.prior_weight = density.cwiseProduct(samples.weight.head(cases));
   posterior.weight = weight.head(cases);
   for (Eigen::Index i = 0; i < posterior.weight.size(); ++i) {
     const int label = samples.label[static_cast<std::size_t>(i)];

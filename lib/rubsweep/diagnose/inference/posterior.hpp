@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
+#include "rubsweep/diagnose/forest/forest.hpp"
 #include "rubsweep/diagnose/inference/case_set.hpp"
 
 namespace rubsweep::diagnose::inference {
@@ -10,9 +12,10 @@ namespace rubsweep::diagnose::inference {
 struct Posterior {
   Eigen::VectorXd probability{};   ///< of every candidate, given that it is one of them
   Eigen::VectorXd weight{};        ///< of every case; those of a candidate add up to its probability
-  Eigen::VectorXd prior_weight{};  ///< of every case before its features are compared: importance_weights
-                                   ///< times density_of_size
-  double none = 0;                 ///< probability that it is none of them
+  Eigen::VectorXd importance{};    ///< of every case in proportion to importance_weights
+  Eigen::VectorXd size_density{};  ///< density_of_size of every case
+  std::shared_ptr<const forest::Forest> forest{};  ///< that gave the weights
+  double none = 0;                                 ///< probability that it is none of them
   double sharpness = 1;  ///< power that makes the probabilities of cases not drawn by a tree fit best
 };
 
