@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 

@@ -1,12 +1,10 @@
 #include "rubsweep/diagnose/inference/candidate_marginals.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "rubsweep/batch/parallel_run.hpp"
 

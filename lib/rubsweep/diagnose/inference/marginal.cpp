@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "rubsweep/diagnose/inference/quantity.hpp"
 
