@@ -32,10 +32,13 @@ def print_firsts(calibration):
 def print_ranks(calibration):
     # Bonferroni's bound: were all even, one of nine would be above it in 5 % of such tables.
     print("ranks of true numbers in five equal parts, chi-square of 4 degrees (at 5 %: 9.5 of one, 14.6 of the largest of nine),")
-    print("and share in the intervals of 95 %:")
+    print("and share in the intervals of 95 %, of all and of each cause that rubs:")
     for name in calibration.rank_names():
         counts = calibration.counts(name)
-        print(f"  {name.removeprefix('rank_of_'):<22} {counts}  {chi_square(counts):.1f}  {calibration.inside(name):.3f}")
+        inside = "  ".join(f"{calibration.inside(name, truth):.3f}" for truth in (None, *CANDIDATES[1:]))
+        print(f"  {name.removeprefix('rank_of_'):<22} {counts}  {chi_square(counts):.1f}  {inside}")
+    few = calibration.equal_cases()
+    print(f"equal cases of these posteriors: a tenth below {few[len(few) // 10]:.0f}, half below {few[len(few) // 2]:.0f}")
 
 
 def main():

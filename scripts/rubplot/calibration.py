@@ -62,20 +62,27 @@ class Calibration:
     def rank_names(self):
         return [name for name in self.rows[0] if name.startswith("rank_of_")]
 
-    def ranks(self, name):
-        """Shares of the posterior distributions below the true numbers, of recordings whose cause has such a number."""
-        return [float(row[name]) for row in self.rows if row[name]]
+    def ranks(self, name, truth=None):
+        """Shares of the posterior distributions below the true numbers, of recordings whose cause has such a number.
+
+        `truth`: of this cause alone.
+        """
+        return [float(row[name]) for row in self.rows if row[name] and truth in (None, row["truth"])]
+
+    def equal_cases(self):
+        """How many equal cases the posterior of each true cause that rubs rests on, in rising order."""
+        return sorted(float(row["effective_cases"]) for row in self.rows if truth_of(row) not in (NONE, "no_rub"))
 
     def counts(self, name):
         """How many true numbers lie in each part of their posterior distribution."""
         ranks = self.ranks(name)
         return [sum(min(PARTS - 1, int(PARTS * rank)) == part for rank in ranks) for part in range(PARTS)]
 
-    def inside(self, name, probability=0.95):
+    def inside(self, name, truth=None, probability=0.95):
         """Share of the true numbers that lie in the interval that is said to hold them with this probability."""
         outside = (1 - probability) / 2
-        ranks = self.ranks(name)
-        return sum(outside <= rank <= 1 - outside for rank in ranks) / len(ranks) if ranks else 0.0
+        ranks = self.ranks(name, truth)
+        return sum(outside <= rank <= 1 - outside for rank in ranks) / len(ranks) if ranks else float("nan")
 
 
 def probabilities(row):

@@ -154,8 +154,8 @@ double rank_of(const diagnose::inference::Marginal& marginal, double value, std:
   return std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random);
 }
 
-/// Columns of equal cases and ranks; empty where there is no candidate, no case of it that is like the
-/// recording, or no such number.
+/// Columns of equal cases and of ranks; empty where there is no candidate, and of ranks also where no case of
+/// it is like the recording or where it has no such number.
 std::string columns_of_numbers(const diagnose::inference::Diagnosis& diagnosis, const Truth& truth,
                                std::mt19937_64& random) {
   if (!truth.candidate) return std::string(asked_quantities().size() + 1, ',');

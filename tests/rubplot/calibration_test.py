@@ -2,12 +2,12 @@ import figures
 from rubplot.calibration import Calibration, chi_square
 from rubplot.pictures import calibration
 
-HEADER = "machine,truth,no_rub,one_side,two_sides,annular,annular_offset,none,rule,nearest,share_of_nearest,rank_of_clearance_m,rank_of_stop_angle_deg"
+HEADER = "machine,truth,no_rub,one_side,two_sides,annular,annular_offset,none,rule,nearest,share_of_nearest,effective_cases,rank_of_clearance_m,rank_of_stop_angle_deg"
 
 
-def row(truth, one_side, none, rank="", share=0.5, angle=""):
+def row(truth, one_side, none, rank="", share=0.5, angle="", cases=100):
     """A recording: one_side has the share `one_side` of what is not none, and no_rub the rest."""
-    return f"1,{truth},{1 - one_side},{one_side},0,0,0,{none},no_rub,one_side,{share},{rank},{angle}"
+    return f"1,{truth},{1 - one_side},{one_side},0,0,0,{none},no_rub,one_side,{share},{cases},{rank},{angle}"
 
 
 class CalibrationTest(figures.FigureTest):
@@ -41,10 +41,17 @@ class CalibrationTest(figures.FigureTest):
         self.assertAlmostEqual(chi_square([1, 0, 0, 0, 1]), 3)
         self.assertEqual(found.other_truths(), ["oil_whirl"])
 
+    def test_equal_cases_are_those_of_rubs(self):
+        found = self.calibration(row("one_side", 1, 0, cases=50), row("annular", 0, 0, cases=20), row("no_rub", 0, 0, cases=5),
+                                 row("oil_whirl", 0, 1, cases=""))
+        self.assertEqual(found.equal_cases(), [20, 50])
+
     def test_intervals_hold_what_lies_between_their_ends(self):
-        found = self.calibration(*(row("one_side", 1, 0, place) for place in (0.01, 0.03, 0.5, 0.97, 0.99)))
-        self.assertAlmostEqual(found.inside("rank_of_clearance_m"), 0.6)
-        self.assertAlmostEqual(found.inside("rank_of_clearance_m", 0.99), 1)
+        found = self.calibration(*(row("one_side", 1, 0, place) for place in (0.01, 0.03, 0.5, 0.97, 0.99)), row("two_sides", 0, 0, 0.5))
+        self.assertAlmostEqual(found.inside("rank_of_clearance_m"), 4 / 6)
+        self.assertAlmostEqual(found.inside("rank_of_clearance_m", "one_side"), 0.6)
+        self.assertAlmostEqual(found.inside("rank_of_clearance_m", "two_sides"), 1)
+        self.assertAlmostEqual(found.inside("rank_of_clearance_m", "one_side", 0.99), 1)
 
     def test_every_truth_and_answer_has_a_cell(self):
         found = self.calibration(row("one_side", 0.9, 0), row("oil_whirl", 0.1, 0.9))

@@ -48,6 +48,20 @@ TEST(Answer, LaysTheCaseItselfOverTheRecording) {
   EXPECT_LT(answer.best.front().overlay.unexplained, 1e-3);
 }
 
+TEST(Answer, ComparesNoFeaturesWithACandidateWithoutCases) {
+  const DiagnosisProblem problem = inference::small_problem();
+  inference::CaseSet stops_alone = inference::small_set();
+  std::erase_if(stops_alone.cases, [](const auto& one) { return one.candidate == 0; });
+  inference::DiagnosisOptions options;
+  options.most_rounds = 0;
+  const features::DescribedMotion seen = inference::recorded_case(1, 51);
+  const Diagnosis diagnosis = inference::diagnose(problem, seen, options, stops_alone);
+  const Answer answer =
+      answer_of(problem, diagnosis, seen, stops_alone.cases.front().motion.lines, RecordingFacts{}, {});
+  EXPECT_EQ(answer.candidates[0].name, "one_side");
+  EXPECT_TRUE(answer.deciding.empty());
+}
+
 TEST(Answer, OfNoRubHasNoNumbersOfAStop) {
   const Answer answer = answer_to_case(0);
   EXPECT_EQ(answer.candidates[0].name, "no_rub");

@@ -47,7 +47,7 @@ TEST(AnswerText, SaysNumbersWithTheirIntervals) {
 
 TEST(AnswerText, SaysWhereAStopMayStandInAnyDirection) {
   Answer answer = small_answer();
-  answer.candidates[0].numbers.back() = {"stop_angle_deg", 10, -169.6, -170.4};
+  answer.candidates[0].numbers.back() = {"stop_angle_deg", 10, -160, 162};
   EXPECT_NE(answer_text(answer).find("stop_angle             any direction\n"), std::string::npos);
   answer.candidates[0].numbers.back() = {"stop_angle_deg", -178, 164, -12};
   EXPECT_NE(answer_text(answer).find("from 164 deg to -12 deg"), std::string::npos);

@@ -128,7 +128,8 @@ TEST(Marginal, HoldsTheTrueValueAsOftenAsItSaysWhereManyCasesCount) {
 
 TEST(Marginal, IsNotTooNarrowWhereFewCasesHaveMostOfTheWeight) {
   const Calibration found = calibration_of(anywhere, 200, 2);
-  EXPECT_NEAR(found.inside, 0.96, four_deviations_at_95);
+  EXPECT_GT(found.inside, 0.95 - four_deviations_at_95);
+  EXPECT_LT(found.inside, 0.98);
   EXPECT_NEAR(found.below_middle, 0.5, four_deviations_at_50);
 }
 
@@ -139,7 +140,7 @@ TEST(Marginal, IsTooWideWhereFewCasesTellMuch) {
 }
 
 TEST(Marginal, TheBetaTransformMovesProbabilitiesAndKeepsTheMedian) {
-  const Marginal even(even_values(), even_values().cwiseMax(1), even_prior(), false);
+  const Marginal even(even_values(), even_prior(), even_prior(), false);
   EXPECT_EQ(even.beta_transformed(1).quantile(0.3), even.quantile(0.3));
   const Marginal narrow = even.beta_transformed(2);
   EXPECT_NEAR(narrow.quantile(0.5), 0.5, 2e-3);

@@ -37,8 +37,8 @@ std::vector<DecidingFeature> deciding_features(const Diagnosis& diagnosis,
                                                const features::DescribedMotion& seen, std::size_t first,
                                                std::size_t second) {
   constexpr std::size_t most = 5;
-  if (weights_of(diagnosis, first).sum() == 0) return {};
   const Eigen::ArrayXd weights[2] = {speaking_weights(diagnosis, first), speaking_weights(diagnosis, second)};
+  if (weights_of(diagnosis, first).sum() == 0 || weights[1].sum() == 0) return {};
   std::vector<DecidingFeature> features;
   for (std::size_t j = 0; j < seen.features.size(); ++j) {
     const auto column = diagnosis.observed.features.col(static_cast<Eigen::Index>(j)).array();

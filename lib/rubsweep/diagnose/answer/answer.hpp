@@ -6,7 +6,6 @@
 
 #include "rubsweep/diagnose/answer/overlay.hpp"
 #include "rubsweep/diagnose/inference/next_measurement.hpp"
-#include "rubsweep/diagnose/inference/quantity.hpp"
 
 namespace rubsweep::diagnose::answer {
 
@@ -54,7 +53,7 @@ struct Answer {
   double none = 0, p_value = 1;
   std::optional<double> none_standard_error{};
   bool size_fits = true;  ///< some simulated motion may be as large as the recording
-  bool clipped = false;  ///< a probe that clips shows what no rotor does: none is 1
+  bool clipped = false;   ///< a probe that clips shows what no rotor does: none is 1
   bool stands_still = false, interrupted = false;
   int rounds = 0;
   std::size_t cases = 0;

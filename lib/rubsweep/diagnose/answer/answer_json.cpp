@@ -29,9 +29,10 @@ std::string answer_json(const Answer& answer) {
                                   {"standard_error", number_or_null(candidate.standard_error)},
                                   {"numbers", numbers}});
   }
-  root["none_of_these"] = {
-      {"probability", answer.none}, {"standard_error", number_or_null(answer.none_standard_error)},
-      {"p_value", answer.p_value}, {"clipped", answer.clipped}};
+  root["none_of_these"] = {{"probability", answer.none},
+                           {"standard_error", number_or_null(answer.none_standard_error)},
+                           {"p_value", answer.p_value},
+                           {"clipped", answer.clipped}};
   root["simulations"] = {{"motions", answer.cases},
                          {"rounds", answer.rounds},
                          {"stands_still", answer.stands_still},

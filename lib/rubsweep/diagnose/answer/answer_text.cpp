@@ -43,9 +43,9 @@ std::string first_line(const Answer& answer) {
                      words_for(first.cause));
 }
 
-/// Whether the interval of an angle leaves next to no direction out.
-bool goes_round(const NumberInterval& angle_deg) {
-  constexpr double nearly_all_deg = 350;
+/// Whether the interval of an angle tells nothing: that of an even distribution is 342 degrees long.
+bool is_any_direction(const NumberInterval& angle_deg) {
+  constexpr double nearly_all_deg = 320;
   const double arc_deg = angle_deg.high_95 - angle_deg.low_95;
   return arc_deg - 360 * std::floor(arc_deg / 360) > nearly_all_deg;
 }
@@ -63,7 +63,8 @@ std::string number_text(const NumberInterval& number, const model::ShownLengths&
     return fmt::format("  {:<22} {}\n", what, values([&](double x) {
                          return model::length_text(x, shown, model::LengthUnit::um, 3);
                        }));
-  if (name.ends_with("_deg") && goes_round(number)) return fmt::format("  {:<22} any direction\n", what);
+  if (name.ends_with("_deg") && is_any_direction(number))
+    return fmt::format("  {:<22} any direction\n", what);
   if (name.ends_with("_deg"))
     return fmt::format("  {:<22} {}\n", what, values([](double x) { return fmt::format("{:.0f} deg", x); }));
   return fmt::format("  {:<22} {}\n", name, values([](double x) { return fmt::format("{:.3g}", x); }));

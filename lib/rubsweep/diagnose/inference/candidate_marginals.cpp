@@ -1,9 +1,11 @@
 #include "rubsweep/diagnose/inference/candidate_marginals.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "rubsweep/batch/parallel_run.hpp"
@@ -28,22 +30,35 @@ double rank_in(const Marginal& marginal, double value, double fraction) {
   return below + fraction * (marginal.probability_up_to(value) - below);
 }
 
-/// Ranks of the quantities of one case, a row for each case that weighs something; NaN where no tree tells.
+/// The cases that weigh most, and anything.
+std::vector<std::size_t> heaviest(const Eigen::VectorXd& weight, std::size_t most) {
+  std::vector<std::size_t> cases;
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    if (weight(i) > 0) cases.push_back(static_cast<std::size_t>(i));
+  std::ranges::stable_sort(cases, std::greater{},
+                           [&](std::size_t i) { return weight(static_cast<Eigen::Index>(i)); });
+  cases.resize(std::min(cases.size(), most));
+  return cases;
+}
+
+/// Ranks of the quantities, a row for each case of the candidate; NaN where it is not ranked, or no tree
+/// tells.
 Eigen::MatrixXd out_of_bag_ranks(const std::vector<QuantityCases>& quantities,
                                  const std::vector<Eigen::Index>& rows, const Posterior& posterior,
                                  const Eigen::VectorXd& prior, int threads) {
+  constexpr std::size_t most_ranked = 1000;
+  const std::vector<std::size_t> ranked = heaviest(posterior.weight(rows), most_ranked);
   Eigen::MatrixXd ranks = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(rows.size()),
                                                     static_cast<Eigen::Index>(quantities.size()),
                                                     std::numeric_limits<double>::quiet_NaN());
   batch::parallel_run(
-      rows.size(), threads,
-      [&](std::size_t k) {
-        if (posterior.weight(rows[k]) == 0) return;
+      ranked.size(), threads,
+      [&](std::size_t place) {
+        const std::size_t k = ranked[place];
         const Eigen::VectorXd all = posterior.forest->out_of_bag_weights(static_cast<int>(rows[k]));
         if (all.size() == 0) return;
         const auto row = static_cast<Eigen::Index>(k);
-        Eigen::VectorXd weight = all(rows).cwiseProduct(posterior.size_density(rows));
-        weight(row) = 0;
+        const Eigen::VectorXd weight = all(rows).cwiseProduct(posterior.size_density(rows));
         if (weight.sum() == 0) return;
         constexpr double golden = 0.6180339887498949;
         const double fraction = golden * static_cast<double>(k) - std::floor(golden * static_cast<double>(k));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -62,6 +61,7 @@ Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMot
   const int threads = options.cases.threads;
   for (int round = 0;; ++round) {
     observe_cases(problem, diagnosis.set, threads, diagnosis.observed);
+    diagnosis.posterior.forest.reset();  // two forests of many cases are large
     diagnosis.posterior = posterior_of(problem, diagnosis.set, diagnosis.observed, seen, threads);
     diagnosis.history.push_back(diagnosis.posterior.probability);
     if (round > 0) {
@@ -75,6 +75,7 @@ Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMot
   for (std::size_t c = 0; c < problem.candidates.size(); ++c)
     diagnosis.marginals.push_back(
         marginals_of(problem, diagnosis.set, diagnosis.observed, diagnosis.posterior, seen, c, threads));
+  diagnosis.posterior.forest.reset();
   diagnosis.p_value = p_value_of(diagnosis.set, diagnosis.observed, seen, threads);
   if (!diagnosis.stands_still && options.with_standard_error)
     diagnosis.standard_error = sampling_errors(problem, diagnosis.set, diagnosis.observed, seen, threads);

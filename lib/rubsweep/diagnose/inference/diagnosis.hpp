@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "rubsweep/diagnose/inference/candidate_marginals.hpp"
@@ -19,7 +21,7 @@ struct DiagnosisOptions {
 struct Diagnosis {
   CaseSet set{};
   ObservedCases observed{};
-  Posterior posterior{};
+  Posterior posterior{};                                   ///< without its forest
   std::vector<std::vector<QuantityMarginal>> marginals{};  ///< marginals_of every candidate
   std::vector<Eigen::VectorXd> history{};  ///< probabilities of the candidates after each round
   double p_value = 1;                      ///< p_value_of
