@@ -16,6 +16,7 @@ using inference::DiagnosisProblem;
 
 std::vector<NumberInterval> numbers_of(const std::vector<inference::QuantityMarginal>& marginals) {
   std::vector<NumberInterval> numbers;
+  numbers.reserve(marginals.size());
   for (const auto& [quantity, marginal] : marginals)
     numbers.push_back({std::string(to_string(quantity)), marginal.quantile(0.5), marginal.quantile(0.025),
                        marginal.quantile(0.975)});
