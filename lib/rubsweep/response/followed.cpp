@@ -58,4 +58,27 @@ bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2,
   return spectrum::same_discrete_lines(std::span(z).first(half), std::span(z).last(half), workspace);
 }
 
+bool belongs_to(const Followed& motion, std::span<const double> sections) {
+  const std::size_t turns = sections.size() / motion.states, stretches = 4 * motion.turns() / 5 / turns;
+  if (stretches < 2) return true;
+  const auto rows = motion.last_rows(stretches * turns);
+  const auto table = [&](std::span<const double> part) {
+    return Eigen::Map<const Eigen::MatrixXd>(part.data(), static_cast<Eigen::Index>(motion.states),
+                                             static_cast<Eigen::Index>(part.size() / motion.states));
+  };
+  const Eigen::VectorXd mean = table(rows).rowwise().mean();
+  const auto size = [&](std::span<const double> part) {
+    return (table(part).colwise() - mean).squaredNorm() / static_cast<double>(turns);
+  };
+  double least = size(rows.first(sections.size())), most = least;
+  for (std::size_t k = 1; k < stretches; ++k) {
+    const double here = size(rows.subspan(k * sections.size(), sections.size()));
+    least = std::min(least, here);
+    most = std::max(most, here);
+  }
+  const double margin = most - least + steady_share * most;
+  const double found = size(sections);
+  return found >= least - margin && found <= most + margin;
+}
+
 }  // namespace rubsweep::response

@@ -38,4 +38,9 @@ struct Followed {
 bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed,
                           int window, double known_rate, spectrum::SpectrumWorkspace& workspace);
 
+/// Whether successive sections, such as those of a window that numbers are measured in, are of the motion
+/// that the last four fifths of the turns show: their mean square distance from its mean is that of stretches
+/// of as many turns, within `steady_share` and as much more as these differ from each other.
+bool belongs_to(const Followed& motion, std::span<const double> sections);
+
 }  // namespace rubsweep::response
