@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "rubsweep/response/closest_return.hpp"
 #include "rubsweep/response/spectrum/discrete_lines.hpp"
@@ -39,6 +40,22 @@ bool stays_as_large(std::span<const double> rows) {
   return std::abs(after - before) <= steady_share * before;
 }
 
+/// Mean distance of sections from the nearest one of `cloud`.
+double mean_distance(std::span<const double> sections, std::span<const double> cloud, std::size_t states) {
+  double sum = 0;
+  for (std::size_t i = 0; i < sections.size(); i += states) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < cloud.size(); j += states) {
+      double square = 0;
+      for (std::size_t k = 0; k < states; ++k)
+        square += (sections[i + k] - cloud[j + k]) * (sections[i + k] - cloud[j + k]);
+      nearest = std::min(nearest, square);
+    }
+    sum += std::sqrt(nearest);
+  }
+  return sum * static_cast<double>(states) / static_cast<double>(sections.size());
+}
+
 }  // namespace
 
 void Followed::add(std::span<const double> section, double contribution, bool touched) {
@@ -59,26 +76,12 @@ bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2,
 }
 
 bool belongs_to(const Followed& motion, std::span<const double> sections) {
-  const std::size_t turns = sections.size() / motion.states, stretches = 4 * motion.turns() / 5 / turns;
-  if (stretches < 2) return true;
-  const auto rows = motion.last_rows(stretches * turns);
-  const auto table = [&](std::span<const double> part) {
-    return Eigen::Map<const Eigen::MatrixXd>(part.data(), static_cast<Eigen::Index>(motion.states),
-                                             static_cast<Eigen::Index>(part.size() / motion.states));
-  };
-  const Eigen::VectorXd mean = table(rows).rowwise().mean();
-  const auto size = [&](std::span<const double> part) {
-    return (table(part).colwise() - mean).squaredNorm() / static_cast<double>(turns);
-  };
-  double least = size(rows.first(sections.size())), most = least;
-  for (std::size_t k = 1; k < stretches; ++k) {
-    const double here = size(rows.subspan(k * sections.size(), sections.size()));
-    least = std::min(least, here);
-    most = std::max(most, here);
-  }
-  const double margin = most - least + steady_share * most;
-  const double found = size(sections);
-  return found >= least - margin && found <= most + margin;
+  constexpr double more = 2;
+  if (4 * motion.turns() * motion.states < 15 * sections.size()) return true;
+  const auto rows = motion.last_rows(4 * motion.turns() / 5);
+  const auto cloud = rows.first(rows.size() - sections.size());
+  const double usual = mean_distance(rows.last(sections.size()), cloud, motion.states);
+  return mean_distance(sections, cloud, motion.states) <= std::max(more * usual, significant_return);
 }
 
 }  // namespace rubsweep::response
