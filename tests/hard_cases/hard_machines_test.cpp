@@ -13,6 +13,7 @@
 #include "audit/dry_audit.hpp"
 #include "audit/event_audit.hpp"
 #include "audit/proof_audit.hpp"
+#include "audit/wall_start.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/response/proof/orbit_ball.hpp"
@@ -164,6 +165,18 @@ TEST(HardMachines, AnAuditOfDryContactsInShort) {
     stuck += found.stuck;
   }
   EXPECT_GT(stuck, 8);
+}
+
+/// Rotors that begin on a wall without a radial speed: the first derivative that is not zero decides.
+TEST(HardMachines, AnAuditOfStartsOnWallsInShort) {
+  int decided = 0;
+  for (std::size_t i = 0; i < 90; ++i) {
+    const audit::WallStart start = audit::random_wall_start(1, i);
+    const audit::WallStartAudit found = audit::audit_wall_start(start);
+    decided += found.decides;
+    EXPECT_FALSE(found.decides && found.wrong) << i << ": " << start.description;
+  }
+  EXPECT_GT(decided, 80);
 }
 
 TEST(HardMachines, AnAuditOfProofsInShort) {

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "response/annular_cell.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "support/set_a_cell.hpp"
 
@@ -203,6 +205,88 @@ TEST(Settle, FailuresNameTheirOutcome) {
   EXPECT_EQ(settled.motion.motion_class, motion::MotionClass::failed);
   EXPECT_EQ(settled.outcome, integrate::run::Outcome::step_limit);
   EXPECT_FALSE(settled.proof);
+}
+
+/// A rotor in a soft undamped ring, whose chaotic transients last for a thousand turns and die on to ovals.
+scene::Cell cell_of_long_transients(double eccentricity_m) {
+  model::Stop ring;
+  ring.geometry = model::AnnularGeometry{{0, 0}};
+  ring.clearance_m = 1;
+  ring.stiffness_n_per_m = 50;
+  ring.damping = model::ExplicitDamping{0};
+  ring.contact_radius_m = 2;
+  model::Machine machine;
+  machine.rotor =
+      model::JeffcottRotor{.mass_kg = 10, .natural_frequency_hz = 0.0503, .damping_ratio = 0.0079};
+  machine.stops = {ring};
+  scene::Cell cell = scene::build_cell(machine, 0.4934, scene::Eccentricity{eccentricity_m});
+  cell.scene.displacement_m << 0, -0.01;
+  cell.scene.velocity_m_per_s.setZero();
+  return cell;
+}
+
+/// Largest distance from the centre in the last 64 turns of a run of that many.
+double largest_distance_m(const scene::Scene& scene, long turns,
+                          const integrate::run::SolverOptions& solver = {}) {
+  integrate::exact::modes::ModeCache modes;
+  const integrate::run::Run run = integrate::start(scene, solver, modes);
+  integrate::run::TurnRequest request;
+  integrate::run::TurnReport turn;
+  double largest = 0;
+  for (long k = 0; k < turns; ++k) {
+    if (k == turns - 64) request.samples_per_revolution = 256;
+    EXPECT_EQ(run.advance(request, turn), integrate::run::Outcome::ok);
+    for (int i = 0; i < turn.sample_count; ++i) {
+      const std::size_t at = turn.section.size() * static_cast<std::size_t>(i);
+      largest = std::max(largest, std::hypot(turn.samples[at], turn.samples[at + 1]));
+    }
+  }
+  return largest * scene.length_scale_m;
+}
+
+TEST(Settle, ClassAndNumbersAreOfOneMotion) {
+  motion::ResponseOptions options = without_floquet_proof();
+  options.max_revolutions = 1000;
+  int tori = 0;
+  for (const double e :
+       {0.22, 0.2267, 0.24, 0.26, 0.28, 0.3, 0.3267, 0.3333, 0.3367, 0.34, 0.345, 0.3467, 0.36}) {
+    const scene::Cell cell = cell_of_long_transients(e);
+    motion::Workspace workspace;
+    const SettledRun settled = settle(cell, {}, options, workspace);
+    if (settled.motion.motion_class != motion::MotionClass::quasi_periodic) continue;
+    ++tori;
+    scene::Scene behind = cell.scene;
+    integrate::run::set_initial_state(behind, settled.section);
+    const double later = largest_distance_m(behind, 3000);
+    EXPECT_NEAR(settled.motion.measures.contact.peak_displacement_m, later, 0.05 * later) << e;
+  }
+  EXPECT_GT(tori, 4);
+}
+
+/// A whirl that grows from rounding until the tolerance sees its many vibrations in a turn.
+TEST(Settle, ARunThatWorkEndsKeepsTheMeasuresOfItsLastWindows) {
+  test::OneSideRotor rotor;
+  scene::Cell cell = test::cell_of(rotor);
+  cell.scene.pulses.clear();
+  cell.scene.speed_rad_per_s /= 40;
+  cell.scene.harmonic_n *= 0.01;
+  cell.scene.structure.damping *= -0.001;
+  integrate::run::SolverOptions solver;
+  solver.method = integrate::run::Method::adaptive;
+  solver.stepper = integrate::run::Stepper::dopri5;
+  solver.max_steps_per_revolution = 2000;
+  motion::ResponseOptions options;
+  options.floquet_proof = false;
+  motion::Workspace workspace;
+  const SettledRun settled = settle(cell, solver, options, workspace);
+  EXPECT_GT(settled.revolutions, 200);
+  EXPECT_LT(settled.revolutions, options.max_revolutions);
+  EXPECT_EQ(settled.motion.motion_class, motion::MotionClass::unsettled);
+  EXPECT_EQ(settled.motion.status, motion::MotionStatus::step_limit);
+  EXPECT_FALSE(settled.proof);
+  EXPECT_FALSE(settled.motion.order);
+  const double seen = largest_distance_m(cell.scene, settled.revolutions, solver);
+  EXPECT_NEAR(settled.motion.measures.contact.peak_displacement_m, seen, 0.01 * seen);
 }
 
 TEST(Settle, ShortestRunKeepsExactlyTwoWindows) {

@@ -25,15 +25,6 @@ constexpr double before_the_end = 1e-6;
 /// Largest number of pieces before the next search for such a stretch, where there was none.
 constexpr int longest_wait = 64;
 
-/// The scene as it stands at the start of revolution `revolution`, at `section`.
-scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long revolution) {
-  run::set_initial_state(scene, section);
-  scene.elapsed_revolutions += revolution;
-  for (scene::Pulse& pulse : scene.pulses)
-    pulse.elapsed_s += static_cast<double>(revolution) * scene.period_s();
-  return scene;
-}
-
 /// Work of a turn that several methods make together.
 double most_work_of_a_turn(const run::SolverOptions& options) {
   return run::work_of_an_expansion * static_cast<double>(run::most_pieces_of_a_turn(options));
@@ -180,7 +171,7 @@ class HybridRun {
   }
 
   void start_stepper() {
-    adaptive_ = adaptive::start_adaptive(scene_at(scene_, run_.section(), run_.revolution()), options_);
+    adaptive_ = adaptive::start_adaptive(run::scene_at(scene_, run_.section(), run_.revolution()), options_);
     adaptive_effort_ = {};
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "rubsweep/response/closest_return.hpp"
 #include "rubsweep/response/spectrum/discrete_lines.hpp"
@@ -39,6 +40,22 @@ bool stays_as_large(std::span<const double> rows) {
   return std::abs(after - before) <= steady_share * before;
 }
 
+/// Mean distance of sections from the nearest one of `cloud`.
+double mean_distance(std::span<const double> sections, std::span<const double> cloud, std::size_t states) {
+  double sum = 0;
+  for (std::size_t i = 0; i < sections.size(); i += states) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < cloud.size(); j += states) {
+      double square = 0;
+      for (std::size_t k = 0; k < states; ++k)
+        square += (sections[i + k] - cloud[j + k]) * (sections[i + k] - cloud[j + k]);
+      nearest = std::min(nearest, square);
+    }
+    sum += std::sqrt(nearest);
+  }
+  return sum * static_cast<double>(states) / static_cast<double>(sections.size());
+}
+
 }  // namespace
 
 void Followed::add(std::span<const double> section, double contribution, bool touched) {
@@ -56,6 +73,15 @@ bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2,
   if (!stays_as_large(rows)) return false;
   const std::vector<Complex> z = displacements(rows, motion.states, observed);
   return spectrum::same_discrete_lines(std::span(z).first(half), std::span(z).last(half), workspace);
+}
+
+bool belongs_to(const Followed& motion, std::span<const double> sections) {
+  constexpr double more = 2;
+  if (4 * motion.turns() * motion.states < 15 * sections.size()) return true;
+  const auto rows = motion.last_rows(4 * motion.turns() / 5);
+  const auto cloud = rows.first(rows.size() - sections.size());
+  const double usual = mean_distance(rows.last(sections.size()), cloud, motion.states);
+  return mean_distance(sections, cloud, motion.states) <= std::max(more * usual, significant_return);
 }
 
 }  // namespace rubsweep::response

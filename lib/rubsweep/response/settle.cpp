@@ -9,131 +9,26 @@
 #include <vector>
 
 #include "rubsweep/contact/wall.hpp"
-#include "rubsweep/integrate/run/impulses.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/integrate/run/work_bound.hpp"
-#include "rubsweep/response/aperiodic.hpp"
 #include "rubsweep/response/motion/record.hpp"
 #include "rubsweep/response/proof/orbit_proof.hpp"
 #include "rubsweep/response/proof/rest_proof.hpp"
-#include "rubsweep/response/proof/section_map.hpp"
+#include "rubsweep/response/recorded_run.hpp"
 #include "rubsweep/response/rotating/rotating_proof.hpp"
-#include "rubsweep/response/rotating/symmetry.hpp"
-#include "rubsweep/response/spectrum/comb.hpp"
-#include "rubsweep/response/spectrum/comb_line.hpp"
 #include "rubsweep/response/torus_watch.hpp"
+#include "rubsweep/response/verdict.hpp"
 
 namespace rubsweep::response {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// A hundredth of `separation`: the solver's noise must not part the states.
-constexpr double largest_tolerance_of_an_exponent = 1e-7;
-
-/// Properties of a scene that decide how it is looked at, computed once a run.
-struct SceneFacts {
-  bool rotationally_symmetric = false;
-  bool same_every_turn = false;  ///< the impulses
-
-  explicit SceneFacts(const scene::Scene& scene)
-      : rotationally_symmetric(rotating::rotationally_symmetric(scene)),
-        same_every_turn(integrate::run::same_every_turn(scene.impulses)) {}
-};
-
 /// End of the last pulse.
 double pulses_end_s(const scene::Scene& scene) {
   double end_s = 0;
   for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
   return end_s;
-}
-
-const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const scene::Scene& scene) {
-  return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
-}
-
-void look_for_comb(const motion::Record& record, const motion::ResponseOptions& options,
-                   motion::Workspace& workspace, motion::Motion& motion) {
-  if (2 * options.window_revolutions < spectrum::fewest_comb_turns) return;
-  const auto comb =
-      spectrum::find_comb(record.displacement_m(), options.samples_per_revolution, workspace.spectrum);
-  if (!comb) return;
-  const bool holds_the_energy = comb->closed || comb->energy_share >= spectrum::oval_energy_share;
-  if (motion.measures.orbit == spectrum::OrbitKind::complex && holds_the_energy)
-    motion.measures.orbit = spectrum::OrbitKind::oval;
-  if (!comb->closed) return;
-  motion.motion_class = motion::MotionClass::quasi_periodic;
-  motion.measures.comb_spacing = comb->spacing;
-  if (!motion.measures.dominant) return;
-  motion.measures.dominant =
-      spectrum::largest_comb_line(record.displacement_m(), options.samples_per_revolution, comb->spacing);
-}
-
-/// Verdict at the end of a whole run.
-struct Verdict {
-  motion::Motion motion;
-  std::optional<Survival> survival;  ///< of chaos
-};
-
-/// Measures how long chaos lasts that `followed` is a stretch of.
-void ask_how_long_it_lasts(proof::SceneMap& map, const motion::ResponseOptions& options,
-                           const Followed& followed, Verdict& verdict) {
-  verdict.survival =
-      survive([&map](std::span<double> section) { return map(section); }, [&map] { return map.touched(); },
-              followed, {.window = options.window_revolutions, .max_order = options.max_order});
-  if (verdict.survival->escapes > 0) verdict.motion.status = motion::MotionStatus::transient_chaos;
-}
-
-void follow_on(const scene::Scene& scene, integrate::run::SolverOptions solver,
-               const motion::ResponseOptions& options, std::span<const double> section,
-               motion::Workspace& workspace, integrate::run::WorkBudget& budget, Verdict& verdict) {
-  motion::Motion& motion = verdict.motion;
-  solver.relative_tolerance = std::min(solver.relative_tolerance, largest_tolerance_of_an_exponent);
-  proof::SceneMap map(scene, solver, workspace.modes, &budget);
-  const Aperiodic found = classify_aperiodic(
-      tangent_growth(map), [&map] { return map.touched(); }, {section.begin(), section.end()},
-      static_cast<std::size_t>(options.max_revolutions), observed(scene), options.window_revolutions,
-      workspace.spectrum);
-  motion.motion_class = found.motion_class;
-  motion.exponent = found.exponent;
-  if (budget.used_up()) motion.status = motion::MotionStatus::step_limit;
-  if (found.left_chaos) motion.status = motion::MotionStatus::transient_chaos;
-  if (found.returns_after.value_or(0) > options.max_order)
-    motion.status = motion::MotionStatus::order_above_max;
-  if (found.motion_class == motion::MotionClass::chaotic)
-    ask_how_long_it_lasts(map, options, found.motion, verdict);
-}
-
-/// Whether the motion at the end of the run may have no period: the window shows neither a period nor rest.
-bool may_be_aperiodic(const motion::WindowVerdict& verdict) {
-  return verdict.motion_class == motion::MotionClass::unsettled && !verdict.period;
-}
-
-/// Verdict at the end of the run; `section` is that of its last turn, `watch` what was seen on the way there.
-Verdict verdict_of(const scene::Scene& scene, const SceneFacts& facts,
-                   const integrate::run::SolverOptions& solver, const motion::ResponseOptions& options,
-                   const motion::Record& record, std::span<const double> section, const TorusWatch& watch,
-                   motion::Workspace& workspace) {
-  const motion::WindowVerdict previous =
-      motion::classify_window(record.window(0), options, workspace.spectrum);
-  const motion::WindowVerdict last = motion::classify_window(record.window(1), options, workspace.spectrum);
-  Verdict verdict{motion::settle_verdict(previous, last), {}};
-  motion::Motion& motion = verdict.motion;
-  if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return verdict;
-  if (facts.rotationally_symmetric) look_for_comb(record, options, workspace, motion);
-  if (!options.exponent || motion.motion_class != motion::MotionClass::unsettled || !facts.same_every_turn)
-    return verdict;
-  integrate::run::WorkBudget budget(
-      integrate::run::most_work_of_a_run(solver, scene.structure.coordinates()));
-  if (const auto chaos = watch.chaos()) {
-    motion.motion_class = motion::MotionClass::chaotic;
-    motion.exponent = chaos;
-    proof::SceneMap map(scene, solver, workspace.modes, &budget);
-    ask_how_long_it_lasts(map, options, watch.motion(), verdict);
-  } else {
-    follow_on(scene, solver, options, section, workspace, budget, verdict);
-  }
-  return verdict;
 }
 
 /// Proof that a transient settles on a motion: a rotationally symmetric scene is looked at in the frame that
@@ -200,12 +95,14 @@ bool worth_watching(const scene::Scene& scene, const SceneFacts& facts,
          facts.same_every_turn && !facts.rotationally_symmetric;
 }
 
-/// Whether the window since the watch saw a torus shows neither period nor rest.
+/// Whether the window since the watch saw a torus shows it, and neither period nor rest.
 bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
                        const motion::ResponseOptions& options, motion::Workspace& workspace,
                        SettledRun& run) {
-  const auto window = motion::classify_window(record.window(0), options, workspace.spectrum);
-  if (!may_be_aperiodic(window)) {
+  const motion::Window window_of = record.window(0);
+  const auto window = motion::classify_window(window_of, options, workspace.spectrum);
+  const auto sections = window_of.section.subspan(static_cast<std::size_t>(window_of.states));
+  if (!may_be_aperiodic(window) || !belongs_to(torus.motion(), sections)) {
     torus.refuse();
     return false;
   }
@@ -214,6 +111,23 @@ bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
   run.motion.exponent = torus.torus();
   run.proof = motion::Proof::observed;
   return true;
+}
+
+/// A run that met a bound on work: where two windows behind its kick were seen, their measures stand for it.
+void conclude_stopped(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
+                      const motion::ResponseOptions& options, const Checkpoints& passed, double kick_turns,
+                      motion::Workspace& workspace, SettledRun& run) {
+  run.motion.motion_class = motion::MotionClass::failed;
+  if (run.outcome != integrate::run::Outcome::step_limit) return;
+  const auto* from = passed.before_windows(run.revolutions);
+  if (!from || static_cast<double>(run.revolutions - 2L * options.window_revolutions) < kick_turns) return;
+  const auto record = recorded_run(integrate::run::scene_at(cell.scene, from->section, from->revolutions),
+                                   solver, options, run.revolutions - from->revolutions, workspace);
+  if (!record) return;
+  run.outcome = integrate::run::Outcome::ok;
+  run.motion = {};
+  run.motion.measures = motion::classify_window(record->window(1), options, workspace.spectrum).measures;
+  run.motion.status = motion::MotionStatus::step_limit;
 }
 
 void conclude_at_rest(const scene::Cell& cell, const motion::ResponseOptions& options,
@@ -237,6 +151,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
   TorusWatch torus(cell.scene, options, worth_watching(cell.scene, facts, options, kick_turns));
   motion::Record record(cell.scene, options);
+  Checkpoints passed(options.window_revolutions, integrate::run::scaled_initial_state(cell.scene));
   integrate::run::TurnRequest request;
   integrate::run::TurnReport turn;
   while (run.revolutions < options.max_revolutions) {
@@ -255,10 +170,11 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
     if (run.outcome == integrate::run::Outcome::ok && integrate::run::work(turn.effort) > most_work)
       run.outcome = integrate::run::Outcome::step_limit;
     if (run.outcome != integrate::run::Outcome::ok) {
-      run.motion.motion_class = motion::MotionClass::failed;
+      conclude_stopped(cell, solver, options, passed, kick_turns, workspace, run);
       return run;
     }
     ++run.revolutions;
+    passed.pass(run.revolutions, turn.section);
     torus.add(request, turn);
     run.section = turn.section;
     if (turn.touched) run.last_contact_revolution = run.revolutions;
@@ -285,7 +201,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
 
 motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseOptions& options,
                                 motion::Workspace& workspace) {
-  const auto& map = observed(cell.scene);
+  const auto& map = cell.scene.structure.points[static_cast<std::size_t>(cell.scene.observed_point)].map;
   std::vector<Complex> displacement_m;
   double peak = 0;
   for (int k = 0; k < options.samples_per_revolution; ++k) {

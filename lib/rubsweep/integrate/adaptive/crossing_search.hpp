@@ -191,9 +191,11 @@ struct CrossingSearch {
     const double middle = guard_value(i, guard, step.start_phase + h / 2);
     const auto rise = numerics::bernstein_root(
         numerics::quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
-    if (!rise) return std::nullopt;
-    const auto phase =
-        refine([&](double x) { return guard_value(i, guard, step.start_phase + x * h); }, *rise);
+    const auto value = [&](double x) { return guard_value(i, guard, step.start_phase + x * h); };
+    auto phase = rise ? refine(value, *rise) : std::nullopt;
+    // Not a return from a graze: from zero a guard may rise by any of its derivatives.
+    if (!phase && at_end.value >= 0 && (at_start.value <= 0 || at_start.rate >= 0))
+      phase = hidden_rise(value);
     if (!phase) return std::nullopt;
     return Crossing{*phase, i, at_start.next};
   }

@@ -9,6 +9,11 @@
 #include "rubsweep/numerics/exponential_series.hpp"
 
 namespace rubsweep::integrate::exact {
+namespace {
+
+constexpr double at_zero = 1e-12;  ///< clearances: a guard past zero by no more is so by rounding
+
+}  // namespace
 
 template <int N>
 ExactMotion<N>::ExactMotion(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes)
@@ -244,8 +249,13 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   size += 1e-4;  // not zero where the root is here, and still the shortest of all series
   for (;; size = std::min(4 * size, numerics::longest_series)) {
     const double duration_s = size / fastest;
-    root_s = duration_s * numerics::root_of_series(expand(duration_s, numerics::series_terms(size)));
+    const auto terms = expand(duration_s, numerics::series_terms(size));
+    root_s = duration_s * numerics::root_of_series(terms);
     if (std::abs(root_s) * fastest <= size || size >= numerics::longest_series) break;
+    if (within_s > 0 || terms[0] > at_zero) continue;
+    // The rate is rounding, too, as where a rotor starts at rest at a wall: a root away from here is none.
+    root_s = 0;
+    break;
   }
   step_by_series(root_s);
   return stepped_s + root_s;

@@ -39,4 +39,12 @@ void set_initial_state(scene::Scene& scene, std::span<const double> section) {
   scene.velocity_m_per_s = scale.velocity_m_per_s(section);
 }
 
+scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long revolution) {
+  set_initial_state(scene, section);
+  scene.elapsed_revolutions += revolution;
+  for (scene::Pulse& pulse : scene.pulses)
+    pulse.elapsed_s += static_cast<double>(revolution) * scene.period_s();
+  return scene;
+}
+
 }  // namespace rubsweep::integrate::run

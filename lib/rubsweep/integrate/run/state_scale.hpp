@@ -52,4 +52,7 @@ std::vector<double> scaled_initial_state(const scene::Scene& scene);
 /// Lets the scene start at `section`, 2n numbers of that scale.
 void set_initial_state(scene::Scene& scene, std::span<const double> section);
 
+/// The scene as it stands at the start of revolution `revolution`, at `section`.
+scene::Scene scene_at(scene::Scene scene, std::span<const double> section, long revolution);
+
 }  // namespace rubsweep::integrate::run

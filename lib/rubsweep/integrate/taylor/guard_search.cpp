@@ -18,9 +18,20 @@ using Coefficients = std::array<double, numerics::most_taylor_order + 1>;
 /// rounding, since a landing leaves a few units of rounding of the states, which are of order one.
 double noise_of(double accuracy) { return 1e-13 / rounding_of_series * accuracy; }
 
-/// Whether a guard that is at zero at the start of an expansion, or past it by rounding, goes on rising: its
-/// root fell on the end of the piece before, where it was not searched.
-bool rises_at_once(double value, double rate) { return value >= 0 && rate > 0; }
+/// A value below zero that is none: no guard with a rate is as near.
+constexpr double just_below_zero = -1e-30;
+
+/// First rise of a guard that is armed, and so counts as below zero where the piece begins. One that is at
+/// zero there, or past it by rounding, and goes on rising has its root at once: it fell on the end of the
+/// piece before, where it was not searched. One that has no rate either is put just below zero: the first of
+/// its derivatives that is not zero then decides, as where a rotor starts at rest at a wall.
+std::optional<double> first_rise_of_armed(std::span<double> c, double noise) {
+  if (c[0] >= 0 && c.size() > 1) {
+    if (c[1] > 0) return 0;
+    if (c[1] == 0) c[0] = just_below_zero;
+  }
+  return numerics::first_rise_of(c, noise);
+}
 
 /// 1, 2, ...: factors of the coefficients in a derivative.
 constexpr auto rate_factors = [] {
@@ -29,7 +40,7 @@ constexpr auto rate_factors = [] {
   return factors;
 }();
 
-std::span<const double> first(const Coefficients& c, int count) {
+std::span<double> first(Coefficients& c, int count) {
   return std::span(c).first(static_cast<std::size_t>(count));
 }
 
@@ -62,9 +73,9 @@ std::optional<double> first_stop(ContactSeries& contact, int order, double accur
     c[static_cast<std::size_t>(k)] = power * sign * (contact.sliding()[k] + (k == 0 ? surface : 0));
   const double unit = std::max(1.0, std::abs(surface));
   if (start.poised_within > 0) c[0] = std::min(c[0], -start.poised_within * unit);
-  if (start.zero_terms == 0 && rises_at_once(c[0], c[1])) return 0;
-  return numerics::first_rise_of(first(c, order).subspan(static_cast<std::size_t>(start.zero_terms)),
-                                 noise_of(accuracy) * unit);
+  const double noise = noise_of(accuracy) * unit;
+  if (start.zero_terms == 0) return first_rise_of_armed(first(c, order), noise);
+  return numerics::first_rise_of(first(c, order).subspan(static_cast<std::size_t>(start.zero_terms)), noise);
 }
 
 /// Zero of the margin between the holding friction and `sign` times the largest one; in units of the stop's
@@ -76,8 +87,7 @@ std::optional<double> first_release(const ContactSeries& contact, int order, dou
   double power = 1;
   for (int k = 0; k < order; ++k, power *= duration_rad)
     c[static_cast<std::size_t>(k)] = -power * contact.reserve_term(k, sign) / unit;
-  if (rises_at_once(c[0], c[1])) return 0;
-  return numerics::first_rise_of(first(c, order), 0);
+  return first_rise_of_armed(first(c, order), 0);
 }
 
 /// Coefficients of `sign` slip + `constant` in units of the duration, order of them.
@@ -139,6 +149,8 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
   contact.put_penetration(order, all.data());
   numerics::put_powers(duration_rad, order, power.data());
   const auto count = static_cast<std::size_t>(order);
+  // A far wall is known to its own rounding.
+  const double noise = noise_of(accuracy) * std::max(1.0, law.clearance);
   for (std::size_t k = 0; k < count; ++k) {
     p[k] = power[k] * all[k];
     v[k] = power[k] * rate_factors[k] * all[k + 1];
@@ -150,9 +162,7 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
     Coefficients guard;
     const double by_v = damper * law.damping / law.stiffness;
     for (std::size_t k = 0; k < count; ++k) guard[k] = spring * p[k] + by_v * v[k];
-    const auto rise = rises_at_once(guard[0], guard[1])
-                          ? std::optional(0.0)
-                          : numerics::first_rise_of(first(guard, order), noise_of(accuracy));
+    const auto rise = first_rise_of_armed(first(guard, order), noise);
     if (rise && (!earliest || *rise < earliest->share)) earliest = GuardCrossing{*rise, to};
   }
   return earliest;
@@ -180,7 +190,7 @@ double saturated_share(ContactSeries& contact, int order, double duration_rad) {
   const double least = saturated_until / steepness, sign = contact.slip_sign();
   const double reach = law.slip_scale_m_per_s * fastest_distance(contact, order, duration_rad);
   if (sign * law.surface_speed_m_per_s - reach > least) return 1;
-  const Coefficients c = slip_polynomial(contact, order, duration_rad, -sign, least);
+  Coefficients c = slip_polynomial(contact, order, duration_rad, -sign, least);
   return numerics::first_rise_of(first(c, order), 0).value_or(1);
 }
 
@@ -188,7 +198,7 @@ bool slip_reverses(ContactSeries& contact, int order, double duration_rad) {
   const ContactLaw& law = contact.law();
   const double reach = law.slip_scale_m_per_s * fastest_distance(contact, order, duration_rad);
   if (law.surface_speed_m_per_s - reach > 0) return false;
-  const Coefficients c = slip_polynomial(contact, order, duration_rad, -1, 0);
+  Coefficients c = slip_polynomial(contact, order, duration_rad, -1, 0);
   return c[0] >= 0 || numerics::first_rise_of(first(c, order), 0).has_value();
 }
 
