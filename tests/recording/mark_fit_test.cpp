@@ -80,28 +80,6 @@ TEST(MarkFit, MarksThatNoSmoothCurveExplainsStay) {
   EXPECT_EQ(smoothed_marks(marks, 0).t_s, marks);
 }
 
-TEST(MarkFit, MissingMarksAreFilledAndThoseTooManyDropped) {
-  const auto truth = turns_s(60, 30, 2);
-  auto marks = truth;
-  marks.erase(marks.begin() + 40);
-  marks.erase(marks.begin() + 20, marks.begin() + 22);
-  marks.insert(marks.begin() + 11, (truth[10] * 2 + truth[11]) / 3);
-  const TurnMarks numbered = numbered_marks(marks);
-  EXPECT_EQ(numbered.filled, 3);
-  EXPECT_EQ(numbered.dropped, 1);
-  ASSERT_EQ(numbered.t_s.size(), truth.size());
-  EXPECT_LT(largest_error(numbered.t_s, truth), 1e-6);
-  const TurnMarks untouched = numbered_marks(truth);
-  EXPECT_EQ(untouched.t_s, truth);
-  EXPECT_EQ(untouched.filled + untouched.dropped, 0);
-}
-
-TEST(MarkFit, ARunUpFromRestHasNoMissingMarks) {
-  std::vector<double> marks;
-  for (int n = 1; n < 50; ++n) marks.push_back(std::sqrt(2.0 * n / 4));
-  EXPECT_EQ(numbered_marks(marks).t_s, marks);
-}
-
 TEST(MarkFit, ResolutionIsThatOfTheEdges) {
   const auto pulses = [](double edge) {
     std::vector<double> signal;

@@ -135,6 +135,15 @@ void add_findings(const Channel& channel, const Channels& table, std::optional<d
                     column));
 }
 
+void add_wild_findings(const WildReadings& wild, const Channel& channel, const Channels& table,
+                       std::vector<std::string>& findings) {
+  if (wild.places.empty()) return;
+  const std::string where = fmt::format("'{}' has {} wild readings, the first one in {}", channel.name,
+                                        wild.places.size(), table.place_of(wild.places.front()));
+  findings.push_back(where + (wild.replaced ? ": what their neighbours say stands in their place"
+                                            : ": so many that none of them is replaced"));
+}
+
 void add_mark_findings(const TurnMarks& marks, const std::string& column,
                        std::vector<std::string>& findings) {
   if (marks.filled > 0)

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "rubsweep/recording/channels.hpp"
-#include "rubsweep/recording/mark_fit.hpp"
+#include "rubsweep/recording/turn_marks.hpp"
+#include "rubsweep/recording/wild_readings.hpp"
 
 namespace rubsweep::recording {
 
@@ -16,6 +17,10 @@ namespace rubsweep::recording {
 /// often as any value between them, or where readings reach `full_scale` up or down.
 void add_findings(const Channel& channel, const Channels& table, std::optional<double> full_scale,
                   std::vector<std::string>& findings);
+
+/// Adds which readings are wild, with the place of the first one, and whether they were replaced.
+void add_wild_findings(const WildReadings& wild, const Channel& channel, const Channels& table,
+                       std::vector<std::string>& findings);
 
 /// Adds what is wrong with the marks of a keyphasor: missing ones and ones too many.
 void add_mark_findings(const TurnMarks& marks, const std::string& column, std::vector<std::string>& findings);

@@ -82,49 +82,6 @@ std::optional<Eigen::VectorXd> within(const Base& base, const Eigen::VectorXd& v
   return best;
 }
 
-/// Polynomial through the marks about mark i, at a place that counts turns.
-double between_marks(std::span<const double> marks_s, std::span<const double> turns, std::size_t i,
-                     double place) {
-  const std::size_t begin =
-      std::min(i - std::min(i, std::size_t{2}), marks_s.size() - std::min<std::size_t>(marks_s.size(), 4));
-  const std::size_t end = std::min(begin + 4, marks_s.size());
-  double sum = 0;
-  for (std::size_t a = begin; a < end; ++a) {
-    double weight = 1;
-    for (std::size_t b = begin; b < end; ++b)
-      if (b != a) weight *= (place - turns[b]) / (turns[a] - turns[b]);
-    sum += weight * marks_s[a];
-  }
-  return sum;
-}
-
-/// Median of up to eight intervals about mark i, without that before it.
-double usual_interval_s(std::span<const double> marks_s, std::size_t i) {
-  std::vector<double> intervals_s;
-  for (std::size_t k = std::max<std::size_t>(i, 5) - 4; k <= i + 4 && k < marks_s.size(); ++k)
-    if (k != i) intervals_s.push_back(marks_s[k] - marks_s[k - 1]);
-  if (intervals_s.empty()) return 0;
-  const auto middle = intervals_s.begin() + static_cast<std::ptrdiff_t>(intervals_s.size() / 2);
-  std::ranges::nth_element(intervals_s, middle);
-  return *middle;
-}
-
-/// Turns from one mark to the next by those beside them: more than one only where the number is clear.
-double turns_between(std::span<const double> marks_s, std::size_t i) {
-  const double usual_s = usual_interval_s(marks_s, i);
-  if (usual_s == 0) return 1;
-  const double turns = (marks_s[i] - marks_s[i - 1]) / usual_s, whole = std::round(turns);
-  return whole >= 2 && std::abs(turns - whole) < 0.1 ? whole : 1;
-}
-
-/// Whether mark i cuts what is one turn, from `before_s` to the next mark, into two parts.
-bool cuts_a_turn(std::span<const double> marks_s, std::size_t i, double before_s) {
-  if (i + 1 >= marks_s.size()) return false;
-  const double usual_s = usual_interval_s(marks_s, i);
-  return marks_s[i] - before_s < 0.9 * usual_s &&
-         std::abs(marks_s[i + 1] - before_s - usual_s) < 0.1 * usual_s;
-}
-
 }  // namespace
 
 double mark_resolution(std::span<const double> signal, Mark mark, double threshold) {
@@ -145,28 +102,6 @@ double mark_resolution(std::span<const double> signal, Mark mark, double thresho
   const std::size_t half = (edges[0] + edges[1] + edges[2]) / 2;
   if (edges[0] > half) return 1;
   return edges[0] + edges[1] > half ? half_resolved : 0;
-}
-
-TurnMarks numbered_marks(std::span<const double> marks_s) {
-  TurnMarks numbered;
-  std::vector<double> kept;
-  for (std::size_t i = 0; i < marks_s.size(); ++i) {
-    if (!kept.empty() && cuts_a_turn(marks_s, i, kept.back())) {
-      ++numbered.dropped;
-    } else {
-      kept.push_back(marks_s[i]);
-    }
-  }
-  std::vector<double> turns(kept.size(), 0);
-  for (std::size_t i = 1; i < kept.size(); ++i) turns[i] = turns[i - 1] + turns_between(kept, i);
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    for (double turn = i > 0 ? turns[i - 1] + 1 : turns[i]; turn < turns[i]; ++turn) {
-      numbered.t_s.push_back(between_marks(kept, turns, i, turn));
-      ++numbered.filled;
-    }
-    numbered.t_s.push_back(kept[i]);
-  }
-  return numbered;
 }
 
 SmoothMarks smoothed_marks(std::span<const double> marks_s, double resolution_s) {

@@ -12,16 +12,6 @@ namespace rubsweep::recording {
 /// the straight line through them is the edge.
 double mark_resolution(std::span<const double> signal, Mark mark, double threshold);
 
-/// Marks in a row, one for each turn.
-struct TurnMarks {
-  std::vector<double> t_s;
-  int filled = 0;   ///< turns whose mark is missing: it was put between its neighbours
-  int dropped = 0;  ///< marks too many, between two that are one turn apart
-};
-
-/// Tells turns without a mark, and marks without a turn, by the turns beside them.
-TurnMarks numbered_marks(std::span<const double> marks_s);
-
 /// Farthest that a smooth curve may be from a mark that is known to a resolution, in resolutions: half of
 /// one, and a little for the noise of the edge.
 inline constexpr double smoothing_bound = 0.52;

@@ -7,13 +7,17 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/recording/findings.hpp"
+#include "rubsweep/recording/found_speed.hpp"
+#include "rubsweep/recording/probe_faults.hpp"
 #include "rubsweep/recording/run_out.hpp"
 #include "rubsweep/recording/sample_clock.hpp"
 #include "rubsweep/recording/turns.hpp"
 #include "rubsweep/recording/unit.hpp"
+#include "rubsweep/recording/wild_readings.hpp"
 
 namespace rubsweep::recording {
 namespace {
@@ -34,14 +38,20 @@ Complex plane_of(double first, double second, double first_rad, double second_ra
           (second * std::cos(first_rad) - first * std::cos(second_rad)) / determinant};
 }
 
+/// Readings of a probe, in metres.
+struct Readings {
+  std::string column;
+  std::vector<double> values_m;
+};
+
 /// Displacement at equal angles of these turns.
-std::vector<Complex> turned(const std::vector<std::vector<double>>& readings_m, const Instrument& instrument,
+std::vector<Complex> turned(const std::vector<Readings>& all, const Instrument& instrument,
                             const SampleClock& clock, std::span<const double> turn_begin_s) {
   std::vector<std::vector<double>> probes;
-  probes.reserve(readings_m.size());
-  for (const auto& readings : readings_m)
-    probes.push_back(
-        at_equal_angles(readings, clock.first_s, clock.rate_hz, turn_begin_s, samples_per_revolution));
+  probes.reserve(all.size());
+  for (const Readings& readings : all)
+    probes.push_back(at_equal_angles(readings.values_m, clock.first_s, clock.rate_hz, turn_begin_s,
+                                     samples_per_revolution));
   const auto direction = [&](std::size_t i) {
     return instrument.probes[i].angle_deg * std::numbers::pi / 180;
   };
@@ -81,28 +91,92 @@ bool keep_longest_without_gap(Recording& recording) {
   return true;
 }
 
+/// Readings of every probe, with wild ones replaced. Adds what is wrong with them.
+std::vector<Readings> readings_of(const Channels& channels, const Instrument& instrument,
+                                  const std::string& name, std::vector<std::string>& findings) {
+  std::vector<Readings> all;
+  for (const Probe& probe : instrument.probes) {
+    Channel channel = find_channel(channels, probe.column, name);
+    const Scale scale = scale_of(channel.unit, probe, name);
+    add_wild_findings(replace_wild_readings(channel.values), channel, channels, findings);
+    add_findings(channel, channels, scale.full_scale, findings);
+    for (double& value : channel.values) value = (value - probe.rest.value_or(0)) * scale.metres_per_unit;
+    all.push_back({std::move(channel.name), std::move(channel.values)});
+  }
+  return all;
+}
+
+/// Place of the first reading from an instant on.
+std::size_t place_of(double t_s, const SampleClock& clock, std::size_t count) {
+  const double place = std::ceil((t_s - clock.first_s) * clock.rate_hz - 1e-9);
+  return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(count)));
+}
+
+/// The stretch of the readings that is looked at.
+std::vector<std::vector<double>> stretch_of(const std::vector<Readings>& all, const SampleClock& clock,
+                                            std::optional<double> from_s, std::optional<double> to_s) {
+  std::vector<std::vector<double>> stretch;
+  for (const Readings& readings : all) {
+    const auto at = [&](double t_s) {
+      return readings.values_m.begin() +
+             static_cast<std::ptrdiff_t>(place_of(t_s, clock, readings.values_m.size()));
+    };
+    stretch.emplace_back(from_s ? at(*from_s) : readings.values_m.begin(),
+                         to_s ? at(*to_s) : readings.values_m.end());
+  }
+  return stretch;
+}
+
+/// What the probes do not see: says it, and leaves out where one of them stands still, if enough turns are
+/// left.
+void look_for_faults(std::vector<Readings>& all, const Recording& recording, const SampleClock& clock,
+                     std::vector<std::string>& findings) {
+  const std::size_t first = place_of(recording.turn_begin_s.front(), clock, all[0].values_m.size()),
+                    end = place_of(recording.turn_begin_s.back(), clock, all[0].values_m.size());
+  const auto stretch = [&](std::size_t i) { return std::span(all[i].values_m).subspan(first, end - first); };
+  if (all.size() == 2) add_pair_findings({all[0].column, stretch(0)}, {all[1].column, stretch(1)}, findings);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double per_turn = clock.rate_hz / recording.mean_speed_hz();
+    const auto still =
+        still_stretch(stretch(i), all.size() == 2 ? stretch(1 - i) : std::span<const double>(), per_turn);
+    if (!still) continue;
+    const double left =
+        static_cast<double>(std::max(still->first, end - first - still->first - still->count)) / per_turn;
+    const bool enough = left > fewest_turns + 2;
+    findings.push_back(fmt::format(
+        "'{}' stands still from {:.4g} to {:.4g} s{}", all[i].column,
+        clock.first_s + static_cast<double>(first + still->first) / clock.rate_hz,
+        clock.first_s + static_cast<double>(first + still->first + still->count - 1) / clock.rate_hz,
+        enough ? ": these readings are left out" : ""));
+    if (enough) std::ranges::fill(stretch(i).subspan(still->first, still->count), NAN);
+  }
+}
+
 }  // namespace
 
 Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name) {
   const SampleClock clock = clock_of(channels, instrument, name);
-  Recording recording{.sampling_rate_hz = clock.rate_hz, .plane = instrument.probes.size() == 2,
+  Recording recording{.sampling_rate_hz = clock.rate_hz,
+                      .plane = instrument.probes.size() == 2,
                       .from_rest = instrument.probes.front().rest.has_value()};
-  const ShaftTurns all_turns = turns_of(channels, instrument, clock, name, recording.findings);
+  std::vector<Readings> readings = readings_of(channels, instrument, name, recording.findings);
+  Instrument known = instrument;
+  if (!instrument.keyphasor && *instrument.speed_hz <= clock.rate_hz / 2) {
+    const auto looked_at = stretch_of(readings, clock, instrument.from_s, instrument.to_s);
+    const double turns = static_cast<double>(looked_at[0].size()) / clock.rate_hz * *instrument.speed_hz;
+    known.speed_hz =
+        speed_to_take(*instrument.speed_hz, speed_near(looked_at, clock.rate_hz, *instrument.speed_hz), turns,
+                      recording.findings);
+  }
+  const ShaftTurns all_turns = turns_of(channels, known, clock, name, recording.findings);
   recording.turn_begin_s = all_turns.begin_s;
   keep_between(recording.turn_begin_s, instrument.from_s, instrument.to_s);
   if (recording.turns() < fewest_turns) {
     throw ConfigError(fmt::format("{}: holds {} whole turns of the shaft, allowed: {} or more", name,
                                   std::max(recording.turns(), 0), fewest_turns));
   }
-  std::vector<std::vector<double>> readings_m;
-  for (const Probe& probe : instrument.probes) {
-    const Channel& channel = find_channel(channels, probe.column, name);
-    const Scale scale = scale_of(channel.unit, probe, name);
-    add_findings(channel, channels, scale.full_scale, recording.findings);
-    readings_m.push_back(channel.values);
-    for (double& value : readings_m.back()) value = (value - probe.rest.value_or(0)) * scale.metres_per_unit;
-  }
-  recording.displacement_m = turned(readings_m, instrument, clock, recording.turn_begin_s);
+  look_for_faults(readings, recording, clock, recording.findings);
+  recording.displacement_m = turned(readings, instrument, clock, recording.turn_begin_s);
   if (instrument.run_out) {
     std::vector<double> slow = all_turns.begin_s;
     keep_between(slow, instrument.run_out->from_s, instrument.run_out->to_s);
@@ -111,14 +185,16 @@ Recording make_recording(const Channels& channels, const Instrument& instrument,
           fmt::format("{}: holds {} whole turns from run_out.from_s to run_out.to_s, allowed: 2 or more",
                       name, slow.empty() ? 0 : slow.size() - 1));
     subtract_run_out(recording.displacement_m,
-                     run_out_of(turned(readings_m, instrument, clock, slow), samples_per_revolution,
+                     run_out_of(turned(readings, instrument, clock, slow), samples_per_revolution,
                                 instrument.run_out->vector));
   }
   if (keep_longest_without_gap(recording) && recording.turns() < fewest_turns) {
     throw ConfigError(fmt::format("{}: holds {} turns without a gap, allowed: {} or more", name,
                                   recording.turns(), fewest_turns));
   }
-  recording.angle_doubt = angle_doubt_of(recording.turn_begin_s, all_turns);
+  recording.angle_doubt = instrument.keyphasor
+                              ? angle_doubt_of(recording.turn_begin_s, all_turns)
+                              : doubt_without_marks(static_cast<std::size_t>(recording.turns()));
   add_speed_findings(recording.turn_begin_s, clock.rate_hz, recording.findings);
   return recording;
 }

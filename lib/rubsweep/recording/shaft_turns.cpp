@@ -11,6 +11,7 @@
 #include "rubsweep/recording/findings.hpp"
 #include "rubsweep/recording/keyphasor.hpp"
 #include "rubsweep/recording/mark_fit.hpp"
+#include "rubsweep/recording/turn_marks.hpp"
 #include "rubsweep/recording/turns.hpp"
 
 namespace rubsweep::recording {
@@ -48,7 +49,8 @@ ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, cons
     const double threshold = keyphasor.threshold ? *keyphasor.threshold : middle_threshold(channel.values);
     refuse_threshold_outside(channel.values, threshold);
     const TurnMarks marks =
-        numbered_marks(mark_times_s(t_s, channel.values, keyphasor.mark, threshold, keyphasor.hysteresis));
+        numbered_marks(mark_times_s(t_s, channel.values, keyphasor.mark, threshold, keyphasor.hysteresis),
+                       1 / clock.rate_hz);
     add_mark_findings(marks, channel.name, findings);
     const double resolution_s = mark_resolution(channel.values, keyphasor.mark, threshold) / clock.rate_hz;
     SmoothMarks smooth = smoothed_marks(marks.t_s, resolution_s);
@@ -56,6 +58,15 @@ ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, cons
   } catch (const ConfigError& error) {
     throw ConfigError(fmt::format("{}: '{}': {}", name, channel.name, error.what()));
   }
+}
+
+AngleDoubt doubt_without_marks(std::size_t turns) {
+  constexpr double room_turns = 0.1;
+  constexpr std::size_t most_degree = 3, turns_a_degree = 8;
+  const std::size_t degree = std::min(most_degree, turns / turns_a_degree);
+  if (degree == 0) return {};
+  return {std::vector<double>(turns + 1, -room_turns), std::vector<double>(turns + 1, room_turns),
+          static_cast<int>(degree)};
 }
 
 AngleDoubt angle_doubt_of(std::span<const double> turn_begin_s, const ShaftTurns& all) {

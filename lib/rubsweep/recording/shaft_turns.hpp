@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ struct ShaftTurns {
   int degree = 0;                ///< of the curve through the marks
 };
 
-/// Turns by the marks of the keyphasor, or by the speed where there is none. Adds what is wrong with the
-/// marks to `findings`. Throws ConfigError, `name` of the file first.
+/// Turns by the marks of the keyphasor, or by the speed of the description where there is none. Adds what is
+/// wrong with the marks to `findings`. Throws ConfigError, `name` of the file first.
 ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, const SampleClock& clock,
                     const std::string& name, std::vector<std::string>& findings);
 
@@ -31,6 +32,10 @@ struct AngleDoubt {
   std::vector<double> low_turns{}, high_turns{};  ///< <= 0 and >= 0
   int degree = 0;
 };
+
+/// Doubt about the angles of so many turns without marks: the speed may wander so that they are off by a
+/// tenth of a turn.
+AngleDoubt doubt_without_marks(std::size_t turns);
 
 /// Doubt about the angles at the begins of turns, which are some of all in a row.
 AngleDoubt angle_doubt_of(std::span<const double> turn_begin_s, const ShaftTurns& all);

@@ -175,6 +175,13 @@ MeasuredClass aperiodic_class(std::span<const Complex> samples, SpectrumWorkspac
              : MeasuredClass::aperiodic;
 }
 
+/// Largest line that rounding of the numbers may leave of a shaft that stands still.
+double rounding_of(std::span<const Complex> samples) {
+  double largest = 0;
+  for (const Complex z : samples) largest = std::max(largest, std::abs(z));
+  return 1e-12 * largest;
+}
+
 /// Mean orbit of a period and its lines; without a period the last turns, as many lines as a figure can show,
 /// each with the noise of so much fewer turns.
 void take_orbit(std::span<const Complex> samples, std::size_t per_turn, Verdict& verdict) {
@@ -239,7 +246,7 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
   verdict.noise_m = first.noise_m;
   verdict.visible_m = first.visible_m;
   std::vector<Complex> samples;
-  if (first.largest_m <= first.visible_m) {
+  if (first.largest_m <= std::max(first.visible_m, rounding_of(displacement_m))) {
     samples.assign(displacement_m.begin(), displacement_m.end());
     verdict.period = 1;
     verdict.motion = MeasuredClass::at_rest;
