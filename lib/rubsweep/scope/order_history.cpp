@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <numeric>
 #include <span>
 
 #include "rubsweep/batch/csv_table.hpp"
@@ -59,11 +58,14 @@ double lag_deg(Complex amplitude) {
 /// grows as in a resonance, has no skirt over all orders. A steady line keeps its amplitude.
 std::vector<Complex> under_hann_window(std::span<const Complex> samples) {
   const auto count = static_cast<double>(samples.size());
-  const Complex mean = std::accumulate(samples.begin(), samples.end(), Complex{}) / count;
+  const auto weight = [count](std::size_t k) {
+    return 1 - std::cos(2 * std::numbers::pi * static_cast<double>(k) / count);
+  };
+  // The mean has the same weights: 1X that grows shifts the plain one.
+  Complex mean = 0;
+  for (std::size_t k = 0; k < samples.size(); ++k) mean += weight(k) * samples[k] / count;
   std::vector<Complex> weighted;
-  for (std::size_t k = 0; k < samples.size(); ++k)
-    weighted.push_back((samples[k] - mean) *
-                       (1 - std::cos(2 * std::numbers::pi * static_cast<double>(k) / count)));
+  for (std::size_t k = 0; k < samples.size(); ++k) weighted.push_back(weight(k) * (samples[k] - mean));
   return weighted;
 }
 
