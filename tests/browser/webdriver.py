@@ -100,14 +100,18 @@ class Browser:
         parameters = {"media": medium, "features": [{"name": feature, "value": value}]}
         self._ask("POST", "/goog/cdp/execute", {"cmd": "Emulation.setEmulatedMedia", "params": parameters})
 
-    def resize(self, width, height):
-        """The size of the page itself, as a phone has it."""
-        parameters = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+    def resize(self, width, height, ratio=1):
+        """The size of the page itself, as a phone has it; `ratio`: pixels of the screen to one of the page."""
+        parameters = {"width": width, "height": height, "deviceScaleFactor": ratio, "mobile": False}
         self._ask("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride", "params": parameters})
+
+    def screenshot_text(self):
+        """Picture of the window, a PNG in base64."""
+        return self._ask("GET", "/screenshot")
 
     def screenshot(self, path):
         """Picture of the window."""
-        path.write_bytes(base64.b64decode(self._ask("GET", "/screenshot")))
+        path.write_bytes(base64.b64decode(self.screenshot_text()))
 
     def usual_size(self):
         self._ask("POST", "/goog/cdp/execute", {"cmd": "Emulation.clearDeviceMetricsOverride", "params": {}})

@@ -36,6 +36,16 @@ class Labels(unittest.TestCase):
         self.assertIn("right offset -0.8, 0.8", labels[3])
 
 
+    def test_labels_of_an_axis_that_begins_late_stand_in_the_picture(self):
+        self.assertEqual(campbell.place_of_1x([], 180, 100), 100 + 0.94 * 80)
+        self.assertEqual(campbell.place_of_1x([{"speed_hz": 178.0}], 180, 100), 100 + 0.85 * 80)
+        self.assertAlmostEqual(campbell.place_of_2x(180, 270, 100), 0.47 * 270)
+        self.assertIsNone(campbell.place_of_2x(180, 270, 125))
+        labels = list(campbell.label_lines([{"speed_hz": 103.0}, {"speed_hz": 150.0}], 180, 1, 100, 270))
+        self.assertIn("left offset 0.3, 0.9", labels[0])
+        self.assertIn("right offset -0.8, 0.8", labels[1])
+
+
 class Shapes(unittest.TestCase):
     @staticmethod
     def shape(mode, whirl, x, y):
@@ -85,6 +95,13 @@ class Shaft(figures.FigureTest):
             for place in places:
                 self.assertIn(place, figures.words(root))
 
+    def test_a_diagram_without_a_critical_speed_is_drawn_in_silence(self):
+        self.write("config.yaml", "rotor:\n  kind: jeffcott\n")
+        self.write("campbell.csv", "mode,speed_hz,frequency_hz,whirl\n" + "".join(f"1,{speed},25,forward\n" for speed in (5, 10)))
+        self.write("critical_speeds.csv", "mode,speed_hz,whirl\n")
+        self.write("mode_shapes.csv", "mode,frequency_hz,whirl,position_m,x_real,y_real,x_imag,y_imag\n")
+        self.assertNotIn("critical speed", figures.words(self.draw("campbell")))
+
     def test_lock_speeds_are_marked_and_named(self):
         self.write("config.yaml", "rotor:\n  kind: jeffcott\n")
         self.write("campbell.csv", "mode,speed_hz,frequency_hz,whirl\n" + "".join(
@@ -100,7 +117,7 @@ class Shaft(figures.FigureTest):
         self.assertIn("at first 4500, first 1.2 point", labels[1])
 
     def test_no_text_stands_over_another_wherever_the_critical_speeds_are(self):
-        for speeds in ((28.5,), (28, 29.5), (3, 15, 27.9)):
+        for speeds in ((28.5,), (28, 29.5), (3, 15, 27.9), (14, 14.6, 15.2, 15.9), (26.2, 27, 27.8, 28.6, 29.4), (1, 1.5, 2)):
             with self.subTest(speeds=speeds):
                 self.write("config.yaml", "rotor:\n  kind: jeffcott\n")
                 self.write("campbell.csv", "mode,speed_hz,frequency_hz,whirl\n" + "".join(

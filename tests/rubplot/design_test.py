@@ -46,6 +46,13 @@ class Design(figures.FigureTest):
         words = figures.words(self.draw("design"))
         for word in ("lock speed", "none of the kicks"):
             self.assertNotIn(word, words)
+        self.assertIn("no kicks were tried", words)
+
+    def test_shares_over_many_decades_leave_the_titles_room(self):
+        self.write("unbalance_response.csv", RESPONSE.replace("stop 0,0.29,10,3e-06", "stop 0,0.29,10,3e-11"))
+        root = self.draw("design")
+        self.assertEqual(figures.over_each_other(root), [])
+        self.assertNotIn("0.0001", figures.words(root))
 
     def test_a_share_is_of_the_limit_and_missing_where_there_is_no_clearance(self):
         self.assertEqual(list(design.share_lines([(50, 3e-4, 1.5e-4), (60, 1e-4, 0.0)], 1)), ["50 200"])

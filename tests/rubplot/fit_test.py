@@ -38,11 +38,23 @@ class FitPicture(figures.FigureTest):
         amplitudes = [line.split() for line in found.upper("0")]
         self.assertAlmostEqual(float(amplitudes[5][1]) / float(amplitudes[5][2]), 1.02)
 
+    def test_a_run_up_shows_what_is_left_of_amplitude_and_phase(self):
+        self.write_fit(phasor_rows(0, "run_up", 0, ((speed, cmath.rect(1e-5, 0.1), 1e-5) for speed in range(20, 60))))
+        found = fit.Fit(self.directory).files[0]
+        size = 1e-5 * abs(cmath.rect(1, 0.1) - 1) * found.left_per_metre
+        left = [float(line.split()[1]) for line in found.left("0")]
+        self.assertEqual(len(left), 40)
+        self.assertTrue(all(abs(one - size) < 1e-9 * size for one in left))
+        root = self.draw("fit")
+        for word in ("phase (deg)", "left (µm)"):
+            self.assertIn(word, figures.words(root))
+        self.assertEqual(figures.over_each_other(root), [])
+
     def test_a_ring_down_shows_what_is_left(self):
         rows = "".join(f"0,ring_down,0,signal,{k / 100},{math.cos(k) * 1e-4 + 1e-6},{math.cos(k) * 1e-4}\n" for k in range(30))
         self.write_fit(rows)
         found = fit.Fit(self.directory).files[0]
-        self.assertTrue(all(abs(float(line.split()[1]) - 1e-6 * found.left_per_metre) < 1e-9 * found.left_per_metre for line in found.lower("0")))
+        self.assertTrue(all(abs(float(line.split()[1]) - 1e-6 * found.left_per_metre) < 1e-9 * found.left_per_metre for line in found.left("0")))
 
     def test_the_picture_says_what_it_shows(self):
         rows = "".join(f"0,ring_down,{i},signal,{k / 100},{math.cos(k) * 1e-4},{math.cos(k) * 1e-4}\n" for i in (0, 1) for k in range(30))

@@ -22,6 +22,7 @@ using recording::Recording;
 using recording::samples_per_revolution;
 
 constexpr int most_spectra = 120;
+constexpr int spectrum_turns = 2 * history_turns;
 constexpr double most_waterfall_order = 8;
 
 std::span<const Complex> turns_of(const Recording& recording, int begin, int count) {
@@ -53,6 +54,21 @@ double lag_deg(Complex amplitude) {
   return phase > 0 ? phase - 360 : phase;
 }
 
+/// Samples about their mean that come and go smoothly, so that a line which is none of the spectrum's own, or
+/// grows as in a resonance, has no skirt over all orders. A steady line keeps its amplitude.
+std::vector<Complex> under_hann_window(std::span<const Complex> samples) {
+  const auto count = static_cast<double>(samples.size());
+  const auto weight = [count](std::size_t k) {
+    return 1 - std::cos(2 * std::numbers::pi * static_cast<double>(k) / count);
+  };
+  // The mean has the same weights: 1X that grows shifts the plain one.
+  Complex mean = 0;
+  for (std::size_t k = 0; k < samples.size(); ++k) mean += weight(k) * samples[k] / count;
+  std::vector<Complex> weighted;
+  for (std::size_t k = 0; k < samples.size(); ++k) weighted.push_back(weight(k) * (samples[k] - mean));
+  return weighted;
+}
+
 }  // namespace
 
 bool speed_changes(const Recording& recording) {
@@ -69,12 +85,18 @@ std::vector<OrderPoint> order_history(const Recording& recording, double order, 
   const double eighths = 8 * order;
   if (eighths != std::round(eighths) || order <= 0) throw SolverError("order_history: no multiple of 1/8");
   while (std::fmod(order * turns, 1.0) != 0) ++turns;
+  const bool windowed = order != 1 && 2 * turns <= recording.turns();
+  if (windowed) turns *= 2;
   std::vector<OrderPoint> points;
   const double step_rad = 2 * std::numbers::pi * order / samples_per_revolution;
   for (int begin = 0; begin + turns <= recording.turns(); ++begin) {
     points.push_back(middle_of(recording, begin, turns));
-    add_component(turns_of(recording, begin, turns), step_rad, 2 * std::numbers::pi * order * begin,
-                  points.back());
+    const std::span<const Complex> samples = turns_of(recording, begin, turns);
+    const double begin_rad = 2 * std::numbers::pi * order * begin;
+    if (windowed)
+      add_component(under_hann_window(samples), step_rad, begin_rad, points.back());
+    else
+      add_component(samples, step_rad, begin_rad, points.back());
   }
   return points;
 }
@@ -96,13 +118,15 @@ std::string bode_csv(const Recording& recording, const std::vector<double>& orde
 
 std::string waterfall_csv(const Recording& recording) {
   std::string text = "t_s,speed_hz,order,amplitude_m\n";
-  const int windows = recording.turns() / history_turns, every = (windows + most_spectra - 1) / most_spectra;
+  const int turns = std::min(recording.turns(), spectrum_turns) / history_turns * history_turns;
+  const int windows = turns == 0 ? 0 : 1 + (recording.turns() - turns) / history_turns;
+  const int every = (windows + most_spectra - 1) / most_spectra;
   response::spectrum::SpectrumWorkspace workspace;
-  const int last = static_cast<int>(most_waterfall_order * history_turns);
+  const int last = static_cast<int>(most_waterfall_order * turns);
   for (int window = 0; window < windows; window += every) {
-    const OrderPoint middle = middle_of(recording, window * history_turns, history_turns);
+    const OrderPoint middle = middle_of(recording, window * history_turns, turns);
     const auto spectrum = response::spectrum::full_spectrum(
-        turns_of(recording, window * history_turns, history_turns), history_turns, workspace);
+        under_hann_window(turns_of(recording, window * history_turns, turns)), turns, workspace);
     for (int k = -last; k <= last; ++k) {
       if (k == 0) continue;
       text += fmt::format("{},{},{},{}\n", csv_number(middle.t_s), csv_number(middle.speed_hz),

@@ -25,15 +25,17 @@ struct OrderPoint {
 
 /// A Bode plot of an order that is a multiple of 1/8: one point a turn, of the least number of turns from
 /// `turns` on in which the order goes round a whole number of times. Over these turns
-/// the mean adds nothing to it.
+/// the mean adds nothing to it. Orders other than 1 are taken over twice as many turns under a Hann window,
+/// where there are so many: 1X, which grows in a resonance, would else be seen in them.
 std::vector<OrderPoint> order_history(const recording::Recording& recording, double order, int turns = 2);
 
 /// t_s, speed_hz, order, x_amplitude_m, x_phase_deg, y_amplitude_m, y_phase_deg of several orders; phases
 /// from 0 to -360, negative ones lag behind the mark.
 std::string bode_csv(const recording::Recording& recording, const std::vector<double>& orders);
 
-/// t_s, speed_hz, order, amplitude_m: full spectra of history_turns turns each, at most 120 of them, up to
-/// |order| 8.
+/// t_s, speed_hz, order, amplitude_m: full spectra of twice history_turns under a Hann window, one every
+/// history_turns, at most 120 of them, up to |order| 8. Of fewer turns one spectrum of history_turns, if
+/// there are so many.
 std::string waterfall_csv(const recording::Recording& recording);
 
 }  // namespace rubsweep::scope

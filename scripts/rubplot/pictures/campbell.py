@@ -15,6 +15,9 @@ SAME_SPEED = 0.015  # as a share: critical speeds with one label
 CLOSE = 0.09
 BESIDE_AXIS = 0.1
 SAME_HEIGHT = 0.02
+# A letter of a label and the place of its line, as shares of the axes; further steps up or down for a label, in lines.
+LETTER = (0.0125, 0.036)
+STEPS = (0, 1.1, 2.2, 3.3)
 
 
 def picture(given):
@@ -29,11 +32,14 @@ def picture(given):
     config = configuration.read_configuration(files["config.yaml"])
     per_hz = shown_units.axis(config, "speed_hz").factor
     fastest = max((row["speed_hz"] for row in curves), default=0)
+    slowest = min((row["speed_hz"] for row in curves), default=0)
     # As high as shows where the modes meet the shaft speed, and the slowest mode in any case.
     top = max(1.5 * fastest, 1.3 * min((row["frequency_hz"] for row in curves), default=0))
+    second = place_of_2x(fastest, top, slowest)
     sizes = [
         f"fastest = {fastest:.17g}",
-        f"name_of_1x = {place_of_1x(critical, fastest):.17g}",
+        f"name_of_1x = {place_of_1x(critical, fastest, slowest):.17g}",
+        f"name_of_2x = {second or 0:.17g}",
         f"top = {top:.17g}",
         f"per_hz = {per_hz:.17g}",  # of the unit in which shaft speeds are shown
         f"any_critical = {len(critical) > 0:d}",
@@ -46,8 +52,9 @@ def picture(given):
         (captions.headed(given.heading, config), str(len(shown)), captions.byline(config)),
         {
             "curves": curve_lines(curves, per_hz),
-            "critical": ("%.17g" % row["speed_hz"] for row in critical),
-            "labels.gp": [*sizes, *name_lines(curves, top, per_hz), *label_lines(critical, fastest, per_hz),
+            # One beside the picture where there is none, as gnuplot warns of empty files.
+            "critical": ["%.17g" % row["speed_hz"] for row in critical] or ["-1"],
+            "labels.gp": [*sizes, *name_lines(curves, top, per_hz), *label_lines(critical, fastest, per_hz, slowest, top),
                           *lock_lines(locks, top, per_hz)],
             "shapes": shape_lines(shown),
             "shaft": shaft_lines(config),
@@ -81,18 +88,43 @@ def name_lines(rows, top, per_hz=1):
         yield _label(per_hz * cluster[0]["speed_hz"], place, text, "left offset 0.6, 0")
 
 
-def label_lines(rows, fastest, per_hz=1):
+def label_lines(rows, fastest, per_hz=1, slowest=0, top=None):
     """Critical speeds as gnuplot's labels; speeds that lie together get one, at their middle. It stands above to the left
-    of the line, below to the right where the next one is close, above to the right beside the axis."""
+    of the line, below to the right where the next one is close, above to the right beside the axis; where another label
+    has that place, further above or below."""
+    width, height = fastest - slowest or 1, top or 1.5 * fastest or 1
     clusters = list(_clusters(sorted(rows, key=lambda row: row["speed_hz"]), "speed_hz", 0, SAME_SPEED))
     middles = [sum(row["speed_hz"] for row in cluster) / len(cluster) for cluster in clusters]
+    taken = []
     for middle, following in zip(middles, [*middles[1:], float("inf")]):
-        place = "right offset -0.8, 0.8"
-        if middle < BESIDE_AXIS * fastest:
-            place = "left offset 0.3, 0.9"
-        elif following < middle + CLOSE * fastest:
-            place = "left offset 0.8, -0.8"
-        yield _label(per_hz * middle, middle, "%.4g" % (per_hz * middle), place)
+        text = "%.4g" % (per_hz * middle)
+        above, below = [("right", -0.8, 0.8 + step) for step in STEPS], [("left", 0.8, -0.8 - step) for step in STEPS]
+        places = above + below
+        if middle - slowest < BESIDE_AXIS * width:
+            places = [("left", 0.3, 0.9 + step) for step in STEPS] + below
+        elif following < middle + CLOSE * width:
+            places = below + above
+        boxes = [_box((middle - slowest) / width, middle / height, text, place) for place in places]
+        free = [i for i, box in enumerate(boxes) if _inside(box) and not any(_meet(box, other) for other in taken)]
+        chosen = free[0] if free else 0
+        taken.append(boxes[chosen])
+        side, across, up = places[chosen]
+        yield _label(per_hz * middle, middle, text, f"{side} offset {across:g}, {up:g}")
+
+
+def _box(x, y, text, place):
+    """(left, low, right, high) of a label at a point, all as shares of the axes."""
+    side, across, up = place
+    left = x + across * LETTER[0] - (len(text) * LETTER[0] if side == "right" else 0)
+    return left, y + (up - 0.5) * LETTER[1], left + len(text) * LETTER[0], y + (up + 0.5) * LETTER[1]
+
+
+def _inside(box):
+    return box[0] > 0 and box[1] > 0 and box[2] < 1 and box[3] < 1
+
+
+def _meet(one, other):
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 def lock_lines(speeds, top, per_hz=1):
@@ -101,14 +133,21 @@ def lock_lines(speeds, top, per_hz=1):
         yield _label(per_hz * speed, 0.012 * top, "", "point pointtype 12 pointsize 1.3 linewidth 1.5 linecolor rgb '#882255'")
 
 
-def place_of_1x(critical, fastest):
+def place_of_1x(critical, fastest, slowest=0):
     """The speed at which the line of the shaft speed is named: near its end, but not where a critical speed is."""
-    places = [share * fastest for share in (0.94, 0.85, 0.76, 0.67, 0.58, 0.49, 0.4)]
+    width = fastest - slowest
+    places = [slowest + share * width for share in (0.94, 0.85, 0.76, 0.67, 0.58, 0.49, 0.4)]
 
     def room(place):
         return min((abs(row["speed_hz"] - place) for row in critical), default=fastest)
 
-    return next((place for place in places if room(place) > BESIDE_AXIS * fastest), max(places, key=room))
+    return next((place for place in places if room(place) > BESIDE_AXIS * width), max(places, key=room))
+
+
+def place_of_2x(fastest, top, slowest=0):
+    """As well for twice the shaft speed: near its upper end, None where that is beside the axes or next to it."""
+    place = min(0.47 * top, slowest + 0.9 * (fastest - slowest))
+    return place if place > slowest + BESIDE_AXIS * (fastest - slowest) else None
 
 
 def _label(x, y, text, place):

@@ -46,9 +46,19 @@ class FittedFile:
         return [(at, complex(real, imaginary[0]), complex(model, imaginary[1]))
                 for (at, real, model), (_, *imaginary) in zip(parts["real"], parts["imaginary"])]
 
+    def shows_left(self):
+        """Whether the residual has a panel: of a rub, measured and modelled lines stand beside each other."""
+        return self.kind != "rub"
+
+    def left(self, sensor):
+        """Residual of a reading; of 1X its size, of amplitude and phase together."""
+        for at, measured, modelled in self.series[sensor]:
+            left = measured - modelled
+            yield f"{at:.17g} {self.left_per_metre * (left if self.kind == 'ring_down' else abs(left)):.17g}"
+
     def leaves_nothing(self):
-        """Whether a ring-down is fitted to the last bit, so that what is left has no range."""
-        return self.kind == "ring_down" and all(measured == model for rows in self.series.values() for _, measured, model in rows)
+        """Whether the data are fitted to the last bit, so that what is left has no range."""
+        return self.shows_left() and all(measured == model for rows in self.series.values() for _, measured, model in rows)
 
     def upper(self, sensor):
         """The reading, or the amplitude: at, measured, modelled."""
@@ -57,12 +67,9 @@ class FittedFile:
             yield " ".join("%.17g" % number for number in (at, *(self.per_metre * value for value in values)))
 
     def lower(self, sensor):
-        """Residual of a reading; of 1X the phases, which go on where they pass a whole turn."""
+        """Phases of 1X and of lines, which go on where they pass a whole turn: at, measured, modelled."""
         before = None
         for at, measured, modelled in self.series[sensor]:
-            if self.kind == "ring_down":
-                yield f"{at:.17g} {self.left_per_metre * (measured - modelled):.17g} nan"
-                continue
             model = phases.beside(math.degrees(cmath.phase(modelled)), before)
             before = None if self.kind == "rub" else model
             phase = phases.beside(math.degrees(cmath.phase(measured)), model)
@@ -105,10 +112,14 @@ def picture(given):
         for i, sensor in enumerate(sensors):
             panels.append(f'name_{column}_{i} = "sensor {sensor}"')
             files[f"upper_{column}_{i}"] = data.upper(sensor)
-            files[f"lower_{column}_{i}"] = data.lower(sensor)
+            if data.kind != "ring_down":
+                files[f"lower_{column}_{i}"] = data.lower(sensor)
+            if data.shows_left():
+                files[f"left_{column}_{i}"] = data.left(sensor)
     more = max(0, fit.left_out)
     found = fit.found + ([f"{more} more file{'s' if more > 1 else ''} of data not shown"] if more else [])
     panels.append(f"found = {len(found)}")
+    panels.append(f"ramps = {any(data.kind in ('run_up', 'steady') for data in fit.files):d}")
     panels += [f'found_{i} = "{sentence}"' for i, sentence in enumerate(found)]
     files["panels.gp"] = panels
     return Picture("fit.gp", (given.heading, str(len(fit.files))), files)
@@ -118,8 +129,8 @@ SUBCOMMAND = Subcommand(
     name="fit",
     summary="data and model of a fit (rubfit)",
     description="""Draws what rubfit wrote into DIR: of each file of data, three at most, the readings or the amplitude and
-phase of 1X as points and the fitted model as lines, of a ring-down what is left, of a rub the lines of its spectrum; below,
-the numbers that were found with half the width of their 95 % intervals.""",
+phase of 1X as points and the fitted model as lines, and what is left; of a rub the lines of its spectrum; below, the
+numbers that were found with half the width of their 95 % intervals.""",
     source="DIR",
     heading="Fit",
     picture=picture,

@@ -3,10 +3,12 @@
 import math
 import os
 
-from rubplot import csv_table, phases, shown_units
+from rubplot import csv_table, domain_map, phases, shown_units
 from rubplot.failure import require_readable
 from rubplot.gnuplot import Picture
 from rubplot.subcommand import Subcommand
+
+LEAST_SHARE = 1e-3  # of the largest line of all spectra: smaller ones are not drawn
 
 
 class Scope:
@@ -109,7 +111,7 @@ class ScopeRun:
 
     def curve(self, order, direction):
         """Speed, amplitude, phase (which goes on where it passes a whole turn), and both as x and y of a polar plot."""
-        before = None
+        before = -90  # a lag of half a turn below and above a resonance
         for row in self._rows[order]:
             amplitude = self.per_metre * self._number(row, f"{direction}_amplitude_m")
             phase = self._number(row, f"{direction}_phase_deg")
@@ -118,13 +120,19 @@ class ScopeRun:
             yield f"{self.speed.factor * self._number(row, 'speed_hz'):.17g} {amplitude:.17g} {phase:.17g} {amplitude * math.cos(angle):.17g} {amplitude * math.sin(angle):.17g}"
 
     def spectra(self):
-        """Order, speed, amplitude; an empty line behind each spectrum."""
-        before = None
-        for row in self._waterfall:
-            if before not in (None, row["t_s"]):
-                yield ""
-            before = row["t_s"]
-            yield f"{self._number(row, 'order'):.17g} {self.speed.factor * self._number(row, 'speed_hz'):.17g} {self.per_metre * self._number(row, 'amplitude_m'):.17g}"
+        """The lines that are seen: order, half their distance, speed, the speeds between which a spectrum is drawn,
+        amplitude; the largest last, on top."""
+        lines = [tuple(self._number(row, name) for name in ("order", "speed_hz", "amplitude_m")) for row in self._waterfall]
+        if not lines:
+            return
+        orders = sorted({order for order, _, _ in lines})
+        half = min((b - a for a, b in zip(orders, orders[1:])), default=1) / 2
+        edges = domain_map.edges(self.speed.factor * speed for _, speed, _ in lines)
+        largest = max(amplitude for *_, amplitude in lines)
+        for order, speed, amplitude in sorted(lines, key=lambda line: line[2]):
+            if amplitude >= LEAST_SHARE * largest:
+                shown = self.speed.factor * speed
+                yield " ".join("%.17g" % number for number in (order, half, shown, *edges[shown], self.per_metre * amplitude))
 
     def files(self):
         curves = [(order, direction) for order in self.orders[:4] for direction in self.directions]

@@ -13,7 +13,7 @@ array shape_colour[4] = ["#332288", "#CC6677", "#117733", "#DDAA33"]
 turning = "#777777"
 
 # Here, while no axis has a range: of what lies outside the range of an axis, stats sees nothing.
-stats "curves" using 1:2 name "C" nooutput
+stats "curves" using 1 name "C" nooutput
 if (shapes) { stats "shapes" index 0 using 1 name "P" nooutput }
 right = shapes ? 0.56 : 0.95
 
@@ -33,7 +33,7 @@ do for [format in formats] {
   set tmargin at screen 0.83
   set border 31 linewidth 1
   set tics nomirror out
-  set xrange [C_min_x:fastest * per_hz]
+  set xrange [C_min:fastest * per_hz]
   set yrange [0:top]
   speed_label = per_hz == 1 ? "shaft speed (Hz)" : "shaft speed (rpm)"
   eval rpm_above(speed_label)
@@ -42,12 +42,14 @@ do for [format in formats] {
   set label 1004 "whirl frequency (Hz)" at screen 0.013, 0.49 center rotate by 90
   set key at screen 0.07, screen 0.945 left top horizontal Left reverse noopaque samplen 2.5 maxrows 1
   set label 1001 "1X" at first name_of_1x * per_hz, first name_of_1x + 0.035 * top right textcolor rgb turning
-  set label 1002 "2X" at first 0.5 * 0.94 * top * per_hz, first 0.94 * top right offset -0.8, 0 textcolor rgb turning
+  if (name_of_2x > 0) {
+    set label 1002 "2X" at first name_of_2x * per_hz, first 2 * name_of_2x right offset -1.2, 0.5 textcolor rgb turning
+  }
   plot x / per_hz with lines linecolor rgb turning dashtype 3 linewidth 1.5 notitle, \
     2 * x / per_hz with lines linecolor rgb turning dashtype 3 linewidth 0.8 notitle, \
     for [k = 1:(any_mixed ? 3 : 2)] "curves" using 1:($3 == k - 1 ? $2 : NaN) with lines \
       linecolor rgb colour[k] dashtype dash[k] linewidth 2 title direction[k], \
-    (any_critical ? "critical" : "/dev/null") using ($1 * per_hz):1 with points pointtype 7 pointsize 1.3 \
+    "critical" using ($1 * per_hz):1 with points pointtype 7 pointsize 1.3 \
       linecolor rgb "black" title (any_critical ? "critical speed" : "")
   unset label
   eval no_rpm

@@ -54,7 +54,8 @@ do for [format in formats] {
   set tmargin at screen 0.415
   set bmargin at screen 0.115
   set logscale y
-  set yrange [*:150<*]
+  # Less than a ten-thousandth of the limit says nothing, and its numbers are long.
+  set yrange [0.01<*:150<*]
   set label 1004 "axis / allowed at stops (%)" at screen 0.015, 0.265 center rotate by 90
   plot for [i = 0:stops - 1] stop(i) using 1:2 with lines linewidth 2 dashtype dash(i) linecolor rgb colours[i + 1] \
       title value(sprintf("stop_name_%d", i)), \
@@ -65,7 +66,7 @@ do for [format in formats] {
   eval rpm_above(ARG5)
   set key at graph 0, graph above
   set lmargin at screen 0.575
-  set rmargin at screen 0.975
+  set rmargin at screen 0.96
   set tmargin at screen 0.87
   set bmargin at screen 0.565
   set yrange [0:*]
@@ -80,6 +81,7 @@ do for [format in formats] {
   } else {
     set yrange [0:1]
     unset ytics
+    if (!any_quiet) { set label 1005 "no kicks were tried" at graph 0.5, graph 0.5 center textcolor rgb "#777777" }
     plot "quiet" using 1:2 with points pointtype 2 pointsize 1.6 linewidth 2 \
         linecolor rgb colours[3] title (any_quiet ? "none of the kicks" : ""), \
       "locks" using 1:2 with points pointtype 12 pointsize 2 linewidth 2 \

@@ -1,7 +1,8 @@
 # Draws the fit that pictures/fit.py lays out.
 # Arguments: HEADING COLUMNS
-# Files: panels.gp (title, axis, unit, left_unit, kind, sensors and nothing_left of each column; the sentences found_N),
-# upper_C_N and lower_C_N (place, measured, modelled) of sensor N in column C.
+# Files: panels.gp (title, axis, unit, left_unit, kind, sensors and nothing_left of each column; the sentences found_N; ramps:
+# whether a column has 1X), upper_C_N (reading or amplitude: place, measured, modelled), lower_C_N (phase, as well) and
+# left_C_N (place, what is left) of sensor N in column C.
 
 heading = ARG1
 columns = int(ARG2)
@@ -9,19 +10,22 @@ load "panels.gp"
 of(name, column) = value(sprintf("%s_%d", name, column))
 upper(column, i) = sprintf("upper_%d_%d", column, i)
 lower(column, i) = sprintf("lower_%d_%d", column, i)
+left(column, i) = sprintf("left_%d_%d", column, i)
 # Paul Tol's "muted" scheme, sensor by sensor.
 array colours[4] = ["#332288", "#CC6677", "#117733", "#DDCC77"]
 # Sentences below each other, two beside each other where the page is wide.
 beside = columns == 1 ? 1 : 2
 rows = (found + beside - 1) / beside
+# Lower edge of the panels, from the top.
+end = ramps ? 990 : 770
 
 do for [format in formats] {
-  eval canvas(format, columns == 1 ? 1100 : columns == 2 ? 1600 : 2100, 900 + 32 * rows, 'DejaVu Sans,20', 1.5)
+  eval canvas(format, columns == 1 ? 1100 : columns == 2 ? 1600 : 2100, end + 130 + 32 * rows, 'DejaVu Sans,20', 1.5)
   reset
   set encoding utf8
   set minussign
   set multiplot
-  high = 900.0 + 32 * rows
+  high = end + 130.0 + 32 * rows
   set label 1 heading at screen 0.5, 1 - 26 / high center font ":Bold,22" noenhanced
   do for [i = 0:found - 1] {
     set label 100 + i value(sprintf("found_%d", i)) font ",17" noenhanced \
@@ -46,12 +50,15 @@ do for [format in formats] {
     set format x ""
     set xrange [*:*]
     set yrange [*:*]
+    # The panels of a column have one axis.
+    stats upper(c, 0) using 1 name "AT" nooutput
+    if (!rub) { set xrange [AT_min:AT_max] }
     set ytics autofreq
     if (!ring) { set yrange [0:*] }
     # Lines of a rub that tell of its stop are a thousandth of the largest.
     if (rub) { set offsets 0.2, 0.2, 0, 0; set yrange [*:*]; set logscale y; set format y "10^{%T}" }
     set label 2 sprintf(ring ? "reading (%s)" : "amplitude (%s)", of("unit", c)) center rotate by 90 \
-      at screen (c + (columns == 1 ? 0.02 : 0.025)) / columns, screen 1 - 285 / high
+      at screen (c + (columns == 1 ? 0.017 : 0.025)) / columns, screen 1 - 285 / high
     set label 3 "" . of("title", c) at graph 0.5, screen 1 - 72 / high center noenhanced
     set key at graph 0.5, screen 1 - 106 / high center center horizontal samplen 1.5 noenhanced font ",16"
     if (rub) {
@@ -73,21 +80,35 @@ do for [format in formats] {
     do for [i = 0:found - 1] { unset label 100 + i }
 
     eval no_rpm
-    set tmargin at screen 1 - 474 / high
-    set bmargin at screen 1 - 770 / high
-    set xlabel "" . of("axis", c)
-    set format x "% h"
+    # Below each other: phases, where there are some, and what is left.
     set yrange [*:*]
-    set label 2 (ring ? sprintf("left (%s)", of("left_unit", c)) : "phase (deg)") center rotate by 90 \
-      at screen (c + (columns == 1 ? 0.02 : 0.025)) / columns, screen 1 - 615 / high
-    if (!ring) { set ytics 90 }
-    if (of("nothing_left", c)) { set yrange [-1:1] }
-    plot for [i = 0:last] lower(c, i) using 1:2 with points pointtype 7 pointsize (rub ? 1.2 : dot) \
-        linecolor rgb colours[i + 1], \
-      for [i = 0:last] lower(c, i) using 1:3 with points pointtype 6 pointsize (rub ? 1.6 : 0) linewidth 2 \
-        linecolor rgb colours[rub ? 2 : i + 1], \
-      for [i = 0:last] lower(c, i) using 1:(rub ? NaN : $3) with lines linewidth 1.5 linecolor rgb colours[i + 1]
+    if (!ring) {
+      set tmargin at screen 1 - 474 / high
+      set bmargin at screen 1 - (rub ? end : 770) / high
+      if (rub) { set xlabel "" . of("axis", c); set format x "% h" }
+      set ytics 90
+      set label 2 "phase (deg)" center rotate by 90 \
+        at screen (c + (columns == 1 ? 0.017 : 0.025)) / columns, screen 1 - (474 + (rub ? end : 770)) / 2.0 / high
+      plot for [i = 0:last] lower(c, i) using 1:2 with points pointtype 7 pointsize (rub ? 1.2 : dot) \
+          linecolor rgb colours[i + 1], \
+        for [i = 0:last] lower(c, i) using 1:3 with points pointtype 6 pointsize (rub ? 1.6 : 0) linewidth 2 \
+          linecolor rgb colours[rub ? 2 : i + 1], \
+        for [i = 0:last] lower(c, i) using 1:(rub ? NaN : $3) with lines linewidth 1.5 linecolor rgb colours[i + 1]
+      set ytics autofreq
+    }
     set offsets 0, 0, 0, 0
+    if (!rub) {
+      top = ring ? 474 : 804
+      set tmargin at screen 1 - top / high
+      set bmargin at screen 1 - end / high
+      set xlabel "" . of("axis", c)
+      set format x "% h"
+      if (!ring) { set yrange [0:*] }
+      if (of("nothing_left", c)) { set yrange [-1:1] }
+      set label 2 sprintf("left (%s)", of("left_unit", c)) center rotate by 90 \
+        at screen (c + (columns == 1 ? 0.017 : 0.025)) / columns, screen 1 - (top + end) / 2.0 / high
+      plot for [i = 0:last] left(c, i) using 1:2 with points pointtype 7 pointsize dot linecolor rgb colours[i + 1]
+    }
   }
   unset multiplot
   unset output

@@ -1,7 +1,7 @@
 # Draws the run-up that pictures/scope.py lays out.
 # Arguments: HEADING CURVES UNIT RESONANCES SPEED_LABEL
 # Files: curve_N for each of the CURVES (speed, amplitude in UNIT, phase in degrees, x and y of the polar plot), names.gp,
-# spectra (order, speed, amplitude).
+# spectra (order, half the width of a line, speed, its least and largest, amplitude).
 
 heading = ARG1
 curves = int(ARG2)
@@ -13,8 +13,8 @@ load "names.gp"
 array colours[8] = ["#332288", "#CC6677", "#117733", "#DDCC77", "#882255", "#44AA99", "#AA4499", "#999933"]
 mark = "#999999"
 # Here, while no axis has a range.
-stats "spectra" using 3 name "S" nooutput
-stats "spectra" using 2 name "V" nooutput
+stats "spectra" using 6 name "S" nooutput
+stats file(0) using 1 name "V" nooutput
 stats file(0) using 4 name "X" nooutput
 stats file(0) using 5 name "Y" nooutput
 widest = 1.05 * (abs(X_min) > X_max ? abs(X_min) : X_max)
@@ -40,18 +40,17 @@ do for [format in formats] {
 
   set lmargin at screen 0.105
   set rmargin at screen 0.49
-  set tmargin at screen 0.85
+  set tmargin at screen 0.82
   eval rpm_above(ARG5)
   set bmargin at screen 0.52
   set xrange [V_min:V_max]
   set yrange [0:*]
   set format x ""
-  set label 2 sprintf("amplitude (%s)", unit) at screen 0.015, 0.69 center rotate by 90
-  set key at screen 0.29, 0.94 center top horizontal maxrows 2 Left reverse samplen 1.5 width -7 font ",16" noenhanced
+  set label 2 sprintf("amplitude (%s)", unit) at screen 0.015, 0.67 center rotate by 90
+  # Above the numbers of the upper axis.
+  set key at screen 0.105, screen 0.942 left top horizontal maxrows 2 Left reverse samplen 1.5 font ",16" noenhanced
   plot for [i = 0:curves - 1] file(i) using 1:2 with lines linewidth 2 linecolor rgb colours[i + 1] \
-      title value(sprintf("name_%d", i)), \
-    NaN with lines dashtype 2 linewidth 1.2 linecolor rgb mark \
-      title (words(resonances) ? sprintf("resonance %s %s", word(resonances, 1), strstrt(ARG5, "rpm") ? "rpm" : "Hz") : "")
+      title value(sprintf("name_%d", i))
   unset label 1
   unset key
 
@@ -63,8 +62,18 @@ do for [format in formats] {
   set ytics 90
   set xlabel ARG5
   set label 2 "phase of 1X (deg)" at screen 0.015, 0.29 center rotate by 90
+  # Its name stands beside a line of resonance, where there is more room.
+  if (words(resonances)) {
+    place = real(word(resonances, 1))
+    name = "resonance " . word(resonances, 1) . (strstrt(ARG5, "rpm") ? " rpm" : " Hz")
+    if (place > (V_min + V_max) / 2) { set label 3 name at first place, graph 0.06 right offset character -0.6, 0 font ",16" }
+    if (place <= (V_min + V_max) / 2) {
+      set label 3 name at first real(word(resonances, words(resonances))), graph 0.06 left offset character 0.6, 0 font ",16"
+    }
+  }
   plot for [i = 0:(curves > 1 ? 1 : 0)] file(i) using 1:3 with lines linewidth 2 linecolor rgb colours[i + 1]
   do for [k = 1:words(resonances)] { unset arrow k }
+  unset label 3
 
   set lmargin at screen 0.60
   set rmargin at screen 0.97
@@ -99,7 +108,7 @@ do for [format in formats] {
   set format cb "10^{%L}"
   set cblabel sprintf("amplitude (%s)", unit) offset character 1.5, 0
   set palette defined (0 "#FFFFFF", 1 "#AACCE8", 2 "#4477AA", 3 "#332288", 4 "#220022")
-  plot "spectra" using 1:2:3 with points pointtype 5 pointsize 0.5 palette
+  plot "spectra" using 1:3:($1 - $2):($1 + $2):4:5:6 with boxxyerror fillstyle solid 1 noborder linecolor palette
   unset multiplot
   unset output
 }

@@ -132,10 +132,23 @@ function listenToButtons() {
     d3.select("#" + id).append("button").attr("type", "button").text("SVG").on("click", () => saveFigure(id));
 }
 
+// Draws anew what no longer fits its box. A box changes with the window, and also where a scroll bar comes, a line wraps
+// or the page is zoomed. The map is drawn at once, before its box is seen; panels change their heights, and wait for a frame.
+function watchBoxes() {
+  const refit = () => {
+    if (!view.fits()) view.draw();
+    if (panelsNeedDrawing()) requestAnimationFrame(showCell);
+  };
+  const boxes = new ResizeObserver(refit);
+  boxes.observe(view.box);
+  boxes.observe(document.getElementById("orbit"));
+  // In a window of more than the widest page a zoom leaves the boxes as they are.
+  window.addEventListener("resize", refit);
+}
+
 function listenToWindow() {
   const redraw = () => { drawMap(); if (state.selected !== null) showCell(); };
-  let timer = 0;
-  window.addEventListener("resize", () => { clearTimeout(timer); timer = setTimeout(redraw, 100); });
+  watchBoxes();
   darkScreen.addEventListener("change", redraw);
   window.addEventListener("beforeprint", () => { printing = true; redraw(); });
   window.addEventListener("afterprint", () => { printing = false; redraw(); });

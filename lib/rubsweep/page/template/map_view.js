@@ -17,10 +17,18 @@ class MapView {
     this.svg.append("clipPath").attr("id", "inside").append("rect");
   }
 
+  // Whether the map is drawn for the size of its box and for the pixels of the screen.
+  fits() {
+    const { width, height } = this.box.getBoundingClientRect();
+    return width === this.width && height === this.height && window.devicePixelRatio === this.ratio;
+  }
+
   measure() {
     const { data, state } = this;
-    this.width = this.box.clientWidth;
-    this.height = this.box.clientHeight;
+    ({ width: this.width, height: this.height } = this.box.getBoundingClientRect());
+    this.ratio = window.devicePixelRatio;
+    // Cells and axes keep to each other also in a box of another size, as paper has one.
+    this.svg.attr("viewBox", `0 0 ${this.width} ${this.height}`).attr("preserveAspectRatio", "xMinYMin meet");
     margin.top = inHz(data.index.across) ? 26 + rpmHeight : 26;
     const [i0, j0, i1, j1] = state.view || [0, 0, data.x.values.length - 1, data.y.values.length - 1];
     this.shown = [i0, j0, i1, j1];
@@ -52,13 +60,10 @@ class MapView {
     this.drawMarks();
   }
 
-  drawCells(context = null, ratio = window.devicePixelRatio || 1) {
-    const { data, state } = this;
-    if (!context) {
-      this.canvas.width = Math.round(this.width * ratio);
-      this.canvas.height = Math.round(this.height * ratio);
-      context = this.canvas.getContext("2d");
-    }
+  drawCells() {
+    const { data, state, ratio } = this, context = this.canvas.getContext("2d");
+    this.canvas.width = Math.round(this.width * ratio);
+    this.canvas.height = Math.round(this.height * ratio);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, this.width, this.height);
     const colour = this.painter(), empty = emptyColour();

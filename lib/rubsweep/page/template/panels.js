@@ -2,7 +2,12 @@
 // The motion of the selected cell in four pictures. Lengths in mm.
 const mm = (values) => values.map((value) => 1e3 * value);
 
+const panelWidth = () => document.getElementById("orbit").clientWidth;
+let drawnWidth = null;  // of a panel; null where none is drawn
+const panelsNeedDrawing = () => drawnWidth !== null && drawnWidth !== panelWidth();
+
 function drawPanels(data, cell, orbit, stop) {
+  drawnWidth = panelWidth();
   const speed_hz = data.value("speed_hz", cell);
   const walls = data.wallsOf(cell);
   drawHistory(walls[stop], orbit, speed_hz, stop);
@@ -12,6 +17,7 @@ function drawPanels(data, cell, orbit, stop) {
 }
 
 function clearPanels() {
+  drawnWidth = null;
   for (const id of ["history", "orbit", "spectrum", "section"]) d3.select("#" + id).selectAll("svg").remove();
 }
 

@@ -6,7 +6,9 @@ const layerNames = new Map(Object.entries({
   peak_displacement_m: "peak displacement", hits_per_revolution: "hits per revolution", revolutions: "revolutions",
   robust: "robust",
 }));
-const significant = d3.format(".4~g");
+const fourDigits = d3.format(".4~g"), whole = d3.format(".0f");
+// A speed of 10800 rpm is not called 1.08e+4.
+const significant = (value) => (Math.abs(value) >= 9999.5 && Math.abs(value) < 1e6 ? whole : fourDigits)(value);
 
 // Columns that a person wrote in other units: column -> [factor, unit, name].
 const writtenUnits = new Map();
