@@ -75,12 +75,16 @@ def _as_written(lines):
 
 
 def _paragraph(lines):
-    """A paragraph of prose and tables: rows of a table are two blanks, a name, and a meaning that goes on below itself."""
+    """A paragraph of prose and tables: rows of a table are two blanks, a name, and a meaning that goes on below itself.
+    Where it has no row, lines with blanks before them are a file or commands, whose lines and blanks matter."""
+    rows = [re.fullmatch(r"  (\S.*?)  +(\S.*)", line) for line in lines]
     parts = [".PP"]
     in_table = False
-    for line in lines:
-        row = re.fullmatch(r"  (\S.*?)  +(\S.*)", line)
-        if row:
+    for row, line in zip(rows, lines):
+        if not any(rows) and line.startswith("  "):
+            parts = parts[:-1] if parts[-1] == ".fi" else [*parts, ".nf"]
+            parts += [_escaped(line), ".fi"]
+        elif row:
             parts += [".TP", f"\\fI{_escaped(row[1])}\\fR", _escaped(row[2])]
             in_table = True
         elif in_table and not line.startswith("  "):

@@ -85,7 +85,7 @@ int write_slice(const RubbasinArguments& arguments, const Plane& plane, const co
   const fs::path directory = map.parent_path();
   batch::write_result_files(
       files, map::slice_files, directory,
-      {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
+      {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions), {"map.csv"}});
   if (!arguments.quiet) {
     print("{}files     {}: attractors.csv config.yaml map.csv slice.csv\n", report::slice_summary(slice),
           directory.string());

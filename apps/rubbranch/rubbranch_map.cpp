@@ -124,12 +124,16 @@ int run_on_map(const RubbranchArguments& arguments) {
   }
   const auto edges = branch::families::attribute(study.grid, labels, families.list,
                                                  branch::families::quiet_cells(study), quiet_label);
+  std::error_code none;
+  std::vector<std::string> made_of;
+  if (fs::equivalent(output, directory, none)) made_of.emplace_back("map.csv");
   batch::write_result_files(
       {{"families.csv", branch::families::families_csv(study.grid, families.list)},
        {"edges.csv", branch::families::edges_csv(study.grid, labels, edges)},
        {"boundaries.csv", branch::families::boundaries_csv(study.grid, families.list)},
        {"contradictions.csv", branch::families::contradictions_csv(study.grid, labels, checks)}},
-      map::family_files, output, {"rubbranch", map.digest, batch::caption_lines(config.captions)});
+      map::family_files, output,
+      {"rubbranch", map.digest, batch::caption_lines(config.captions), std::move(made_of)});
   journal.remove();
   count_in_summary("families", families.list.size());
   if (!arguments.quiet) {

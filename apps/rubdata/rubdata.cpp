@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rubdata_arguments.hpp"
+#include "rubsweep/batch/file_lock.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/config/dataset/read_data_study.hpp"
@@ -62,6 +63,7 @@ int perform(const RubdataArguments& arguments) {
   }
   batch::require_threads(arguments.threads, 1);
   dataset::DataSet set(study, fmt::format("rubdata {}", RUBSWEEP_VERSION));
+  if (!set.guards()) say(batch::no_locks("rubdata", study.directory));
   if (!make_missing(arguments, study, set)) {
     say("rubdata: interrupted; finished recordings are kept, the same command goes on\n");
     return 128 + caught_signal();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "rubsweep/config/number_at.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/diagnose/draw_purpose.hpp"
@@ -55,10 +56,27 @@ void set_jeffcott(const model::JeffcottRotor& rotor, const Fitted& fitted, const
                       ": rotor.damping_ratio: is 0, allowed: above 0, as no motion would settle");
   diagnosed.fixed.rotor_mass_kg = rotor.mass_kg;
   diagnosed.fixed.rotating_damping_ratio = rotor.rotating_damping_ratio;
-  diagnosed.natural_frequency_hz = interval_of(fitted, "rotor.natural_frequency_hz",
-                                               rotor.natural_frequency_hz, frequency_share, diagnosed.remarks);
+  diagnosed.natural_frequency_hz = interval_of(
+      fitted, "rotor.natural_frequency_hz", rotor.natural_frequency_hz, frequency_share, diagnosed.remarks);
   diagnosed.damping_ratio =
       interval_of(fitted, "rotor.damping_ratio", rotor.damping_ratio, damping_share, diagnosed.remarks);
+}
+
+/// Refuses a fit of another machine than that of the configuration beside it.
+void require_same_machine(const diagnose::FittedParameters& fitted, const config::RunConfig& config,
+                          const fs::path& file) {
+  constexpr double rounding = 1e-6;
+  for (std::size_t i = 0; i < fitted.name.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const auto here = config::number_at(config, fitted.name[i]);
+    const double value = fitted.value(k), away = rounding * std::abs(value);
+    if (!here || (*here >= std::fmin(fitted.low_95(k), value - away) &&
+                  *here <= std::fmax(fitted.high_95(k), value + away)))
+      continue;
+    throw ConfigError(
+        fmt::format("{}: {}: is {}, but {} in parameters.csv beside it, allowed: the files of one fit",
+                    file.string(), fitted.name[i], *here, value));
+  }
 }
 
 /// Values of the fitted keys of the rotor as overrides of a configuration.
@@ -67,8 +85,7 @@ std::vector<std::string> overrides_of(const diagnose::FittedParameters& fitted,
   std::vector<std::string> overrides;
   for (std::size_t i = 0; i < fitted.name.size(); ++i)
     if (fitted.name[i].starts_with("rotor."))
-      overrides.push_back(
-          fmt::format("{}={}", fitted.name[i], values(static_cast<Eigen::Index>(i))));
+      overrides.push_back(fmt::format("{}={}", fitted.name[i], values(static_cast<Eigen::Index>(i))));
   return overrides;
 }
 
@@ -134,6 +151,7 @@ DiagnosedMachine read_diagnosed_machine(const fs::path& file, std::uint64_t seed
   if (stop.casing && stop.casing->damping_ratio > 0)
     diagnosed.fixed.casing_damping_ratio = stop.casing->damping_ratio;
   const Fitted fitted = diagnose::read_fitted_parameters(file.parent_path());
+  if (fitted) require_same_machine(*fitted, config, file);
   set_unbalance(fitted, diagnosed);
   if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor)) {
     set_jeffcott(*rotor, fitted, file, diagnosed);

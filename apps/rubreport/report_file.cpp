@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "rubsweep/batch/page_sum.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/batch/whole_file.hpp"
@@ -66,7 +67,7 @@ int write_report(const fs::path& directory, const sweep::Study& study, std::stri
     say(interrupted(program));
     return 128 + caught_signal();
   }
-  batch::write_whole_file(options.file, *text);
+  batch::write_whole_file(options.file, batch::with_page_sum(*text));
   count_in_summary("motions", cells);
   if (!options.quiet)
     print("report: {} ({:.1f} MB)\n", options.file.string(), static_cast<double>(text->size()) / 1e6);

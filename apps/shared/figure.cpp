@@ -43,16 +43,19 @@ class TemporaryDirectory {
   fs::path path_;
 };
 
-/// Package that draws. RUBPLOT_FROM_BIN leads to it from the directory of an installed program,
-/// RUBPLOT_SOURCE is where it was when that was built.
-fs::path rubplot_package(const std::string& option) {
+/// Package or program that draws. RUBPLOT_FROM_BIN leads to it from the directory of an installed program,
+/// RUBPLOT_SOURCE from the one where programs are built; elsewhere nobody knows what lies at that place, and
+/// the command of the user is taken.
+fs::path find_rubplot(const std::string& option) {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  const fs::path installed = program.parent_path() / RUBPLOT_FROM_BIN, source = RUBPLOT_SOURCE;
-  for (const fs::path& package : {installed, source})
+  const fs::path here = program.parent_path(), installed = here / RUBPLOT_FROM_BIN;
+  const bool built_here = here == fs::path(RUBPLOT_BUILT_IN);
+  for (const fs::path& package : {installed, built_here ? fs::path(RUBPLOT_SOURCE) : installed})
     if (fs::exists(package / "__main__.py", none)) return fs::weakly_canonical(package, none);
-  throw IoError(fmt::format("--{}: rubplot, which draws, is neither in {} nor in {}", option,
-                            installed.lexically_normal().string(), source.string()));
+  if (const auto command = find_command("rubplot")) return *command;
+  throw IoError(fmt::format("--{}: rubplot, which draws, is neither in {} nor a command", option,
+                            installed.lexically_normal().string()));
 }
 
 }  // namespace
@@ -72,7 +75,7 @@ Figure::Figure(fs::path file, const std::string& option) : file_(std::move(file)
                                 command, package));
     }
   }
-  rubplot_ = rubplot_package(option);
+  rubplot_ = find_rubplot(option);
   require_writable(file_, true);
 }
 
@@ -82,8 +85,9 @@ void Figure::draw(const std::string& picture, const fs::path& input, const std::
   const TemporaryDirectory work;
   const fs::path output = (work.path() / "picture") += file_.extension();
   // Pictures are the same whatever the user has set for Python.
-  std::vector<std::string> command{
-      "python3", "-E", "-s", "-B", rubplot_, picture, "--output", output, "--heading=" + heading};
+  std::vector<std::string> command;
+  if (fs::is_directory(rubplot_)) command = {"python3", "-E", "-s", "-B"};
+  command.insert(command.end(), {rubplot_, picture, "--output", output, "--heading=" + heading});
   command.insert(command.end(), options.begin(), options.end());
   command.insert(command.end(), {"--", input});
   if (!run_child(std::move(command))) throw IoError(fmt::format("{}: could not be drawn", file_.string()));

@@ -8,7 +8,7 @@ import difflib
 import sys
 import textwrap
 
-from rubplot import output, subcommand
+from rubplot import VERSION, output, subcommand
 from rubplot.configuration import ConfigurationError
 from rubplot.csv_table import TableError
 from rubplot.failure import Failure, WrongCall
@@ -26,6 +26,9 @@ def main(arguments):
     try:
         if arguments[:1] in (["-h"], ["--help"]):
             print(overview())
+            return DONE
+        if arguments[:1] == ["--version"]:
+            print(f"rubplot {VERSION}")
             return DONE
         one = _named(arguments)
         given = parser_of(one).parse_args(arguments[1:])
@@ -60,6 +63,8 @@ pictures:
 {listed}
 
 `rubplot PICTURE --help` says more of each.
+
+`rubplot --version` says the version.
 
 examples:
   rubplot map results/benchmark/one_side

@@ -6,6 +6,8 @@ lines. Nothing else is YAML here; files that people write are for the programs a
 
 import re
 
+from rubplot.failure import open_regular
+
 
 class ConfigurationError(Exception):
     """A file that no program wrote; the message names file and line."""
@@ -30,7 +32,7 @@ def read_configuration(path):
     values = Configuration(path)
     block = None  # key and lines of a text in several lines, such as a matrix
     open_keys = []  # (column, key) from the outermost to the one of this line; a dash stands two columns before its key
-    with open(path, encoding="utf-8", errors="replace") as file:
+    with open_regular(path, encoding="utf-8", errors="replace") as file:
         for line_number, line in enumerate(file, 1):
             line = line.rstrip("\r\n")
             if block is not None and line.startswith(" " * (open_keys[-1][0] + 2)):

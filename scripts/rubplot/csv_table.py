@@ -3,7 +3,10 @@
 import csv
 import hashlib
 import os
+import re
 import sys
+
+from rubplot.failure import open_regular
 
 
 class TableError(Exception):
@@ -18,7 +21,7 @@ def read_table(path, *needed):
     header.
     """
     require_whole(path)
-    with open(path, encoding="utf-8", errors="replace", newline="") as file:
+    with open_regular(path, encoding="utf-8", errors="replace", newline="") as file:
         lines = _NumberedLines(file)
         try:
             yield from _rows(path, lines, needed)
@@ -47,13 +50,20 @@ def require_whole(path):
 
     Tables that have none, as those of earlier versions and those written by hand, are taken as they are, with a warning.
     """
-    total, said = hashlib.sha256(), None
-    with open(path, "rb") as file:
+    total, said, ours, cr_lf = hashlib.sha256(), None, False, None
+    with open_regular(path, "rb") as file:
         for line in file:
+            # Lines of a checkout for another system end in CR LF, which changes no number.
+            cr_lf = line.endswith(b"\r\n") if cr_lf is None else cr_lf
+            if cr_lf and line.endswith(b"\r\n"):
+                line = line[:-2] + b"\n"
             if said is None and line.startswith(b"# sha256 "):
                 said = line.split()[2:]
             else:
+                ours = ours or re.match(rb"# format \d", line) is not None
                 total.update(line)
+    if said is None and ours and not str(path).endswith(".partial.csv"):
+        raise TableError(f"{path}: is not as it was written: its checksum is missing")
     if said is None:
         _warn_once(path)
     elif said != [total.hexdigest().encode()]:
@@ -63,7 +73,7 @@ def require_whole(path):
 def head(path):
     """A dict from the first word of every comment before the header to what is behind it: digest, title, parameter ..."""
     found = {}
-    with open(path, encoding="utf-8", errors="replace") as file:
+    with open_regular(path, encoding="utf-8", errors="replace") as file:
         for line in file:
             if not line.startswith("#"):
                 break

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Dict, Iterable, Tuple
 
-from rubplot import motion_kinds
+from rubplot import gnuplot_text, motion_kinds
 from rubplot.failure import Failure
 
 TEMPLATES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "templates")
@@ -46,7 +46,19 @@ def draw(picture, formats, work):
     drawn = {name: os.path.join(work, f"picture.{name}") for name in formats}
     if done.returncode or not all(os.path.exists(path) for path in drawn.values()):
         raise Failure(f"gnuplot failed in {picture.template}")
+    if "svg" in drawn:
+        _make_xml(drawn["svg"])
     return drawn
+
+
+def _make_xml(path):
+    """Makes a picture of gnuplot's well formed, which writes texts with ]]> and characters that XML has not as they are."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        text = file.read()
+    allowed = gnuplot_text.allowed_in_xml(text)
+    if allowed != text:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(allowed)
 
 
 @contextmanager

@@ -14,7 +14,9 @@
 
 #include "batch/message_of.hpp"
 #include "batch/read_csv.hpp"
+#include "batch/read_whole_file.hpp"
 #include "batch/temporary_directory.hpp"
+#include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
 
@@ -35,6 +37,23 @@ CsvTable parse(const std::string& text) {
 std::string fault(const std::string& text) {
   const auto message = message_of<IoError>([&] { parse(text); });
   return message.substr(message.find("table.csv"));
+}
+
+/// Whoever reads a table, nobody gets a number that was not written.
+TEST(CsvTable, IsNotReadWhereItsSumIsWrong) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "table.csv";
+  TableFile file(path, {"rubfit 1", "abc", {}});
+  file.write("value\n0.0384\n");
+  file.commit();
+  std::string text = read_whole_file(path), crlf;
+  for (const char c : text) crlf += c == '\n' ? "\r\n" : std::string(1, c);
+  std::ofstream(path, std::ios::binary) << crlf;
+  EXPECT_EQ(read_csv(path).rows.at(0).at(0), "0.0384");
+  text[text.size() - 2] = '5';
+  std::ofstream(path, std::ios::binary) << text;
+  const std::string said = message_of<DamagedTable>([&] { const CsvReader reader(path); });
+  EXPECT_NE(said.find("without its lines '# format' and '# sha256'"), std::string::npos) << said;
 }
 
 TEST(CsvTableNumber, EveryBitPatternReadsBack) {

@@ -32,6 +32,29 @@ class FileLockCases : public testing::Test {
   const std::filesystem::path path_ = directory_.path() / "map.lock";
 };
 
+/// A name that leads to somebody's file, and a file of somebody under our name.
+TEST_F(FileLockCases, NeverWritesOverWhatIsNotOurs) {
+  const auto precious = directory_.path() / "thesis.txt";
+  write_whole_file(precious, "precious\n");
+  std::filesystem::create_hard_link(precious, path_);
+  for (const LockMode mode : {LockMode::exclusive, LockMode::shared})
+    EXPECT_NE(message_of<IoError>([&] { FileLock(path_, mode, "first"); }).find("another name"),
+              std::string::npos);
+  EXPECT_EQ(read_whole_file(precious), "precious\n");
+  std::filesystem::remove(path_);
+  for (const char* text :
+       {"precious\n", "rubsweep, process 1 on host\n", "a, process 1 on b UTC\nmore UTC\n"}) {
+    write_whole_file(path_, text);
+    EXPECT_NE(message_of<IoError>([&] {
+                FileLock(path_, LockMode::exclusive, "first");
+              }).find("no program of ours"),
+              std::string::npos);
+    EXPECT_EQ(read_whole_file(path_), text);
+  }
+  write_whole_file(path_, "");  // of one that was killed before it wrote its line
+  const FileLock lock(path_, LockMode::exclusive, "first");
+}
+
 TEST_F(FileLockCases, IsHeldUntilTheEndAndThenGone) {
   {
     const FileLock lock(path_, LockMode::exclusive, "first");

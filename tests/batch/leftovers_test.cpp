@@ -21,12 +21,14 @@ std::set<std::string> names_in(const std::filesystem::path& directory) {
 
 TEST(Leftovers, GoWhereTheirNameIsOneOfOurs) {
   const TemporaryDirectory directory;
-  for (const char* name : {"line.csv.tmp-host-12", "line.csv.tmp-other-host-7", "line.csv",
-                           "mine.tmp-host-12", "line.csv.tmp", "tmp-host-12"})
+  for (const char* name :
+       {"line.csv.tmp-host-12", "line.csv.tmp-other-host-7", "line.csv", "line.csv.tmp-old",
+        "line.csv.tmp-2026-11-28a", "mine.tmp-host-12", "line.csv.tmp", "tmp-host-12"})
     std::ofstream(directory.path() / name) << "text";
   remove_leftovers(directory.path(), [](std::string_view name) { return name == "line.csv"; });
   EXPECT_EQ(names_in(directory.path()),
-            (std::set<std::string>{"line.csv", "mine.tmp-host-12", "line.csv.tmp", "tmp-host-12"}));
+            (std::set<std::string>{"line.csv", "line.csv.tmp-old", "line.csv.tmp-2026-11-28a",
+                                   "mine.tmp-host-12", "line.csv.tmp", "tmp-host-12"}));
   remove_leftovers("/nowhere", [](std::string_view) { return true; });
 }
 

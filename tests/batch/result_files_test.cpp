@@ -29,6 +29,18 @@ TEST(ResultFiles, TablesNameTheProgramTheStudyAndEachOther) {
   EXPECT_EQ(read_whole_file(directory.path() / "config.yaml"), "mass_kg: 1\n");
 }
 
+TEST(ResultFiles, ATableTellsTheSumOfWhatHasNoPlaceForIt) {
+  const TemporaryDirectory directory;
+  write_result_files({{"a.csv", "x\n1\n"}, {"config.yaml", "mass_kg: 1\n"}}, names, directory.path(),
+                     {"rubtest", "0123", {}, {"map.csv"}});
+  const std::string table = read_whole_file(directory.path() / "a.csv");
+  // printf 'mass_kg: 1\n' | sha256sum
+  EXPECT_NE(table.find("\n# files a.csv config.yaml map.csv\n# sum config.yaml "
+                       "888f12b1da7b03f43005841318ad34d884a973aeb34ec063086ce4eecf99333a\n"),
+            std::string::npos)
+      << table;
+}
+
 TEST(ResultFiles, AFileOfAnEarlierRunDoesNotStayBesideANewOne) {
   const TemporaryDirectory directory;
   write_result_files({{"a.csv", "x\n1\n"}, {"b.csv", "y\n2\n"}}, names, directory.path(), source);

@@ -86,6 +86,28 @@ TEST_F(TableFileTest, AMessageSaysWhatIsWrong) {
             path_.string() + ": is a table of format 2, allowed: those up to 1, or a later program");
 }
 
+/// As git checks out on another system.
+TEST_F(TableFileTest, EndsOfLinesInCrLfChangeNothing) {
+  write("a,b\n1,\"x\ny\"\n", {"rubline 1.2.3", "abc", {}});
+  std::string text = read_whole_file(path_), other;
+  for (const char c : text) other += c == '\n' ? "\r\n" : std::string(1, c);
+  put(other);
+  EXPECT_EQ(check_table(path_), TableSum::right);
+  EXPECT_EQ(check_table_text(other, path_), TableSum::right);
+  other[other.find("1,\"")] = '2';
+  put(other);
+  EXPECT_THROW(check_table(path_), DamagedTable);
+  EXPECT_THROW(check_table_text(other, path_), DamagedTable);
+  put(text.insert(text.find("a,b") + 3, "\r"));  // one line alone
+  EXPECT_THROW(check_table(path_), DamagedTable);
+}
+
+TEST_F(TableFileTest, OneThatGrowsHasNone) {
+  const auto path = directory_.path() / "map.partial.csv";
+  std::ofstream(path) << table_head({"rubsweep 1", "abc", {}}) << "a\n1\n";
+  EXPECT_EQ(check_table(path), TableSum::none);
+}
+
 TEST_F(TableFileTest, AnEarlierTableHasNone) {
   put("# rubsweep 0.1\n# digest abc\na,b\n1,2\n");
   EXPECT_EQ(check_table(path_), TableSum::none);

@@ -28,6 +28,25 @@ if(NOT output STREQUAL "5 speeds, the last 240 Hz, 8 natural frequencies\n")
   message(FATAL_ERROR "The consumer printed:\n${output}")
 endif()
 
+# pkg-config leads to the same, wherever the prefix is.
+find_program(pkg_config NAMES pkgconf pkg-config REQUIRED)
+file(GLOB_RECURSE pc ${work}/prefix/*/rubsweep.pc)
+get_filename_component(pc ${pc} DIRECTORY)
+set(ENV{PKG_CONFIG_PATH} ${pc})
+run(${pkg_config} --modversion rubsweep)
+if(NOT output STREQUAL "${VERSION}\n")
+  message(FATAL_ERROR "pkg-config says version ${output}")
+endif()
+run(${pkg_config} --cflags --libs rubsweep)
+separate_arguments(words UNIX_COMMAND "${output}")
+separate_arguments(flags UNIX_COMMAND "${FLAGS}")
+run(${COMPILER} ${flags} -std=c++20 -O1 ${EXAMPLES}/one_cell.cpp -o ${work}/one_cell ${words})
+run(${work}/one_cell 50)
+string(FIND "${output}" "class non_contact, proof rest" place)
+if(place EQUAL -1)
+  message(FATAL_ERROR "one_cell by pkg-config printed:\n${output}")
+endif()
+
 run(${work}/examples/one_cell)
 string(CONCAT expected
   "The rotor at 70 Hz, eccentricity 0.163 mm: after 53 revolutions it rubs in a rhythm of 2 revolutions.\n"

@@ -4,6 +4,9 @@
 
 #include <fstream>
 #include <iterator>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "batch/temporary_directory.hpp"
 #include "dataset/small_study.hpp"
@@ -57,6 +60,33 @@ TEST_F(DataSetTest, MissesARecordingWhoseFileIsGone) {
       break;
     }
   EXPECT_EQ(set.missing(), std::vector<std::size_t>{3});
+}
+
+/// A recording that was cut off, as by a full disk behind a copy, is made again.
+TEST_F(DataSetTest, MissesARecordingThatIsNotAsItWasWritten) {
+  DataSet set(study_, "rubdata 0");
+  set.make(set.missing(), 1, nothing, std::atomic<bool>{false});
+  set.finish();
+  const std::string labels = text_of(study_.directory / "labels.csv");
+  for (const auto& entry : fs::recursive_directory_iterator(study_.directory))
+    if (entry.path().filename() == "000002.csv") fs::resize_file(entry.path(), 40);
+  EXPECT_EQ(set.missing(), std::vector<std::size_t>{2});
+  set.make(set.missing(), 1, nothing, std::atomic<bool>{false});
+  EXPECT_TRUE(set.missing().empty());
+  set.finish();
+  EXPECT_EQ(text_of(study_.directory / "labels.csv"), labels);
+}
+
+TEST_F(DataSetTest, RemovesWhatKilledProcessesLeft) {
+  { const DataSet set(study_, "rubdata 0"); }
+  for (const char* name : {"000001.mat.part", "000001.mat.part.tmp-host-12", "000003.csv.tmp-host-12",
+                           "mine.mat.part", "000001.csv.tmp-old"})
+    std::ofstream(study_.directory / "test" / name) << "half";
+  const DataSet set(study_, "rubdata 0");
+  std::set<std::string> left;
+  for (const auto& entry : fs::directory_iterator(study_.directory / "test"))
+    left.insert(entry.path().filename());
+  EXPECT_EQ(left, (std::set<std::string>{"mine.mat.part", "000001.csv.tmp-old"}));
 }
 
 TEST_F(DataSetTest, RefusesTheDirectoryOfAnotherStudyOrBuild) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
 #include "rubsweep/error.hpp"
 
@@ -50,6 +51,43 @@ TEST_F(FittedParametersTest, AreDrawnAsTheirErrorsAreCorrelated) {
   }
   EXPECT_NEAR(inside, 0.95, 0.006);
   EXPECT_NEAR(product, -0.9, 0.02);
+}
+
+TEST_F(FittedParametersTest, ThatNoFitFindsAreRefused) {
+  const std::string header = "parameter,value,standard_error,low_95,high_95,start,at_bound\n";
+  const auto problem = [&](const std::string& rows) {
+    write("parameters.csv", (header + rows).c_str());
+    return message_of<IoError>([&] { read_fitted_parameters(directory_.path()); });
+  };
+  const auto expect = [&](const std::string& rows, std::string_view text) {
+    EXPECT_NE(problem(rows).find(text), std::string::npos) << problem(rows);
+  };
+  expect(
+      "rotor.damping_ratio,0.0385,1e-4,0.9,0.0387,0.02,0\n",
+      "parameters.csv:2: rotor.damping_ratio: value: is 0.0385, allowed: from low_95 0.9 to high_95 0.0387");
+  expect("a,1,,1,2,1,0\nrotor.damping_ratio,-5,1e-4,0.0384,0.0387,0.02,0\n", "parameters.csv:3: ");
+  expect("a,,1,1,2,1,0\n", "a: value: is no number");
+  expect("a,inf,1,1,inf,1,0\n", "a: value: is no number");
+  expect("a,1.5,1,,2,1,0\n", "allowed: from low_95 nan to high_95 2");
+  expect("a,1.5,1,1,2,1,0\na,1.5,1,1,2,1,0\n", "a: is there twice");
+}
+
+TEST_F(FittedParametersTest, CorrelationsThatNoErrorsHaveAreRefused) {
+  write("parameters.csv", "parameter,value,low_95,high_95\na,1,0,2\nb,1,0,2\nc,1,0,2\n");
+  const auto problem = [&](const std::string& rows) {
+    write("correlation.csv", ("parameter,a,b,c\n" + rows).c_str());
+    return message_of<IoError>([&] { read_fitted_parameters(directory_.path()); });
+  };
+  const std::string none = "correlation.csv: holds no correlations";
+  for (const char* rows :
+       {"a,1,7,0\nb,7,1,0\nc,0,0,1\n", "a,1,0.5,0\nb,-0.5,1,0\nc,0,0,1\n", "a,2,0,0\nb,0,1,0\nc,0,0,1\n",
+        // each pair alone may be, the three together may not
+        "a,1,0.9,0.9\nb,0.9,1,-0.9\nc,0.9,-0.9,1\n"})
+    EXPECT_NE(problem(rows).find(none), std::string::npos) << problem(rows);
+  EXPECT_NE(problem("b,1,0,0\na,0,1,0\nc,0,0,1\n")
+                .find("correlation.csv:2: is the row of 'b', allowed: that of 'a'"),
+            std::string::npos);
+  EXPECT_NE(problem("a,1,0,nan\nb,0,1,0\nc,0,0,1\n").find("correlation.csv"), std::string::npos);
 }
 
 TEST_F(FittedParametersTest, StayAsTheyWereFoundWithoutAnInterval) {

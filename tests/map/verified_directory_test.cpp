@@ -1,13 +1,17 @@
 #include "rubsweep/map/verified_directory.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <array>
 #include <fstream>
 
 #include "batch/message_of.hpp"
 #include "batch/read_whole_file.hpp"
 #include "map/small_map.hpp"
+#include "rubsweep/batch/page_sum.hpp"
 #include "rubsweep/batch/result_files.hpp"
+#include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/map/derived_files.hpp"
@@ -97,6 +101,117 @@ TEST(VerifiedDirectory, SeesTablesOfAnotherStudyAndThoseThatAreGone) {
   expect_fault(map, "slice.csv: is missing, it was written with attractors.csv");
   write("0123");
   EXPECT_EQ(verdict_on(map).faults.size(), 2u);
+}
+
+/// Files that a program wrote without a map; `program` tells which.
+struct Written {
+  TemporaryDirectory directory;
+  const std::filesystem::path& path = directory.path();
+  static constexpr std::array<std::string_view, 3> names{"config.yaml", "answer.json", "answer.csv"};
+
+  explicit Written(const std::string& program) {
+    batch::write_result_files(
+        {{names[0], config::print_config(SmallMap::config({"rotor.damping_ratio=0.05"}))},
+         {names[1], "{\"probability\": 0}\n"},
+         {names[2], "x\n1\n"}},
+        names, path, {program, config::study_digest(SmallMap::config().study)});
+  }
+  void put(const char* name, std::string_view text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+  }
+  DirectoryVerdict verdict() const { return verify_directory(path, read); }
+  void expect_fault(std::string_view text) const {
+    const DirectoryVerdict found = verdict();
+    ASSERT_EQ(found.faults.size(), 1u);
+    EXPECT_NE(found.faults.front().find(text), std::string::npos) << found.faults.front();
+  }
+};
+
+/// The configuration of a fit is the one that was found, not the one that was read.
+TEST(VerifiedDirectory, OfAFitIsWhole) {
+  const Written fit("rubfit");
+  EXPECT_TRUE(fit.verdict().faults.empty()) << fit.verdict().faults.front();
+  EXPECT_EQ(fit.verdict().files, (std::vector<std::string>{"answer.csv", "answer.json", "config.yaml"}));
+  fit.put("config.yaml", config::print_config(SmallMap::config({"rotor.damping_ratio=0.06"})));
+  fit.expect_fault("config.yaml: is not as it was written with answer.csv");
+  std::filesystem::remove(fit.path / "config.yaml");
+  fit.expect_fault("config.yaml: is missing");
+}
+
+TEST(VerifiedDirectory, LooksAtFilesThatHaveNoPlaceForASum) {
+  const Written fit("rubfit");
+  fit.put("answer.json", "{\"probability\": 0}\r\n");
+  EXPECT_TRUE(fit.verdict().faults.empty());  // checked out on another system
+  fit.put("answer.json", "{\"probability\": 1}\n");
+  fit.expect_fault("answer.json: is not as it was written: its sha256 is ");
+  std::filesystem::remove(fit.path / "answer.json");
+  ASSERT_EQ(::mkfifo((fit.path / "answer.json").c_str(), 0600), 0);
+  fit.expect_fault("answer.json: it is not a regular file");
+}
+
+TEST(VerifiedDirectory, AFileOfUnknownOriginIsNoDamage) {
+  const Written fit("rubfit");
+  fit.put("measured.csv", "a;b;b\n1,5;2;3\n");
+  fit.put("notes.csv", "");
+  fit.put("report.html", "<p>mine</p>");
+  fit.put("old.cases", "of wine");
+  ASSERT_EQ(::mkfifo((fit.path / "pipe.csv").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo((fit.path / "pipe.html").c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/full", fit.path / "full.csv");
+  std::filesystem::create_directory(fit.path / "folder.csv");
+  EXPECT_TRUE(fit.verdict().faults.empty()) << fit.verdict().faults.front();
+  EXPECT_EQ(fit.verdict().files.size(), 3u);
+  EXPECT_FALSE(was_written_by("ringstab", fit.path));
+}
+
+TEST(VerifiedDirectory, ATableThatBecameNoneOrAPipeIsDamaged) {
+  const Written fit("rubfit");
+  batch::write_result_files({{"answer.csv", "x\n1\n"}, {"other.csv", "y\n2\n"}},
+                            std::array<std::string_view, 2>{"answer.csv", "other.csv"}, fit.path,
+                            {"rubfit", config::study_digest(SmallMap::config().study)});
+  fit.put("other.csv", "");
+  fit.expect_fault("other.csv: is not as it was written with answer.csv: is empty");
+  std::filesystem::remove(fit.path / "other.csv");
+  ASSERT_EQ(::mkfifo((fit.path / "other.csv").c_str(), 0600), 0);
+  fit.expect_fault("other.csv: is not as it was written with answer.csv: it is not a regular file");
+}
+
+TEST(VerifiedDirectory, WhatIsMadeOfAMapNeedsIt) {
+  const SmallMap map;
+  map.finish();
+  const std::string digest = config::study_digest(SmallMap::config().study);
+  batch::write_result_files({{slice_files[0], "x\n1\n"}, {slice_files[1], "y\n2\n"}}, slice_files, map.path,
+                            {"rubsweep", digest, {}, {"map.csv"}});
+  EXPECT_TRUE(verdict_on(map).faults.empty());
+  std::filesystem::remove(map.path / "map.csv");
+  expect_fault(map, "map.csv: is missing, the map of attractors.csv");
+}
+
+TEST(VerifiedDirectory, APageIsCheckedByItsSumAndItsMap) {
+  const SmallMap map;
+  map.finish();
+  const auto put = [&](const std::string& page) { std::ofstream(map.path / "report.html") << page; };
+  const std::string digest = config::study_digest(SmallMap::config().study);
+  const std::string page = batch::with_page_sum("<!doctype html>\n<p>" + digest + "</p>\n</html>\n");
+  put(page);
+  EXPECT_TRUE(verdict_on(map).faults.empty());
+  std::string other = page;
+  other[page.find("<p>") + 1] = 'q';
+  put(other);
+  expect_fault(map, "report.html: is not as it was written");
+  put(page.substr(0, page.size() - 4));
+  expect_fault(map, "report.html: is cut off");
+  put(batch::with_page_sum("<!doctype html>\n<p>another digest</p>\n</html>\n"));
+  expect_fault(map, "report.html: belongs to another map");
+}
+
+/// Tables of one recording, of two calls, beside a map: they belong to no study.
+TEST(VerifiedDirectory, TablesOfARecordingBelongToNoStudy) {
+  const SmallMap map;
+  map.finish();
+  constexpr std::array<std::string_view, 1> names{"turns.csv"};
+  batch::write_result_files({{names[0], "x\n1\n"}}, names, map.path, {"rubscope", "of a recording"});
+  EXPECT_TRUE(verdict_on(map).faults.empty());
 }
 
 TEST(VerifiedDirectory, OfAnUnfinishedMapSaysSo) {

@@ -36,6 +36,12 @@ class ManPage(unittest.TestCase):
         self.assertEqual(self.lines[at - 1 : at + 7],
                          [".TP", "\\fIone\\fR", "first", ".TP", "\\fItwo\\fR", "second", ".PP", "Behind them."])
 
+    def test_a_file_keeps_its_lines_and_blanks(self):
+        read = help_text.Help(**{**READ.__dict__, "rest": [["The file:", "  probes:", "    - {column: X}", "End."]]})
+        lines = man_page.page("rub-try", "1.2", read, []).split("\n")
+        at = lines.index("The file:")
+        self.assertEqual(lines[at + 1 : at + 6], [".nf", "  probes:", "    \\- {column: X}", ".fi", "End."])
+
     def test_a_line_that_begins_with_a_dot_is_no_request(self):
         self.assertIn("\\&.dotted line", self.lines)
 

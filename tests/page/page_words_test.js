@@ -13,8 +13,8 @@ vm.createContext(page);
 const template = process.argv[2];
 const sources = ["quantities", "palette", "controls", "export"].map((name) =>
   fs.readFileSync(path.join(template, name + ".js"), "utf8").replace('"use strict";', ""));
-const wanted = "({ columnTitle, axisName, axisTitle, wordScale, layersOf, rowsCsv, quantity, emptyColour, placeText, writtenUnits })";
-const { columnTitle, axisName, axisTitle, wordScale, layersOf, rowsCsv, placeText, writtenUnits } = vm.runInContext(sources.join("\n") + wanted, page);
+const wanted = "({ columnTitle, axisName, axisTitle, wordScale, layersOf, rowsCsv, quantity, emptyColour, placeText, writtenUnits, allowedInXml })";
+const { columnTitle, axisName, axisTitle, wordScale, layersOf, rowsCsv, placeText, writtenUnits, allowedInXml } = vm.runInContext(sources.join("\n") + wanted, page);
 
 const members = ["constructor", "__proto__", "toString", "hasOwnProperty", "valueOf", "__defineGetter__"];
 for (const name of members) {
@@ -44,3 +44,7 @@ assert.strictEqual(placeText(placed, 0), "4500 rpm, whirl ratio 0.4");
 // Names with commas and quotes are quoted as words are.
 data.columns = new Map([['a,"b"', column], ["c", column]]);
 assert.strictEqual(rowsCsv(data, [0]).split("\n").slice(-3).join("|"), '"a,""b""",c|1,1|');
+
+// A saved picture is XML whatever a column is called: signs that XML has not are shown as unknown ones, others stay.
+assert.strictEqual(allowedInXml("a\u0001b\u001bc\uffff\ud800d"), "a\ufffdb\ufffdc\ufffd\ufffdd");
+assert.strictEqual(allowedInXml("\t\n\r µ \u{1f600} <>"), "\t\n\r µ \u{1f600} <>");

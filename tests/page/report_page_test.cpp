@@ -25,13 +25,12 @@ const std::atomic<bool> go_on = false, at_once = true;
 MapTable map_of_study() {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";
-  std::ofstream file(path, std::ios::binary);
-  file << batch::table_head({"rubsweep 1.2.3", "digest-of-the-study", {}}) << report::map_comments()
-       << report::map_header() << "\n";
+  batch::TableFile file(path, {"rubsweep 1.2.3", "digest-of-the-study", {}});
+  file.write(report::map_comments() + report::map_header() + "\n");
   response::motion::Workspace workspace;
   for (std::size_t cell = 0; cell < sweep::cell_count(study.grid); ++cell)
-    file << report::map_line(sweep::evaluate_cell(study, cell, workspace)) << "\n";
-  file.close();
+    file.write(report::map_line(sweep::evaluate_cell(study, cell, workspace)) + "\n");
+  file.commit();
   return read_map_table(path, study.grid);
 }
 

@@ -1,5 +1,7 @@
 import contextlib
 import io
+import os
+import re
 import unittest
 from unittest import mock
 
@@ -28,6 +30,14 @@ class Help(unittest.TestCase):
         self.assertEqual(figures.rubplot("--help"), (0, command_line.overview() + "\n", ""))
         for one in ALL:
             self.assertIn(f"\n  {one.name} ", command_line.overview())
+
+
+class Version(unittest.TestCase):
+    def test_is_that_of_the_programs(self):
+        project = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../CMakeLists.txt")
+        with open(project, encoding="utf-8") as file:
+            version = re.search(r"project\(rubsweep VERSION (\S+)", file.read())[1]
+        self.assertEqual(figures.rubplot("--version"), (0, f"rubplot {version}\n", ""))
 
 
 class WrongCalls(figures.FileTest):

@@ -1,7 +1,10 @@
 import hashlib
+import os
 
 from files import FileTest
 from rubplot import csv_table
+from rubplot.configuration import read_configuration
+from rubplot.failure import Failure
 
 
 class ReadTable(FileTest):
@@ -32,6 +35,29 @@ class ReadTable(FileTest):
 
 
 class Checksum(FileTest):
+    def summed(self):
+        other_lines = "# rubline 1\n# digest x\n# format 1\n", "a,b\n1,2\n"
+        total = hashlib.sha256("".join(other_lines).encode()).hexdigest()
+        return f"# sha256 {total}\n".join(other_lines)
+
+    def test_ends_of_lines_of_another_system_change_nothing(self):
+        whole = self.summed().replace("\n", "\r\n")
+        self.assertEqual(list(csv_table.read_table(self.write("t.csv", whole))), [{"a": "1", "b": "2"}])
+        with self.assertRaises(csv_table.TableError):
+            list(csv_table.read_table(self.write("t.csv", whole.replace("1,2", "1,3"))))
+
+    def test_a_table_that_must_have_one_is_refused_without(self):
+        bare = "".join(line for line in self.summed().splitlines(True) if not line.startswith("# sha256"))
+        with self.assertRaises(csv_table.TableError):
+            list(csv_table.read_table(self.write("t.csv", bare)))
+        list(csv_table.read_table(self.write("t.partial.csv", bare)))  # one that grows has none
+
+    def test_a_pipe_is_refused_and_not_waited_for(self):
+        os.mkfifo(self.path("t.csv"))
+        for read in (csv_table.head, csv_table.require_whole, read_configuration):
+            with self.assertRaises(Failure):
+                read(self.path("t.csv"))
+
     def test_all_lines_but_its_own_are_in_the_sum(self):
         other_lines = "# rubline 1\n# digest x\n", "a,b\n1,2\n"
         total = hashlib.sha256("".join(other_lines).encode()).hexdigest()

@@ -37,6 +37,13 @@ class Map(figures.FigureTest):
         self.assertIn("shaft speed / natural frequency", words)
         self.assertIn("Blower: Rub domains", words)
 
+    def test_a_heading_of_any_signs_leaves_the_picture_xml(self):
+        self.write("config.yaml", CONFIG.format(speed="speed_hz:\n    values: [50, 100]", ratio="values: [0.1, 1]"))
+        self.write("map.csv", COLUMNS + "".join(
+            f"{hz},{share},synchronous,1,complex,mixed,\n" for share in (0.1, 1) for hz in (50, 100)))
+        root = self.draw("map", "--heading", "a ]]> b <c> \ufffe d", source="map.csv")
+        self.assertIn("Blower: a ]]> b <c> \ufffd d", figures.words(root))
+
     def test_the_units_and_the_scale_that_were_written_stand_at_the_axes(self):
         words = self.words("speed_rpm:\n    from: 3000\n    to: 9000\n    count: 3",
                            "from: 0.01\n    to: 1\n    count: 3\n    scale: log")

@@ -12,6 +12,7 @@
 
 #include "rubsweep/batch/descriptor.hpp"
 #include "rubsweep/batch/input_file.hpp"
+#include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
@@ -116,6 +117,18 @@ double number_of(const std::filesystem::path& path, std::size_t line, const std:
   return value;
 }
 
+/// Refuses a table that is not what its checksum says before anybody takes a number from it.
+void require_as_written(std::FILE* stream, const std::filesystem::path& path) {
+  try {
+    check_table(stream, path);
+  } catch (const DamagedTable& damage) {
+    throw DamagedTable(
+        fmt::format("{}\nallowed: a copy of it that is whole; of one that was changed on purpose, "
+                    "the same without its lines '# format' and '# sha256'",
+                    damage.what()));
+  }
+}
+
 }  // namespace
 
 std::string csv_number(double value) {
@@ -144,6 +157,7 @@ std::string csv_row(std::span<const std::string> cells) {
 }
 
 CsvReader::CsvReader(std::filesystem::path path) : path_(std::move(path)), file_(open_input_stream(path_)) {
+  require_as_written(file_.get(), path_);
   if (!read_record()) fail(path_, next_.line, "no header line");
   header_ = parse_record();
   require_distinct(header_, path_, place_.line);

@@ -22,7 +22,7 @@ std::string csv_row(std::span<const std::string> cells);
 
 /// A comma-separated file, a row at a time: comment lines anywhere, then a header of distinct names, then
 /// rows of as many cells. Cells stay text, blanks included; empty lines are skipped. Throws IoError, with
-/// file:line where the text is at fault.
+/// file:line where the text is at fault; DamagedTable where the table has a checksum that is wrong.
 class CsvReader {
  public:
   /// Reads up to the header.

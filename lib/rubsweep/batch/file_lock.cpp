@@ -54,12 +54,15 @@ int lock(int descriptor, int operation) {
   return 0;
 }
 
+constexpr std::string_view identity_mark = ", process ", identity_end = " UTC\n";
+
+/// The line of a lock.
 std::string identity(const std::string& purpose) {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  return fmt::format("{}, process {} on {} since {:%Y-%m-%d %H:%M:%S} UTC", purpose, ::getpid(), host.data(),
-                     fmt::gmtime(now));
+  return fmt::format("{}{}{} on {} since {:%Y-%m-%d %H:%M:%S}{}", purpose, identity_mark, ::getpid(),
+                     host.data(), fmt::gmtime(now), identity_end);
 }
 
 /// Read through the open file: its name may be gone by now.
@@ -70,12 +73,34 @@ std::string written_holder(int descriptor) {
   return written.empty() ? "another process" : std::string(written.substr(0, written.find('\n')));
 }
 
-/// Only a file of ours is ever emptied.
-void require_regular(int descriptor, const std::filesystem::path& path) {
+/// A file that has another name, too, may be of anybody.
+void require_own_file(int descriptor, const std::filesystem::path& path) {
   struct stat facts {};
   if (::fstat(descriptor, &facts) != 0) throw_io_error("lock", path, errno);
   if (!S_ISREG(facts.st_mode))
     throw IoError(fmt::format("cannot lock {}: it is not a regular file", path.string()));
+  if (facts.st_nlink > 1) {
+    throw IoError(
+        fmt::format("cannot lock {}: it has another name, too (a hard link), allowed: a directory "
+                    "where it is removed",
+                    path.string()));
+  }
+}
+
+/// Only what a lock of ours says is ever written over: one line, as `identity` makes it.
+void require_own_text(int descriptor, const std::filesystem::path& path) {
+  std::array<char, 1024> text{};
+  const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
+  if (length < 0) throw_io_error("read", path, errno);
+  const std::string_view written(text.data(), static_cast<std::size_t>(length));
+  const bool one_line = written.find('\n') + 1 == written.size();
+  if (written.empty() ||
+      (one_line && written.find(identity_mark) != std::string_view::npos && written.ends_with(identity_end)))
+    return;
+  throw IoError(
+      fmt::format("cannot lock {}: no program of ours wrote what it says, allowed: a directory where it "
+                  "is removed",
+                  path.string()));
 }
 
 /// The file at `path` to be locked, and whether it may be written: in a directory that is shared it may be
@@ -89,7 +114,7 @@ std::pair<Descriptor, bool> open_lock(const std::filesystem::path& path) {
     const int readable = writable < 0 && error == EACCES ? ::open(path.c_str(), O_RDONLY | ours) : -1;
     Descriptor opened(writable >= 0 ? writable : readable);
     if (opened.get() >= 0) {
-      require_regular(opened.get(), path);
+      require_own_file(opened.get(), path);
       return {std::move(opened), writable >= 0};
     }
     if (error == ELOOP) refuse_link("lock", path);
@@ -125,15 +150,23 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
     break;
   }
   if (!writable) return;
+  require_own_text(descriptor_->get(), path_);
   if (::ftruncate(descriptor_->get(), 0) != 0) throw_io_error("write", path_, errno);
-  if (const int error = write_all(descriptor_->get(), identity(purpose) + '\n'))
+  if (const int error = write_all(descriptor_->get(), identity(purpose))) {
+    (void)!::ftruncate(descriptor_->get(), 0);  // half a line would not pass for one of ours
     throw_io_error("write", path_, error);
+  }
 }
 
 FileLock::~FileLock() {
   // Somebody may have removed the directory and begun another one under its name: that lock is not ours.
   if ((!guards_ || lock(descriptor_->get(), LOCK_EX | LOCK_NB) == 0) && is_file_at(descriptor_->get(), path_))
     ::unlink(path_.c_str());
+}
+
+std::string no_locks(std::string_view program, const std::filesystem::path& directory) {
+  return fmt::format("{}: {}: this file system has no locks: nothing keeps a second run away from it\n",
+                     program, directory.string());
 }
 
 std::optional<std::string> lock_holder(const std::filesystem::path& path) {

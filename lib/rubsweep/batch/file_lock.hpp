@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "rubsweep/batch/descriptor.hpp"
 
@@ -38,6 +39,10 @@ class FileLock {
   std::optional<Descriptor> descriptor_;
   bool guards_ = true;
 };
+
+/// "PROGRAM: DIRECTORY: this file system has no locks: ..." and a line end, to be told where a lock does not
+/// guard.
+std::string no_locks(std::string_view program, const std::filesystem::path& directory);
 
 /// Who holds the lock at `path`; empty when nobody does, where the file system has no locks, or there is no
 /// such file. Throws IoError.

@@ -32,14 +32,19 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path) {
   return temporary += fmt::format("{}{}-{}", mark, host.data(), ::getpid());
 }
 
+bool is_temporary(std::string_view name) {
+  const std::size_t place = name.rfind(mark), process = name.rfind('-') + 1;
+  return place != std::string_view::npos && process > place + mark.size() && process < name.size() &&
+         name.find_first_not_of("0123456789", process) == std::string_view::npos;
+}
+
 void remove_leftovers(const std::filesystem::path& directory,
                       const std::function<bool(std::string_view name)>& is_ours) {
   std::error_code none;  // a directory that cannot be read keeps what is in it
   for (std::filesystem::directory_iterator entry(directory.empty() ? "." : directory, none), end;
        !none && entry != end; entry.increment(none)) {
     const std::string name = entry->path().filename();
-    const std::size_t place = name.rfind(mark);
-    if (place != std::string::npos && is_ours(std::string_view(name).substr(0, place)))
+    if (is_temporary(name) && is_ours(std::string_view(name).substr(0, name.rfind(mark))))
       remove_where_nobody_writes(entry->path());
   }
 }

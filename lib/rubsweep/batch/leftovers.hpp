@@ -10,6 +10,9 @@ namespace rubsweep::batch {
 /// process of this or of another host has.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
+/// Whether such a name is that of a temporary; one that only looks similar, as map.csv.tmp-old, is not.
+bool is_temporary(std::string_view name);
+
 /// Removes from `directory` the temporaries that killed processes left of files for whose name `is_ours`. A
 /// temporary that a living process locks stays, and so does one that cannot be locked.
 void remove_leftovers(const std::filesystem::path& directory,

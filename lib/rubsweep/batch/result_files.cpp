@@ -9,6 +9,7 @@
 
 #include "rubsweep/batch/directory.hpp"
 #include "rubsweep/batch/leftovers.hpp"
+#include "rubsweep/batch/sha256.hpp"
 #include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 
@@ -22,6 +23,9 @@ TableSource table_source(const ResultSource& source) {
   return {fmt::format("{} {}", source.program, RUBSWEEP_VERSION), source.digest, {}, source.captions};
 }
 
+/// Only tables hold their sums themselves.
+bool is_table(const fs::path& name) { return name.extension() == ".csv"; }
+
 /// A file that is whole on the disk, and has not its name yet.
 using Waiting = std::variant<std::unique_ptr<TableFile>, std::unique_ptr<WholeFile>>;
 
@@ -31,7 +35,7 @@ Waiting waiting_file(const fs::path& path, const std::string& text, const TableS
     file->finish();
     return file;
   };
-  if (path.extension() == ".csv") return finished(std::make_unique<TableFile>(path, source));
+  if (is_table(path)) return finished(std::make_unique<TableFile>(path, source));
   return finished(std::make_unique<WholeFile>(path));
 }
 
@@ -40,7 +44,11 @@ Waiting waiting_file(const fs::path& path, const std::string& text, const TableS
 void write_result_files(const ResultFiles& files, std::span<const std::string_view> names,
                         const fs::path& directory, const ResultSource& source) {
   TableSource table = table_source(source);
-  for (const auto& [name, text] : files) table.files.emplace_back(name);
+  for (const auto& [name, text] : files) {
+    table.files.emplace_back(name);
+    if (!is_table(name)) table.sums.emplace_back(name, sha256_of(text));
+  }
+  table.files.insert(table.files.end(), source.made_of.begin(), source.made_of.end());
   std::vector<Waiting> waiting;
   for (const auto& [name, text] : files) waiting.push_back(waiting_file(directory / name, text, table));
   // A link stays: the file behind it is replaced.

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rubsweep::batch {
 
@@ -16,6 +17,7 @@ struct ResultSource {
   std::string program;  ///< without its version
   std::string digest;
   std::string captions{};  ///< as caption_lines gives them
+  std::vector<std::string> made_of{};  ///< names of files in the same directory that the results are made of
 };
 
 /// Replaces the files `names` of a directory, all that a run may leave there, by those of a new run: a file

@@ -82,4 +82,10 @@ std::string Sha256::digits() {
   return digits;
 }
 
+std::string sha256_of(std::string_view text) {
+  Sha256 sum;
+  sum.add(text);
+  return sum.digits();
+}
+
 }  // namespace rubsweep::batch

@@ -25,4 +25,7 @@ class Sha256 {
   std::uint64_t bytes_ = 0;
 };
 
+/// Digest of a whole text.
+std::string sha256_of(std::string_view text);
+
 }  // namespace rubsweep::batch

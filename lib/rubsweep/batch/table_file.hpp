@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/batch/sha256.hpp"
@@ -21,6 +23,8 @@ struct TableSource {
   std::string digest;              ///< of all that decides the numbers
   std::vector<std::string> files;  ///< names of all files that were written together; empty: this one alone
   std::string captions{};          ///< comment lines of title, author and note (see captions.hpp)
+  std::vector<std::pair<std::string, std::string>>
+      sums{};  ///< SHA-256 of files that have no place for it, by name
 };
 
 /// The comment lines that every table begins with, but for its checksum, which a table that grows has not.
@@ -58,7 +62,14 @@ enum class TableSum {
 };
 
 /// Compares a table with its checksum. Throws DamagedTable where they do not agree, or where the checksum of
-/// a table that must have one is missing; IoError.
+/// a table that must have one is missing; IoError. Ends of lines in CR LF, as a checkout for another system
+/// makes them, change nothing.
 TableSum check_table(const std::filesystem::path& path);
+
+/// The same of an open file, which is at its begin before and after.
+TableSum check_table(std::FILE* stream, const std::filesystem::path& path);
+
+/// The same of all bytes of a file.
+TableSum check_table_text(std::string_view text, const std::filesystem::path& path);
 
 }  // namespace rubsweep::batch

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -33,8 +34,15 @@ WholeFile::WholeFile(std::filesystem::path path)
 /// nobody can.
 Descriptor WholeFile::open_temporary() const {
   while (true) {
-    Descriptor opened = open_file(temporary_, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, "write", path_);
-    if (::flock(opened.get(), LOCK_EX) != 0 || is_file_at(opened.get(), temporary_)) return opened;
+    Descriptor opened = open_file(temporary_, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK, "write", path_);
+    if (::flock(opened.get(), LOCK_EX) == 0 && !is_file_at(opened.get(), temporary_)) continue;
+    struct stat facts {};
+    if (::fstat(opened.get(), &facts) != 0) throw_io_error("write", path_, errno);
+    if (!S_ISREG(facts.st_mode) || facts.st_nlink > 1)
+      throw IoError(fmt::format("cannot write {}: {} is there and no temporary of ours", path_.string(),
+                                temporary_.string()));
+    if (::ftruncate(opened.get(), 0) != 0) throw_io_error("write", path_, errno);
+    return opened;
   }
 }
 

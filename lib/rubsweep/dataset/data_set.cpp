@@ -1,10 +1,15 @@
 #include "rubsweep/dataset/data_set.hpp"
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <string_view>
 #include <utility>
 
 #include "rubsweep/batch/directory.hpp"
 #include "rubsweep/batch/finished_cells.hpp"
+#include "rubsweep/batch/input_file.hpp"
+#include "rubsweep/batch/leftovers.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/sha256.hpp"
 #include "rubsweep/batch/table_file.hpp"
@@ -22,17 +27,35 @@ namespace fs = std::filesystem;
 batch::JournalHeader header_of(const DataStudy& study, std::string program_digest) {
   batch::JournalHeader header;
   header.study = study_text(study);
-  batch::Sha256 sum;
-  sum.add(header.study);
-  header.study_digest = sum.digits();
+  header.study_digest = batch::sha256_of(header.study);
   header.program_digest = std::move(program_digest);
   header.cells = static_cast<std::size_t>(study.recordings);
   return header;
 }
 
+constexpr std::array<std::string_view, 3> parts{"training", "validation", "test"};
+
 fs::path made(const fs::path& directory) {
-  for (const char* part : {"training", "validation", "test"}) batch::make_directory(directory / part);
+  for (const std::string_view part : parts) batch::make_directory(directory / part);
   return directory;
+}
+
+/// 000123.csv, and what becomes 000123.mat once it is whole.
+bool is_recording(std::string_view name) {
+  if (name.ends_with(scratch_ending)) name.remove_suffix(scratch_ending.size());
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+  return digits > 0 && (name.substr(digits) == ".csv" || name.substr(digits) == ".mat");
+}
+
+/// Removes what killed processes left. An earlier version gave its scratch files the ending alone.
+void remove_left_over(const fs::path& directory) {
+  for (const std::string_view part : parts) {
+    batch::remove_leftovers(directory / part, is_recording);
+    for (const auto& entry : fs::directory_iterator(directory / part)) {
+      const std::string name = entry.path().filename();
+      if (name.ends_with(scratch_ending) && is_recording(name)) fs::remove(entry.path());
+    }
+  }
 }
 
 /// Refuses a directory with recordings of something else.
@@ -50,13 +73,20 @@ std::string_view file_in(std::string_view label) {
   return label.substr(0, label.find(','));
 }
 
-void write_recording(const DataStudy& study, const LabelledRecording& recording) {
+/// The sum of a recording's file, the last cell of its line of labels.
+std::string_view sum_in(std::string_view label) { return label.substr(label.rfind(',') + 1); }
+
+bool is_whole(const fs::path& file, std::string_view sum) {
+  return batch::find_input(file).problem.empty() && batch::sha256_of(batch::read_input(file)) == sum;
+}
+
+/// Returns the sum of the file.
+std::string write_recording(const DataStudy& study, const LabelledRecording& recording) {
   const fs::path file = study.directory / file_of(study, recording);
-  if (study.format == Format::csv) {
-    batch::write_whole_file(file, recording_csv(recording));
-  } else {
-    write_recording_matlab(recording, file);
-  }
+  if (study.format == Format::matlab) return batch::sha256_of(write_recording_matlab(recording, file));
+  const std::string text = recording_csv(recording);
+  batch::write_whole_file(file, text);
+  return batch::sha256_of(text);
 }
 
 }  // namespace
@@ -66,7 +96,9 @@ DataSet::DataSet(const DataStudy& study, std::string program, std::string progra
       program_(std::move(program)),
       header_(header_of(study, std::move(program_digest))),
       lock_(made(study.directory) / "recordings.lock", batch::LockMode::exclusive, program_),
-      journal_(checked(journal_path(), header_), header_) {}
+      journal_(checked(journal_path(), header_), header_) {
+  if (lock_.guards()) remove_left_over(study.directory);
+}
 
 fs::path DataSet::journal_path() const { return study_.directory / "recordings.journal"; }
 
@@ -75,7 +107,8 @@ std::vector<std::size_t> DataSet::missing() const {
   finished.add(journal_path());
   std::vector<std::size_t> missing;
   for (std::size_t index = 0; index < header_.cells; ++index) {
-    if (!finished.contains(index) || !fs::exists(study_.directory / file_in(finished.text(index))))
+    const std::string label = finished.contains(index) ? finished.text(index) : std::string();
+    if (label.empty() || !is_whole(study_.directory / file_in(label), sum_in(label)))
       missing.push_back(index);
   }
   return missing;
@@ -88,8 +121,8 @@ bool DataSet::make(const std::vector<std::size_t>& wanted, int threads,
       wanted.size(), threads,
       [&](std::size_t i) {
         thread_local response::motion::Workspace workspace;
-        const LabelledRecording recording = make_recording(study_, wanted[i], workspace);
-        write_recording(study_, recording);
+        LabelledRecording recording = make_recording(study_, wanted[i], workspace);
+        recording.sha256 = write_recording(study_, recording);
         labels[i] = label_line(study_, recording);
       },
       [&](std::size_t i) {
@@ -104,12 +137,18 @@ bool DataSet::make(const std::vector<std::size_t>& wanted, int threads,
 void DataSet::finish() {
   batch::FinishedCells finished(header_.cells);
   finished.add(journal_path());
-  batch::TableFile labels(study_.directory / "labels.csv", {program_, header_.study_digest, {}, {}});
+  const std::map<std::string, std::string> others{{"README.md", datasheet(study_, program_)},
+                                                  {"instrument.yaml", instrument_yaml(study_)}};
+  batch::TableSource source{program_, header_.study_digest, {"labels.csv"}};
+  for (const auto& [name, text] : others) {
+    batch::write_whole_file(study_.directory / name, text);
+    source.files.push_back(name);
+    source.sums.emplace_back(name, batch::sha256_of(text));
+  }
+  batch::TableFile labels(study_.directory / "labels.csv", source);
   labels.write(label_header() + "\n");
   for (std::size_t index = 0; index < header_.cells; ++index) labels.write(finished.text(index) + "\n");
   labels.commit();
-  batch::write_whole_file(study_.directory / "README.md", datasheet(study_, program_));
-  batch::write_whole_file(study_.directory / "instrument.yaml", instrument_yaml(study_));
 }
 
 }  // namespace rubsweep::dataset

@@ -22,7 +22,10 @@ class DataSet {
   /// holds a set of another study or build, LockedError where another process is at work there, IoError.
   DataSet(const DataStudy& study, std::string program, std::string program_digest = set_digest);
 
-  /// Recordings that are not there yet, ascending.
+  /// False where the file system has no locks.
+  bool guards() const { return lock_.guards(); }
+
+  /// Recordings that are not there yet, or not as they were written, ascending.
   std::vector<std::size_t> missing() const;
 
   /// Makes the recordings of these numbers on so many threads (0: all processors); `on_finished` after each,

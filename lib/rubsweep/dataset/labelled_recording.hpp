@@ -20,6 +20,7 @@ struct LabelledRecording {
   double noise_m = 0;                  ///< standard deviation of every reading
   std::vector<double> gain{};          ///< of each probe
   diagnose::SimulatedMotion motion{};  ///< label; its samples are used up
+  std::string sha256{};                ///< of its file, once that is written
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: of two probes
 };
 

@@ -128,6 +128,7 @@ std::vector<Column> motion_columns() {
       {{"gain_x", "gain of the probe in x, 1 being right"}, [](S, R r) { return number(r.gain[0]); }},
       {{"gain_y", "gain of the probe in y"},
        [](S, R r) { return r.gain.size() > 1 ? number(r.gain[1]) : std::string(); }},
+      {{"sha256", "SHA-256 of its file"}, [](S, R r) { return r.sha256; }},
   };
 }
 

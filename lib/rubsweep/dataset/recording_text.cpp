@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "rubsweep/batch/input_file.hpp"
+#include "rubsweep/batch/leftovers.hpp"
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/recording/matlab_file.hpp"
@@ -27,11 +28,10 @@ struct FreeVariable {
   void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
 };
 
-/// File under a name that no recording has. One that a killed process left is written over by the next one,
-/// which misses the same recording.
+/// File under a name that no recording has, which the next process removes where this one is killed.
 struct Scratch {
   fs::path path;
-  explicit Scratch(fs::path file) : path(file += ".part") {}
+  explicit Scratch(fs::path file) : path(batch::temporary_beside(file += scratch_ending)) {}
   ~Scratch() {
     std::error_code none;
     fs::remove(path, none);
@@ -93,7 +93,7 @@ std::string recording_csv(const LabelledRecording& recording) {
   return text;
 }
 
-void write_recording_matlab(const LabelledRecording& recording, const fs::path& file) {
+std::string write_recording_matlab(const LabelledRecording& recording, const fs::path& file) {
   const Scratch scratch(file);
   const std::vector<RecordingColumn> columns = columns_of(recording);
   if (!write_columns(columns, scratch.path))
@@ -101,7 +101,9 @@ void write_recording_matlab(const LabelledRecording& recording, const fs::path& 
   if (!holds(scratch.path, columns))
     throw IoError("cannot write " + scratch.path.string() +
                   ": what was written cannot be read back, as on a full disk");
-  batch::write_whole_file(file, batch::read_input(scratch.path));
+  std::string bytes = batch::read_input(scratch.path);
+  batch::write_whole_file(file, bytes);
+  return bytes;
 }
 
 }  // namespace rubsweep::dataset

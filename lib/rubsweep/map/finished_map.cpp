@@ -49,7 +49,8 @@ std::string digest_in(const fs::path& table) {
   while (true) {
     const std::string_view line = batch::read_line(stream.get(), table, buffer.text, buffer.capacity);
     if (!line.starts_with('#')) return "";
-    if (line.starts_with(mark)) return std::string(line.substr(mark.size(), line.find('\n') - mark.size()));
+    if (line.starts_with(mark))
+      return std::string(line.substr(mark.size(), line.find_first_of("\r\n") - mark.size()));
   }
 }
 

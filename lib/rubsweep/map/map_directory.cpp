@@ -129,11 +129,7 @@ std::vector<fs::path> MapDirectory::journals() const { return files(directory_, 
 /// Parts share the directory, each with a lock of its own; the whole takes it alone.
 void MapDirectory::lock(const std::string& program) {
   lock_share(program);
-  if (!directory_lock_->guards()) {
-    config::yaml::say(
-        fmt::format("{}: {}: this file system has no locks: nothing keeps a second run away from it\n",
-                    program, directory_.string()));
-  }
+  if (!directory_lock_->guards()) config::yaml::say(batch::no_locks(program, directory_));
 }
 
 void MapDirectory::lock_share(const std::string& program) {
@@ -285,8 +281,10 @@ report::MapSummary MapDirectory::write_map() const {
 
 void MapDirectory::paint(const sweep::Grid& grid) const {
   const bool old_columns = finished_map_ && !finished_map_->known_columns;
-  if (refined_ && !old_columns && !fs::exists(directory_ / painted_map_file))
-    write_painted_map(map(), grid, source_);
+  if (!refined_ || old_columns || fs::exists(directory_ / painted_map_file)) return;
+  batch::TableSource source = source_;
+  source.files = {"map.csv", std::string(painted_map_file)};
+  write_painted_map(map(), grid, source);
 }
 
 }  // namespace rubsweep::map

@@ -3,19 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string_view>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/file_lock.hpp"
-#include "rubsweep/batch/input_file.hpp"
+#include "rubsweep/batch/leftovers.hpp"
 #include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/map/derived_files.hpp"
 #include "rubsweep/map/refined_cells.hpp"
+#include "rubsweep/map/written_file.hpp"
 #include "rubsweep/report/cells_of_rows.hpp"
 #include "rubsweep/report/map_cells.hpp"
 #include "rubsweep/response/motion/motion_class.hpp"
@@ -25,10 +26,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view config_file = "config.yaml", labels_file = "labels.csv";
+
 /// Head of a table.
 struct TableHead {
   std::string program, digest;
-  std::vector<std::string> files;  ///< that were written with it
+  std::vector<std::string> files;  ///< that were written with it, or that it is made of
+
+  bool is_of(std::string_view name) const { return program.starts_with(std::string(name) + ' '); }
+
+  /// Whether its digest is that of the study in config.yaml; of a recording or a data set it is another one.
+  bool tells_the_study() const {
+    return !is_of("rubscope") && !is_of("rubdiagnose") && !is_of("rubdata") && !is_of("rubsweep-compare");
+  }
 };
 
 class Verification {
@@ -42,12 +52,13 @@ class Verification {
   DirectoryVerdict verdict() {
     refuse_work();
     for (const std::string& name : names_) look_at(name);
-    if (names_.empty() || (heads_.empty() && verdict_.faults.empty())) fault("holds no results");
-    if (has("config.yaml")) read_configuration();
+    look_at_summed();
+    read_configuration();
     compare_digests();
     check_files();
     check_map();
-    check_report();
+    check_recordings();
+    if (verdict_.files.empty() && verdict_.faults.empty()) fault("holds no results");
     return std::move(verdict_);
   }
 
@@ -66,22 +77,34 @@ class Verification {
   }
 
   void look_at(const std::string& name) {
-    if (name.find(".tmp-") != std::string::npos) {
+    if (batch::is_temporary(name)) {
       remark(fmt::format("{}: was left by a call that was killed, the next one removes it", name));
     } else if (name == family_journal_file && !has(family_files.front())) {
       fault(fmt::format("{}: rubbranch --map has not finished", name));
     } else if (name.starts_with("map.") && name.ends_with(".journal") && !has("map.csv")) {
       fault(fmt::format("{}: the map is not finished", name));
+    } else if (name == "recordings.journal") {  // stays, so that a lost recording is made again
+      if (!has(labels_file)) fault(fmt::format("{}: the set of recordings is not finished", name));
     } else if (name.ends_with(".journal")) {
       remark(fmt::format("{}: its results are there, the next call removes it", name));
     } else if (name.ends_with(".partial.csv")) {
       if (!has("map.csv") && !has("chart.csv")) fault(fmt::format("{}: is not finished", name));
     } else if (name.ends_with(".csv")) {
       look_at_table(name);
+    } else if (name.ends_with(".html")) {
+      look_at_page(name);
+    } else if (name.ends_with(".cases")) {
+      look_at_cases(name);
     }
   }
 
   void look_at_table(const std::string& name) {
+    const Origin origin = origin_of(directory_ / name);
+    if (!origin.ours) {
+      if (name == "map.csv" && has(config_file)) fault(fmt::format("{}: {}", name, origin.why_not));
+      remark(fmt::format("{}: {}, it is not looked at", name, origin.why_not));
+      return;
+    }
     try {
       const bool summed = batch::check_table(directory_ / name) == batch::TableSum::right;
       const batch::CsvReader table(directory_ / name);
@@ -95,6 +118,11 @@ class Verification {
       if (!summed) remark(fmt::format("{}: has no checksum, it is of an earlier version", name));
       std::istringstream files(report::comment_after(table, "files "));
       head.files.assign(std::istream_iterator<std::string>(files), {});
+      for (const std::string& comment : table.comments()) {
+        std::istringstream words(comment);
+        std::string mark, file, digits;
+        if (words >> mark >> file >> digits && mark == "sum") sums_[file].insert(digits);
+      }
       heads_[name] = std::move(head);
       verdict_.files.push_back(name);
     } catch (const IoError& error) {
@@ -102,51 +130,110 @@ class Verification {
     }
   }
 
+  /// A page without a checksum is ours beside a map alone.
+  void look_at_page(const std::string& name) {
+    const CheckedPage checked = check_page_file(directory_ / name);
+    const bool of_map = name == report_page_file && has("map.csv");
+    if (!checked.summed && !of_map) return;
+    if (!checked.problem.empty()) return fault(fmt::format("{}: {}", name, checked.problem));
+    if (!checked.summed) remark(fmt::format("{}: has no checksum, it is of an earlier version", name));
+    if (name == report_page_file) page_ = checked.text;
+    verdict_.files.push_back(name);
+  }
+
+  void look_at_cases(const std::string& name) {
+    const auto whole = are_cases_whole(directory_ / name);
+    if (!whole) return;
+    if (!*whole) return fault(fmt::format("{}: is not as it was written", name));
+    verdict_.files.push_back(name);
+  }
+
+  /// Files whose sums a table tells; a configuration may be annotated as long as its digest stays.
+  void look_at_summed() {
+    for (const auto& [name, sums] : sums_) {
+      if (!has(name)) continue;
+      const std::string problem = problem_of(directory_ / name, sums);
+      if (problem.empty()) {
+        as_written_.insert(name);
+        verdict_.files.push_back(name);
+      } else if (name != config_file) {
+        fault(fmt::format("{}: {}", name, problem));
+      }
+    }
+  }
+
   void read_configuration() {
-    const fs::path file = directory_ / "config.yaml";
+    const bool told =
+        std::ranges::any_of(heads_, [](const auto& head) { return head.second.tells_the_study(); });
+    if (!has(config_file) || !told) return;
     try {
-      configuration_ = read_(file);
+      configuration_ = read_(directory_ / config_file);
     } catch (const std::runtime_error& error) {
       fault(error.what());
       return;
     }
-    verdict_.files.emplace_back("config.yaml");
+    if (!as_written_.contains(config_file)) verdict_.files.emplace_back(config_file);
   }
 
   /// All that lies in one directory belongs to the map there, or to the configuration.
   void compare_digests() {
     const auto map = heads_.find("map.csv");
-    const auto first = map != heads_.end() ? map : heads_.begin();
+    auto first = map;
+    for (auto head = heads_.begin(); first == heads_.end() && head != heads_.end(); ++head)
+      if (head->second.tells_the_study()) first = head;
+    std::map<std::string, std::string> of_program;  // of those that tell no study
+    for (const auto& [name, head] : heads_) {
+      const bool study = head.tells_the_study();
+      const std::string& other =
+          study ? first->second.digest : of_program.try_emplace(head.program, head.digest).first->second;
+      if (head.digest == other) continue;
+      fault(fmt::format("{}: belongs to another study than {} (digest {}, not {})", name,
+                        study ? first->first : "the other tables of its program", head.digest, other));
+    }
     if (first == heads_.end()) return;
     digest_ = first->second.digest;
-    for (const auto& [name, head] : heads_) {
-      if (head.digest == digest_) continue;
-      fault(fmt::format("{}: belongs to another study than {} (digest {}, not {})", name, first->first,
-                        head.digest, digest_));
-    }
-    if (configuration_.digest.empty() || configuration_.digest == digest_) return;
-    const bool of_this_version = first->second.program.ends_with(std::string(" ") + RUBSWEEP_VERSION);
+    if (!page_.empty() && page_.find(digest_) == std::string::npos)
+      fault(fmt::format("{}: belongs to another map", report_page_file));
+    compare_configuration(first->first, first->second);
+  }
+
+  /// The configuration that is written may be another one than the one that was read, as after a fit.
+  void compare_configuration(const std::string& table, const TableHead& head) {
+    if (configuration_.digest.empty() || as_written_.contains(config_file)) return;
+    if (configuration_.digest == digest_ && !head.is_of("rubfit")) return;
+    const bool summed = sums_.contains(config_file);
+    if (summed && head.is_of("rubfit"))
+      return fault(fmt::format("config.yaml: is not as it was written with {}", table));
+    const bool of_this_version = head.program.ends_with(std::string(" ") + RUBSWEEP_VERSION);
     // A later version may have keys that the digest of an earlier one did not know.
-    if (!of_this_version) {
+    if (!summed && (!of_this_version || head.is_of("rubfit"))) {
       remark(
           fmt::format("config.yaml: has digest {} by this version, {} is of {}: whether they belong together "
                       "cannot be told",
-                      configuration_.digest, first->first, first->second.program));
+                      configuration_.digest, table, head.program));
       return;
     }
-    fault(fmt::format("config.yaml: is not the one of {} (digest {}, not {})", first->first,
-                      configuration_.digest, digest_));
+    fault(fmt::format("config.yaml: is not the one of {} (digest {}, not {})", table, configuration_.digest,
+                      digest_));
   }
 
   void check_files() {
-    std::map<std::string, std::string> missing;  // with a table that names it
-    for (const auto& [name, head] : heads_) {
-      for (const std::string& file : head.files)
-        if (!has(file)) missing.emplace(file, name);
+    std::map<std::string, std::string> listed;  // with a table that names it
+    for (const auto& [name, head] : heads_)
+      for (const std::string& file : head.files) listed.emplace(file, name);
+    if (heads_.contains("map.csv")) listed.emplace(config_file, "map.csv");
+    for (const auto& [file, table] : listed) {
+      if (!has(file) && file == config_file && table == "map.csv") {
+        fault("config.yaml: is missing, that of map.csv");
+      } else if (!has(file)) {
+        const bool source = file == "map.csv";
+        fault(
+            fmt::format("{}: is missing, {} {}", file, source ? "the map of" : "it was written with", table));
+      } else if (file.ends_with(".csv") && !heads_.contains(file) && !origin_of(directory_ / file).ours) {
+        fault(fmt::format("{}: is not as it was written with {}: {}", file, table,
+                          origin_of(directory_ / file).why_not));
+      }
     }
-    for (const auto& [file, table] : missing)
-      fault(fmt::format("{}: is missing, it was written with {}", file, table));
-    if (heads_.contains("map.csv") && !has("config.yaml")) fault("config.yaml: is missing, that of map.csv");
   }
 
   void check_map() {
@@ -173,23 +260,23 @@ class Verification {
     }
   }
 
-  void check_report() {
-    if (!has(report_page_file) || digest_.empty()) return;
-    const std::string page = batch::read_input(directory_ / report_page_file);
-    const std::size_t end = page.find_last_not_of('\n');
-    if (end == std::string::npos || !page.substr(0, end + 1).ends_with("</html>")) {
-      fault(fmt::format("{}: is cut off", report_page_file));
-    } else if (page.find(digest_) == std::string::npos) {
-      fault(fmt::format("{}: belongs to another map", report_page_file));
-    } else {
-      verdict_.files.emplace_back(report_page_file);
-    }
+  void check_recordings() {
+    const auto labels = heads_.find(labels_file);
+    if (labels == heads_.end() || !labels->second.is_of("rubdata")) return;
+    const CheckedRecordings checked = check_set(directory_ / labels_file);
+    for (const std::string& problem : checked.faults) fault(problem);
+    if (!checked.summed)
+      remark(fmt::format("{}: has no checksums of recordings, it is of an earlier version", labels_file));
+    verdict_.files.push_back(fmt::format("{} recordings", checked.whole));
   }
 
   fs::path directory_;
   const ReadConfiguration& read_;
   std::vector<std::string> names_;  ///< ascending
-  std::map<std::string, TableHead> heads_;
+  std::map<std::string, TableHead, std::less<>> heads_;
+  std::map<std::string, std::set<std::string>, std::less<>> sums_;  ///< that tables tell of other files
+  std::set<std::string, std::less<>> as_written_;                   ///< of these
+  std::string page_;                                                ///< report.html, where it is ours
   VerifiedConfiguration configuration_;
   std::string digest_;  ///< of all that belongs together
   DirectoryVerdict verdict_;
@@ -206,9 +293,7 @@ bool was_written_by(std::string_view program, const fs::path& directory) {
   if (!fs::is_directory(directory)) return false;
   const std::string begin = fmt::format("# {} ", program);
   return std::ranges::any_of(fs::directory_iterator(directory), [&](const fs::directory_entry& entry) {
-    std::string line;
-    return entry.path().extension() == ".csv" && std::getline(std::ifstream(entry.path()), line) &&
-           line.starts_with(begin);
+    return entry.path().extension() == ".csv" && begin_of(entry.path()).starts_with(begin);
   });
 }
 

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/map_cells.hpp"
 
@@ -36,7 +35,6 @@ std::size_t unbalance_column(const batch::CsvReader& file, std::string_view meas
 std::vector<Boundary> read_boundaries(const std::filesystem::path& path, std::string_view measure,
                                       std::string_view digest) {
   if (!std::filesystem::exists(path)) return {};
-  batch::check_table(path);
   batch::CsvReader file(path);
   const std::string of_map = report::comment_after(file, "digest ");
   if (!of_map.empty() && of_map != digest) return {};

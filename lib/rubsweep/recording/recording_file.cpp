@@ -1,5 +1,6 @@
 #include "rubsweep/recording/recording_file.hpp"
 
+#include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/recording/delimited_text.hpp"
 #include "rubsweep/recording/matlab_file.hpp"
@@ -17,6 +18,7 @@ Channels read_recording_file(const std::filesystem::path& file, std::string_view
                       "Octave writes with save -v7");
   // Version 4 has no words at its begin, only its ending tells it.
   if (bytes.starts_with("MATLAB ") || file.extension() == ".mat") return read_matlab_file(file);
+  batch::check_table_text(bytes, file);  // a table that a program of ours wrote may be a recording, too
   return read_delimited_text(bytes, file.string());
 }
 

@@ -75,6 +75,11 @@ TEST(ReadCandidates, RefusesNamesThatAreNoCellOfATable) {
                   .find("candidates.0.name: is no name, allowed: one line of text"),
               std::string::npos)
         << name;
+  for (const char* name : {"=1+1", "+1", "-1", "@SUM(A1)"})  // formulas to programs for tables
+    EXPECT_NE(read("candidates: [{kind: one_side, name: '" + std::string(name) + "'}]\n", candidates)
+                  .find("allowed: one line of text that does not begin with = + - @"),
+              std::string::npos)
+        << name;
   EXPECT_NE(read("candidates: [{kind: one_side, name: \"\"}]\n", candidates).find("candidates.0.name: "),
             std::string::npos);
   EXPECT_EQ(read("candidates: [{kind: one_side, name: 'a pin, of steel'}]\n", candidates), "none");

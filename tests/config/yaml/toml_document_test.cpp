@@ -49,5 +49,27 @@ TEST(TomlDocument, WhatIsNoneSaysWhere) {
             std::string::npos);
 }
 
+/// Each part of a key is a table inside the one before it.
+TEST(TomlDocument, KeysOfManyPartsAreRefusedBeforeTheyAreTables) {
+  std::string parts = "a";
+  for (int i = 0; i < 40'000; ++i) parts += i % 2 == 0 ? ".a" : ". \"b\"";
+  for (const std::string& text :
+       {"[" + parts + "]\nb = 1\n", "[[" + parts + "]]\n", parts + " = 1\n", "c = {" + parts + " = 1}\n"})
+    EXPECT_NE(toml_problem("# x.y\n" + text).find("rotor.toml:2:"), std::string::npos);
+  std::string tables = "1";
+  for (int i = 0; i < 200; ++i) tables = "{a.b.c.d.e.f.g.h = " + tables + "}";
+  EXPECT_NE(toml_problem("a = " + tables + "\n").find("too many values"), std::string::npos);
+}
+
+TEST(TomlDocument, DotsInTextsAndNumbersMakeNothingDeep) {
+  const std::string dots(100, '.');
+  std::string numbers;
+  for (int i = 0; i < 100; ++i) numbers += "1.5, ";
+  EXPECT_EQ(
+      toml_problem("a = \"" + dots + "\\\"" + dots + "\" # " + dots + "\nb = '" + dots + "'\nc = \"\"\"\n" +
+                   dots + "\"" + dots + "\"\"\"\nd = [" + numbers + "]\ne = '''\n" + dots + "'''\n"),
+      "no error");
+}
+
 }  // namespace
 }  // namespace rubsweep::config::yaml

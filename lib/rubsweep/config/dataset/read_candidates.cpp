@@ -35,12 +35,15 @@ bool has(Cause cause, const diagnose::UnknownRow& row) {
   return true;
 }
 
-/// Reads the name, which is a cell of a table.
+/// Reads the name, which is a cell of a table: a program for tables would take one that begins as a formula
+/// for one, and compute it.
 void read_name(const yaml::Value& value, std::string& name) {
   const auto text = yaml::read_text(value);
   if (!text) return;
   if (std::ranges::any_of(*text, yaml::is_control)) {
     yaml::refuse(value, "is no name", "one line of text");
+  } else if (text->find_first_of("=+-@") == 0) {
+    yaml::refuse(value, "is no name", "one line of text that does not begin with = + - @");
   } else {
     name = *text;
   }

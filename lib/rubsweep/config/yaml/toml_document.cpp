@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <utility>
 
@@ -64,6 +65,40 @@ class TreeCopy {
   int file_;
 };
 
+/// Where a key of more parts than levels are allowed, or a bracket that deep, stands. The parser makes a
+/// table of each part and takes them apart one inside another, which a long key would end with the stack.
+/// Strings and comments are passed over; in a text that is no TOML the parser stops before it is misled.
+std::optional<SourcePosition> too_deep(std::string_view text, int file) {
+  std::size_t parts = 1, brackets = 0, line_begin = 0;
+  int line = 1;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size()) - 1;
+    } else if (c == '"' || c == '\'') {
+      const bool block = text.substr(i, 3) == std::string(3, c);
+      for (i += block ? 3 : 1; i < text.size(); ++i) {
+        if (text[i] == '\n') line_begin = i + 1, ++line;
+        if (c == '"' && text[i] == '\\')
+          ++i;
+        else if (block ? text.substr(i, 3) == std::string(3, c) : text[i] == c || text[i] == '\n')
+          break;
+      }
+      i += block ? 2 : 0;
+    } else {
+      if (c == '\n') line_begin = i + 1, ++line;
+      const bool of_key =
+          std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == ' ' || c == '\t';
+      parts = c == '.' ? parts + 1 : of_key ? parts : 1;
+      if (c == '[' || c == '{') ++brackets;
+      if ((c == ']' || c == '}') && brackets > 0) --brackets;
+    }
+    if (parts > max_document_depth || brackets > max_document_depth)
+      return SourcePosition{-1, line, static_cast<int>(i - line_begin) + 1, file};
+  }
+  return std::nullopt;
+}
+
 std::size_t depth_of(const Node& node) {
   std::size_t depth = 0;
   for (const Node& item : node.items) depth = std::max(depth, depth_of(item) + 1);
@@ -79,11 +114,16 @@ std::optional<Node> parse_toml(std::string_view text, std::string_view path, Dia
     diagnostics.add(top, path, "the file is too large", fmt::format("at most {} bytes", max_document_bytes));
     return std::nullopt;
   }
+  const auto refuse_extent = [&](const SourcePosition& place) {
+    diagnostics.add(place, path, "too many values, or too deep ones",
+                    fmt::format("at most {} values in {} levels", max_document_nodes, max_document_depth));
+    return std::nullopt;
+  };
+  if (const auto place = too_deep(text, file)) return refuse_extent(*place);
   try {
     Node root = TreeCopy(file).copy(toml::parse(text));
     if (count_nodes(root) <= max_document_nodes && depth_of(root) <= max_document_depth) return root;
-    diagnostics.add(top, path, "too many values, or too deep ones",
-                    fmt::format("at most {} values in {} levels", max_document_nodes, max_document_depth));
+    return refuse_extent(top);
   } catch (const toml::parse_error& error) {
     const auto& at = error.source().begin;
     diagnostics.add({-1, static_cast<int>(at.line), static_cast<int>(at.column), file}, path,

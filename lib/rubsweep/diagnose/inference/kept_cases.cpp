@@ -59,9 +59,7 @@ std::filesystem::path file_of(const std::filesystem::path& directory, const std:
 
 /// First line of a file: digest of the study, and of the bytes that follow.
 std::string head_of(const std::string& digest, std::string_view body) {
-  batch::Sha256 sum;
-  sum.add(body);
-  return fmt::format("rubdiagnose cases {} {}\n", digest, sum.digits());
+  return fmt::format("rubdiagnose cases {} {}\n", digest, batch::sha256_of(body));
 }
 
 void put_case(const SimulatedCase& one, std::string& bytes) {
@@ -117,9 +115,7 @@ std::string cases_digest(const DiagnosisProblem& problem, const CaseOptions& opt
     add(candidate.clearance_m);
     text += '\n';
   }
-  batch::Sha256 sum;
-  sum.add(text);
-  return sum.digits();
+  return batch::sha256_of(text);
 }
 
 void keep_cases(const std::filesystem::path& directory, const std::string& digest, const CaseSet& set) {

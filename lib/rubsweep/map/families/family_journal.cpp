@@ -21,11 +21,7 @@ FamilyJournal::FamilyJournal(const fs::path& directory, const sweep::Study& stud
       }) {
   batch::make_directory(directory);
   lock_.emplace(directory / family_lock_file, batch::LockMode::exclusive, "rubbranch");
-  if (!lock_->guards()) {
-    config::yaml::say(
-        fmt::format("rubbranch: {}: this file system has no locks: nothing keeps a second run away from it\n",
-                    directory.string()));
-  }
+  if (!lock_->guards()) config::yaml::say(batch::no_locks("rubbranch", directory));
   const batch::JournalHeader header = journal_header(study, family_digest);
   read(header, fresh);
   journal_.emplace(path_, header);

@@ -38,7 +38,11 @@ function ground(copy, width, height) {
   copy.prepend(back);
 }
 
-const svgBlob = (copy) => new Blob([new XMLSerializer().serializeToString(copy)], { type: "image/svg+xml" });
+// A text without the characters that XML does not allow, which names in a table may have and a browser hands over as they
+// are: with one of them no program reads the picture.
+const allowedInXml = (text) => text.replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]|[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g, "\ufffd");
+const svgText = (copy) => allowedInXml(new XMLSerializer().serializeToString(copy));
+const svgBlob = (copy) => new Blob([svgText(copy)], { type: "image/svg+xml" });
 
 function saveFigure(id) {
   const { copy, width, height } = standaloneSvg(document.querySelector(`#${id} svg`));
@@ -70,7 +74,7 @@ function mapSvg(view, legend) {
 
 async function saveMapPng(view, legend) {
   const { copy, width, height } = mapSvg(view, legend), ratio = 2, picture = new Image();
-  picture.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(new XMLSerializer().serializeToString(copy));
+  picture.src = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(svgText(copy));
   await picture.decode();
   const canvas = document.createElement("canvas");
   canvas.width = ratio * width;
