@@ -86,7 +86,8 @@ const Channel& find_channel(const Channels& channels, const std::string& column,
     names += (names.empty() ? "'" : ", '") + channel.name + '\'';
   }
   if (found) return *found;
-  throw ConfigError(fmt::format("{}: has no column '{}', allowed: {}", name, column, names));
+  throw ConfigError(
+      fmt::format("{}: has no column '{}'{}, allowed: {}", name, column, channels.left_out_text(), names));
 }
 
 SampleClock clock_of(const Channels& channels, const Instrument& instrument, const std::string& name) {
