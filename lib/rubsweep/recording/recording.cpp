@@ -83,11 +83,16 @@ bool keep_longest_without_gap(Recording& recording) {
 
 }  // namespace
 
-Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name) {
+Recording make_recording(const Channels& all, const Instrument& instrument, const std::string& name) {
+  std::vector<std::string> jumps;
+  const std::optional<Channels> stretch = stretch_without_jump(all, instrument, name, jumps);
+  const Channels& channels = stretch ? *stretch : all;
   const SampleClock clock = clock_of(channels, instrument, name);
-  Recording recording{.sampling_rate_hz = clock.rate_hz, .plane = instrument.probes.size() == 2,
+  Recording recording{.sampling_rate_hz = clock.rate_hz,
+                      .plane = instrument.probes.size() == 2,
                       .from_rest = instrument.probes.front().rest.has_value()};
   const ShaftTurns all_turns = turns_of(channels, instrument, clock, name, recording.findings);
+  recording.findings.insert(recording.findings.begin(), jumps.begin(), jumps.end());
   recording.turn_begin_s = all_turns.begin_s;
   keep_between(recording.turn_begin_s, instrument.from_s, instrument.to_s);
   if (recording.turns() < fewest_turns) {
