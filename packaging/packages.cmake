@@ -24,7 +24,7 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME rubsweep)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "python3 (>= 3.9)")
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, fonts-dejavu-core")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, fonts-dejavu-core, libhdf5-103-1")
 if(MPI_CXX_FOUND)
   string(APPEND CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS ", openmpi-bin")
 endif()
@@ -40,7 +40,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libboost1.81-dev, libboost-program-options1.81-dev, libeigen3-dev, libfftw3-dev, libtbb-dev, "
   "libyaml-cpp-dev, libfmt-dev, zlib1g-dev, libtomlplusplus-dev, nlohmann-json3-dev, libceres-dev, "
-  "libmatio-dev, libsndfile1-dev, pkg-config")
+  "libsndfile1-dev, pkg-config")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS rubsweep)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "library of rubsweep: headers, archives, CMake package
 Headers and static libraries of the simulator of rotors that rub, and a CMake

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "batch/temporary_directory.hpp"
+#include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/recording/delimited_text.hpp"
 #include "rubsweep/recording/matlab_file.hpp"
@@ -64,7 +65,7 @@ TEST(RecordingText, MatlabFileHoldsTheNumbersAsTheyAre) {
   for (const bool plane : {true, false}) {
     const LabelledRecording written = recording_of(plane);
     write_recording_matlab(written, file);
-    expect_same(recording::read_matlab_file(file), written, 0);
+    expect_same(recording::read_matlab_file(batch::read_input(file), "recording.mat"), written, 0);
   }
 }
 

@@ -46,6 +46,28 @@ TEST(DelimitedText, ReadsWhatInstrumentsWrite) {
   expect_channel(bare.channels[1], "column 2", "", {2, 4});
 }
 
+TEST(DelimitedText, ColumnsOfWordsAreLeftOutAndTold) {
+  const auto table = read_delimited_text("t,x,Status\n0,1,OK\n1,2,OVL\n", "f");
+  ASSERT_EQ(table.channels.size(), 2u);
+  EXPECT_EQ(table.left_out_text(), " ('Status' holds text, as in line 2)");
+  const auto few = read_delimited_text("t\tx\tComment\n0\t1\tbegin\n1\t2\n", "f");
+  expect_channel(few.channels[1], "x", "", {1, 2});
+}
+
+TEST(DelimitedText, OfLabViewOneSegmentIsRead) {
+  const std::string head =
+      "LabVIEW Measurement\t\nSeparator\tTab\nX_Columns\tNo\n***End_of_Header***\t\n\t\nChannels\t2\t\t\n"
+      "Samples\t3\t3\t\nY_Unit_Label\tum\tVolts\t\nDelta_X\t0.002\t0.002\t\n***End_of_Header***\t\t\t\n";
+  const std::string rows = "X_Value\tX\tKP\tComment\n\t1.5\t-3.0\n\t2.5\t-9.0\n\t3.5\t-3.0\n";
+  const auto table = read_delimited_text(head + rows, "f");
+  ASSERT_EQ(table.channels.size(), 3u);
+  expect_channel(table.channels[1], "X", "um", {1.5, 2.5, 3.5});
+  expect_channel(table.channels[2], "KP", "Volts", {-3, -9, -3});
+  EXPECT_EQ(table.sampling_rate_hz, 500);
+  EXPECT_EQ(fault(head + rows + head.substr(head.find("Channels")) + rows),
+            "f.csv:20:1: begins another segment of LabVIEW, allowed: one segment in a file");
+}
+
 TEST(DelimitedText, TimeStampsBecomeSeconds) {
   const auto late = read_delimited_text("23:59:59,5;1\n00:00:00,5;2\n", "f");
   EXPECT_EQ(late.channels[0].values, (std::vector<double>{0, 1}));

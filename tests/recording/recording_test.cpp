@@ -112,11 +112,23 @@ TEST(Recording, NamesWhatIsWrong) {
   EXPECT_EQ(recording.turns(), 31);
 }
 
-TEST(Recording, RefusesWhatCannotBeUsed) {
+TEST(Recording, OfATimeThatJumpsTheLongestStretchIsLookedAt) {
   Channels jumps = ellipse();
-  for (std::size_t k = 2000; k < 4000; ++k) jumps.channels[0].values[k] += 3;
-  EXPECT_EQ(recording_fault(jumps, two_probes),
-            "f.csv:2003: 't' goes from 499.75 to 503, allowed: a step of 0.25 as elsewhere");
+  for (std::size_t k = 2500; k < 4000; ++k) jumps.channels[0].values[k] += 3;
+  const Recording recording = make_recording(jumps, two_probes, "f.csv");
+  EXPECT_EQ(
+      recording.findings,
+      (std::vector<std::string>{"'t' jumps from 624.75 to 628 at line 2503: the longest stretch without a "
+                                "jump, from 0 to 624.75, is looked at"}));
+  EXPECT_NEAR(recording.mean_speed_hz(), 40, 1e-9);
+  EXPECT_LT(recording.turn_begin_s.back(), 0.625);
+}
+
+TEST(Recording, RefusesWhatCannotBeUsed) {
+  Channels steps_back = ellipse();
+  for (std::size_t k = 2000; k < 4000; ++k) steps_back.channels[0].values[k] -= 3;
+  EXPECT_EQ(recording_fault(steps_back, two_probes),
+            "f.csv:2003: 't' goes from 499.75 to 497, allowed: a step of 0.25 as elsewhere");
   Channels drifts = ellipse();
   for (std::size_t k = 2000; k < 4000; ++k)
     drifts.channels[0].values[k] -= 0.05 * static_cast<double>(k - 2000);  // steps of 0.2 instead of 0.25

@@ -45,6 +45,39 @@ TEST(SampleClock, TimesThatDoNotRiseAreRefused) {
             "f.csv: reading 2: 't' does not rise from 0 to 0, allowed: times one after the other");
 }
 
+/// The table with all times from a row on moved.
+Channels jumping(std::size_t row, double by) {
+  Channels channels = table();
+  for (std::size_t k = row; k < channels.rows(); ++k) channels.channels[0].values[k] += by;
+  return channels;
+}
+
+TEST(SampleClock, OfATimeThatJumpsTheLongestStretchIsTaken) {
+  std::vector<std::string> findings;
+  const auto later = stretch_without_jump(jumping(30, 30.2), {.time = "t"}, "f.csv", findings);
+  ASSERT_TRUE(later);
+  EXPECT_EQ(later->rows(), 70u);
+  EXPECT_EQ(later->channels[1].values.front(), 30);
+  EXPECT_NEAR(clock_of(*later, {.time = "t"}, "f.csv").rate_hz, 2000, 1e-9);
+  EXPECT_EQ(findings,
+            (std::vector<std::string>{
+                "'t' jumps from 19.5 to 50.2 at reading 31: the longest stretch without a jump, from "
+                "50.2 to 84.7, is looked at"}));
+  const Instrument early{.time = "t", .to_s = 0.019};
+  EXPECT_EQ(stretch_without_jump(jumping(30, 30.2), early, "f.csv", findings)->rows(), 30u);
+}
+
+TEST(SampleClock, EvenTimesHaveOneStretchAndTimesThatStepBackAreRefused) {
+  std::vector<std::string> findings;
+  EXPECT_FALSE(stretch_without_jump(table(), {.time = "t"}, "f.csv", findings));
+  EXPECT_FALSE(stretch_without_jump(jumping(30, -3), {.time = "t"}, "f.csv", findings));
+  EXPECT_NE(clock_fault(jumping(30, -3), {.time = "t"}), "");
+  Channels uneven = table();
+  for (std::size_t k = 0; k < uneven.rows(); k += 7) uneven.channels[0].values[k] += 0.3;
+  EXPECT_FALSE(stretch_without_jump(uneven, {.time = "t"}, "f.csv", findings));
+  EXPECT_TRUE(findings.empty());
+}
+
 TEST(SampleClock, TwoColumnsOfOneNameAreRefused) {
   Channels twice = table();
   twice.channels[1].name = "t";

@@ -19,8 +19,22 @@ struct Channels {
   std::vector<Channel> channels;
   std::vector<std::size_t> line{};           ///< of every row of a text, from 1; empty: the file is no text
   std::optional<double> sampling_rate_hz{};  ///< where the file says it
+  /// Columns or variables that are no signals, by name, and why: "holds text".
+  struct LeftOut {
+    std::string name, why;
+  };
+  std::vector<LeftOut> left_out{};
 
   std::size_t rows() const { return channels.front().values.size(); }
+  /// " ('a' holds text, 'b' is complex)" of what was left out, and of no more than a line of it.
+  std::string left_out_text() const {
+    constexpr std::size_t most = 6;
+    std::string text;
+    for (std::size_t i = 0; i < left_out.size() && i < most; ++i)
+      text += (i == 0 ? "'" : ", '") + left_out[i].name + "' " + left_out[i].why;
+    if (left_out.size() > most) text += " and others";
+    return text.empty() ? text : " (" + text + ')';
+  }
   /// Place of a row, from 0, for people: "line 7" of a text, "reading 5" of other files.
   std::string place_of(std::size_t row) const {
     return line.empty() ? "reading " + std::to_string(row + 1) : "line " + std::to_string(line[row]);

@@ -1,81 +1,17 @@
 #include "rubsweep/recording/delimited_text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <optional>
+#include <cmath>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/recording/cell.hpp"
 #include "rubsweep/recording/name_unit.hpp"
+#include "rubsweep/table/encoding.hpp"
+#include "rubsweep/table/rows.hpp"
 
 namespace rubsweep::recording {
 namespace {
 
-/// Lines before which numbers must begin.
-constexpr std::size_t longest_preamble = 200;
-
-/// Takes the next line off the text; a line ends with LF, CR LF or CR.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = text.find_first_of("\r\n");
-  const std::string_view line = text.substr(0, end);
-  if (end == std::string_view::npos) {
-    text = {};
-  } else {
-    text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
-  }
-  return line;
-}
-
-bool is_comment(std::string_view line) {
-  const std::size_t begin = line.find_first_not_of(" \t");
-  return begin == std::string_view::npos || line[begin] == '#' || line[begin] == '%';
-}
-
-std::optional<double> value_in(std::string_view cell, std::size_t column, const NumberStyle& style) {
-  const auto number = number_in(cell, style);
-  return number || column > 0 ? number : time_stamp_in(cell, style);
-}
-
-bool all_numbers(const std::vector<std::string_view>& cells, const NumberStyle& style) {
-  bool any = false;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!value_in(cells[i], i, style)) return false;
-    any = any || !cells[i].empty();
-  }
-  return any;
-}
-
-/// How a line of numbers is written; nothing where it is none. A comma parts cells only where nothing else
-/// does.
-std::optional<NumberStyle> style_of(std::string_view line) {
-  constexpr std::array<NumberStyle, 5> several{
-      {{'\t', false}, {'\t', true}, {';', false}, {';', true}, {',', false}}};
-  for (const NumberStyle& style : several) {
-    const auto cells = cells_of(line, style.separator);
-    if (cells.size() > 1 && all_numbers(cells, style)) return style;
-  }
-  const NumberStyle alone{'\t', false};
-  if (all_numbers(cells_of(line, '\t'), alone)) return alone;
-  return std::nullopt;
-}
-
-/// Parts "name (unit)" or "name [unit]"; the endings _s and _m, which tables of the programs have, stay in
-/// the name.
-void name_channel(Channel& channel, std::string_view cell) {
-  channel.name = cell;
-  channel.unit = unit_in_ending(cell);
-  if (cell.empty() || (cell.back() != ')' && cell.back() != ']')) return;
-  const std::size_t begin = cell.rfind(cell.back() == ')' ? '(' : '[');
-  if (begin == std::string_view::npos) return;
-  channel.unit = cell.substr(begin + 1, cell.size() - begin - 2);
-  channel.name = cell.substr(0, begin);
-  while (!channel.name.empty() && channel.name.back() == ' ') channel.name.pop_back();
-}
-
-/// Whether the first cell of a line is a time stamp and no number.
-bool begins_with_stamp(const std::vector<std::string_view>& cells, const NumberStyle& style) {
-  return !number_in(cells.front(), style) && time_stamp_in(cells.front(), style);
-}
+using table::Fault;
 
 /// Seconds since the first stamp; stamps without a date begin again at midnight.
 void count_from_first(std::vector<double>& stamps_s) {
@@ -90,94 +26,88 @@ void count_from_first(std::vector<double>& stamps_s) {
   }
 }
 
-std::string_view without_brackets(std::string_view unit) {
-  const bool bracketed = unit.size() >= 2 && (unit.front() == '(' || unit.front() == '[');
-  return bracketed ? unit.substr(1, unit.size() - 2) : unit;
+/// Cells of the line of a LabVIEW head that begins with `key`; empty where there is none.
+std::vector<std::string_view> labview_line(std::string_view text, char separator, std::string_view key) {
+  while (!text.empty()) {
+    const auto cells = table::cells_of(table::take_line(text), separator);
+    if (cells.front() == key) return cells;
+    if (cells.front() == "X_Value") break;
+  }
+  return {};
 }
 
-/// Names, and below them perhaps units: the last lines before the numbers with as many cells.
-void name_channels(std::vector<Channel>& channels, const std::vector<std::string_view>& preamble,
-                   char separator) {
-  std::vector<std::vector<std::string_view>> heads;
-  for (const std::string_view line : preamble) {
-    auto cells = cells_of(line, separator);
-    if (cells.size() == channels.size()) heads.push_back(std::move(cells));
+/// Units and sampling rate that the head of a LabVIEW measurement says. Throws Fault for what is no one
+/// table.
+void read_labview_head(std::string_view text, const table::Layout& layout, Channels& table) {
+  std::size_t sections = 0, line = 0;
+  for (std::string_view rest = text; !rest.empty();) {
+    ++line;
+    if (table::take_line(rest).starts_with("X_Value") && ++sections > 1)
+      throw Fault{line, 1, "begins another segment of LabVIEW", "one segment in a file"};
   }
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (heads.empty()) {
-      channels[i].name = "column " + std::to_string(i + 1);
-    } else if (heads.size() == 1) {
-      name_channel(channels[i], heads[0][i]);
-    } else {
-      name_channel(channels[i], heads[heads.size() - 2][i]);
-      channels[i].unit = without_brackets(heads.back()[i]);
+  const auto said = [&](std::string_view key) { return labview_line(text, layout.separator, key); };
+  if (const auto columns = said("X_Columns"); columns.size() > 1 && columns[1] == "Multi")
+    throw Fault{1, 1, "has times of its own for each signal, X_Columns Multi", "X_Columns One or No"};
+  const auto units = said("Y_Unit_Label");
+  for (std::size_t i = 1; i < std::min(units.size(), layout.columns.size()); ++i)
+    for (Channel& channel : table.channels)
+      if (channel.name == layout.columns[i].heading.name && channel.unit.empty()) channel.unit = units[i];
+  if (const auto steps = said("Delta_X"); steps.size() > 1) {
+    std::string step(steps[1]);
+    std::ranges::replace(step, ',', '.');
+    const double step_s = table::number_in(step, {}).value_or(0);
+    if (step_s > 0) table.sampling_rate_hz = 1 / step_s;
+  }
+}
+
+Channels read_text(std::string_view text) {
+  const table::Layout layout = table::layout_of(text);
+  table::Rows rows(text, layout);
+  Channels table;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+    const table::Column& column = layout.columns[i];
+    const std::string name =
+        column.heading.name.empty() ? "column " + std::to_string(i + 1) : column.heading.name;
+    if (column.is_text) {
+      table.left_out.push_back({name, column.text_line > 0
+                                          ? "holds text, as in line " + std::to_string(column.text_line)
+                                          : "holds text"});
+      continue;
+    }
+    places.push_back(i);
+    table.channels.push_back({name, column.heading.unit, {}});
+    if (column.heading.unit.empty()) table.channels.back().unit = unit_in_ending(name);
+  }
+  bool stamps = false;
+  while (rows.next()) {
+    if (table.line.empty()) stamps = rows.begins_with_stamp();
+    table.line.push_back(rows.line());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      double value = NAN;
+      if (places[i] < rows.cells().size())
+        value = places[i] == 0 && stamps ? rows.time_stamp() : rows.number(places[i]);
+      table.channels[i].values.push_back(value);
     }
   }
-}
-
-[[noreturn]] void refuse(const std::string& name, std::size_t line, std::size_t column,
-                         const std::string& wrong, const std::string& allowed) {
-  throw ConfigError(name + ':' + std::to_string(line) + ':' + std::to_string(column) + ": " + wrong +
-                    ", allowed: " + allowed);
-}
-
-/// A cell fit for a message.
-std::string quoted(std::string_view cell) {
-  std::string text(cell.substr(0, 40));
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < 32; }, '?');
-  return '\'' + text + '\'';
+  if (table.line.size() < 2) throw Fault{table.line.front(), 1, "is the only row of numbers", "two or more"};
+  if (stamps) {
+    count_from_first(table.channels.front().values);
+    table.channels.front().unit = std::string("s");
+  }
+  if (text.starts_with("LabVIEW Measurement")) read_labview_head(text, layout, table);
+  return table;
 }
 
 }  // namespace
 
-Channels read_delimited_text(std::string_view text, const std::string& name) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    refuse(name, 1, 1, "is text in UTF-16", "text in UTF-8 or ASCII");
-  if (text.find('\0') != std::string_view::npos) refuse(name, 1, 1, "is no text", "a table of numbers");
-  Channels table;
-  std::optional<NumberStyle> style;
-  std::vector<std::string_view> preamble;
-  bool stamps = false;
-  for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    const std::string_view line = take_line(text);
-    if (is_comment(line)) continue;
-    if (!style) {
-      if (!(style = style_of(line))) {
-        preamble.push_back(line);
-        if (preamble.size() > longest_preamble) break;
-        continue;
-      }
-      table.channels.resize(cells_of(line, style->separator).size());
-      stamps = begins_with_stamp(cells_of(line, style->separator), *style);
-    }
-    table.line.push_back(line_number);
-    const auto cells = cells_of(line, style->separator);
-    const std::size_t wanted = table.channels.size();
-    if (cells.size() != wanted)
-      refuse(name, line_number, 1, "has another number of cells, " + std::to_string(cells.size()),
-             std::to_string(wanted) + " as in line " + std::to_string(table.line.front()));
-    // The first numbers may be whole: a comma later on says how decimals are written.
-    if (style->separator != ',' && line.find(',') != std::string_view::npos) style->decimal_comma = true;
-    for (std::size_t i = 0; i < wanted; ++i) {
-      const auto value = i == 0 && stamps ? time_stamp_in(cells[i], *style) : number_in(cells[i], *style);
-      if (!value)
-        refuse(name, line_number, static_cast<std::size_t>(cells[i].data() - line.data()) + 1,
-               quoted(cells[i]) + (i == 0 && stamps ? " is no time stamp" : " is no number"),
-               i == 0 && stamps       ? "hours:minutes:seconds, with or without a date before them"
-               : style->decimal_comma ? "a number with a decimal comma"
-                                      : "a number with a decimal point");
-      table.channels[i].values.push_back(*value);
-    }
+Channels read_delimited_text(std::string_view bytes, const std::string& name) {
+  try {
+    return read_text(table::utf8_of(bytes));
+  } catch (const Fault& fault) {
+    throw ConfigError(name + ':' + std::to_string(fault.line) + ':' + std::to_string(fault.column) + ": " +
+                      fault.wrong + ", allowed: " + fault.allowed);
   }
-  if (!style)
-    refuse(name, 1, 1, "has no numbers", "a table whose cells are parted by tabs, semicolons or commas");
-  if (table.line.size() < 2) refuse(name, table.line.front(), 1, "is the only row of numbers", "two or more");
-  if (stamps) count_from_first(table.channels.front().values);
-  name_channels(table.channels, preamble, style->separator);
-  if (stamps) table.channels.front().unit = std::string("s");
-  return table;
 }
 
 }  // namespace rubsweep::recording

@@ -1,112 +1,80 @@
 #include "rubsweep/recording/matlab_file.hpp"
 
-#include <matio.h>
-
 #include <algorithm>
-#include <cstdint>
-#include <memory>
-#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/matlab/read_file.hpp"
 #include "rubsweep/recording/name_unit.hpp"
 
 namespace rubsweep::recording {
 namespace {
 
-struct CloseFile {
-  void operator()(mat_t* file) const { Mat_Close(file); }
-};
-struct FreeVariable {
-  void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
-};
-using Variable = std::unique_ptr<matvar_t, FreeVariable>;
+using matlab::Variable;
 
-/// Most channels of one file: a picture or a table that was saved turned on its side has more.
-constexpr std::size_t most_columns = 256;
+/// Most channels of one matrix: a picture has more.
+constexpr std::size_t most_channels = 256;
 
-template <class Number>
-std::vector<double> numbers_of(const matvar_t& variable, std::size_t begin, std::size_t count) {
-  const auto* values = static_cast<const Number*>(variable.data) + begin;
-  std::vector<double> numbers;
-  for (const Number value : std::span(values, count)) numbers.push_back(static_cast<double>(value));
-  return numbers;
+std::string why_left_out(const Variable& variable, bool in_structure) {
+  if (variable.kind == Variable::Kind::structure) return in_structure ? "is a structure in a structure" : "";
+  if (variable.kind == Variable::Kind::other) return "holds no numbers";
+  if (variable.complex) return "is complex";
+  if (variable.dims.size() != 2) return "has " + std::to_string(variable.dims.size()) + " dimensions";
+  if (std::min(variable.dims[0], variable.dims[1]) > most_channels)
+    return "is " + std::to_string(variable.dims[0]) + " x " + std::to_string(variable.dims[1]) +
+           ", more than " + std::to_string(most_channels) + " signals";
+  return "";
 }
 
-/// Part of a variable's numbers; none where it has no real numbers.
-std::vector<double> column_of(const matvar_t& variable, std::size_t begin, std::size_t count) {
-  switch (variable.class_type) {
-    case MAT_C_DOUBLE:
-      return numbers_of<double>(variable, begin, count);
-    case MAT_C_SINGLE:
-      return numbers_of<float>(variable, begin, count);
-    case MAT_C_INT8:
-      return numbers_of<std::int8_t>(variable, begin, count);
-    case MAT_C_UINT8:
-      return numbers_of<std::uint8_t>(variable, begin, count);
-    case MAT_C_INT16:
-      return numbers_of<std::int16_t>(variable, begin, count);
-    case MAT_C_UINT16:
-      return numbers_of<std::uint16_t>(variable, begin, count);
-    case MAT_C_INT32:
-      return numbers_of<std::int32_t>(variable, begin, count);
-    case MAT_C_UINT32:
-      return numbers_of<std::uint32_t>(variable, begin, count);
-    case MAT_C_INT64:
-      return numbers_of<std::int64_t>(variable, begin, count);
-    case MAT_C_UINT64:
-      return numbers_of<std::uint64_t>(variable, begin, count);
-    default:
-      return {};
-  }
-}
-
-void add_channel(Channels& table, const std::string& name, std::vector<double> values) {
-  if (values.size() < 2) return;
-  table.channels.push_back({name, unit_in_ending(name), std::move(values)});
-}
-
-void add_variable(Channels& table, const matvar_t& variable, const std::string& name,
-                  const std::string& file) {
-  if (variable.class_type == MAT_C_STRUCT) {
-    const unsigned fields = Mat_VarGetNumberOfFields(const_cast<matvar_t*>(&variable));
-    char* const* names = Mat_VarGetStructFieldnames(&variable);
-    for (unsigned i = 0; i < fields && names != nullptr; ++i) {
-      const matvar_t* field = Mat_VarGetStructFieldByIndex(const_cast<matvar_t*>(&variable), i, 0);
-      if (field != nullptr && field->class_type != MAT_C_STRUCT)
-        add_variable(table, *field, name + '.' + names[i], file);
-    }
+void add_variable(Channels& table, Variable& variable, const std::string& name, bool in_structure) {
+  if (std::string why = why_left_out(variable, in_structure); !why.empty()) {
+    table.left_out.push_back({name, std::move(why)});
     return;
   }
-  if (variable.rank != 2 || variable.isComplex != 0 || variable.dims == nullptr) return;
+  for (Variable& field : variable.fields) add_variable(table, field, name + '.' + field.name, true);
+  if (variable.kind != Variable::Kind::numbers) return;
   const std::size_t rows = variable.dims[0], columns = variable.dims[1];
   if (rows == 0 || columns == 0) return;
-  const bool numeric = variable.class_type >= MAT_C_DOUBLE && variable.class_type <= MAT_C_UINT64;
-  if (!numeric) return;
-  if (variable.data == nullptr ||
-      variable.nbytes < rows * columns * static_cast<std::size_t>(variable.data_size))
-    throw ConfigError(file + ": '" + name + "' breaks off, allowed: a whole MATLAB file");
-  if (rows == 1 || columns == 1) return add_channel(table, name, column_of(variable, 0, rows * columns));
-  if (columns > most_columns) return;
-  for (std::size_t i = 0; i < columns; ++i)
-    add_channel(table, name + '_' + std::to_string(i + 1), column_of(variable, i * rows, rows));
+  if (rows == 1 || columns == 1) {
+    table.channels.push_back({name, unit_in_ending(name), std::move(variable.values)});
+    return;
+  }
+  const bool along_rows = columns > rows;
+  for (std::size_t i = 0; i < std::min(rows, columns); ++i) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < std::max(rows, columns); ++k)
+      values.push_back(variable.values[along_rows ? k * rows + i : i * rows + k]);
+    const std::string one = name + '_' + std::to_string(i + 1);
+    table.channels.push_back({one, unit_in_ending(one), std::move(values)});
+  }
 }
 
 }  // namespace
 
-Channels read_matlab_file(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  const std::unique_ptr<mat_t, CloseFile> open(Mat_Open(name.c_str(), MAT_ACC_RDONLY));
-  if (!open) throw ConfigError(name + ": is damaged, allowed: a MATLAB file of version 4, 5 or 7.3");
+Channels read_matlab_file(std::string_view bytes, const std::string& name) {
   Channels table;
-  while (const Variable variable{Mat_VarReadNext(open.get())})
-    add_variable(table, *variable, variable->name == nullptr ? "" : variable->name, name);
-  std::size_t longest = 0;
+  try {
+    auto variables = matlab::read_variables(bytes, [](const Variable& variable) {
+      return variable.is_real_matrix() && why_left_out(variable, false).empty();
+    });
+    for (Variable& variable : variables) add_variable(table, variable, variable.name, false);
+  } catch (const matlab::FileError& error) {
+    throw ConfigError(name + ": " + error.wrong + ", allowed: " + error.allowed);
+  }
+  std::size_t longest = 2;
   for (const Channel& channel : table.channels) longest = std::max(longest, channel.values.size());
-  std::erase_if(table.channels, [&](const Channel& channel) { return channel.values.size() < longest; });
+  std::erase_if(table.channels, [&](const Channel& channel) {
+    const std::size_t count = channel.values.size();
+    if (count < longest)
+      table.left_out.push_back(
+          {channel.name, "has " + std::to_string(count) + " of " + std::to_string(longest) + " numbers"});
+    return count < longest;
+  });
   if (table.channels.empty())
-    throw ConfigError(name +
-                      ": holds no signal, allowed: real numeric vectors or matrices, or structures of them");
+    throw ConfigError(name + ": holds no signal" + table.left_out_text() +
+                      ", allowed: real numeric vectors or matrices, or structures of them");
   return table;
 }
 

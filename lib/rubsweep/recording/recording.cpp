@@ -154,11 +154,15 @@ void look_for_faults(std::vector<Readings>& all, const Recording& recording, con
 
 }  // namespace
 
-Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name) {
+Recording make_recording(const Channels& all, const Instrument& instrument, const std::string& name) {
+  std::vector<std::string> jumps;
+  const std::optional<Channels> stretch = stretch_without_jump(all, instrument, name, jumps);
+  const Channels& channels = stretch ? *stretch : all;
   const SampleClock clock = clock_of(channels, instrument, name);
   Recording recording{.sampling_rate_hz = clock.rate_hz,
                       .plane = instrument.probes.size() == 2,
                       .from_rest = instrument.probes.front().rest.has_value()};
+  recording.findings = std::move(jumps);
   std::vector<Readings> readings = readings_of(channels, instrument, name, recording.findings);
   Instrument known = instrument;
   if (!instrument.keyphasor && *instrument.speed_hz <= clock.rate_hz / 2) {

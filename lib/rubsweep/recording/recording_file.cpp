@@ -16,8 +16,13 @@ Channels read_recording_file(const std::filesystem::path& file, std::string_view
     throw ConfigError(file.string() +
                       ": is HDF5 without MATLAB's head, allowed: a MATLAB file of version 4, 5 or 7.3, which "
                       "Octave writes with save -v7");
+  if (bytes.starts_with("TDSm"))
+    throw ConfigError(file.string() +
+                      ": is a file of LabVIEW's TDMS, allowed: its signals as a table of text, "
+                      "which LabVIEW, DIAdem and nptdms export");
   // Version 4 has no words at its begin, only its ending tells it.
-  if (bytes.starts_with("MATLAB ") || file.extension() == ".mat") return read_matlab_file(file);
+  if (bytes.starts_with("MATLAB ") || file.extension() == ".mat")
+    return read_matlab_file(bytes, file.string());
   batch::check_table_text(bytes, file);  // a table that a program of ours wrote may be a recording, too
   return read_delimited_text(bytes, file.string());
 }

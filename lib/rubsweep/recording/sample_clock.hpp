@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "rubsweep/recording/channels.hpp"
 #include "rubsweep/recording/instrument.hpp"
@@ -20,5 +22,11 @@ const Channel& find_channel(const Channels& channels, const std::string& column,
 /// ConfigError, with `name`:line where a row is at fault, for times that do not rise or are not evenly
 /// spaced, where nothing says the times, and for a stretch (from_s, to_s) that leaves none of the recording.
 SampleClock clock_of(const Channels& channels, const Instrument& instrument, const std::string& name);
+
+/// The longest stretch of rows in which the column of times does not jump ahead, as far as from_s and to_s
+/// leave it, and a sentence for `findings`; nothing where it does not jump, or jumps so often that it is
+/// uneven.
+std::optional<Channels> stretch_without_jump(const Channels& channels, const Instrument& instrument,
+                                             const std::string& name, std::vector<std::string>& findings);
 
 }  // namespace rubsweep::recording

@@ -18,11 +18,11 @@ struct Unit {
 };
 
 /// The micro sign and the Greek letter look alike.
-constexpr std::array<Unit, 6> times{
-    {{"", 1}, {"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"\u00b5s", 1e-6}, {"\u03bcs", 1e-6}}};
+constexpr std::array<Unit, 7> times{
+    {{"", 1}, {"s", 1}, {"sec", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"\u00b5s", 1e-6}, {"\u03bcs", 1e-6}}};
 constexpr std::array<Unit, 6> lengths{
     {{"m", 1}, {"mm", 1e-3}, {"um", 1e-6}, {"\u00b5m", 1e-6}, {"\u03bcm", 1e-6}, {"mil", 25.4e-6}}};
-constexpr std::array<Unit, 2> voltages{{{"V", 1e3}, {"mV", 1}}};
+constexpr std::array<Unit, 4> voltages{{{"V", 1e3}, {"Volt", 1e3}, {"Volts", 1e3}, {"mV", 1}}};
 
 std::optional<double> size_of(std::span<const Unit> units, std::string_view name) {
   for (const Unit& unit : units)

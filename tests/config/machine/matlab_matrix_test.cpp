@@ -10,6 +10,7 @@
 
 #include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
+#include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::config::machine {
@@ -73,7 +74,8 @@ struct Answer {
 Answer read(const std::filesystem::path& file, const std::string& variable) {
   yaml::Diagnostics diagnostics("my.yaml", {});
   const yaml::Node node{yaml::Node::Kind::scalar, {-1, 3, 7}, variable};
-  Answer answer{read_matlab_matrix(file, variable, {node, "rotor.mass.variable", diagnostics}), ""};
+  const std::string bytes = batch::read_input(file);
+  Answer answer{read_matlab_matrix(bytes, variable, {node, "rotor.mass.variable", diagnostics}), ""};
   if (diagnostics.count() > 0)
     answer.problem = ::message_of<ConfigError>([&] { diagnostics.throw_if_any(); });
   return answer;

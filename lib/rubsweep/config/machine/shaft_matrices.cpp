@@ -47,7 +47,8 @@ void resolve_matrix(yaml::Node& matrix, std::string_view key, yaml::Diagnostics&
   if (!bytes) return;
   if (path.extension() == ".mat") {
     const auto text = variable ? read_text(*variable) : std::optional(std::string(key));
-    const auto read = text ? read_matlab_matrix(path, *text, variable ? *variable : name) : std::nullopt;
+    const auto read =
+        text ? read_matlab_matrix(bytes->text, *text, variable ? *variable : name) : std::nullopt;
     if (read) matrix = {yaml::Node::Kind::scalar, name.node.place, matrix_market(*read), true};
     return;
   }

@@ -1,15 +1,23 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
-namespace rubsweep::recording {
+namespace rubsweep::table {
 
 /// How the numbers of a table are written.
 struct NumberStyle {
   char separator = ',';
   bool decimal_comma = false;
+};
+
+/// What is wrong with a text, and where.
+struct Fault {
+  std::size_t line = 1, column = 1;
+  std::string wrong, allowed;
 };
 
 /// The cells of a line, without blanks and quotes about them.
@@ -23,4 +31,4 @@ std::optional<double> number_in(std::string_view cell, const NumberStyle& style)
 /// a blank or T; nothing where it is no time stamp.
 std::optional<double> time_stamp_in(std::string_view cell, const NumberStyle& style);
 
-}  // namespace rubsweep::recording
+}  // namespace rubsweep::table

@@ -1,10 +1,10 @@
-#include "rubsweep/recording/cell.hpp"
+#include "rubsweep/table/cell.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace rubsweep::recording {
+namespace rubsweep::table {
 namespace {
 
 constexpr NumberStyle point{',', false}, comma{';', true};
@@ -39,4 +39,4 @@ TEST(CellTimeStampIn, CountsSeconds) {
 }
 
 }  // namespace
-}  // namespace rubsweep::recording
+}  // namespace rubsweep::table

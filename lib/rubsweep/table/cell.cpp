@@ -1,4 +1,4 @@
-#include "rubsweep/recording/cell.hpp"
+#include "rubsweep/table/cell.hpp"
 
 #include <charconv>
 #include <chrono>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace rubsweep::recording {
+namespace rubsweep::table {
 namespace {
 
 std::string_view trimmed(std::string_view cell) {
@@ -61,7 +61,11 @@ std::optional<double> day_in(std::string_view date) {
 std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
   while (true) {
-    const std::size_t end = line.find(separator);
+    // A separator inside of quotes parts nothing; quotes that do not end are part of the text.
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    const bool quoted = begin != std::string_view::npos && line[begin] == '"';
+    const std::size_t closed = quoted ? line.find('"', begin + 1) : std::string_view::npos;
+    const std::size_t end = line.find(separator, closed == std::string_view::npos ? 0 : closed);
     cells.push_back(trimmed(line.substr(0, end)));
     if (end == std::string_view::npos) return cells;
     line.remove_prefix(end + 1);
@@ -99,4 +103,4 @@ std::optional<double> time_stamp_in(std::string_view cell, const NumberStyle& st
   return day_s + 3600 * (*parts)[0] + 60 * (*parts)[1] + (*parts)[2];
 }
 
-}  // namespace rubsweep::recording
+}  // namespace rubsweep::table

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/matlab/bytes.hpp"
+#include "rubsweep/matlab/variable.hpp"
+
+namespace rubsweep::matlab {
+
+/// Variables of a file of version 5, from behind its head. Throws FileError.
+std::vector<Variable> read_version_5(Bytes bytes, const Wanted& wanted);
+
+/// A vector to be written under a name.
+struct NamedVector {
+  std::string_view name;
+  std::span<const double> values;
+};
+
+/// Bytes of a file of version 5 with these columns, compressed; `words` are its head, at most 116.
+std::string version_5_file(std::string_view words, std::span<const NamedVector> columns);
+
+}  // namespace rubsweep::matlab
