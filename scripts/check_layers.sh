@@ -53,7 +53,6 @@ declare -A below=(
   [design]='identify sweep'
   [line]='report trace'
   [ramp]='integrate line response/spectrum'
-  [bench]='batch response'
   [ring]='batch numerics'
   [config/yaml]='batch model'
   [config/machine]='config/yaml contact matlab structure table'

@@ -13,9 +13,9 @@
 
 #include "rubbench_arguments.hpp"
 #include "rubsweep/batch/result_files.hpp"
-#include "rubsweep/bench/label_agreement.hpp"
-#include "rubsweep/bench/reference.hpp"
-#include "rubsweep/bench/work_precision_report.hpp"
+#include "bench/label_agreement.hpp"
+#include "bench/reference.hpp"
+#include "bench/work_precision_report.hpp"
 #include "rubsweep/config/cell_config.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study_digest.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/bench/work_precision.hpp"
+#include "bench/work_precision.hpp"
 #include "shared/action.hpp"
 #include "shared/cell_argument.hpp"
 

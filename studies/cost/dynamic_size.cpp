@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "rubsweep/bench/processor_time.hpp"
+#include "bench/processor_time.hpp"
 #include "rubsweep/integrate/exact/exact_run.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 #include "scene/one_side_machine.hpp"

@@ -22,7 +22,7 @@
 #include "rubsweep/batch/journal.hpp"
 #include "rubsweep/batch/line_log.hpp"
 #include "rubsweep/batch/whole_file.hpp"
-#include "rubsweep/bench/processor_time.hpp"
+#include "bench/processor_time.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/report/map_csv.hpp"
 #include "rubsweep/report/map_summary.hpp"

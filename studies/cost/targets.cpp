@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/bench/label_agreement.hpp"
-#include "rubsweep/bench/processor_time.hpp"
-#include "rubsweep/bench/reference.hpp"
-#include "rubsweep/bench/work_precision.hpp"
+#include "bench/label_agreement.hpp"
+#include "bench/processor_time.hpp"
+#include "bench/reference.hpp"
+#include "bench/work_precision.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/response/settle.hpp"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/bench/processor_time.hpp"
-#include "rubsweep/bench/reference.hpp"
-#include "rubsweep/bench/work_precision.hpp"
+#include "bench/processor_time.hpp"
+#include "bench/reference.hpp"
+#include "bench/work_precision.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/response/growth.hpp"

@@ -1,4 +1,4 @@
-#include "rubsweep/bench/label_agreement.hpp"
+#include "bench/label_agreement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rubsweep/bench/reference.hpp"
+#include "bench/reference.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rubsweep/bench/variant.hpp"
+#include "bench/variant.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "rubsweep/bench/work_precision.hpp"
+#include "bench/work_precision.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "rubsweep/bench/reference.hpp"
+#include "bench/reference.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::bench {

@@ -7,7 +7,7 @@
 
 #include "integrate/largest_difference.hpp"
 #include "integrate/rubbing_kit.hpp"
-#include "rubsweep/bench/long_double_run.hpp"
+#include "bench/long_double_run.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "rubsweep/bench/long_double_run.hpp"
+#include "bench/long_double_run.hpp"
 #include "rubsweep/integrate/start.hpp"
 
 namespace rubsweep::test {

@@ -1,10 +1,10 @@
-#include "rubsweep/bench/reference.hpp"
+#include "bench/reference.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "rubsweep/bench/long_double_run.hpp"
+#include "bench/long_double_run.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/start.hpp"
 

@@ -1,4 +1,4 @@
-#include "rubsweep/bench/long_double_run.hpp"
+#include "bench/long_double_run.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

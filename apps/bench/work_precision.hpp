@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/bench/variant.hpp"
+#include "bench/variant.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/scene/scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "rubsweep/bench/work_precision_report.hpp"
+#include "bench/work_precision_report.hpp"
 
 #include <fmt/format.h>
 

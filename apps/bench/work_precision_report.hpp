@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/bench/label_agreement.hpp"
-#include "rubsweep/bench/reference.hpp"
-#include "rubsweep/bench/work_precision.hpp"
+#include "bench/label_agreement.hpp"
+#include "bench/reference.hpp"
+#include "bench/work_precision.hpp"
 
 namespace rubsweep::bench {
 

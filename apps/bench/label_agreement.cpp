@@ -1,9 +1,9 @@
-#include "rubsweep/bench/label_agreement.hpp"
+#include "bench/label_agreement.hpp"
 
 #include <numeric>
 
-#include "rubsweep/bench/processor_time.hpp"
-#include "rubsweep/bench/reference.hpp"
+#include "bench/processor_time.hpp"
+#include "bench/reference.hpp"
 
 namespace rubsweep::bench {
 namespace {

@@ -1,10 +1,10 @@
-#include "rubsweep/bench/work_precision.hpp"
+#include "bench/work_precision.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "rubsweep/bench/processor_time.hpp"
-#include "rubsweep/bench/reference.hpp"
+#include "bench/processor_time.hpp"
+#include "bench/reference.hpp"
 #include "rubsweep/integrate/start.hpp"
 
 namespace rubsweep::bench {
