@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "rubsweep/bench/reference.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
@@ -140,18 +141,23 @@ std::string rubbench_help() {
       "{}\n"
       "Examples:\n"
       "  rubbench configs/benchmark/one_side.yaml --cell 75,0.4\n"
-      "  rubbench configs/benchmark/annulus.yaml --steppers dopri5,rkf78 --tolerances 1e-6,1e-9 --labels 6x3\n"
+      "  rubbench configs/benchmark/annulus.yaml --steppers dopri5,rkf78 --tolerances 1e-6,1e-9 --labels "
+      "6x3\n"
       "  rubbench configs/minimal.yaml --cell 90,0.6 --labels 0x0 --turns 6 --repeats 1 --output /tmp/bench\n"
       "  rubplot work-precision /tmp/bench   (draws it)\n\n"
       "Writes into DIR: work_precision.csv and config.yaml.\n"
       "  microseconds_per_revolution  median of the repeats, variants interleaved; compare within one run "
       "only\n"
       "  state_error                  of the section after 6 revolutions, in (clearance, clearance omega), "
-      "from\n"
-      "                               the exact solver; where it has no closed form, rkf78 at 1e-13 inside "
-      "it.\n"
-      "                               The distance to two other routes is printed: errors below it mean "
-      "nothing\n"
+      "from a\n"
+      "                               run in long double; with dry friction, torsion, impulse trains or more "
+      "than\n"
+      "                               {} coordinates from the exact solver, its turns without a closed form "
+      "by\n"
+      "                               rkf78 at {:g}. How far that reference is known is printed: errors "
+      "below "
+      "mean\n"
+      "                               nothing\n"
       "  label_agreement              share of labelled cells with the reference's class and order; cells "
       "that\n"
       "                               cannot be kicked are left out\n"
@@ -166,7 +172,7 @@ std::string rubbench_help() {
       "Exit codes: 0 done; 1 usage; 2 bad configuration; 3 input/output; 4 done, but a run failed (its "
       "status\n"
       "says why). An interrupted run writes nothing.\n",
-      text_of(visible_options()));
+      text_of(visible_options()), bench::most_long_double_coordinates, bench::reference_tolerance);
 }
 
 }  // namespace rubsweep::apps

@@ -114,8 +114,10 @@ constexpr std::array columns{
               "largest distance of a casing from its unloaded place", measured<peak_casing_displacement_m>},
     MapColumn{"peak_over_clearance", "", number, "peak_displacement_m / clearance of the first stop",
               of_row<&Row::peak_over_clearance>},
-    MapColumn{"chaos_life_revolutions", "", ignored, "chaotic: its mean life is this or more, to 95 %",
-              of_row<least_mean_life>},
+    MapColumn{
+        "chaos_life_revolutions", "", ignored,
+        "chaotic: its mean life is this or more, to 95 %; without an escape censored, by how long was looked",
+        of_row<least_mean_life>},
     MapColumn{"chaos_escapes", "", ignored, "chaotic: how often it or a companion left it while followed",
               of_row<escapes>},
     MapColumn{"kind", "", ignored, "what figures part the motions by: class, order, shape", kind_name},

@@ -76,12 +76,12 @@ bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2,
 }
 
 bool belongs_to(const Followed& motion, std::span<const double> sections) {
-  constexpr double more = 2;
+  constexpr double more = 4, small = 0.01;  // the second in clearances
   if (4 * motion.turns() * motion.states < 15 * sections.size()) return true;
   const auto rows = motion.last_rows(4 * motion.turns() / 5);
   const auto cloud = rows.first(rows.size() - sections.size());
   const double usual = mean_distance(rows.last(sections.size()), cloud, motion.states);
-  return mean_distance(sections, cloud, motion.states) <= std::max(more * usual, significant_return);
+  return mean_distance(sections, cloud, motion.states) <= std::max(more * usual, small);
 }
 
 }  // namespace rubsweep::response

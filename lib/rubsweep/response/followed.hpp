@@ -39,9 +39,9 @@ bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2,
                           int window, double known_rate, spectrum::SpectrumWorkspace& workspace);
 
 /// Whether successive sections, such as those of a window that numbers are measured in, are of the motion
-/// that the last four fifths of the turns show: they lie as near to those as the last ones of as many turns
-/// do to the others, within a factor of two, or nearer than `significant_return`. True where these are too
-/// few to tell.
+/// that the last four fifths of the turns show: in the mean they lie as near to those as the last ones of as
+/// many turns do to the others, within a factor of four, or nearer than a hundredth of a clearance. True
+/// where these are too few to tell.
 bool belongs_to(const Followed& motion, std::span<const double> sections);
 
 }  // namespace rubsweep::response

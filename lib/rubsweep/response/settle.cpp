@@ -95,14 +95,12 @@ bool worth_watching(const scene::Scene& scene, const SceneFacts& facts,
          facts.same_every_turn && !facts.rotationally_symmetric;
 }
 
-/// Whether the window since the watch saw a torus shows it, and neither period nor rest.
+/// Whether the window since the watch saw a torus shows neither period nor rest.
 bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
                        const motion::ResponseOptions& options, motion::Workspace& workspace,
                        SettledRun& run) {
-  const motion::Window window_of = record.window(0);
-  const auto window = motion::classify_window(window_of, options, workspace.spectrum);
-  const auto sections = window_of.section.subspan(static_cast<std::size_t>(window_of.states));
-  if (!may_be_aperiodic(window) || !belongs_to(torus.motion(), sections)) {
+  const auto window = motion::classify_window(record.window(0), options, workspace.spectrum);
+  if (!may_be_aperiodic(window)) {
     torus.refuse();
     return false;
   }
