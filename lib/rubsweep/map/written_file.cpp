@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/input_file.hpp"
@@ -30,6 +29,14 @@ Origin origin_of(const fs::path& table) {
   for (const std::string_view line : {"\n# digest ", "\n# format ", "\n# sha256 "})
     if (begin.find(line) != std::string::npos) return {true, ""};
   return {false, "says no program that wrote it"};
+}
+
+bool was_written_by(std::string_view program, const fs::path& directory) {
+  if (!fs::is_directory(directory)) return false;
+  const std::string begin = fmt::format("# {} ", program);
+  return std::ranges::any_of(fs::directory_iterator(directory), [&](const fs::directory_entry& entry) {
+    return entry.path().extension() == ".csv" && begin_of(entry.path()).starts_with(begin);
+  });
 }
 
 std::string problem_of(const fs::path& file, const std::set<std::string>& sums) {

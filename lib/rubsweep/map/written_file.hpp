@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubsweep::map {
@@ -18,6 +19,9 @@ struct Origin {
   std::string why_not;  ///< "it is not a regular file", "is empty"
 };
 Origin origin_of(const std::filesystem::path& table);
+
+/// Whether a table in the directory says that this program wrote it.
+bool was_written_by(std::string_view program, const std::filesystem::path& directory);
 
 /// Empty where the SHA-256 of a file is one of `sums`, with ends of lines in CR LF or not; otherwise what is
 /// wrong. An empty sum says that it is not known: then the file must only be there and not empty.
