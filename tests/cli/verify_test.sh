@@ -77,7 +77,7 @@ expect_contains stdout 'ring: whole: '
 "$ringstab" --verify map 2>stderr && fail 'a map is no ring'
 expect_contains stderr 'config.yaml'
 
-# What is made of a map, without it; and files that have no place for a sum, by that in the tables.
+# A map that is gone leaves what was made of it without ground; files that have no place for a sum have it in the tables.
 source=map
 expect_fault 'map.csv: is missing, the map of boundaries.csv' rm map.csv
 expect_fault 'report.html: is not as it was written' sed -i '5s/a/b/' report.html

@@ -133,8 +133,8 @@ class Verification {
 
   /// A page without a checksum is ours beside a map alone.
   void look_at_page(const std::string& name) {
-    const CheckedPage checked = check_page_file(directory_ / name);
     const bool of_map = name == report_page_file && has("map.csv");
+    const CheckedPage checked = check_page_file(directory_ / name, of_map);
     if (!checked.summed && !of_map) return;
     if (name == report_page_file) page_ = checked.text;
     if (!checked.problem.empty()) return fault(fmt::format("{}: {}", name, checked.problem));
