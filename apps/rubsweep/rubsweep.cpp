@@ -14,6 +14,7 @@
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/map/map_directory.hpp"
 #include "rubsweep/map/map_status.hpp"
+#include "rubsweep/map/written_file.hpp"
 #include "rubsweep/report/describe_footprint.hpp"
 #include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/report/motion_kinds_csv.hpp"

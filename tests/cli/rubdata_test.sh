@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # rubdata: the same bytes from any number of threads and after an interruption, the same numbers in MATLAB files,
-# recordings that rubscope reads, and what it refuses. The first argument is rubdata, the fourth rubscope.
+# recordings that rubscope reads, and what it refuses. The first argument is rubdata, the fourth rubscope,
+# the fifth rubsweep.
 source "$(dirname "$0")/support.sh"
-scope=$4
+scope=$4 sweep=$5
 config=$top/configs/recordings/rub_recordings.yaml
 
 expect_exit 0 --help
@@ -79,7 +80,9 @@ sed 's/^format: csv/format: matlab/' study.yaml >matlab.yaml
 expect_exit 0 matlab.yaml --output four --quiet
 expect_exit 0 matlab.yaml --output five --quiet --threads 1
 diff -r --exclude=recordings.journal four five || fail 'MATLAB files of other bytes'
-expect_same <(grep -v '^#' one/labels.csv) <(grep -v '^#' four/labels.csv | sed 's/[.]mat,/.csv,/')
+# The last column is the sum of the file.
+expect_same <(grep -v '^#' one/labels.csv | sed 's/,[^,]*$//') \
+  <(grep -v '^#' four/labels.csv | sed -e 's/[.]mat,/.csv,/' -e 's/,[^,]*$//')
 file=$(cells one/labels.csv file | tail -n 1)
 "$scope" "four/${file%.csv}.mat" --instrument four/instrument.yaml --output seen_matlab --quiet
 expect_same <(cells seen/measures.csv quantity) <(cells seen_matlab/measures.csv quantity)
@@ -109,3 +112,15 @@ expect_contains stderr 'one: holds a data set of another study or build of the p
 diff -r --exclude=recordings.journal one two || fail 'a refused study changed the set'
 expect_usage_error 'a configuration file is needed: rubdata CONFIG.yaml'
 expect_usage_error '--output: allowed: the name of a directory' study.yaml --output ''
+
+# A set is whole as its labels say; a recording that is not as it was written is made again, with the same bytes.
+"$sweep" --verify one >stdout || fail 'the set is not whole'
+expect_contains stdout 'one: whole: labels.csv README.md instrument.yaml 15 recordings'
+cp -r one damaged
+file=damaged/$(cells one/labels.csv file | tail -n 1)
+truncate -s -60 "$file"
+"$sweep" --verify damaged 2>stderr && fail 'the set is whole'
+expect_contains stderr "${file#damaged/}: is not as it was written"
+expect_exit 0 study.yaml --output damaged --quiet
+"$sweep" --verify damaged --quiet || fail 'the set is not whole again'
+diff -r --exclude=recordings.journal one damaged || fail 'another set'

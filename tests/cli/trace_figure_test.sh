@@ -93,3 +93,18 @@ ln -s "$(command -v python3)" bin/python3
 PATH=$work/bin expect_exit 3 "$minimal" --speed-hz 90 --whirl-ratio 0.6 --output none --figure none.png
 /usr/bin/grep -qF -- '--figure: there is no program called gnuplot to draw with' stderr || fail 'no word of gnuplot'
 expect_missing none
+
+# A program away from where it was built draws with the command of the user or not at all, never with what lies at the place
+# where it was built.
+mkdir away commands
+cp "$rubsweep" away/rubtrace
+ask=(away/rubtrace "$minimal" --speed-hz 90 --whirl-ratio 0.6 --revolutions 20 --quiet --output away/trace --figure away/trace.svg)
+code=0
+PATH=/usr/bin:/bin "${ask[@]}" 2>stderr || code=$?
+[[ $code == 3 ]] || fail "exit code $code, expected 3"
+expect_contains stderr '--figure: rubplot, which draws, is neither in '
+expect_missing away/trace
+printf '#!/bin/sh\nwhile [ "$1" != --output ]; do shift; done\necho "<svg>mine</svg>" >"$2"\n' >commands/rubplot
+chmod +x commands/rubplot
+PATH=$PWD/commands:/usr/bin:/bin "${ask[@]}" || fail 'the command rubplot is not called'
+[[ $(<away/trace.svg) == '<svg>mine</svg>' ]] || fail 'another program drew'

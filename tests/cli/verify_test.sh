@@ -77,6 +77,21 @@ expect_contains stdout 'ring: whole: '
 "$ringstab" --verify map 2>stderr && fail 'a map is no ring'
 expect_contains stderr 'config.yaml'
 
+# A map that is gone leaves what was made of it without ground; files that have no place for a sum have it in the tables.
+source=map
+expect_fault 'map.csv: is missing, the map of boundaries.csv' rm map.csv
+expect_fault 'report.html: is not as it was written' sed -i '5s/a/b/' report.html
+expect_exit 0 "$top/configs/rotor_kit.yaml" --export-matrices matrices --quiet
+expect_exit 0 --verify matrices
+source=matrices
+expect_fault 'mass.mtx: is not as it was written' sed -i '5s/[1-8]/9/' mass.mtx
+# Neither a file of unknown origin nor ends of lines of another system are damage; nobody waits at a pipe.
+cp -r map guests
+(cd guests && printf 'a;a\n1;2\n' >measured.csv && mkfifo pipe.csv && ln -s /dev/full full.csv)
+sed -i 's/$/\r/' guests/map.csv guests/edges.csv guests/config.yaml
+expect_exit 0 --verify guests
+expect_contains stdout 'guests: whole: '
+
 # An unfinished map, and a refined one.
 killed_at 10 killed "${quick[@]}"
 expect_exit 7 --verify killed

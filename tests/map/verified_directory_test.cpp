@@ -15,6 +15,7 @@
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/map/derived_files.hpp"
+#include "rubsweep/map/written_file.hpp"
 
 namespace rubsweep::map {
 namespace {

@@ -58,6 +58,7 @@ class Verification {
     check_files();
     check_map();
     check_recordings();
+    std::ranges::move(pages_, std::back_inserter(verdict_.files));
     if (verdict_.files.empty() && verdict_.faults.empty()) fault("holds no results");
     return std::move(verdict_);
   }
@@ -132,13 +133,13 @@ class Verification {
 
   /// A page without a checksum is ours beside a map alone.
   void look_at_page(const std::string& name) {
-    const CheckedPage checked = check_page_file(directory_ / name);
     const bool of_map = name == report_page_file && has("map.csv");
+    const CheckedPage checked = check_page_file(directory_ / name, of_map);
     if (!checked.summed && !of_map) return;
+    if (name == report_page_file) page_ = checked.text;
     if (!checked.problem.empty()) return fault(fmt::format("{}: {}", name, checked.problem));
     if (!checked.summed) remark(fmt::format("{}: has no checksum, it is of an earlier version", name));
-    if (name == report_page_file) page_ = checked.text;
-    verdict_.files.push_back(name);
+    pages_.push_back(name);
   }
 
   void look_at_cases(const std::string& name) {
@@ -276,6 +277,7 @@ class Verification {
   std::map<std::string, TableHead, std::less<>> heads_;
   std::map<std::string, std::set<std::string>, std::less<>> sums_;  ///< that tables tell of other files
   std::set<std::string, std::less<>> as_written_;                   ///< of these
+  std::vector<std::string> pages_;                                  ///< that are whole
   std::string page_;                                                ///< report.html, where it is ours
   VerifiedConfiguration configuration_;
   std::string digest_;  ///< of all that belongs together
@@ -287,14 +289,6 @@ class Verification {
 DirectoryVerdict verify_directory(const fs::path& directory, const ReadConfiguration& read) {
   if (!fs::is_directory(directory)) throw IoError(fmt::format("{}: is no directory", directory.string()));
   return Verification(directory, read).verdict();
-}
-
-bool was_written_by(std::string_view program, const fs::path& directory) {
-  if (!fs::is_directory(directory)) return false;
-  const std::string begin = fmt::format("# {} ", program);
-  return std::ranges::any_of(fs::directory_iterator(directory), [&](const fs::directory_entry& entry) {
-    return entry.path().extension() == ".csv" && begin_of(entry.path()).starts_with(begin);
-  });
 }
 
 }  // namespace rubsweep::map

@@ -31,7 +31,4 @@ struct DirectoryVerdict {
 /// there, IoError where the directory cannot be read. `read` throws where the configuration is none.
 DirectoryVerdict verify_directory(const std::filesystem::path& directory, const ReadConfiguration& read);
 
-/// Whether a table in the directory says that this program wrote it.
-bool was_written_by(std::string_view program, const std::filesystem::path& directory);
-
 }  // namespace rubsweep::map

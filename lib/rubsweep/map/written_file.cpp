@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/input_file.hpp"
@@ -32,6 +31,14 @@ Origin origin_of(const fs::path& table) {
   return {false, "says no program that wrote it"};
 }
 
+bool was_written_by(std::string_view program, const fs::path& directory) {
+  if (!fs::is_directory(directory)) return false;
+  const std::string begin = fmt::format("# {} ", program);
+  return std::ranges::any_of(fs::directory_iterator(directory), [&](const fs::directory_entry& entry) {
+    return entry.path().extension() == ".csv" && begin_of(entry.path()).starts_with(begin);
+  });
+}
+
 std::string problem_of(const fs::path& file, const std::set<std::string>& sums) {
   std::error_code none;
   if (!fs::exists(file, none)) return "is missing";
@@ -43,10 +50,12 @@ std::string problem_of(const fs::path& file, const std::set<std::string>& sums) 
   return fmt::format("is not as it was written: its sha256 is {}, not {}", sum, *sums.begin());
 }
 
-CheckedPage check_page_file(const fs::path& page) {
+CheckedPage check_page_file(const fs::path& page, bool of_map) {
   CheckedPage checked;
   checked.problem = batch::find_input(page).problem;
   if (!checked.problem.empty()) return checked;
+  const bool marked = begin_of(page).find("\n<!-- sha256 ") != std::string::npos;
+  if (!marked && !of_map) return checked;  // of anybody, and of any size
   checked.text = batch::read_input(page);
   const batch::PageSum sum = batch::check_page(checked.text);
   checked.summed = sum != batch::PageSum::none;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubsweep::map {
@@ -19,17 +20,20 @@ struct Origin {
 };
 Origin origin_of(const std::filesystem::path& table);
 
+/// Whether a table in the directory says that this program wrote it.
+bool was_written_by(std::string_view program, const std::filesystem::path& directory);
+
 /// Empty where the SHA-256 of a file is one of `sums`, with ends of lines in CR LF or not; otherwise what is
 /// wrong. An empty sum says that it is not known: then the file must only be there and not empty.
 std::string problem_of(const std::filesystem::path& file, const std::set<std::string>& sums);
 
-/// Verdict on a page of HTML.
+/// Verdict on a page of HTML; one without a checksum is looked at only where it is the report of a map.
 struct CheckedPage {
   std::string text;
   bool summed = false;  ///< it has a checksum, and so is ours
   std::string problem;
 };
-CheckedPage check_page_file(const std::filesystem::path& page);
+CheckedPage check_page_file(const std::filesystem::path& page, bool of_map);
 
 /// Whether kept cases of a diagnosis are as their first line says; empty where they are none.
 std::optional<bool> are_cases_whole(const std::filesystem::path& file);
