@@ -89,7 +89,7 @@ inline const Variable& find(const std::vector<Variable>& variables, const std::s
   return *std::ranges::find(variables, name, &Variable::name);
 }
 
-/// What is wrong with bytes, or "nothing".
+/// Fault of bytes, or "nothing".
 inline std::string fault(std::string_view bytes) {
   try {
     read_all(bytes);

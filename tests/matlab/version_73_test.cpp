@@ -71,6 +71,16 @@ TEST_F(Version73, ReadsItsOwnNumbersOfAnyWidthAndOrder) {
   EXPECT_EQ(find(read, "N").values, (std::vector<double>{1, 2, 3, 4}));
 }
 
+TEST_F(Version73, IsReadWhateverFilesAreThere) {
+  file_.dataset("K", H5T_NATIVE_DOUBLE, H5P_DEFAULT, numbers.data());
+  const std::string bytes = file_.close();
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(directory_.path());
+  std::ofstream("matlab") << "of somebody";
+  EXPECT_EQ(fault(bytes), "nothing");
+  std::filesystem::current_path(before);
+}
+
 TEST_F(Version73, NumbersInOtherFilesAreRefusedByName) {
   const hid_t outside = H5Pcreate(H5P_DATASET_CREATE);
   H5Pset_external(outside, (directory_.path() / "other.mat").c_str(), 0, 32);

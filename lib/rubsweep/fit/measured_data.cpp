@@ -10,6 +10,7 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/fit/measured_table.hpp"
 #include "rubsweep/numerics/straight_line.hpp"
 
 namespace rubsweep::fit {
@@ -23,14 +24,15 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr int most_turns = 64;
 
 /// Numbers of a row; an empty cell is refused.
-double number(const CsvReader& table, std::size_t column) {
+template <class Table>
+double number(const Table& table, std::size_t column) {
   const double value = table.number(column);
   if (std::isfinite(value)) return value;
   throw ConfigError(fmt::format("{}:{}: {}: is no number, allowed: a finite number", table.path().string(),
                                 table.place().line, table.header()[column]));
 }
 
-bool has(const CsvReader& table, const std::string& name) {
+bool has(const MeasuredTable& table, const std::string& name) {
   return std::ranges::find(table.header(), name) != table.header().end();
 }
 
@@ -89,7 +91,7 @@ Ramp ramp_of(const std::vector<double>& t_s, const std::vector<double>& speed_hz
 }  // namespace
 
 RingDown read_ring_down(const std::filesystem::path& file, double from_s) {
-  CsvReader table(file);
+  MeasuredTable table(file, "t_s");
   const std::size_t time = table.column("t_s");
   std::vector<std::size_t> sensors;
   for (int i = 0; i == 0 || has(table, fmt::format("sensor_{}_m", i)); ++i)
@@ -113,7 +115,7 @@ RingDown read_ring_down(const std::filesystem::path& file, double from_s) {
 }
 
 RunUp read_run_up(const std::filesystem::path& file) {
-  CsvReader table(file);
+  MeasuredTable table(file, "t_s");
   const std::size_t time = table.column("t_s"), speed = table.column("speed_hz"),
                     order = table.column("order");
   std::vector<std::size_t> amplitudes{table.column("x_amplitude_m")}, phases{table.column("x_phase_deg")};
@@ -148,7 +150,7 @@ RunUp read_run_up(const std::filesystem::path& file) {
 }
 
 Steady read_steady(const std::filesystem::path& file, const std::vector<double>& angle_deg) {
-  CsvReader table(file);
+  MeasuredTable table(file, "speed_hz");
   const std::size_t speed = table.column("speed_hz");
   std::vector<std::size_t> amplitudes, phases;
   for (std::size_t i = 0;

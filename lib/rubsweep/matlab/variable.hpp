@@ -10,7 +10,7 @@ namespace rubsweep::matlab {
 /// Most numbers that one file may hold, 512 MB of them: a few bytes of a compressed file can claim any size.
 inline constexpr std::size_t most_numbers = std::size_t{1} << 26;
 
-/// What a MATLAB file holds under a name.
+/// Variable of a MATLAB file.
 struct Variable {
   enum class Kind { numbers, structure, other };  ///< other: text, cells, objects, functions
 
@@ -28,7 +28,7 @@ struct Variable {
 /// Whether the numbers of a variable, of which all else is known, are to be read.
 using Wanted = std::function<bool(const Variable&)>;
 
-/// What is wrong with a file, and what would be right.
+/// Fault of a file, and what would be right.
 struct FileError {
   std::string wrong, allowed = "a whole MATLAB file";
 };

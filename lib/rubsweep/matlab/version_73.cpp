@@ -11,7 +11,7 @@
 namespace rubsweep::matlab {
 namespace {
 
-/// What HDF5 counts by a number: a file, an object, a type.
+/// File, object or type of HDF5, all of which it counts by numbers.
 class Handle {
  public:
   Handle(const Hdf5Library& library, hid_t id) : library_(library), id_(id) {
@@ -171,8 +171,8 @@ std::vector<Variable> read_version_73(std::string_view bytes, const Wanted& want
   if (library.H5Pset_fapl_core(access, step, 0) < 0 ||
       library.H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()) < 0)
     throw FileError{"cannot be read by HDF5"};
-  // The name is that of no file: HDF5 reads what is in memory.
-  const Handle file{library, library.H5Fopen("matlab", 0, access)};
+  // HDF5 reads what is in memory, and refuses the name of a file that there is.
+  const Handle file{library, library.H5Fopen("/dev/null/matlab", 0, access)};
   return Reader(library, wanted).read_group(file, false);
 }
 

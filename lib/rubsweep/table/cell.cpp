@@ -12,7 +12,7 @@ namespace {
 std::string_view trimmed(std::string_view cell) {
   constexpr std::string_view blanks = " \t\r";
   const std::size_t begin = cell.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
+  if (begin == std::string_view::npos) return cell.substr(cell.size());
   cell = cell.substr(begin, cell.find_last_not_of(blanks) - begin + 1);
   if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
   return cell;

@@ -14,7 +14,7 @@ struct NumberStyle {
   bool decimal_comma = false;
 };
 
-/// What is wrong with a text, and where.
+/// Fault of a text, and its place.
 struct Fault {
   std::size_t line = 1, column = 1;
   std::string wrong, allowed;

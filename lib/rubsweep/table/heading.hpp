@@ -5,7 +5,7 @@
 
 namespace rubsweep::table {
 
-/// What a table says above a column.
+/// Words of a table above a column.
 struct Heading {
   std::string name{}, unit{};  ///< the unit without brackets
 };

@@ -226,17 +226,24 @@ Layout layout_of(std::string_view text, const std::function<bool(const Heading&)
   Layout layout;
   long most = 0;
   std::size_t names = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (const char separator : separators) {
-      const auto known = std::ranges::count_if(cells_of(uncommented(lines[i].text), separator),
-                                               [&](auto cell) { return is_name(heading_of(cell)); });
-      if (known > most) layout.separator = separator, names = i;
-      most = std::max<long>(most, known);
+  for (const bool comments : {false, true}) {
+    for (std::size_t i = 0; i < lines.size() && (!comments || most == 0); ++i) {
+      for (const char separator : separators) {
+        if (is_comment(lines[i].text) != comments) continue;
+        const auto known = std::ranges::count_if(cells_of(uncommented(lines[i].text), separator),
+                                                 [&](auto cell) { return is_name(heading_of(cell)); });
+        if (known > most) layout.separator = separator, names = i;
+        most = std::max<long>(most, known);
+      }
     }
   }
+  const bool holds_cells =
+      std::ranges::any_of(lines, [](const Line& line) { return !is_comment(line.text); });
+  if (most == 0 && holds_cells)
+    throw Fault{1, 1, "no line of the file has names of columns that are known",
+                "a line of names as the keys are, perhaps with units, then lines of numbers"};
   if (most == 0) throw Fault{1, 1, "the file holds no table", "a line of names, then lines of numbers"};
   layout.columns.resize(cells_of(uncommented(lines[names].text), layout.separator).size());
-  layout.fewest_cells = layout.columns.size();
   set_names(layout, lines[names], uncommented(lines[names].text));
   std::size_t next = names + 1;
   while (next < lines.size() && is_comment(lines[next].text)) ++next;

@@ -43,9 +43,18 @@ bool Rows::is_empty() const {
   return std::ranges::all_of(cells_, [](std::string_view cell) { return cell.empty(); });
 }
 
+bool Rows::is_number(std::size_t column) const {
+  const std::string_view cell = cells_[column];
+  return !cell.empty() &&
+         (number_in(cell, style_) || number_in(cell, {style_.separator, true}) || number_in(cell, {}));
+}
+
+std::size_t Rows::place_of(std::size_t column) const {
+  return static_cast<std::size_t>(cells_[column].data() - text_.data()) + 1;
+}
+
 Fault Rows::fault(std::size_t column, const std::string& wrong, const std::string& allowed) const {
-  return {line_, static_cast<std::size_t>(cells_[column].data() - text_.data()) + 1,
-          quoted(cells_[column]) + ' ' + wrong, allowed};
+  return {line_, place_of(column), quoted(cells_[column]) + ' ' + wrong, allowed};
 }
 
 void Rows::look_at(std::string_view cell, std::size_t column) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
 #include "config/support.hpp"
 #include "rubsweep/config/print_config.hpp"
@@ -44,6 +45,78 @@ TEST(SupportTable, FromAFileIsPrintedInlineAndReadsBackTheSame) {
   EXPECT_NE(printed.find("speed_hz: [20, 80]"), std::string::npos) << printed;
   EXPECT_EQ(printed.find("film.csv"), std::string::npos);
   EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
+}
+
+/// Table that a file with these bytes gives, or what is wrong with it.
+class TableFiles : public testing::Test {
+ protected:
+  RunConfig config_of(const std::string& bytes) const {
+    std::ofstream(directory_.path() / "film.csv", std::ios::binary) << bytes;
+    return read_run_config_text(
+        replaced(test_file("bad/table_missing.yaml"), "tables/no_such_table.csv", "film.csv"),
+        (directory_.path() / "my.yaml").string(), {});
+  }
+  std::string problem_of(const std::string& bytes) const {
+    const std::string message = ::message_of<ConfigError>([&] { config_of(bytes); });
+    return message.substr(message.find("film.csv"));
+  }
+  void expect_table(const std::string& bytes) const {
+    const RunConfig config = config_of(bytes);
+    ASSERT_TRUE(tabled(config).table) << bytes;
+    const model::SupportTable& table = *tabled(config).table;
+    ASSERT_EQ(table.speed_hz.size(), 2u) << bytes;
+    const auto expect_near = [&](double value, double expected) {
+      EXPECT_NEAR(value, expected, 1e-9 * expected) << bytes;
+    };
+    expect_near(table.speed_hz[0], 20);
+    expect_near(table.speed_hz[1], 80);
+    expect_near(table.columns[0][0], 3.0e4);
+    expect_near(table.columns[0][1], 3.35e4);
+    expect_near(table.columns[3][1], 3.2e4);
+    expect_near(table.columns[4][0], 5);
+  }
+  const TemporaryDirectory directory_;
+};
+
+TEST_F(TableFiles, AreReadAsPeopleHaveThem) {
+  expect_table("speed_rpm;kxx;kyy;cxx\n1200;3,0e4;31000;5\n4800;3,35e4;32000;6\n");
+  expect_table("speed_rpm\tkxx\tkyy\tcxx\r\n1200\t3e4\t3.1e4\t5\r\n4800\t33500\t32000\t6\r\n");
+  expect_table(
+      "\xEF\xBB\xBF\"speed_rpm\",\"kxx\",\"kyy\",\"cxx\"\n1200,3e4,3.1e4,5\n4800,33500,32000,6\n,,,\n");
+  expect_table(
+      "A bearing of somebody; drawing 7\n\nSpeed [Hz];Kxx [N/mm];Kyy [kN/m];Cxx [N-s/m];Remark\n"
+      "20;30,0;31;5;cold\n80;33,5;32;6;\n");
+  expect_table("speed_rpm,kxx,kyy,cxx\nrpm,N/\xB5m,MN/m,N s/m\n1200,0.03,0.031,5\n4800,0.0335,0.032,6\n");
+  expect_table(
+      "# omega (rad/s), kxx, kyy, cxx\n125.66370614359172,3e4,3.1e4,5\n502.6548245743669,33500,32000,6\n");
+  expect_table(
+      "speed_hz,kxx_lbf_per_in,Kyy [lbf/in],Cxx [lbf.s/in]\n"
+      "20,171.304414642,177.0145617967,0.02855073577366\n80,191.2899296835,182.7247089514,0.0342608829284\n");
+  expect_table("speed_hz,kxx,kyy,cxx\n80,33500,32000,6\n20,30000,31000,5\n");
+}
+
+TEST_F(TableFiles, UnitsThatAreMissingOrContradictAreRefused) {
+  EXPECT_EQ(problem_of("Omega,kxx,kyy\n1,2,3\n2,2,3\n"),
+            "film.csv:1:1: rotor.supports.1.table.file: 'Omega' says no unit, allowed: rpm, Hz or rad/s "
+            "behind it or "
+            "below it");
+  EXPECT_EQ(problem_of("speed_rpm,kxx_n_per_mm,kyy\nrpm,N/m,N/m\n1,2,3\n2,2,3\n"),
+            "film.csv:1:11: rotor.supports.1.table.file: the unit of 'kxx_n_per_mm [N/m]' is unknown, or "
+            "another one "
+            "than it says, allowed: N/m, N/mm, N/um, lbf/in; N s/m, N s/mm, lbf s/in; kg");
+  EXPECT_EQ(problem_of("Speed [rpm],kxx,kyy [mN/m]\n1,2,3\n2,2,3\n").substr(0, 14), "film.csv:1:17:");
+  EXPECT_EQ(problem_of("speed_rpm;kxx;kyy\n1;2.5;3\n2;2,5;3\n"),
+            "film.csv:3:3: rotor.supports.1.table.file: '2,5' has a decimal comma, and numbers before it "
+            "have points, "
+            "allowed: points as in line 2, or commas, in all numbers");
+  EXPECT_EQ(problem_of("speed_rpm,kxx,kyy\n3,2,3\n2,2,3\n2.5,2,3\n"),
+            "film.csv:4:1: rotor.supports.1.table.speed_rpm.2: 2.5 is not below the speed before it, "
+            "allowed: speeds "
+            "that rise, or that fall");
+  EXPECT_EQ(
+      problem_of("Bearing DE\n 4 0 0\n 1 100.0\n 1e7 0 0 1e7\n"),
+      "film.csv:1:1: rotor.supports.1.table.file: no line of the file has names of columns that are known, "
+      "allowed: a line of names as the keys are, perhaps with units, then lines of numbers");
 }
 
 TEST(SupportTable, ANumberOfItCanBeSetAndSwept) {

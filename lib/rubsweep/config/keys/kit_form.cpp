@@ -104,8 +104,8 @@ Form fault() {
 /// Names of a column of a table, with the units that each may say.
 std::vector<std::string> names_of_column(std::string_view name) {
   using Units = std::vector<std::string_view>;
-  const Units units = name[0] == 'k'   ? Units{"n_per_m", "n_per_mm", "n_per_um"}
-                      : name[0] == 'c' ? Units{"ns_per_m", "ns_per_mm"}
+  const Units units = name[0] == 'k'   ? Units{"n_per_m", "n_per_mm", "n_per_um", "lbf_per_in"}
+                      : name[0] == 'c' ? Units{"ns_per_m", "ns_per_mm", "lbf_s_per_in"}
                                        : Units{"kg"};
   std::vector<std::string> names{std::string(name)};
   for (const std::string_view unit : units) names.push_back(names[0] + "_" + std::string(unit));
@@ -117,9 +117,10 @@ Form table() {
     return list_of(number(range), 1, model::SupportTable::most_points);
   };
   std::vector<Key> columns{
-      must("speed_hz", numbers(model::not_negative), "speeds, rising"),
-      must("speed_rpm", numbers(model::not_negative), "the same in revolutions per minute")};
-  std::vector<Choice> choices{{{{{"speed_hz"}, {}}, {{"speed_rpm"}, {}}}}};
+      must("speed_hz", numbers(model::not_negative), "speeds, all rising or all falling"),
+      must("speed_rpm", numbers(model::not_negative), "the same in revolutions per minute"),
+      must("speed_rad_per_s", numbers(model::not_negative), "the same in radians per second")};
+  std::vector<Choice> choices{{{{{"speed_hz"}, {}}, {{"speed_rpm"}, {}}, {{"speed_rad_per_s"}, {}}}}};
   for (const std::string_view column : model::support_coefficients) {
     Choice names{{}, column != "kxx" && column != "kyy"};
     for (const std::string& name : names_of_column(column)) {

@@ -32,6 +32,13 @@ constexpr std::string_view unbalance_form =
 constexpr std::array<std::string_view, 4> directions{"x", "y", "rx", "ry"};
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// Key of a column of the tables beside matrices: its name as it is.
+ColumnKey key_of_table(const table::Heading& heading) {
+  constexpr std::array<std::string_view, 6> known{"node",      "direction", "position_m",
+                                                  "weight_kg", "real_kg",   "imaginary_kg"};
+  return {std::ranges::find(known, heading.name) == known.end() ? "" : heading.name};
+}
+
 /// Puts the text of the file that a matrix names in its place.
 void resolve_matrix(yaml::Node& matrix, std::string_view key, yaml::Diagnostics& diagnostics) {
   yaml::Node* file = child(&matrix, "file");
@@ -252,7 +259,7 @@ void resolve_matrices(yaml::Node& root, yaml::Diagnostics& diagnostics) {
   }
   for (const std::string_view key : {freedoms_key, unbalance_key}) {
     if (yaml::Node* table = child(rotor, key))
-      resolve_table_file(*table, fmt::format("rotor.{}", key), diagnostics);
+      resolve_table_file(*table, fmt::format("rotor.{}", key), key_of_table, diagnostics);
   }
 }
 

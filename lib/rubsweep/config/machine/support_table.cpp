@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +20,9 @@ namespace rubsweep::config::machine {
 namespace {
 
 constexpr std::string_view table_forms =
-    "a map with file, or one with speed_hz or speed_rpm, kxx, kyy and others";
+    "a map with file, or one with speed_hz, speed_rpm or speed_rad_per_s, kxx, kyy and others";
+constexpr double newtons_per_lbf = 4.4482216152605, metres_per_inch = 0.0254;
+constexpr double lbf_per_in = newtons_per_lbf / metres_per_inch;
 
 /// Name of a column and how many SI units its numbers count in.
 struct Name {
@@ -27,15 +31,31 @@ struct Name {
 };
 
 /// In the order of model::support_coefficients; the second name of each is printed.
-constexpr std::array<std::array<Name, 4>, model::support_coefficients.size()> names{{
-    {{{"kxx", 1}, {"kxx_n_per_m", 1}, {"kxx_n_per_mm", 1e3}, {"kxx_n_per_um", 1e6}}},
-    {{{"kxy", 1}, {"kxy_n_per_m", 1}, {"kxy_n_per_mm", 1e3}, {"kxy_n_per_um", 1e6}}},
-    {{{"kyx", 1}, {"kyx_n_per_m", 1}, {"kyx_n_per_mm", 1e3}, {"kyx_n_per_um", 1e6}}},
-    {{{"kyy", 1}, {"kyy_n_per_m", 1}, {"kyy_n_per_mm", 1e3}, {"kyy_n_per_um", 1e6}}},
-    {{{"cxx", 1}, {"cxx_ns_per_m", 1}, {"cxx_ns_per_mm", 1e3}}},
-    {{{"cxy", 1}, {"cxy_ns_per_m", 1}, {"cxy_ns_per_mm", 1e3}}},
-    {{{"cyx", 1}, {"cyx_ns_per_m", 1}, {"cyx_ns_per_mm", 1e3}}},
-    {{{"cyy", 1}, {"cyy_ns_per_m", 1}, {"cyy_ns_per_mm", 1e3}}},
+constexpr std::array<std::array<Name, 5>, model::support_coefficients.size()> names{{
+    {{{"kxx", 1},
+      {"kxx_n_per_m", 1},
+      {"kxx_n_per_mm", 1e3},
+      {"kxx_n_per_um", 1e6},
+      {"kxx_lbf_per_in", lbf_per_in}}},
+    {{{"kxy", 1},
+      {"kxy_n_per_m", 1},
+      {"kxy_n_per_mm", 1e3},
+      {"kxy_n_per_um", 1e6},
+      {"kxy_lbf_per_in", lbf_per_in}}},
+    {{{"kyx", 1},
+      {"kyx_n_per_m", 1},
+      {"kyx_n_per_mm", 1e3},
+      {"kyx_n_per_um", 1e6},
+      {"kyx_lbf_per_in", lbf_per_in}}},
+    {{{"kyy", 1},
+      {"kyy_n_per_m", 1},
+      {"kyy_n_per_mm", 1e3},
+      {"kyy_n_per_um", 1e6},
+      {"kyy_lbf_per_in", lbf_per_in}}},
+    {{{"cxx", 1}, {"cxx_ns_per_m", 1}, {"cxx_ns_per_mm", 1e3}, {"cxx_lbf_s_per_in", lbf_per_in}}},
+    {{{"cxy", 1}, {"cxy_ns_per_m", 1}, {"cxy_ns_per_mm", 1e3}, {"cxy_lbf_s_per_in", lbf_per_in}}},
+    {{{"cyx", 1}, {"cyx_ns_per_m", 1}, {"cyx_ns_per_mm", 1e3}, {"cyx_lbf_s_per_in", lbf_per_in}}},
+    {{{"cyy", 1}, {"cyy_ns_per_m", 1}, {"cyy_ns_per_mm", 1e3}, {"cyy_lbf_s_per_in", lbf_per_in}}},
     {{{"mxx", 1}, {"mxx_kg", 1}}},
     {{{"myy", 1}, {"myy_kg", 1}}},
 }};
@@ -55,21 +75,26 @@ std::vector<double> read_column(const yaml::Value& value, const model::Range& ra
   return numbers;
 }
 
+/// Speeds in Hz, as they stand: all rising or all falling.
 std::vector<double> read_speeds(yaml::Section& section) {
-  constexpr std::string_view hz = "speed_hz", rpm = "speed_rpm";
-  section.require_exactly_one({hz, rpm});
-  const auto in_hz = section.find(hz), in_rpm = section.find(rpm);
-  if (!in_hz && !in_rpm) return {};
-  const yaml::Value value = in_hz ? *in_hz : *in_rpm;
-  std::vector<double> speeds = read_column(value, model::not_negative, 1);
-  if (!in_hz)
-    for (double& speed : speeds)
-      speed /= model::rpm_per_hz;  // as the speeds of a sweep: knots meet to the last bit
-  for (std::size_t i = 1; i < speeds.size() && speeds.size() == value.node.items.size(); ++i) {
-    if (speeds[i] > speeds[i - 1]) continue;
-    const yaml::Value item{value.node.items[i], fmt::format("{}.{}", value.path, i), value.diagnostics};
-    refuse(item, fmt::format("{} is not above the speed before it", yaml::shown(item.node.text)),
-           "speeds that rise");
+  constexpr std::string_view hz = "speed_hz", rpm = "speed_rpm", rad_per_s = "speed_rad_per_s";
+  section.require_exactly_one({hz, rpm, rad_per_s});
+  const auto in_hz = section.find(hz), in_rpm = section.find(rpm), in_rad_per_s = section.find(rad_per_s);
+  const auto& given = in_hz ? in_hz : in_rpm ? in_rpm : in_rad_per_s;
+  if (!given) return {};
+  std::vector<double> speeds = read_column(*given, model::not_negative, 1);
+  for (double& speed : speeds) {
+    if (in_rpm) speed /= model::rpm_per_hz;  // as the speeds of a sweep: knots meet to the last bit
+    if (in_rad_per_s) speed /= 2 * std::numbers::pi;
+  }
+  const bool falling = speeds.size() > 1 && speeds[1] < speeds[0];
+  for (std::size_t i = 1; i < speeds.size() && speeds.size() == given->node.items.size(); ++i) {
+    if (falling ? speeds[i] < speeds[i - 1] : speeds[i] > speeds[i - 1]) continue;
+    const yaml::Value item{given->node.items[i], fmt::format("{}.{}", given->path, i), given->diagnostics};
+    refuse(item,
+           fmt::format("{} is not {} the speed before it", yaml::shown(item.node.text),
+                       falling ? "below" : "above"),
+           falling ? "speeds that rise, or that fall" : "speeds that rise");
     break;
   }
   return speeds;
@@ -98,12 +123,90 @@ std::optional<std::vector<double>> find_column(yaml::Section& section, std::size
 
 }  // namespace
 
+namespace {
+
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return small;
+}
+
+/// Ending of a key, by the unit of a column; of those with M or k for millions and thousands as they are.
+std::string_view ending_of(std::string_view unit) {
+  using Ending = std::pair<std::string_view, std::string_view>;
+  constexpr std::array<Ending, 25> endings{{{"n/m", "_n_per_m"},
+                                            {"n/mm", "_n_per_mm"},
+                                            {"n/um", "_n_per_um"},
+                                            {"kN/m", "_n_per_mm"},
+                                            {"kN/mm", "_n_per_um"},
+                                            {"MN/m", "_n_per_um"},
+                                            {"lbf/in", "_lbf_per_in"},
+                                            {"lb/in", "_lbf_per_in"},
+                                            {"ns/m", "_ns_per_m"},
+                                            {"kg/s", "_ns_per_m"},
+                                            {"ns/mm", "_ns_per_mm"},
+                                            {"kNs/m", "_ns_per_mm"},
+                                            {"lbfs/in", "_lbf_s_per_in"},
+                                            {"lbs/in", "_lbf_s_per_in"},
+                                            {"kg", "_kg"},
+                                            {"rpm", "_rpm"},
+                                            {"1/min", "_rpm"},
+                                            {"rev/min", "_rpm"},
+                                            {"r/min", "_rpm"},
+                                            {"min1", "_rpm"},
+                                            {"u/min", "_rpm"},
+                                            {"hz", "_hz"},
+                                            {"rev/s", "_hz"},
+                                            {"rad/s", "_rad_per_s"},
+                                            {"1/s", "_hz"}}};
+  const std::string plain = table::plain_unit(unit), small = in_small_letters(plain);
+  for (const auto& [written, ending] : endings) {
+    const bool as_it_is =
+        written.find_first_of("Mk") != std::string_view::npos && written.find('N') != std::string_view::npos;
+    const bool milli = plain.starts_with("mN");
+    if (as_it_is ? plain == written : small == written && !milli) return ending;
+  }
+  return {};
+}
+
+/// Key of a column of a table of supports: "Kxx [N/mm]" is kxx_n_per_mm, "Speed (rpm)" speed_rpm.
+ColumnKey key_of_support(const table::Heading& heading) {
+  std::string name = in_small_letters(heading.name);
+  std::erase(name, ' ');
+  if (name == "omega" || name == "n" || name == "rotorspeed") name = "speed";
+  if (name == "rpm") name = "speed_rpm";
+  std::string stem = name.substr(0, name.find('_'));
+  const bool speed = stem == "speed";
+  if (!speed && std::ranges::find(model::support_coefficients, stem) == model::support_coefficients.end())
+    return {};
+  const std::string_view ending = ending_of(heading.unit);
+  const std::string in_words = heading.name + (heading.unit.empty() ? "" : " [" + heading.unit + ']');
+  if (name == "speed" && heading.unit.empty())
+    return {"speed", fmt::format("'{}' says no unit", yaml::shown(in_words)),
+            "rpm, Hz or rad/s behind it or below it"};
+  if (heading.unit.empty()) return {name};
+  const bool stiffness = ending.starts_with("_n_per") || ending == "_lbf_per_in";
+  const bool damping = ending.starts_with("_ns_per") || ending == "_lbf_s_per_in";
+  const bool fits = speed            ? ending == "_rpm" || ending == "_hz" || ending == "_rad_per_s"
+                    : stem[0] == 'k' ? stiffness
+                    : stem[0] == 'c' ? damping
+                                     : ending == "_kg";
+  if (!fits || (name != stem && name != stem + std::string(ending)))
+    return {name,
+            fmt::format("the unit of '{}' is unknown, or another one than it says", yaml::shown(in_words)),
+            speed ? "rpm, Hz, rad/s" : "N/m, N/mm, N/um, lbf/in; N s/m, N s/mm, lbf s/in; kg"};
+  return {stem + std::string(ending)};
+}
+
+}  // namespace
+
 void resolve_tables(yaml::Node& root, yaml::Diagnostics& diagnostics) {
   yaml::Node* supports = child(child(&root, "rotor"), "supports");
   if (supports == nullptr || supports->kind != yaml::Node::Kind::list) return;
   for (std::size_t i = 0; i < supports->items.size(); ++i) {
     if (yaml::Node* table = child(&supports->items[i], "table"))
-      resolve_table_file(*table, fmt::format("rotor.supports.{}.table", i), diagnostics);
+      resolve_table_file(*table, fmt::format("rotor.supports.{}.table", i), key_of_support, diagnostics);
   }
 }
 
@@ -117,12 +220,17 @@ std::optional<model::SupportTable> read_support_table(const yaml::Value& value) 
     auto column = find_column(section, c, table.speed_hz.size());
     const std::string_view name = model::support_coefficients[c];
     if (!column && (name == "kxx" || name == "kyy"))
-      section.require(name,
-                      fmt::format("numbers under {0}, {0}_n_per_m, {0}_n_per_mm or {0}_n_per_um", name));
+      section.require(
+          name,
+          fmt::format("numbers under {0}, {0}_n_per_m, {0}_n_per_mm, {0}_n_per_um or {0}_lbf_per_in", name));
     table.columns[c] = column ? *std::move(column) : std::vector<double>(table.speed_hz.size(), 0.0);
   }
   section.refuse_unknown_keys();
   if (!section.is_sound()) return std::nullopt;
+  if (table.speed_hz.size() > 1 && table.speed_hz[1] < table.speed_hz[0]) {
+    std::ranges::reverse(table.speed_hz);
+    for (std::vector<double>& column : table.columns) std::ranges::reverse(column);
+  }
   return table;
 }
 

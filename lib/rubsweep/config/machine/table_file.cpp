@@ -9,80 +9,89 @@
 #include "rubsweep/config/yaml/document.hpp"
 #include "rubsweep/config/yaml/text.hpp"
 #include "rubsweep/config/yaml/value.hpp"
+#include "rubsweep/table/encoding.hpp"
+#include "rubsweep/table/rows.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
 
 constexpr std::string_view allowed_table_file = "a file to read, named relative to this one";
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-/// Reads a file into a map of columns.
+/// Columns of a text by their keys; words of a column that is none of the known ones are comments.
 class TableFile {
  public:
-  TableFile(const yaml::Value& name, std::string_view text, int file)
-      : name_(name), rest_(text), file_(file) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
-  }
+  TableFile(const yaml::Value& name, const KeyOf& key_of, int file)
+      : name_(name), key_of_(key_of), file_(file) {}
 
-  yaml::Node read() {
-    yaml::Node table{yaml::Node::Kind::map, name_.node.place};
-    while (next_line()) {
-      const std::vector<yaml::Node> cells = cells_of_line();
-      if (table.keys.empty()) {
-        for (const yaml::Node& cell : cells) {
-          table.keys.push_back({cell.text, cell.place});
-          table.items.push_back({yaml::Node::Kind::list, cell.place});
-        }
-      } else if (cells.size() == table.keys.size()) {
-        for (std::size_t i = 0; i < cells.size(); ++i) table.items[i].items.push_back(cells[i]);
-      } else {
-        name_.diagnostics.add(cells.front().place, name_.path,
-                              fmt::format("the line has {} cells", cells.size()),
-                              fmt::format("{}, as many as there are names", table.keys.size()));
-      }
+  yaml::Node read(std::string_view bytes) const {
+    yaml::Node read{yaml::Node::Kind::map, name_.node.place};
+    try {
+      const std::string text = table::utf8_of(bytes);
+      const table::Layout layout = table::layout_of(
+          text, [&](const table::Heading& heading) { return !key_of_(heading).key.empty(); });
+      name_columns(layout, read);
+      table::Rows rows(text, layout);
+      while (rows.next()) add_row(rows, layout, read);
+      drop_comments(layout, read);
+      if (read.items.front().items.empty()) throw table::Fault{1, 1, no_table, table_form};
+    } catch (const table::Fault& fault) {
+      name_.diagnostics.add(place_of(fault.line, fault.column), name_.path, fault.wrong, fault.allowed);
     }
-    if (table.keys.empty() || table.items.front().items.empty())
-      name_.diagnostics.add({-1, 1, 1, file_}, name_.path, "the file holds no table",
-                            "a line of names, then lines of numbers");
-    return table;
+    return read;
   }
 
  private:
-  bool next_line() {
-    while (!rest_.empty()) {
-      const std::size_t end = rest_.find('\n');
-      line_ = rest_.substr(0, end);
-      rest_ = end == std::string_view::npos ? std::string_view() : rest_.substr(end + 1);
-      ++number_;
-      if (!trimmed(line_).empty() && trimmed(line_).front() != '#') return true;
-    }
-    return false;
+  static constexpr const char* no_table = "the file holds no table";
+  static constexpr const char* table_form = "a line of names, then lines of numbers";
+
+  yaml::SourcePosition place_of(std::size_t line, std::size_t column) const {
+    return {-1, static_cast<int>(line), static_cast<int>(column), file_};
   }
 
-  std::vector<yaml::Node> cells_of_line() const {
-    std::vector<yaml::Node> cells;
-    for (std::size_t begin = 0;;) {
-      const std::size_t end = line_.find(',', begin);
-      const std::string_view cell = line_.substr(begin, end == std::string_view::npos ? end : end - begin);
-      const std::size_t blanks = std::min(cell.find_first_not_of(" \t\r"), cell.size());
-      cells.push_back({yaml::Node::Kind::scalar,
-                       {-1, number_, static_cast<int>(begin + blanks) + 1, file_},
-                       std::string(trimmed(cell))});
-      if (end == std::string_view::npos) return cells;
-      begin = end + 1;
+  void name_columns(const table::Layout& layout, yaml::Node& read) const {
+    for (const table::Column& column : layout.columns) {
+      const ColumnKey key = key_of_(column.heading);
+      const auto place = place_of(layout.names_line, column.column);
+      if (!key.wrong.empty()) name_.diagnostics.add(place, name_.path, key.wrong, key.allowed);
+      read.keys.push_back({key.key.empty() ? column.heading.name : key.key, place});
+      read.items.push_back({yaml::Node::Kind::list, place});
+    }
+  }
+
+  void add_row(table::Rows& rows, const table::Layout& layout, yaml::Node& read) const {
+    if (rows.is_empty()) return;
+    const auto& cells = rows.cells();
+    if (cells.size() < layout.columns.size())
+      return name_.diagnostics.add(place_of(rows.line(), 1), name_.path,
+                                   fmt::format("the line has {} cells", cells.size()),
+                                   fmt::format("{}, as many as there are names", layout.columns.size()));
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+      std::string text(cells[i]);
+      // A number whose decimals do not look as those before it is a fault.
+      if (!text.empty() && rows.is_number(i)) rows.number(i);
+      if (rows.is_number(i)) std::ranges::replace(text, ',', '.');
+      read.items[i].items.push_back(
+          {yaml::Node::Kind::scalar, place_of(rows.line(), rows.place_of(i)), text});
+    }
+  }
+
+  void drop_comments(const table::Layout& layout, yaml::Node& read) const {
+    for (std::size_t i = layout.columns.size(); i-- > 0;) {
+      const auto& cells = read.items[i].items;
+      const bool words = std::ranges::any_of(cells, [](const yaml::Node& cell) {
+        return !cell.text.empty() && !table::number_in(cell.text, {});
+      });
+      const bool empty = std::ranges::all_of(cells, [](const yaml::Node& cell) { return cell.text.empty(); });
+      const bool comment = key_of_(layout.columns[i].heading).key.empty() && (words || empty);
+      if (!comment || read.items.size() == 1) continue;
+      read.keys.erase(read.keys.begin() + static_cast<std::ptrdiff_t>(i));
+      read.items.erase(read.items.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
 
   const yaml::Value& name_;
-  std::string_view rest_, line_;
-  int file_, number_ = 0;
+  const KeyOf& key_of_;
+  int file_;
 };
 
 }  // namespace
@@ -106,7 +115,8 @@ std::optional<yaml::FileBytes> read_named_file(const yaml::Value& name, std::fil
   return std::nullopt;
 }
 
-void resolve_table_file(yaml::Node& table, const std::string& path, yaml::Diagnostics& diagnostics) {
+void resolve_table_file(yaml::Node& table, const std::string& path, const KeyOf& key_of,
+                        yaml::Diagnostics& diagnostics) {
   const auto found = std::ranges::find(table.keys, "file", &yaml::Node::Key::text);
   if (table.kind != yaml::Node::Kind::map || found == table.keys.end()) return;
   const yaml::Node name = table.items[static_cast<std::size_t>(found - table.keys.begin())];
@@ -117,7 +127,7 @@ void resolve_table_file(yaml::Node& table, const std::string& path, yaml::Diagno
   if (!bytes) return;
   const int index = diagnostics.add_file(yaml::shown(file.string(), yaml::max_text_bytes));
   const std::size_t problems = diagnostics.count();
-  yaml::Node read = TableFile(value, bytes->text, index).read();
+  yaml::Node read = TableFile(value, key_of, index).read(bytes->text);
   if (diagnostics.count() == problems) table = std::move(read);
 }
 
