@@ -41,6 +41,9 @@ class Labels(unittest.TestCase):
         self.assertEqual(campbell.place_of_1x([{"speed_hz": 178.0}], 180, 100), 100 + 0.85 * 80)
         self.assertAlmostEqual(campbell.place_of_2x(180, 270, 100), 0.47 * 270)
         self.assertIsNone(campbell.place_of_2x(180, 270, 125))
+        flat = [point(1, speed, 100 + 0.94 * 80 + campbell.ABOVE * 270) for speed in range(100, 181)]
+        blocked = campbell.crossed(flat, 270, lambda speed: speed + campbell.ABOVE * 270)
+        self.assertEqual(campbell.place_of_1x([], 180, 100, blocked), 100 + 0.85 * 80)
         labels = list(campbell.label_lines([{"speed_hz": 103.0}, {"speed_hz": 150.0}], 180, 1, 100, 270))
         self.assertIn("left offset 0.3, 0.9", labels[0])
         self.assertIn("right offset -0.8, 0.8", labels[1])

@@ -57,6 +57,11 @@ class Design(figures.FigureTest):
     def test_a_share_is_of_the_limit_and_missing_where_there_is_no_clearance(self):
         self.assertEqual(list(design.share_lines([(50, 3e-4, 1.5e-4), (60, 1e-4, 0.0)], 1)), ["50 200"])
 
+    def test_the_limit_of_the_shares_is_inside_the_picture(self):
+        self.assertEqual(design.top_share([("stop 0", [(50, 1e-4, 1e-3), (60, 2e-4, 1e-3)])]), 200)
+        self.assertAlmostEqual(design.top_share([("stop 0", [(50, 4e-3, 1e-3), (60, 1e-3, 0.0)])]), 600)
+        self.assertEqual(design.top_share([("stop 0", [(50, 1e-4, 0.0)])]), 200)
+
     def test_a_curve_of_kicks_breaks_where_none_starts_a_rub(self):
         self.assertEqual(list(design.kick_lines([(50, 2.0), (60, None), (70, 4.0)], 60)), ["3000 2", "", "4200 4"])
 

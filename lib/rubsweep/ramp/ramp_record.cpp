@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "rubsweep/response/spectrum/hann_window.hpp"
+
 namespace rubsweep::ramp {
 namespace {
 
@@ -85,7 +87,7 @@ void RampRecord::take_spectrum() {
   if (window_ % every_ == 0) {
     const double middle_s = ramp_.time_s((static_cast<double>(window_) + 0.5) * spectrum_turns);
     spectra_.push_back({middle_s, ramp_.speed_hz(middle_s),
-                        response::spectrum::full_spectrum(turns_, spectrum_turns, workspace_)});
+                        response::spectrum::windowed_spectrum(turns_, spectrum_turns, workspace_)});
   }
   ++window_;
   turns_.clear();

@@ -28,7 +28,7 @@ struct RampOrbit {
 };
 
 /// Full spectrum over orders: of samples at equal shaft angles, so that an order stays one line however fast
-/// the speed changes.
+/// the speed changes, under a Hann window, so that a resonance stays at its orders.
 struct OrderSpectrum {
   double t_s = 0, speed_hz = 0;  ///< in the middle of its turns
   response::spectrum::FullSpectrum spectrum;

@@ -11,7 +11,7 @@
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/recording/turns.hpp"
-#include "rubsweep/response/spectrum/full_spectrum.hpp"
+#include "rubsweep/response/spectrum/hann_window.hpp"
 
 namespace rubsweep::scope {
 namespace {
@@ -54,21 +54,6 @@ double lag_deg(Complex amplitude) {
   return phase > 0 ? phase - 360 : phase;
 }
 
-/// Samples about their mean that come and go smoothly, so that a line which is none of the spectrum's own, or
-/// grows as in a resonance, has no skirt over all orders. A steady line keeps its amplitude.
-std::vector<Complex> under_hann_window(std::span<const Complex> samples) {
-  const auto count = static_cast<double>(samples.size());
-  const auto weight = [count](std::size_t k) {
-    return 1 - std::cos(2 * std::numbers::pi * static_cast<double>(k) / count);
-  };
-  // The mean has the same weights: 1X that grows shifts the plain one.
-  Complex mean = 0;
-  for (std::size_t k = 0; k < samples.size(); ++k) mean += weight(k) * samples[k] / count;
-  std::vector<Complex> weighted;
-  for (std::size_t k = 0; k < samples.size(); ++k) weighted.push_back(weight(k) * (samples[k] - mean));
-  return weighted;
-}
-
 }  // namespace
 
 bool speed_changes(const Recording& recording) {
@@ -94,7 +79,7 @@ std::vector<OrderPoint> order_history(const Recording& recording, double order, 
     const std::span<const Complex> samples = turns_of(recording, begin, turns);
     const double begin_rad = 2 * std::numbers::pi * order * begin;
     if (windowed)
-      add_component(under_hann_window(samples), step_rad, begin_rad, points.back());
+      add_component(response::spectrum::under_hann_window(samples), step_rad, begin_rad, points.back());
     else
       add_component(samples, step_rad, begin_rad, points.back());
   }
@@ -125,8 +110,8 @@ std::string waterfall_csv(const Recording& recording) {
   const int last = static_cast<int>(most_waterfall_order * turns);
   for (int window = 0; window < windows; window += every) {
     const OrderPoint middle = middle_of(recording, window * history_turns, turns);
-    const auto spectrum = response::spectrum::full_spectrum(
-        under_hann_window(turns_of(recording, window * history_turns, turns)), turns, workspace);
+    const auto spectrum = response::spectrum::windowed_spectrum(
+        turns_of(recording, window * history_turns, turns), turns, workspace);
     for (int k = -last; k <= last; ++k) {
       if (k == 0) continue;
       text += fmt::format("{},{},{},{}\n", csv_number(middle.t_s), csv_number(middle.speed_hz),

@@ -14,7 +14,8 @@ SAME_SPEED = 0.015  # as a share: critical speeds with one label
 # Distances as shares of the picture's width and height.
 CLOSE = 0.09
 BESIDE_AXIS = 0.1
-SAME_HEIGHT = 0.02
+SAME_HEIGHT = 0.03
+ABOVE = 0.035  # names of 1X and 2X over their lines
 # A letter of a label and the place of its line, as shares of the axes; further steps up or down for a label, in lines.
 LETTER = (0.0125, 0.036)
 STEPS = (0, 1.1, 2.2, 3.3)
@@ -35,10 +36,12 @@ def picture(given):
     slowest = min((row["speed_hz"] for row in curves), default=0)
     # As high as shows where the modes meet the shaft speed, and the slowest mode in any case.
     top = max(1.5 * fastest, 1.3 * min((row["frequency_hz"] for row in curves), default=0))
-    second = place_of_2x(fastest, top, slowest)
+    first = place_of_1x(critical, fastest, slowest, crossed(curves, top, lambda speed: speed + ABOVE * top))
+    second = place_of_2x(fastest, top, slowest, crossed(curves, top, lambda speed: 2 * speed + ABOVE * top))
     sizes = [
         f"fastest = {fastest:.17g}",
-        f"name_of_1x = {place_of_1x(critical, fastest, slowest):.17g}",
+        f"name_of_1x = {first:.17g}",
+        f"above_line = {ABOVE * top:.17g}",
         f"name_of_2x = {second or 0:.17g}",
         f"top = {top:.17g}",
         f"per_hz = {per_hz:.17g}",  # of the unit in which shaft speeds are shown
@@ -133,21 +136,36 @@ def lock_lines(speeds, top, per_hz=1):
         yield _label(per_hz * speed, 0.012 * top, "", "point pointtype 12 pointsize 1.3 linewidth 1.5 linecolor rgb '#882255'")
 
 
-def place_of_1x(critical, fastest, slowest=0):
-    """The speed at which the line of the shaft speed is named: near its end, but not where a critical speed is."""
+def place_of_1x(critical, fastest, slowest=0, blocked=lambda place: False):
+    """The speed at which the line of the shaft speed is named: near its end, but not where a critical speed is, and where
+    it can be not where it is `blocked`."""
     width = fastest - slowest
-    places = [slowest + share * width for share in (0.94, 0.85, 0.76, 0.67, 0.58, 0.49, 0.4)]
+    places = [slowest + share * width for share in (0.94, 0.85, 0.76, 0.67, 0.58, 0.49, 0.4, 0.31, 0.22)]
 
     def room(place):
         return min((abs(row["speed_hz"] - place) for row in critical), default=fastest)
 
-    return next((place for place in places if room(place) > BESIDE_AXIS * width), max(places, key=room))
+    roomy = [place for place in places if room(place) > BESIDE_AXIS * width] or [max(places, key=room)]
+    return next((place for place in roomy if not blocked(place)), roomy[0])
 
 
-def place_of_2x(fastest, top, slowest=0):
+def place_of_2x(fastest, top, slowest=0, blocked=lambda place: False):
     """As well for twice the shaft speed: near its upper end, None where that is beside the axes or next to it."""
-    place = min(0.47 * top, slowest + 0.9 * (fastest - slowest))
-    return place if place > slowest + BESIDE_AXIS * (fastest - slowest) else None
+    width = fastest - slowest
+    highest = min(0.47 * top, slowest + 0.9 * width)
+    places = [highest - share * width for share in (0, 0.06, 0.12, 0.18, 0.24) if highest - share * width > slowest + BESIDE_AXIS * width]
+    return next((place for place in places if not blocked(place)), places[0] if places else None)
+
+
+def crossed(curves, top, up):
+    """Whether a curve goes through a text at `up(speed)` that ends at this speed."""
+    width = max((row["speed_hz"] for row in curves), default=0) - min((row["speed_hz"] for row in curves), default=0)
+
+    def blocked(speed):
+        return any(-0.06 * width <= row["speed_hz"] - speed <= 0.02 * width and abs(row["frequency_hz"] - up(speed)) < 0.022 * top
+                   for row in curves)
+
+    return blocked
 
 
 def _label(x, y, text, place):

@@ -40,6 +40,7 @@ def picture(given):
                 *(f'probe_name_{i} = "{place}"' for i, (place, _) in enumerate(probes)),
                 *(f'stop_name_{i} = "{place}"' for i, (place, _) in enumerate(stops)),
                 f"limit = {1e6 * limits[0] if limits else 0:.17g}",
+                f"top_share = {top_share(stops):.17g}",
                 f"any_kicks = {any(force is not None for _, force in kicks):d}",
                 f"any_quiet = {any(force is None for _, force in kicks):d}",
                 f"any_locks = {len(locks) > 0:d}",
@@ -91,6 +92,12 @@ def response_lines(rows, per_hz, per_metre):
 def share_lines(rows, per_hz):
     """The axis as a share of its limit in per cent; nothing where the rotor rests on the stop."""
     return ("%.17g %.17g" % (per_hz * hz, 100 * axis / limit) for hz, axis, limit in rows if limit)
+
+
+def top_share(stops):
+    """The end of the axis of the shares, in per cent: above the limit, so that it is seen."""
+    shares = [100 * axis / limit for _, rows in stops for _, axis, limit in rows if limit]
+    return max(200, *(1.5 * share for share in shares)) if shares else 200
 
 
 def limit_lines(rows, per_hz):

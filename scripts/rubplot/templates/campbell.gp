@@ -27,10 +27,10 @@ do for [format in formats] {
   set label 1003 ARG3 at screen 0.995, 0.015 right font ",13" noenhanced
 
   load "labels.gp"
-  set lmargin at screen 0.07
+  set lmargin at screen 0.075
   set rmargin at screen right
   set bmargin at screen (ARG3 eq "" ? 0.12 : 0.145)
-  set tmargin at screen 0.83
+  set tmargin at screen 0.81
   set border 31 linewidth 1
   set tics nomirror out
   set xrange [C_min:fastest * per_hz]
@@ -40,10 +40,10 @@ do for [format in formats] {
   set xlabel speed_label . (any_locks ? ", ◇ lock speed" : "")
   # Not as labels of the axes: beside a fixed margin these may come over the numbers.
   set label 1004 "whirl frequency (Hz)" at screen 0.013, 0.49 center rotate by 90
-  set key at screen 0.07, screen 0.945 left top horizontal Left reverse noopaque samplen 2.5 maxrows 1
-  set label 1001 "1X" at first name_of_1x * per_hz, first name_of_1x + 0.035 * top right textcolor rgb turning
+  set key at screen 0.075, screen 0.945 left top horizontal Left reverse noopaque samplen 2.5 maxrows 1
+  set label 1001 "1X" at first name_of_1x * per_hz, first name_of_1x + above_line right textcolor rgb turning
   if (name_of_2x > 0) {
-    set label 1002 "2X" at first name_of_2x * per_hz, first 2 * name_of_2x right offset -1.2, 0.5 textcolor rgb turning
+    set label 1002 "2X" at first name_of_2x * per_hz, first 2 * name_of_2x + above_line right textcolor rgb turning
   }
   plot x / per_hz with lines linecolor rgb turning dashtype 3 linewidth 1.5 notitle, \
     2 * x / per_hz with lines linecolor rgb turning dashtype 3 linewidth 0.8 notitle, \

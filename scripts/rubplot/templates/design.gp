@@ -55,7 +55,7 @@ do for [format in formats] {
   set bmargin at screen 0.115
   set logscale y
   # Less than a ten-thousandth of the limit says nothing, and its numbers are long.
-  set yrange [0.01<*:150<*]
+  set yrange [0.01<*:top_share]
   set label 1004 "axis / allowed at stops (%)" at screen 0.015, 0.265 center rotate by 90
   plot for [i = 0:stops - 1] stop(i) using 1:2 with lines linewidth 2 dashtype dash(i) linecolor rgb colours[i + 1] \
       title value(sprintf("stop_name_%d", i)), \
