@@ -214,15 +214,21 @@ std::string explain_kit(const scene::PreparedMachine& prepared, const model::Rot
   text += "  reduced in y to " + explain_plane(reduction, 1);
   text += "  the attachment modes make the static compliance between the stops exact\n";
   text += fmt::format(
-      "  receptance from the stops{} to stops and sensors, at rest and turning with the force: within {:.2g} "
-      "of that of all "
-      "modes up to {} Hz\n",
+      "  receptance from the stops{}, unbalance, loads and kick to stops and sensors, at rest and turning "
+      "with the "
+      "force, also at resonance: within {:.2g} of that of the full matrices up to {} Hz\n",
       faults.empty() ? "" : " and faulty bearings", reduction.receptance_error, kit.modes_up_to_hz);
+  if (reduction.growth_error > 0)
+    text += fmt::format(
+        "  free vibrations that grow: rate and frequency within {:.2g} of those of the full matrices\n",
+        reduction.growth_error);
   text += reduction.automatic ? fmt::format("  number of modes: auto, the smallest within {}\n",
                                             structure::receptance_tolerance)
                               : std::string("  number of modes: as configured\n");
   if (const std::string many = describe_many_modes(prepared); !many.empty()) text += "    " + many + "\n";
-  return text + "left out: modes that no stop and no sensor sees, and those above the last one listed\n";
+  return text +
+         "left out: modes that no stop and no sensor sees and that nothing couples with one they see, and "
+         "those above the last one listed\n";
 }
 
 std::string explain_rotating_damping(const model::JeffcottRotor& rotor) {

@@ -36,7 +36,7 @@ class KitBuilder {
     std::vector<double> stations = stops_;
     stations.push_back(kick_);
     shaft_ = assemble_beam_shaft(kit_, stations);
-    result_.reduction = by(shaft_, kit_, stops_and_tables(), sensors_);
+    result_.reduction = by(shaft_, kit_, stops_and_tables(), sensors_, kick_);
     lateral_ = reduced_system(shaft_, kit_, result_.reduction);
   }
 

@@ -3,61 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
+#include <limits>
 #include <numbers>
+#include <string>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/dense/cholesky.hpp"
 #include "rubsweep/numerics/dense/lu.hpp"
+#include "rubsweep/structure/full_reference.hpp"
 #include "rubsweep/structure/reduce_to_modes.hpp"
+#include "rubsweep/structure/seen_modes.hpp"
 
 namespace rubsweep::structure {
 namespace {
 
-constexpr double unseen = 1e-9;   ///< share of a station's static compliance
-constexpr int grid_points = 100;  ///< frequencies at which receptances are compared
-constexpr double grid_decades = 2.5;
+constexpr double nothing_left = 1e-9;  ///< share of the energy of a deflection
 constexpr const char* too_extreme =
     "rotor: its parts are too far apart in stiffness or mass for the motion at the stops to be computed, "
     "allowed: "
     "less extreme numbers";
 
-/// One plane before the reduction: all modes that may be kept, and the deflection by a force at each stop.
-struct Plane {
-  Eigen::MatrixXd mass, stiffness;
-  numerics::dense::CholeskyFactors factor;
-  PlaneModes modes;
-  std::vector<Eigen::Index> seen;  ///< of `modes`
-};
-
-Plane study_plane(const BeamShaft& shaft, std::size_t index, const std::vector<double>& places_m) {
-  Plane plane;
-  plane.stiffness = shaft.plane_stiffness(index);
-  plane.mass = shaft.plane_mass(index);
-  plane.modes = plane_modes(plane.mass, plane.stiffness, model::RotorKit::most_modes);
-  plane.factor = numerics::dense::CholeskyFactors(plane.stiffness);
-  std::vector<double> compliance;
-  for (const double place : places_m) {
-    const Eigen::Index w = shaft.deflection(place);
-    compliance.push_back(
-        plane.factor.solve(Eigen::VectorXd(Eigen::VectorXd::Unit(shaft.coordinates(), w)))(w));
-  }
-  for (const double value : compliance) {
-    if (!(value > 0) || !std::isfinite(value)) throw ConfigError(too_extreme);
-  }
-  for (Eigen::Index j = 0; j < plane.modes.rad_per_s.size(); ++j) {
-    for (std::size_t i = 0; i < places_m.size(); ++i) {
-      const double share = plane.modes.shape(shaft.deflection(places_m[i]), j) / plane.modes.rad_per_s(j);
-      if (share * share <= unseen * compliance[i]) continue;
-      plane.seen.push_back(j);
-      break;
-    }
-  }
-  if (plane.seen.empty()) throw ConfigError(too_extreme);
-  return plane;
-}
-
 /// Residual static deflections of forces at the stops, orthogonal to the modes, as modes among themselves.
-PlaneModes attachments(const BeamShaft& shaft, const Plane& plane, const Eigen::MatrixXd& modes,
+PlaneModes attachments(const BeamShaft& shaft, const StudiedPlane& plane, const Eigen::MatrixXd& modes,
                        const std::vector<double>& stops_m) {
   Eigen::MatrixXd kept(shaft.coordinates(), 0);
   for (const double stop : stops_m) {
@@ -69,7 +36,7 @@ PlaneModes attachments(const BeamShaft& shaft, const Plane& plane, const Eigen::
       shape -= kept * (kept.transpose() * (plane.stiffness * shape));
     }
     const double energy = shape.dot(plane.stiffness * shape);
-    if (energy <= unseen * whole) continue;
+    if (energy <= nothing_left * whole) continue;
     kept.conservativeResize(Eigen::NoChange, kept.cols() + 1);
     kept.rightCols<1>() = shape / std::sqrt(energy);
   }
@@ -80,15 +47,20 @@ PlaneModes attachments(const BeamShaft& shaft, const Plane& plane, const Eigen::
   return found;
 }
 
-/// Basis of one plane from its `count` lowest seen modes.
-void fill_plane(const BeamShaft& shaft, const Plane& plane, std::size_t index, int count,
+/// Basis of one plane from its `count` lowest seen modes and those beside that are lower.
+void fill_plane(const BeamShaft& shaft, const StudiedPlane& plane, std::size_t index, int count,
                 const std::vector<double>& stops_m, Reduction& reduction) {
-  const auto modes = std::min(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(plane.seen.size()));
+  const auto seen = std::min(static_cast<std::size_t>(count), plane.seen.size());
+  std::vector<Eigen::Index> kept(plane.seen.begin(), plane.seen.begin() + static_cast<std::ptrdiff_t>(seen));
+  std::ranges::copy_if(plane.beside, std::back_inserter(kept),
+                       [last = kept.back()](auto mode) { return mode < last; });
+  std::ranges::sort(kept);
+  const auto modes = static_cast<Eigen::Index>(kept.size());
   Eigen::MatrixXd shape(shaft.coordinates(), modes);
   Eigen::VectorXd rad_per_s(modes);
   reduction.mode_number[index].clear();
   for (Eigen::Index j = 0; j < modes; ++j) {
-    const Eigen::Index mode = plane.seen[static_cast<std::size_t>(j)];
+    const Eigen::Index mode = kept[static_cast<std::size_t>(j)];
     shape.col(j) = plane.modes.shape.col(mode);
     rad_per_s(j) = plane.modes.rad_per_s(mode);
     reduction.mode_number[index].push_back(static_cast<int>(mode) + 1);
@@ -116,94 +88,84 @@ void fill_plane(const BeamShaft& shaft, const Plane& plane, std::size_t index, i
 class Reducer {
  public:
   Reducer(const BeamShaft& shaft, const model::RotorKit& kit, const std::vector<double>& stops_m,
-          const std::vector<double>& sensors_m)
-      : shaft_(shaft), kit_(kit), stops_(stops_m), places_(stops_m), forces_(stops_m) {
-    for (const auto& support : kit.supports) {
-      if (support.fault) forces_.push_back(support.position_m);
-    }
+          const std::vector<double>& sensors_m, double kick_m)
+      : shaft_(shaft), kit_(kit), stops_(stops_m), places_(stops_m), kick_(kick_m) {
     places_.insert(places_.end(), sensors_m.begin(), sensors_m.end());
-    for (std::size_t index = 0; index < 2; ++index) planes_[index] = study_plane(shaft, index, places_);
+    planes_ = study_planes(shaft, kit, places_);
     same_planes_ = planes_[0].stiffness == planes_[1].stiffness && planes_[0].mass == planes_[1].mass;
   }
 
-  Reduction with_modes(int count, const std::vector<double>& stops_m) const {
+  Reduction with_modes(int count) const {
     Reduction reduction;
+    reduction.modes = count;
     for (std::size_t index = 0; index < 2; ++index) {
-      fill_plane(shaft_, planes_[same_planes_ ? 0 : index], index, count, stops_m, reduction);
+      fill_plane(shaft_, planes_[same_planes_ ? 0 : index], index, count, stops_, reduction);
     }
     return reduction;
   }
 
   Reduction run() const {
-    // As good as the full model far beyond the frequencies compared; tests compare with the full model
-    // itself.
-    const std::vector<Eigen::MatrixXcd> exact = curves(with_modes(model::RotorKit::most_modes, places_));
-    if (kit_.modes) return judged(with_modes(*kit_.modes, stops_), exact);
+    const FullReference full = reference();
+    if (kit_.modes) return as_asked(full);
     const auto most = static_cast<int>(std::max(planes_[0].seen.size(), planes_[1].seen.size()));
-    Reduction reduction;
     for (int count = 1; count <= most; ++count) {
-      reduction = judged(with_modes(count, stops_), exact);
-      if (reduction.receptance_error <= receptance_tolerance) break;
+      Reduction reduction = with_modes(count);
+      reduction.receptance_error = full.receptance_error(reduction, receptance_tolerance);
+      if (reduction.receptance_error > receptance_tolerance) continue;
+      const FullReference::Growth growth = full.growth(reduction);
+      reduction.growth_error = growth.error;
+      reduction.automatic = true;
+      if (!growth.mistaken && growth.error <= receptance_tolerance) return reduction;
     }
-    reduction.automatic = true;
-    return reduction;
+    throw ConfigError("rotor.modes: auto does not answer as the full matrices do up to " +
+                      std::to_string(kit_.modes_up_to_hz) + " Hz, with any number of modes up to " +
+                      std::to_string(most) +
+                      ", allowed: a smaller rotor.modes_up_to_hz, or a number as rotor.modes");
   }
 
  private:
-  static double grid(int k, double highest) {
-    return highest * std::pow(10.0, -grid_decades * (1 - static_cast<double>(k) / (grid_points - 1)));
+  FullReference reference() const {
+    std::vector<double> forces = stops_, loads;
+    for (const auto& support : kit_.supports) {
+      if (support.fault) forces.push_back(support.position_m);
+    }
+    for (const auto& load : kit_.static_loads) loads.push_back(load.position_m);
+    loads.push_back(kick_);
+    return {shaft_, kit_, places_, forces, loads};
   }
 
-  /// Receptances over frequency, at rest and with the shaft turning as fast as the force.
-  std::vector<Eigen::MatrixXcd> curves(const Reduction& reduction) const {
-    const LateralSystem system = reduced_system(shaft_, kit_, reduction);
-    std::vector<Eigen::MatrixXcd> values;
-    for (const double turning : {0.0, 1.0}) {
-      for (int k = 0; k < grid_points; ++k) {
-        const double w = grid(k, 2 * std::numbers::pi * kit_.modes_up_to_hz);
-        values.push_back(receptance(shaft_, reduction.bases, system, w, turning * w, places_, forces_));
-      }
-    }
-    return values;
-  }
-
-  /// Largest difference, against the largest receptance within a few grid points: an antiresonance is no
-  /// reason to keep on adding modes.
-  Reduction judged(Reduction reduction, const std::vector<Eigen::MatrixXcd>& exact) const {
-    constexpr int around = 4;
-    const std::vector<Eigen::MatrixXcd> found = curves(reduction);
-    for (int k = 0; k < static_cast<int>(exact.size()); ++k) {
-      double size = 0;
-      for (int j = k - around; j <= k + around; ++j) {
-        const bool same_curve =
-            j >= 0 && j < static_cast<int>(exact.size()) && j / grid_points == k / grid_points;
-        if (same_curve) size = std::max(size, exact[static_cast<std::size_t>(j)].norm());
-      }
-      const auto at = static_cast<std::size_t>(k);
-      reduction.receptance_error =
-          std::max(reduction.receptance_error, (found[at] - exact[at]).norm() / size);
-    }
+  Reduction as_asked(const FullReference& full) const {
+    Reduction reduction = with_modes(*kit_.modes);
+    reduction.receptance_error = full.receptance_error(reduction, std::numeric_limits<double>::infinity());
+    const FullReference::Growth growth = full.growth(reduction);
+    reduction.growth_error = growth.error;
+    if (growth.mistaken)
+      throw ConfigError(
+          "rotor.modes: with so few modes a vibration that grows by the full matrices does not, or one grows "
+          "that does not by these, allowed: more modes, or auto");
     return reduction;
   }
 
   const BeamShaft& shaft_;
   const model::RotorKit& kit_;
-  std::vector<double> stops_, places_, forces_;
-  std::array<Plane, 2> planes_;
+  std::vector<double> stops_, places_;
+  double kick_;
+  std::array<StudiedPlane, 2> planes_;
   bool same_planes_ = false;
 };
 
 }  // namespace
 
 Reduction reduce(const BeamShaft& shaft, const model::RotorKit& kit, const std::vector<double>& stops_m,
-                 const std::vector<double>& sensors_m) {
-  return Reducer(shaft, kit, stops_m, sensors_m).run();
+                 const std::vector<double>& sensors_m, std::optional<double> kick_m) {
+  return Reducer(shaft, kit, stops_m, sensors_m, kick_m.value_or(stops_m.front())).run();
 }
 
 Reduction reduce_to_modes(const BeamShaft& shaft, const model::RotorKit& kit,
-                          const std::vector<double>& stops_m, const std::vector<double>& sensors_m) {
-  const Reducer reducer(shaft, kit, stops_m, sensors_m);
-  return kit.modes ? reducer.with_modes(*kit.modes, stops_m) : reducer.run();
+                          const std::vector<double>& stops_m, const std::vector<double>& sensors_m,
+                          std::optional<double> kick_m) {
+  const Reducer reducer(shaft, kit, stops_m, sensors_m, kick_m.value_or(stops_m.front()));
+  return kit.modes ? reducer.with_modes(*kit.modes) : reducer.run();
 }
 
 LateralSystem reduced_system(const BeamShaft& shaft, const model::RotorKit& kit, const Reduction& reduction) {

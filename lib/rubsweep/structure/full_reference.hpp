@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rubsweep/structure/full_system.hpp"
+#include "rubsweep/structure/reduction.hpp"
+
+namespace rubsweep::structure {
+
+/// Judge of reductions of one kit: its full matrices, answered once by direct solution, with dampers, cross
+/// terms, gyroscopic moments and damping that turns.
+class FullReference {
+ public:
+  /// Responses in x and y at `responses_m`; forces at `forces_m`, and beside them at `loads_m` and where the
+  /// shaft has unbalance, whose responses are compared among themselves.
+  FullReference(const BeamShaft& shaft, const model::RotorKit& kit, std::vector<double> responses_m,
+                std::vector<double> forces_m, std::vector<double> loads_m);
+
+  /// Worst difference of a receptance up to kit.modes_up_to_hz, against the largest within a fifth of the
+  /// frequency: at rest, turning with the force, and with supports at the lowest and highest speed of their
+  /// tables; at even steps of log frequency and at the resonances of the reduced rotor. A larger one than
+  /// `enough` ends the look.
+  double receptance_error(const Reduction& reduction, double enough) const;
+
+  /// How vibrations that grow come out up to kit.modes_up_to_hz.
+  struct Growth {
+    double error = 0;       ///< worst difference of rate or frequency of one that grows in either
+    bool mistaken = false;  ///< at some speed only one of full matrices and reduced rotor has some
+  };
+  Growth growth(const Reduction& reduction) const;
+
+ private:
+  /// Frequencies from low to high, and the shaft's speed at them.
+  struct Line {
+    bool with_the_force;  ///< else at `speed_rad_per_s`
+    double speed_rad_per_s;
+    std::optional<double> supports_rad_per_s;  ///< see matrices_at
+  };
+  /// A rotor and what it is looked at by.
+  struct Rotor {
+    FullSystem matrices;
+    Eigen::MatrixXd responses, forces;
+  };
+
+  Rotor rotor_of(const PlaneBases& bases, FullSystem matrices) const;
+  Rotor reduced_rotor(const Reduction& reduction) const;
+  Eigen::MatrixXcd receptance(const Rotor& rotor, const Line& line, double rad_per_s) const;
+  double rad_per_s(double step) const;
+  double difference(const Eigen::MatrixXcd& found, const Eigen::MatrixXcd& exact,
+                    const Eigen::Vector2d& size) const;
+  Eigen::Vector2d sizes(const Eigen::MatrixXcd& value) const;
+  double line_error(const Rotor& reduced, std::size_t line, double enough) const;
+  double peak_error(const Rotor& reduced, std::size_t line, double enough) const;
+
+  const BeamShaft& shaft_;
+  const model::RotorKit& kit_;
+  std::vector<double> responses_m_, forces_m_, loads_m_;
+  std::vector<Line> lines_;
+  int points_ = 0, around_ = 0;
+  Rotor full_;
+  std::vector<std::vector<Eigen::MatrixXcd>> exact_;      ///< per line and point
+  std::vector<std::pair<Line, Eigen::VectorXcd>> rates_;  ///< of free vibrations, where some may grow
+};
+
+}  // namespace rubsweep::structure
