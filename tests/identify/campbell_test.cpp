@@ -139,9 +139,10 @@ TEST(Campbell, CriticalSpeedsSolveTheirOwnEigenproblem) {
   // stiffness^-1 (mass - i gyroscopic) q = q / W^2, by the general solver: the inertia need not be positive.
   // In real and imaginary parts of q every value comes twice.
   const Eigen::MatrixXd by_mass =
-                            numerics::dense::solve_full_pivot(rotor.system.stiffness, rotor.system.mass),
-                        by_turning = numerics::dense::solve_full_pivot(rotor.system.stiffness,
-                                                                       rotor.system.gyroscopic);
+                            numerics::dense::solve_full_pivot(rotor.full.system.stiffness,
+                                                                    rotor.full.system.mass),
+                        by_turning = numerics::dense::solve_full_pivot(rotor.full.system.stiffness,
+                                                                       rotor.full.system.gyroscopic);
   Eigen::MatrixXd problem(2 * by_mass.rows(), 2 * by_mass.rows());
   problem << by_mass, by_turning, -by_turning, by_mass;
   std::vector<double> expected;
@@ -199,28 +200,101 @@ TEST(Campbell, AGridThatHitsACriticalSpeedFindsItOnce) {
   EXPECT_EQ(found.critical_speeds.size(), 2u);
 }
 
-/// A short stiff rotor bounces at sqrt(2 k / m), k by a table: its critical speed is where that is the speed.
-TEST(Campbell, CriticalSpeedsFollowTheTableOfASupport) {
+/// A short stiff rotor of the mass 2 m on two supports, each of which holds m.
+model::Machine bouncing_machine(const model::SupportTable& table) {
   model::Machine machine = scene::table_machine();
   model::RotorKit& kit = *model::kit_of(machine);
   kit.shaft[0].outer_diameter_m = 0.2;
   kit.shaft[0].density_kg_per_m3 = 1;
   kit.damping_ratio = {0};
+  for (model::Support& support : kit.supports) support = model::with_table(support, table);
+  return machine;
+}
+constexpr double bouncing_mass_kg = 0.8 + pi / 4 * 0.2 * 0.2 * 0.4;
+
+/// The table of a film that is the same along x and y and couples nothing.
+model::SupportTable round_table() {
   model::SupportTable table = scene::film_table();
   table.columns[3] = table.columns[0];
   for (const std::size_t none : {1U, 2U, 4U, 5U, 6U, 7U}) table.columns[none].assign(5, 0);
-  for (model::Support& support : kit.supports) support = model::with_table(support, table);
+  return table;
+}
+
+/// A short stiff rotor bounces at sqrt(2 k / m), k by a table: its critical speed is where that is the speed.
+TEST(Campbell, CriticalSpeedsFollowTheTableOfASupport) {
+  const model::SupportTable table = round_table();
+  const model::Machine machine = bouncing_machine(table);
   const structure::SupportCurves curves = structure::curves_of(table);
-  const double mass_kg = 0.8 + pi / 4 * 0.2 * 0.2 * 0.4;
   double low = 20, high = 120;
   for (int step = 0; step < 60; ++step) {
     const double middle = (low + high) / 2;
-    (std::sqrt(2 * curves[0](middle) / mass_kg) > 2 * pi * middle ? low : high) = middle;
+    (std::sqrt(2 * curves[0](middle) / bouncing_mass_kg) > 2 * pi * middle ? low : high) = middle;
   }
   const Campbell diagram = campbell(free_rotor(machine), speeds(20, 120, 11), 100);
   ASSERT_EQ(diagram.critical_speeds.size(), 2u);  // backward and forward
   for (const CriticalSpeed& critical : diagram.critical_speeds)
     EXPECT_NEAR(critical.speed_hz, low, 2e-4 * low);
+}
+
+/// The damping falls through the critical one on the way, or rises through it: the mode begins or ends there, and
+/// its frequency is that of a mass on a spring and a damper.
+TEST(Campbell, FollowsModesThatBeginOrEndToOscillate) {
+  model::SupportTable falling = round_table();
+  const double critical = std::sqrt(2 * 3e4 * bouncing_mass_kg) / 2;
+  falling.columns[0].assign(5, 3e4);
+  falling.columns[4] = {3 * critical, 2 * critical, 0.9 * critical, 0.5 * critical, 0.3 * critical};
+  falling.columns[3] = falling.columns[0];
+  falling.columns[7] = falling.columns[4];
+  model::SupportTable rising = falling;
+  std::ranges::reverse(rising.columns[4]);
+  rising.columns[7] = rising.columns[4];
+  for (const model::SupportTable& table : {falling, rising}) {
+    const structure::SupportCurves curves = structure::curves_of(table);
+    const Campbell diagram = campbell(free_rotor(bouncing_machine(table)), speeds(20, 120, 41), 100);
+    std::size_t whirls = 0, expected = 0;
+    for (const double speed_hz : speeds(20, 120, 41)) {
+      const double rate = curves[4](speed_hz) / bouncing_mass_kg;
+      const double square = 2 * 3e4 / bouncing_mass_kg - rate * rate;
+      expected += square > 0 ? 2 : 0;
+      for (const CampbellMode& mode : diagram.modes) {
+        for (const CampbellPoint& point : mode.points) {
+          // Overdamped motions of x and y that the gyroscopic moment couples whirl a little as they decay.
+          constexpr double hardly_any_whirl = 0.9999;
+          if (point.speed_hz != speed_hz || point.damping_ratio > hardly_any_whirl) continue;
+          ++whirls;
+          EXPECT_NEAR(point.frequency_hz, std::sqrt(square) / (2 * pi), 1e-3 * point.frequency_hz) << speed_hz;
+        }
+      }
+    }
+    EXPECT_EQ(whirls, expected);
+    EXPECT_GT(expected, 30u);
+    EXPECT_EQ(diagram.critical_speeds.empty(), &table == &rising) << diagram.critical_speeds.size();
+  }
+}
+
+/// What makes a rotor unstable is shown, however fast it is beside the speeds that were asked for.
+TEST(Campbell, ShowsWhatGrows) {
+  model::Machine machine = scene::one_side_machine();
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
+  FreeRotor rotor = free_rotor(machine);
+  rotor.full.system.stiffness(0, 1) = 0.1 * rotor.full.system.stiffness(0, 0);
+  rotor.full.system.stiffness(1, 0) = -rotor.full.system.stiffness(0, 1);
+  const Campbell diagram = campbell(rotor, speeds(0.1, 0.2, 2), 0.5);
+  ASSERT_EQ(diagram.growth.size(), 2u);
+  // -s^2 = w^2 (1 -+ 0.1 i).
+  const double growth = 60 * pi * std::sqrt(std::complex<double>(-1, 0.1)).real();
+  EXPECT_NEAR(diagram.growth.front().growth_per_s, growth, 1e-9 * growth);
+  double least = 1;
+  for (const CampbellMode& mode : diagram.modes) least = std::min(least, mode.points.front().damping_ratio);
+  EXPECT_NEAR(least, -growth / (60 * pi * std::abs(std::sqrt(std::complex<double>(-1, 0.1)))), 1e-9);
+}
+
+/// Ratios are those of all modes, not of some: of a uniform shaft at rest each is as it was said.
+TEST(Campbell, RatiosOfModesAreThose) {
+  model::RotorKit kit = simply_supported(24);
+  kit.damping_ratio = {0.01, 0.03};
+  for (const CampbellMode& mode : campbell(free_rotor(with_kit(kit)), speeds(0, 0.001, 2), 2000).modes)
+    EXPECT_NEAR(mode.points.front().damping_ratio, mode.number <= 2 ? 0.01 : 0.03, 1e-9) << mode.number;
 }
 
 }  // namespace

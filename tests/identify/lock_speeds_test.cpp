@@ -79,6 +79,18 @@ TEST(LockSpeeds, OnASpeedOfTheDiagramAreFoundOnce) {
   EXPECT_NEAR(found[1].speed_hz, 30 / (1 - 2 * 0.1 / 3 + 0.1), 1e-9) << "p = 2, q = 1";
 }
 
+/// A mode that is overdamped at the first speeds has fewer points than the other: they are matched by speed.
+TEST(LockSpeeds, OfAModeThatBeginsLaterAreThoseOfTheSamePieces) {
+  Campbell diagram = split(0.2);
+  auto& points = diagram.modes[1].points;
+  points.erase(points.begin(), points.begin() + 2);
+  const std::vector<LockSpeed> found = lock_speeds(diagram);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].speed_hz, 40 / 1.5, 1e-9);
+  points.erase(points.begin());  // begins at 30 Hz, beyond the lock
+  EXPECT_TRUE(lock_speeds(diagram).empty());
+}
+
 TEST(LockSpeeds, NoneOfASingleMode) {
   Campbell diagram = split(0.2);
   diagram.modes.pop_back();

@@ -140,6 +140,10 @@ DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine
                                                   : analysis_eccentricity_m(study.machine, check.whole.to_hz);
   check.vibration_limit_m = vibration_limit_m(check.whole.to_hz);
   const identify::Campbell modes = modes_over(check.whole, study.machine);
+  for (const identify::GrowthAt& one : modes.growth) {
+    if (one.growth_per_s > check.whole_growth.growth_per_s) check.whole_growth = one;
+    if (check.operating.contains(one.speed_hz) && one.growth_per_s > check.growth.growth_per_s) check.growth = one;
+  }
   const std::vector<double> speeds_hz = response_speeds(check.whole, modes.critical_speeds);
   check.probes = probe_responses(prepared, check.eccentricity_m, within(check.operating, speeds_hz));
   check.scale = scale_factor(check.vibration_limit_m, check.worst_probe().major_axis_m.value);

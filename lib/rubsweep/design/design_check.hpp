@@ -9,6 +9,7 @@
 #include "rubsweep/design/dry_whip.hpp"
 #include "rubsweep/design/kick_threshold.hpp"
 #include "rubsweep/design/largest_over_speed.hpp"
+#include "rubsweep/identify/campbell.hpp"
 #include "rubsweep/identify/lock_speeds.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/study.hpp"
@@ -58,6 +59,8 @@ struct DesignCheck {
   double scale = 0;                         ///< of the eccentricity: what follows is with it
   std::vector<ClearanceMargin> clearances;  ///< one for each stop, over the whole range
   std::vector<WhipMargin> whips;            ///< one for each annular stop
+  /// Fastest growth of a free vibration within the operating range, and over the whole range; 0: none grows.
+  identify::GrowthAt growth, whole_growth;
   std::vector<identify::LockSpeed> locks;   ///< in the operating range
   std::vector<KickThreshold> kicks;         ///< ascending by speed
   std::string no_kicks;                     ///< why there are none; else empty

@@ -29,6 +29,17 @@ class Lengths {
   model::ShownLengths shown_;
 };
 
+/// The response of a rotor that grows does not last: that it keeps a limit means nothing.
+std::string_view if_lasting(bool met, const identify::GrowthAt& growth) {
+  return met && growth.growth_per_s > 0 ? "of a motion that does not last" : verdict(met);
+}
+
+std::string stability_lines(const DesignCheck& check) {
+  if (check.growth.growth_per_s == 0) return "stability every free vibration decays in the operating range: ok\n";
+  return fmt::format("stability a free vibration grows by {:.4g} 1/s at {}: NOT MET\n", check.growth.growth_per_s,
+                     speed(check.growth.speed_hz));
+}
+
 std::string_view end_of_scale(double scale) {
   if (scale == largest_scale_factor) return ", the most";
   return scale == smallest_scale_factor ? ", the least" : "";
@@ -41,7 +52,8 @@ std::string vibration_lines(const DesignCheck& check, const Lengths& length) {
     const ProbeResponse& probe = check.probes[k];
     text +=
         fmt::format("  probe {}{}: {} at {}: {}\n", k, at(probe.position_m), length(probe.major_axis_m.value),
-                    speed(probe.major_axis_m.speed_hz), verdict(probe.major_axis_m.value <= check.vibration_limit_m));
+                    speed(probe.major_axis_m.speed_hz), 
+                    if_lasting(probe.major_axis_m.value <= check.vibration_limit_m, check.growth));
   }
   return text + fmt::format("scale     x {:.4g}{}, eccentricity {} in all that follows\n", check.scale,
                             end_of_scale(check.scale), length(check.scale * check.eccentricity_m));
@@ -58,7 +70,7 @@ std::string clearance_lines(const DesignCheck& check, const Lengths& length) {
     }
     text += fmt::format("  stop {}{}: {} of {} at {}, margin {:.1f} %: {}\n", one.stop, at(one.position_m),
                         length(one.major_axis_m), length(clearance_share * one.diametral_clearance_m),
-                        speed(one.speed_hz), 100 * one.margin, verdict(one.margin >= 0));
+                        speed(one.speed_hz), 100 * one.margin, if_lasting(one.margin >= 0, check.whole_growth));
   }
   return text;
 }
@@ -113,7 +125,7 @@ std::string design_page(const DesignCheck& check, const model::ShownLengths& sho
   const Lengths length(shown);
   return fmt::format("operating {} to {}, clearances from {} on\n", speed(check.operating.from_hz),
                      speed(check.operating.to_hz), speed(check.whole.from_hz)) +
-         vibration_lines(check, length) + clearance_lines(check, length) + whip_lines(check) + lock_lines(check) +
+         stability_lines(check) + vibration_lines(check, length) + clearance_lines(check, length) + whip_lines(check) + lock_lines(check) +
          kick_lines(check);
 }
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "rubsweep/batch/csv_table.hpp"
@@ -37,15 +39,22 @@ std::string stop_name(std::size_t stop) { return fmt::format("stop {}", stop); }
 
 std::string design_check_csv(const DesignCheck& check) {
   std::string text = "check,place,position_m,speed_hz,value,limit,unit,margin,verdict\n";
+  // The response of a rotor that grows does not last: what it would keep is no verdict.
+  const auto if_lasting = [](bool met, const identify::GrowthAt& growth) {
+    return !met || growth.growth_per_s == 0 ? std::optional(met) : std::nullopt;
+  };
   for (std::size_t k = 0; k < check.probes.size(); ++k) {
     const ProbeResponse& probe = check.probes[k];
     const double margin = 1 - probe.major_axis_m.value / check.vibration_limit_m;
     text += row_of({"vibration", fmt::format("probe {}", k), probe.position_m, probe.major_axis_m.speed_hz,
-                    probe.major_axis_m.value, check.vibration_limit_m, "m", margin, margin >= 0});
+                    probe.major_axis_m.value, check.vibration_limit_m, "m", margin,
+                    if_lasting(margin >= 0, check.growth)});
   }
   for (const ClearanceMargin& one : check.clearances) {
     text += row_of({"clearance", stop_name(one.stop), one.position_m, one.speed_hz, one.major_axis_m,
-                    clearance_share * one.diametral_clearance_m, "m", one.margin, one.margin >= 0});
+                    clearance_share * one.diametral_clearance_m, "m",
+                    std::isfinite(one.margin) ? one.margin : nothing,
+                    if_lasting(one.margin >= 0, check.whole_growth)});
   }
   for (const WhipMargin& one : check.whips) {
     text += row_of({"dry_whip",
@@ -58,6 +67,16 @@ std::string design_check_csv(const DesignCheck& check) {
                     one.margin(),
                     one.margin() > 0});
   }
+  const bool grows = check.growth.growth_per_s > 0;
+  text += row_of({"stability",
+                  "",
+                  {},
+                  grows ? check.growth.speed_hz : nothing,
+                  check.growth.growth_per_s,
+                  0,
+                  "1/s",
+                  nothing,
+                  !grows});
   if (const KickThreshold* kick = check.smallest_kick(); kick != nullptr)
     text += row_of({"kick", "", {}, kick->speed_hz, *kick->force_n, nothing, "N", nothing, {}});
   return text;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "rubsweep/error.hpp"
 #include "rubsweep/identify/whirl_modes.hpp"
 #include "rubsweep/numerics/assignment.hpp"
 
@@ -24,9 +25,16 @@ struct Followed {
 };
 using Curve = std::vector<Followed>;
 
-/// For each of `from` the one of `to` that continues it; empty where none does.
-std::vector<std::optional<std::size_t>> continuation(const std::vector<const WhirlMode*>& from,
-                                                     const std::vector<WhirlMode>& to, double& least) {
+/// The curves between two speeds: which of `to` continues each of `from`, empty where none does, and which are
+/// new.
+struct Continuation {
+  std::vector<std::optional<std::size_t>> next;
+  std::vector<std::size_t> fresh;
+  bool doubtful = false;  ///< about whirl of at most the frequency that is looked at
+};
+
+Continuation continuation(const std::vector<const WhirlMode*>& from, const std::vector<WhirlMode>& to,
+                          double up_to_hz) {
   const auto size = static_cast<Eigen::Index>(std::max(from.size(), to.size()));
   Eigen::MatrixXd cost = Eigen::MatrixXd::Ones(size, size);
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -34,58 +42,77 @@ std::vector<std::optional<std::size_t>> continuation(const std::vector<const Whi
       cost(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = 1 - assurance(*from[i], to[k]);
   }
   const auto taken = numerics::cheapest_assignment(cost);
-  std::vector<std::optional<std::size_t>> found(from.size());
-  least = 1;
+  Continuation found;
+  found.next.resize(from.size());
+  std::vector<bool> known(to.size(), false);
   for (std::size_t i = 0; i < from.size(); ++i) {
     const double match = 1 - cost(static_cast<Eigen::Index>(i), taken[i]);
-    least = std::min(least, match);
-    if (match >= alike) found[i] = static_cast<std::size_t>(taken[i]);
+    found.doubtful = found.doubtful || (match < sure && from[i]->frequency_hz() <= up_to_hz);
+    if (match < alike) continue;
+    found.next[i] = static_cast<std::size_t>(taken[i]);
+    known[*found.next[i]] = true;
+  }
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    if (known[k]) continue;
+    found.fresh.push_back(k);
+    found.doubtful = found.doubtful || to[k].frequency_hz() <= up_to_hz;
   }
   return found;
 }
 
-/// Follows the modes of a rotor from its first speed on.
+/// Follows the modes of a rotor from its first speed on. Curves end where a mode becomes overdamped, and begin
+/// where one is no longer.
 class Follower {
  public:
-  Follower(const WhirlProblem& problem, double speed_hz) : problem_(problem) {
-    for (WhirlMode& mode : problem.at(speed_hz)) {
-      open_.push_back(curves_.size());
-      curves_.push_back({{speed_hz, std::move(mode)}});
-    }
+  Follower(const WhirlProblem& problem, double speed_hz, double up_to_hz)
+      : problem_(problem), last_hz_(speed_hz), up_to_hz_(up_to_hz) {
+    WhirlModes found = problem.at(speed_hz);
+    growth_per_s_ = found.growth_per_s;
+    for (WhirlMode& mode : found.modes) begin(speed_hz, std::move(mode));
   }
 
   void advance(double speed_hz, int halvings = 0) {
-    std::vector<WhirlMode> modes = problem_.at(speed_hz);
+    WhirlModes found = problem_.at(speed_hz);
     std::vector<const WhirlMode*> last;
     for (const std::size_t curve : open_) last.push_back(&curves_[curve].back().mode);
-    double least = 1;
-    const auto next = continuation(last, modes, least);
-    const double before_hz = open_.empty() ? speed_hz : curves_[open_.front()].back().speed_hz;
-    if (least < sure && halvings < most_halvings && before_hz < speed_hz) {
-      advance(before_hz + (speed_hz - before_hz) / 2, halvings + 1);
+    const Continuation to = continuation(last, found.modes, up_to_hz_);
+    if (to.doubtful && halvings < most_halvings && last_hz_ < speed_hz) {
+      advance(last_hz_ + (speed_hz - last_hz_) / 2, halvings + 1);
       advance(speed_hz, halvings + 1);
       return;
     }
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < open_.size(); ++i) {
-      if (!next[i]) continue;
+      if (!to.next[i]) continue;
       open.push_back(open_[i]);
-      curves_[open_[i]].push_back({speed_hz, modes[*next[i]]});
+      curves_[open_[i]].push_back({speed_hz, std::move(found.modes[*to.next[i]])});
     }
     open_ = std::move(open);
+    for (const std::size_t k : to.fresh) begin(speed_hz, std::move(found.modes[k]));
+    last_hz_ = speed_hz;
+    growth_per_s_ = found.growth_per_s;
   }
 
   const std::vector<Curve>& curves() const { return curves_; }
+  double growth_per_s() const { return growth_per_s_; }  ///< at the last speed
 
  private:
+  void begin(double speed_hz, WhirlMode mode) {
+    open_.push_back(curves_.size());
+    curves_.push_back({{speed_hz, std::move(mode)}});
+  }
+
   const WhirlProblem& problem_;
+  double last_hz_, up_to_hz_, growth_per_s_ = 0;
   std::vector<Curve> curves_;
   std::vector<std::size_t> open_;  ///< curves that have not ended
 };
 
-/// The mode at a speed that is most like `reference`.
+/// The mode at a speed that is most like one of a speed nearby.
 WhirlMode alike_at(const WhirlProblem& problem, double speed_hz, const WhirlMode& reference) {
-  std::vector<WhirlMode> modes = problem.at(speed_hz);
+  if (auto continued = problem.continued(reference, speed_hz)) return std::move(*continued);
+  const std::vector<WhirlMode> modes = problem.at(speed_hz).modes;
+  if (modes.empty()) throw SolverError("Campbell diagram: a mode is lost between two speeds");
   return *std::ranges::max_element(modes, {},
                                    [&](const WhirlMode& mode) { return assurance(mode, reference); });
 }
@@ -138,9 +165,11 @@ ModeShape shape_of(const FreeRotor& rotor, const Followed& at, int number) {
   return shape;
 }
 
-bool comes_below(const Curve& curve, double up_to_hz) {
-  return std::ranges::any_of(curve,
-                             [&](const Followed& point) { return point.mode.frequency_hz() <= up_to_hz; });
+/// Whether a curve comes below a frequency, or grows: a diagram shows every mode that makes a rotor unstable.
+bool is_shown(const Curve& curve, double up_to_hz) {
+  return std::ranges::any_of(curve, [&](const Followed& point) {
+    return point.mode.frequency_hz() <= up_to_hz || point.mode.root_per_s.real() > 0;
+  });
 }
 
 CampbellMode asked_points(const Curve& curve, int number, std::span<const double> speeds_hz) {
@@ -149,6 +178,7 @@ CampbellMode asked_points(const Curve& curve, int number, std::span<const double
   for (const double speed_hz : speeds_hz) {
     while (k < curve.size() && curve[k].speed_hz < speed_hz) ++k;
     if (k == curve.size()) break;
+    if (curve[k].speed_hz > speed_hz) continue;
     const WhirlMode& whirl = curve[k].mode;
     mode.points.push_back({speed_hz, whirl.frequency_hz(), whirl.damping_ratio(), whirl.forward_share});
   }
@@ -158,14 +188,18 @@ CampbellMode asked_points(const Curve& curve, int number, std::span<const double
 }  // namespace
 
 Campbell campbell(const FreeRotor& rotor, std::span<const double> speeds_hz, double up_to_hz) {
-  const WhirlProblem problem(rotor);
-  Follower follower(problem, speeds_hz.front());
-  for (const double speed_hz : speeds_hz.subspan(1)) follower.advance(speed_hz);
-  Campbell diagram{rotor.position_m, {}, {}, {}};
+  const WhirlProblem problem(rotor, speeds_hz, up_to_hz);
+  Campbell diagram{rotor.position_m, {}, {}, {}, {}};
+  Follower follower(problem, speeds_hz.front(), up_to_hz);
+  diagram.growth.push_back({speeds_hz.front(), follower.growth_per_s()});
+  for (const double speed_hz : speeds_hz.subspan(1)) {
+    follower.advance(speed_hz);
+    diagram.growth.push_back({speed_hz, follower.growth_per_s()});
+  }
   int number = 0;
   for (const Curve& curve : follower.curves()) {
     ++number;
-    if (number > 2 && !comes_below(curve, up_to_hz)) continue;
+    if (number > 2 && !is_shown(curve, up_to_hz)) continue;
     diagram.modes.push_back(asked_points(curve, number, speeds_hz));
     const std::vector<Followed> critical = critical_points(problem, curve);
     for (const auto& [speed_hz, mode] : critical)

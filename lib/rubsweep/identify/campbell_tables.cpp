@@ -55,6 +55,7 @@ std::string mode_shapes_csv(const Campbell& diagram) {
 std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& locks) {
   std::string text;
   for (const CampbellMode& mode : diagram.modes) {
+    if (mode.points.empty()) continue;  // it whirls between two of the speeds alone
     const CampbellPoint &first = mode.points.front(), &last = mode.points.back();
     text += fmt::format("mode {:<4} {:.5g} Hz at {}, {:.5g} Hz at {} ({})", mode.number, first.frequency_hz,
                         model::speed_text(first.speed_hz, 5), last.frequency_hz, model::speed_text(last.speed_hz, 5),
@@ -62,6 +63,12 @@ std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& lo
     const bool unstable = std::ranges::any_of(mode.points, [](const auto& p) { return p.damping_ratio < 0; });
     text += unstable ? ", unstable at some speeds\n" : "\n";
   }
+  GrowthAt worst;
+  for (const GrowthAt& one : diagram.growth)
+    if (one.growth_per_s > worst.growth_per_s) worst = one;
+  if (worst.growth_per_s > 0)
+    text += fmt::format("unstable  a free vibration grows by up to {:.4g} 1/s, at {}\n", worst.growth_per_s,
+                        model::speed_text(worst.speed_hz));
   for (const CriticalSpeed& critical : diagram.critical_speeds) {
     text += fmt::format("critical  {}, mode {}, {}, damping ratio {:.4g}\n", model::speed_text(critical.speed_hz),
                         critical.mode, whirl_of(critical.forward_share), critical.damping_ratio);

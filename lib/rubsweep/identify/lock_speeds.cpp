@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "rubsweep/numerics/pchip.hpp"
@@ -17,6 +18,11 @@ constexpr double most_damping_ratio = 0.5;  ///< a mode damped more is gone befo
 
 double signed_hz(const CampbellPoint& point) {
   return point.forward_share >= 0.5 ? point.frequency_hz : -point.frequency_hz;
+}
+
+bool lasts_somewhere(const CampbellMode& mode) {
+  return std::ranges::any_of(mode.points,
+                             [](const CampbellPoint& point) { return point.damping_ratio <= most_damping_ratio; });
 }
 
 /// A mode over the speed.
@@ -43,17 +49,25 @@ Branch branch_of(const CampbellMode& mode) {
   return {mode.number, speeds, ratios, numerics::Pchip(speeds, frequencies)};
 }
 
-/// Adds where the two lock, one root at most in each piece of the diagram.
+/// Place of a speed among those of a branch; empty where the mode does not whirl there.
+std::optional<std::size_t> place_of(const Branch& branch, double speed_hz) {
+  const auto found = std::ranges::lower_bound(branch.speed_hz, speed_hz);
+  if (found == branch.speed_hz.end() || *found != speed_hz) return std::nullopt;
+  return static_cast<std::size_t>(found - branch.speed_hz.begin());
+}
+
+/// Adds where the two lock, one root at most in each piece of the diagram that both have.
 void add_roots(const Branch& first, const Branch& second, int p, int q, std::vector<LockSpeed>& found) {
   const auto excess = [&](double hz) {
     return (p - q) * hz - p * first.signed_hz(hz) + q * second.signed_hz(hz);
   };
-  const std::size_t points = std::min(first.speed_hz.size(), second.speed_hz.size());
-  for (std::size_t k = 0; k < points; ++k) {
+  for (std::size_t k = 0; k < first.speed_hz.size(); ++k) {
     const double end = first.speed_hz[k];
-    if (!first.lasts_at(k) || !second.lasts_at(k)) continue;
+    const auto place = place_of(second, end);
+    if (!place || !first.lasts_at(k) || !second.lasts_at(*place)) continue;
     if (excess(end) == 0 && end > 0) found.push_back({first.number, second.number, p, q, end});
-    if (k == 0 || !first.lasts_up_to(k) || !second.lasts_up_to(k)) continue;
+    if (k == 0 || *place == 0 || second.speed_hz[*place - 1] != first.speed_hz[k - 1]) continue;
+    if (!first.lasts_up_to(k) || !second.lasts_up_to(*place)) continue;
     if (!(excess(first.speed_hz[k - 1]) * excess(end) < 0)) continue;
     double low = first.speed_hz[k - 1], high = end;
     for (int i = 0; i < halvings; ++i) {
@@ -69,7 +83,7 @@ void add_roots(const Branch& first, const Branch& second, int p, int q, std::vec
 std::vector<LockSpeed> lock_speeds(const Campbell& diagram) {
   std::vector<Branch> branches;
   for (const CampbellMode& mode : diagram.modes)
-    if (branches.size() < most_modes && !mode.points.empty()) branches.push_back(branch_of(mode));
+    if (branches.size() < most_modes && lasts_somewhere(mode)) branches.push_back(branch_of(mode));
   std::vector<LockSpeed> found;
   for (const Branch& first : branches) {
     for (const Branch& second : branches) {

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/numerics/spectral/hermitian.hpp"
+#include "rubsweep/structure/stability.hpp"
 
 namespace rubsweep::identify {
 namespace {
@@ -14,89 +15,162 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-constexpr double same_root = 1e-7;  ///< of its size: rounding of a double root, and far below any split
+constexpr double same_root = 1e-7;   ///< of its size: rounding of a double root, and far below any split
+constexpr double least_whirl = 1e-7; ///< of the size of a root: rounding of a double overdamped one
 
-/// lower^-1 matrix lower^-T.
-Eigen::MatrixXd normalised(const numerics::dense::CholeskyFactors& mass, const Eigen::MatrixXd& matrix) {
-  const Eigen::MatrixXd half = mass.solve_lower(matrix);
-  return mass.solve_lower(half.transpose()).transpose();
+bool whirls(Complex root) { return root.imag() > least_whirl * std::abs(root); }
+
+bool inside(Complex root, const structure::RateDisc& disc) {
+  return std::abs(root - disc.centre) <= disc.radius;
+}
+
+/// Positive definite also where a coordinate has no mass.
+Eigen::MatrixXd with_mass(Eigen::MatrixXd mass) {
+  constexpr double hardly_any = 1e-9;
+  const double largest = mass.diagonal().maxCoeff();
+  for (Eigen::Index i = 0; i < mass.rows(); ++i)
+    if (mass.row(i).isZero(0)) mass(i, i) = hardly_any * largest;
+  return mass;
+}
+
+/// Frees a root of growth that is not certain.
+void drop_rounding(const structure::SpeedMatrices& matrices, bool dissipates, const Eigen::VectorXcd& shape,
+                   Complex& root) {
+  if (!(root.real() > 0)) return;
+  if (dissipates || root.real() <= structure::rate_rounding_per_s(matrices, root, shape))
+    root = {0, root.imag()};
+}
+
+bool never_grows(const structure::SpeedMatrices& matrices) {
+  constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+  return structure::dissipates(matrices.mass, matrices.damping, matrices.stiffness, rounding);
+}
+
+/// Rates at one speed that a diagram shows, wherever they are: whirl up to `fastest`, the slowest two, and what
+/// grows.
+std::vector<Complex> wanted_rates(const structure::SpeedMatrices& matrices, double fastest) {
+  constexpr std::size_t slowest = 2;
+  // Faster rates are those of single elements, and less growth may be rounding.
+  constexpr double far = 1e3, growth = 1e-7;
+  const bool dissipating = never_grows(matrices);
+  std::vector<Complex> found, wanted;
+  for (const Complex root : structure::all_rates_per_s(matrices, 4 * fastest)) {
+    if (whirls(root)) found.push_back(root);
+    if (!dissipating && root.imag() >= 0 && std::abs(root) < far * fastest && root.real() > growth * std::abs(root))
+      wanted.push_back(root);
+  }
+  std::ranges::sort(found, {}, [](Complex root) { return root.imag(); });
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (k < slowest || found[k].imag() <= fastest) wanted.push_back(found[k]);
+  return wanted;
 }
 
 }  // namespace
 
 double WhirlMode::frequency_hz() const { return root_per_s.imag() / (2 * pi); }
 
-double WhirlMode::damping_ratio() const { return -root_per_s.real() / std::abs(root_per_s); }
+double WhirlMode::damping_ratio() const {
+  return root_per_s.real() == 0 ? 0 : -root_per_s.real() / std::abs(root_per_s);
+}
 
 double assurance(const WhirlMode& a, const WhirlMode& b) { return std::norm(a.state.dot(b.state)); }
 
-WhirlProblem::WhirlProblem(const FreeRotor& rotor) : mass_(rotor.system.mass) {
-  stiffness_ = normalised(mass_, rotor.system.stiffness);
-  damping_ = normalised(mass_, rotor.system.damping);
-  gyroscopic_ = normalised(mass_, rotor.system.gyroscopic);
-  circulatory_ = rotor.circulatory.size() > 0 ? normalised(mass_, rotor.circulatory)
-                                              : Eigen::MatrixXd::Zero(stiffness_.rows(), stiffness_.cols());
-  if (!(stiffness_.diagonal().minCoeff() > 0))
-    throw ConfigError("rotor.supports: they do not hold the shaft at some speed of their tables");
-  rad_per_s_ = stiffness_.diagonal().cwiseSqrt();
-  const auto slowness = rad_per_s_.cwiseInverse().asDiagonal();
-  if (!rotor.tables.empty()) tabled_ = rotor;
-  spin_ = Complex(0, 1) * (slowness * normalised(mass_, rotor.spin) * slowness).cast<Complex>();
+WhirlProblem::WhirlProblem(const FreeRotor& rotor, std::span<const double> speeds_hz, double up_to_hz)
+    : full_(rotor.full),
+      mass_(with_mass(full_.system.mass)),
+      spin_(Complex(0, 1) * rotor.spin.cast<Complex>()) {
+  const double fastest = 2 * pi * up_to_hz;
+  discs_ = {{0, 4 * fastest}};
+  std::vector<Complex> wanted;
+  for (const double speed_hz : {speeds_hz.front(), speeds_hz[speeds_hz.size() / 2], speeds_hz.back()}) {
+    for (const Complex root : wanted_rates(matrices(speed_hz), fastest)) {
+      if (std::abs(root) <= 2 * root.imag() || root.real() > 0) {
+        discs_.front().radius = std::max(discs_.front().radius, 1.5 * std::abs(root));
+      } else {
+        wanted.push_back(root);
+      }
+    }
+    if (speeds_hz.size() == 1) break;
+  }
+  // Hardly any oscillation: far to the left of the others.
+  for (const Complex root : wanted) {
+    if (std::ranges::none_of(discs_, [&](const auto& disc) { return inside(root, disc); }))
+      discs_.push_back({root.real(), std::max(2 * fastest, 0.3 * std::abs(root.real()))});
+  }
 }
 
-std::vector<WhirlMode> WhirlProblem::at(double speed_hz) const {
-  if (!tabled_.tables.empty()) return WhirlProblem(rotor_at(tabled_, speed_hz)).at(speed_hz);
-  const Eigen::Index n = rad_per_s_.size();
-  Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-  generator.topRightCorner(n, n) = rad_per_s_.asDiagonal();
-  const Eigen::MatrixXd stiffness = stiffness_ + 2 * pi * speed_hz * circulatory_;
-  generator.bottomLeftCorner(n, n) = -stiffness * rad_per_s_.cwiseInverse().asDiagonal();
-  generator.bottomRightCorner(n, n) = -damping_ - 2 * pi * speed_hz * gyroscopic_;
-  const numerics::dense::GeneralModes all = numerics::dense::general_modes(generator, true);
-  if (!all.converged) throw SolverError("whirl modes: the iteration does not converge");
-  std::vector<WhirlMode> modes;
-  for (Eigen::Index k = 0; k < 2 * n; ++k) {
-    const Complex root = all.values(k);
-    if (root.imag() > 0) modes.push_back(mode_of(root, all.vectors.col(k)));
+structure::SpeedMatrices WhirlProblem::matrices(double speed_hz) const {
+  const double speed = 2 * pi * speed_hz;
+  return structure::matrices_at(full_, speed, full_.tables.empty() ? std::nullopt : std::optional(speed));
+}
+
+WhirlModes WhirlProblem::at(double speed_hz) const {
+  const structure::SpeedMatrices now = matrices(speed_hz);
+  const bool dissipating = never_grows(now);
+  WhirlModes whirl;
+  std::vector<WhirlMode>& modes = whirl.modes;
+  for (std::size_t d = 0; d < discs_.size(); ++d) {
+    const structure::FreeModes found = structure::free_modes(now, discs_[d]);
+    for (Eigen::Index k = 0; k < found.rate_per_s.size(); ++k) {
+      Complex root = found.rate_per_s(k);
+      const bool known = std::any_of(discs_.begin(), discs_.begin() + static_cast<std::ptrdiff_t>(d),
+                                     [&](const auto& disc) { return inside(root, disc); });
+      if (known || root.imag() < 0) continue;
+      drop_rounding(now, dissipating, found.shape.col(k), root);
+      whirl.growth_per_s = std::max(whirl.growth_per_s, root.real());
+      if (whirls(root)) modes.push_back(mode_of(root, found.shape.col(k), now.mass));
+    }
   }
   std::stable_sort(modes.begin(), modes.end(), [](const WhirlMode& a, const WhirlMode& b) {
     return a.root_per_s.imag() < b.root_per_s.imag();
   });
-  part_by_direction(modes);
-  return modes;
+  part_by_direction(modes, now.mass);
+  return whirl;
 }
 
-WhirlMode WhirlProblem::mode_of(Complex root, const Eigen::VectorXcd& state) const {
+std::optional<WhirlMode> WhirlProblem::continued(const WhirlMode& mode, double speed_hz) const {
+  constexpr double certain = 0.5;
+  const structure::SpeedMatrices now = matrices(speed_hz);
+  Complex root = mode.root_per_s;
+  Eigen::VectorXcd shape = mode.shape.normalized();
+  if (!structure::follow_free_mode(now, root, shape) || !whirls(root)) return std::nullopt;
+  drop_rounding(now, never_grows(now), shape, root);
+  WhirlMode found = mode_of(root, shape, now.mass);
+  return assurance(found, mode) > certain ? std::optional(std::move(found)) : std::nullopt;
+}
+
+WhirlMode WhirlProblem::mode_of(Complex root, const Eigen::VectorXcd& shape, const Eigen::MatrixXd& mass) const {
   WhirlMode mode;
   mode.root_per_s = root;
-  mode.state = state.normalized();
-  const Eigen::VectorXcd place = mode.state.head(rad_per_s_.size());
-  const Eigen::VectorXcd normal = rad_per_s_.cwiseInverse().cast<Complex>().asDiagonal() * place;
-  mode.shape = mass_.solve_upper(normal.real()).cast<Complex>() +
-               Complex(0, 1) * mass_.solve_upper(normal.imag()).cast<Complex>();
-  mode.forward_share =
-      std::clamp(0.5 * (1 + place.dot(spin_ * place).real() / normal.squaredNorm()), 0.0, 1.0);
+  mode.state = (mass_.upper().cast<Complex>() * shape);
+  const double length = mode.state.norm();
+  mode.state /= length;
+  mode.shape = shape / length;
+  const double forward_less_backward = mode.shape.dot(spin_ * mode.shape).real();
+  const double both = mode.shape.dot(mass * mode.shape).real();
+  mode.forward_share = std::clamp(0.5 * (1 + forward_less_backward / both), 0.0, 1.0);
   return mode;
 }
 
-void WhirlProblem::part_by_direction(std::vector<WhirlMode>& modes) const {
-  const Eigen::Index n = rad_per_s_.size();
+void WhirlProblem::part_by_direction(std::vector<WhirlMode>& modes, const Eigen::MatrixXd& mass) const {
   for (std::size_t begin = 0, end = 0; begin < modes.size(); begin = end) {
     const Complex root = modes[begin].root_per_s;
     while (end < modes.size() && std::abs(modes[end].root_per_s - root) <= same_root * std::abs(root)) ++end;
     const auto count = static_cast<Eigen::Index>(end - begin);
     if (count < 2) continue;
-    Eigen::MatrixXcd states(2 * n, count);
+    Eigen::MatrixXcd states(spin_.rows(), count);
     for (Eigen::Index k = 0; k < count; ++k) states.col(k) = modes[begin + static_cast<std::size_t>(k)].state;
     const Eigen::MatrixXcd base = numerics::spectral::unitary_columns(states, count);
-    const Eigen::MatrixXcd places = base.topRows(n);
+    Eigen::MatrixXcd shapes(base.rows(), count);
+    shapes.real() = mass_.solve_upper(base.real());
+    shapes.imag() = mass_.solve_upper(base.imag());
     // Most backward first.
     const auto directions =
-        numerics::spectral::hermitian_modes(Eigen::MatrixXcd(places.adjoint() * spin_ * places));
-    const Eigen::MatrixXcd parted = base * directions.vectors;
+        numerics::spectral::hermitian_modes(Eigen::MatrixXcd(shapes.adjoint() * spin_ * shapes));
+    const Eigen::MatrixXcd parted = shapes * directions.vectors;
     for (Eigen::Index k = 0; k < count; ++k) {
       WhirlMode& mode = modes[begin + static_cast<std::size_t>(k)];
-      mode = mode_of(mode.root_per_s, parted.col(k));
+      mode = mode_of(mode.root_per_s, parted.col(k), mass);
     }
   }
 }

@@ -278,6 +278,7 @@ void validate(const RotorKit& kit, const std::string& path) {
     if (ratios->empty()) throw ConfigError(path + name + ": at least one number is needed");
     for (const double ratio : *ratios) require(path + name, ratio, RotorKit::damping_ratio_range);
   }
+  require(path + "mass_damping_per_s", kit.mass_damping_per_s, physical::rate_per_s);
   if (has_rotating_damping(kit) && has_pedestals(kit)) {
     throw ConfigError(path +
                       "rotating_damping_ratio: turns with the shaft, and pedestals do not, allowed: 0 beside "

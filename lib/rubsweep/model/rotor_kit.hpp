@@ -176,6 +176,7 @@ struct RotorKit {
   std::vector<double> damping_ratio{0};  ///< structural, of mode 1, 2, ...; the last one goes on
   /// The same for the damping that turns with the shaft; without pedestals, which do not.
   std::vector<double> rotating_damping_ratio{0};
+  double mass_damping_per_s = 0;  ///< damping of shaft, discs and point masses: so many times their mass
   /// Whether clearances and displacements count from where weight and static loads leave the shaft, and not
   /// from its axis without load.
   bool clearances_from_sag = false;

@@ -5,10 +5,16 @@
 #include <algorithm>
 
 #include "rubsweep/model/speed_text.hpp"
+#include "rubsweep/model/support_path.hpp"
 #include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::report {
 namespace {
+
+/// Its name in the file that it was read from.
+std::string named(const model::Support& support) {
+  return support.name.empty() ? "" : " (" + support.name + ")";
+}
 
 std::string place_of(const model::Support& support) {
   return support.at_housing ? fmt::format("housing {}", *support.at_housing)
@@ -37,8 +43,8 @@ std::string explain_tables(const model::Machine& machine, std::vector<double> sp
   for (std::size_t i = 0; i < kit->supports.size(); ++i) {
     const auto& table = kit->supports[i].table;
     if (!table) continue;
-    text += fmt::format("  support {} at {}: table of {} speeds from {}, monotone cubics between\n", i,
-                        place_of(kit->supports[i]), table->speed_hz.size(),
+    text += fmt::format("  support {}{} at {}: table of {} speeds from {}, monotone cubics between\n", i,
+                        named(kit->supports[i]), place_of(kit->supports[i]), table->speed_hz.size(),
                         model::speed_range_text(table->speed_hz.front(), table->speed_hz.back()));
     for (const double speed_hz : shown) text += explain_coefficients(*table, speed_hz);
   }
@@ -52,9 +58,9 @@ std::string describe_sparse_tables(const model::Machine& machine) {
     const auto& table = kit->supports[i].table;
     if (table && table->speed_hz.size() < model::SupportTable::enough_points)
       text += fmt::format(
-          "rotor.supports.{}.table: has {} speeds, which leaves the curve between them to chance; {} or "
+          "{}.table: has {} speeds, which leaves the curve between them to chance; {} or "
           "more are better\n",
-          i, table->speed_hz.size(), model::SupportTable::enough_points);
+          model::support_path(*kit, i), table->speed_hz.size(), model::SupportTable::enough_points);
   }
   return text;
 }

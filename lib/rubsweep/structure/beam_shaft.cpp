@@ -180,6 +180,9 @@ BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<doub
   for (const auto& disc : kit.discs) add_disc(disc, shaft);
   add_point_masses(kit, shaft);
   const Eigen::MatrixXd of_points = shaft.added_mass[1];
+  shaft.damping += kit.mass_damping_per_s * shaft.mass;
+  for (std::size_t a = 0; a < 2; ++a)
+    shaft.support_damping[a][a] += kit.mass_damping_per_s * shaft.added_mass[a];
   add_supports(kit, on_shaft, shaft);
   // A translation as a whole: deflections 1, angles 0. Consistent, so that static sag is exact at the nodes.
   Eigen::VectorXd translation = Eigen::VectorXd::Ones(n);

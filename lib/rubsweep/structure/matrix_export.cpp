@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rubsweep/error.hpp"
+#include "rubsweep/model/support_path.hpp"
 #include "rubsweep/structure/beam_shaft.hpp"
 
 namespace rubsweep::structure {
@@ -33,7 +34,7 @@ void refuse_what_matrices_cannot_say(const model::RotorKit& kit) {
   for (std::size_t i = 0; i < kit.supports.size(); ++i) {
     const model::Support& support = kit.supports[i];
     if (stays_a_support(support) && (support.at_housing || support.on_housing))
-      refuse("rotor.supports." + std::to_string(i), "follows a table or strikes the shaft beside a housing",
+      refuse(model::support_path(kit, i), "follows a table or strikes the shaft beside a housing",
              "such a support of the shaft on the ground or a pedestal");
   }
 }

@@ -9,6 +9,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/model/speed_text.hpp"
+#include "rubsweep/model/support_path.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -24,8 +25,6 @@ void refuse_beyond(const model::SupportTable& table, double speed_hz, const std:
   throw ConfigError(fmt::format("{}table: does not reach {}, allowed: speeds from {}", path,
                                 model::speed_text(speed_hz), model::speed_range_text(low, high)));
 }
-
-std::string path_of(std::size_t support) { return "rotor.supports." + std::to_string(support) + "."; }
 
 }  // namespace
 
@@ -78,7 +77,7 @@ model::Machine machine_at(const model::Machine& machine, double speed_hz) {
   model::Machine at = machine;
   if (model::RotorKit* kit = model::kit_of(at)) {
     for (std::size_t i = 0; i < kit->supports.size(); ++i)
-      kit->supports[i] = support_at(kit->supports[i], speed_hz, path_of(i));
+      kit->supports[i] = support_at(kit->supports[i], speed_hz, model::support_path(*kit, i) + ".");
   }
   return at;
 }
@@ -88,8 +87,8 @@ void refuse_beyond_tables(const model::Machine& machine, double low_hz, double h
   if (kit == nullptr) return;
   for (std::size_t i = 0; i < kit->supports.size(); ++i) {
     if (!kit->supports[i].table) continue;
-    refuse_beyond(*kit->supports[i].table, low_hz, path_of(i));
-    refuse_beyond(*kit->supports[i].table, high_hz, path_of(i));
+    refuse_beyond(*kit->supports[i].table, low_hz, model::support_path(*kit, i) + ".");
+    refuse_beyond(*kit->supports[i].table, high_hz, model::support_path(*kit, i) + ".");
   }
 }
 
@@ -103,7 +102,7 @@ void refuse_changing_mass(const model::Machine& machine, const std::string& what
     const auto& table = kit->supports[i].table;
     if (table && (changes(table->columns[8]) || changes(table->columns[9])))
       throw ConfigError(
-          path_of(i) + "table: " + what +
+          model::support_path(*kit, i) + ".table: " + what +
           " cannot follow a mass that changes with the speed, allowed: mxx and myy that stay the same");
   }
 }

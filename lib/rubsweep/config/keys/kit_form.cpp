@@ -252,6 +252,8 @@ std::vector<Key> rotor_kit_keys() {
        newer(
            {may("rotating_damping_ratio", damping_ratio(),
                 "the same of the damping that turns with the shaft; not beside pedestals", "0"),
+            may("mass_damping_per_s", number(model::physical::rate_per_s),
+                "damping of shaft, discs and point masses: so many times their mass", "0"),
             may("clearances_from", word({"axis", "sag"}),
                 "where clearances and displacements count from: the axis, or where weight and loads leave it",
                 "axis")}),

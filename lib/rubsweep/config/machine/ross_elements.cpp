@@ -169,6 +169,16 @@ void spread(yaml::Section& section, Columns& columns, std::size_t count) {
   }
 }
 
+/// Whether a table over the whirl frequency was refused: motions that are not synchronous feel it at another
+/// frequency than that of the shaft.
+bool refuse_whirl_table(yaml::Section& section) {
+  const auto frequency = given(section, "frequency");
+  if (!frequency || frequency->node.items.size() < 2) return false;
+  refuse(*frequency, "is the whirl frequency since version 3 of ROSS, which coefficients cannot follow here",
+         "a table over speed, that of the shaft");
+  return true;
+}
+
 void read_coefficients(yaml::Section& section, model::Support& support) {
   section.require("kxx", "numbers in N/m");
   Columns columns = read_columns(section);
@@ -239,7 +249,7 @@ AtNode<model::Disc> read_ross_disc(const RossElement& element) {
 AtNode<RossMass> read_ross_mass(const RossElement& element) {
   yaml::Section section(element.value);
   AtNode<RossMass> mass{{}, read_node(section), &element};
-  ignore(section, {"tag", "color", "mz"});
+  ignore(section, {"tag", "color", "scale_factor", "mz"});
   const bool apart = given(section, "mx").has_value() || given(section, "my").has_value();
   double both = 0, x = std::nan(""), y = std::nan("");
   if (!apart) both = std::nan("");
@@ -254,17 +264,18 @@ AtNode<RossMass> read_ross_mass(const RossElement& element) {
   return mass;
 }
 
-AtNode<RossSupport> read_ross_support(const RossElement& element) {
+AtNode<RossSupport> read_ross_support(const RossElement& element, bool whirl_tables) {
   yaml::Section section(element.value);
   AtNode<RossSupport> support{{}, read_node(section), &element};
   // Along the axis and about it nothing couples with bending.
   ignore(section, {"tag", "color", "scale_factor", "kzz", "czz", "mzz", "seal_leakage"});
+  if (whirl_tables && refuse_whirl_table(section)) return support;
   read_coefficients(section, support.part.support);
   if (const auto link = given(section, "n_link")) {
     if (const auto node = read_integer(*link, node_numbers)) support.part.linked_node = static_cast<int>(*node);
   }
   // Classes that compute their coefficients save what they computed them from, too.
-  const bool plain = element.type.starts_with("BearingElement") || element.type.starts_with("SealElement");
+  const bool plain = element.type == "BearingElement" || element.type == "SealElement";
   if (plain) section.refuse_unknown_keys();
   return support;
 }

@@ -11,8 +11,9 @@ namespace rubsweep::config::machine {
 
 /// One element of a ROSS file: the map under "ShaftElement_Shaft Element 0", by its class and its tag.
 struct RossElement {
-  std::string type;  ///< what stands before the first underscore
+  std::string type;  ///< what stands before the first underscore, without 6DoF
   std::string tag;   ///< what stands after it: may have blanks and underscores
+  std::string name;  ///< all of it
   yaml::Value value;
 };
 
@@ -41,6 +42,7 @@ struct RossSupport {
   model::Support support;
   std::optional<int> linked_node;
 };
-AtNode<RossSupport> read_ross_support(const RossElement& element);
+/// `whirl_tables`: coefficients over `frequency` are those of a whirl frequency, not of a speed of the shaft.
+AtNode<RossSupport> read_ross_support(const RossElement& element, bool whirl_tables);
 
 }  // namespace rubsweep::config::machine

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "rubsweep/config/machine/ross_elements.hpp"
+#include "rubsweep/config/machine/ross_settings.hpp"
 #include "rubsweep/config/machine/rotor_kit.hpp"
 #include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/config/yaml/json_document.hpp"
@@ -23,9 +24,13 @@ namespace rubsweep::config::machine {
 namespace {
 
 constexpr std::string_view allowed_ross_file = "a TOML or JSON file of ROSS, named relative to this one";
-constexpr std::array<std::string_view, 8> known_types{
-    "ShaftElement", "ShaftElement6DoF", "DiskElement", "DiskElement6DoF",
-    "PointMass",    "BearingElement",   "SealElement", "a section with kxx"};
+constexpr std::array<std::string_view, 19> known_classes{
+    "ShaftElement",       "DiskElement",           "PointMass",          "BearingElement",
+    "SealElement",        "BallBearingElement",    "RollerBearingElement", "MagneticBearingElement",
+    "BearingFluidFlow",   "CylindricalBearing",    "THDCylindrical",     "PlainJournal",
+    "TiltingPad",         "FluidFilmBearing",      "SqueezeFilmDamper",  "LabyrinthSeal",
+    "HolePatternSeal",    "HybridSeal",            "ThrustPad"};
+constexpr std::string_view with_axial_motion = "6DoF";  ///< end of the name of a class that has this, too
 
 struct Elements {
   std::vector<RossElement> shaft, discs, masses, supports;
@@ -33,12 +38,18 @@ struct Elements {
 
 RossElement element_of(const yaml::Value& value, const std::string& name) {
   const std::size_t underscore = name.find('_');
-  return {name.substr(0, underscore), underscore == std::string::npos ? "" : name.substr(underscore + 1),
-          value};
+  std::string type = name.substr(0, underscore);
+  if (type.ends_with(with_axial_motion)) type.resize(type.size() - with_axial_motion.size());
+  return {std::move(type), underscore == std::string::npos ? "" : name.substr(underscore + 1), name, value};
 }
 
 bool has_key(const yaml::Node& node, std::string_view name) {
   return std::ranges::any_of(node.keys, [&](const yaml::Node::Key& key) { return key.text == name; });
+}
+
+/// Whether an element acts along the axis alone, where nothing couples with bending.
+bool is_thrust_bearing(const RossElement& element) {
+  return has_key(element.value.node, "kzz") && !has_key(element.value.node, "kxx");
 }
 
 /// Sorts the sections of a file. Those of which nothing could be made are refused by their names.
@@ -47,23 +58,23 @@ Elements sorted(const yaml::Value& root) {
   refuse_repeated_keys(root.node, root.path, root.diagnostics);
   for (std::size_t i = 0; i < root.node.items.size(); ++i) {
     const std::string& name = root.node.keys[i].text;
-    if (name == "parameters" || name == "ross_version" || name == "_note") continue;
+    if (is_ross_setting(name)) continue;
     const yaml::Value value{root.node.items[i], yaml::child_path(root.path, name), root.diagnostics};
     RossElement element = element_of(value, name);
     if (value.node.kind != yaml::Node::Kind::map) {
-      refuse(value, yaml::describe(value.node) + " and no element", yaml::describe(known_types));
-    } else if (element.type == "ShaftElement" || element.type == "ShaftElement6DoF") {
+      refuse(value, yaml::describe(value.node) + " and no element", yaml::describe(known_classes));
+    } else if (std::ranges::count(known_classes, element.type) == 0) {
+      refuse(value,
+             "is of a class that cannot be represented, " + yaml::describe_unknown(element.type, known_classes),
+             yaml::describe(known_classes));
+    } else if (element.type == "ShaftElement") {
       elements.shaft.push_back(std::move(element));
-    } else if (element.type == "DiskElement" || element.type == "DiskElement6DoF") {
+    } else if (element.type == "DiskElement") {
       elements.discs.push_back(std::move(element));
     } else if (element.type == "PointMass") {
       elements.masses.push_back(std::move(element));
-    } else if (has_key(value.node, "kxx") && element.type != "CouplingElement") {
+    } else if (!is_thrust_bearing(element)) {
       elements.supports.push_back(std::move(element));
-    } else {
-      refuse(value,
-             "is of a class that cannot be represented, " + yaml::describe_unknown(element.type, known_types),
-             yaml::describe(known_types));
     }
   }
   return elements;
@@ -72,16 +83,31 @@ Elements sorted(const yaml::Value& root) {
 class KitOfElements {
  public:
   /// `file`: where problems of the file as a whole stand.
-  explicit KitOfElements(yaml::Value file) : file_(std::move(file)) {}
+  KitOfElements(yaml::Value file, RossSettings settings) : file_(std::move(file)), settings_(settings) {}
 
-  model::RotorKit build(const Elements& elements) {
-    add_shaft(elements.shaft);
-    if (kit_.shaft.empty()) return kit_;
-    for (const RossElement& element : elements.discs) add_disc(read_ross_disc(element));
-    for (const RossElement& element : elements.masses) add_mass(read_ross_mass(element));
-    for (const RossElement& element : elements.supports) add_support(read_ross_support(element));
+  /// `sound`: nothing of the file was refused yet. What elements are to each other is looked at where each is
+  /// sound by itself: an element that could not be read is missing for no other one.
+  model::RotorKit build(const Elements& elements, bool sound) {
+    const std::size_t problems = file_.diagnostics.count();
+    std::vector<AtNode<model::ShaftSegment>> shaft;
+    std::vector<AtNode<model::Disc>> discs;
+    std::vector<AtNode<RossMass>> masses;
+    std::vector<AtNode<RossSupport>> supports;
+    for (const RossElement& element : elements.shaft) shaft.push_back(read_ross_shaft(element));
+    for (const RossElement& element : elements.discs) discs.push_back(read_ross_disc(element));
+    for (const RossElement& element : elements.masses) masses.push_back(read_ross_mass(element));
+    for (const RossElement& element : elements.supports)
+      supports.push_back(read_ross_support(element, settings_.whirl_tables));
+    if (!sound || file_.diagnostics.count() > problems) return {};
+    add_shaft(std::move(shaft));
+    if (file_.diagnostics.count() > problems) return {};
+    for (const auto& disc : discs) add_disc(disc);
+    for (const auto& mass : masses) add_mass(mass);
+    for (auto& support : supports) add_support(std::move(support));
+    if (file_.diagnostics.count() > problems) return {};
     if (kit_.supports.empty()) refuse(file_, "has no bearing", "supports that hold the shaft");
     refuse_useless_housings();
+    add_damping();
     return kit_;
   }
 
@@ -89,13 +115,9 @@ class KitOfElements {
   int last_node() const { return static_cast<int>(node_m_.size()) - 1; }
 
   /// Elements of one node are layers of one segment: that with the greatest bending stiffness is named first.
-  void add_shaft(const std::vector<RossElement>& elements) {
+  void add_shaft(std::vector<AtNode<model::ShaftSegment>> elements) {
     std::map<int, std::vector<AtNode<model::ShaftSegment>>> by_node;
-    for (const RossElement& element : elements) {
-      const std::size_t problems = element.value.diagnostics.count();
-      auto shaft = read_ross_shaft(element);
-      if (element.value.diagnostics.count() == problems) by_node[shaft.node].push_back(std::move(shaft));
-    }
+    for (auto& shaft : elements) by_node[shaft.node].push_back(std::move(shaft));
     if (elements.empty()) refuse(file_, "has no shaft element", "at least one ShaftElement");
     node_m_.push_back(0);
     for (auto& [node, layers] : by_node) {
@@ -126,6 +148,15 @@ class KitOfElements {
       segment.layers.push_back(layers[i].part);
     }
     return segment;
+  }
+
+  /// Damping of the whole rotor: of all masses, and of the stiffness of all shaft elements.
+  void add_damping() {
+    kit_.mass_damping_per_s = settings_.mass_damping_per_s;
+    for (model::ShaftSegment& segment : kit_.shaft) {
+      segment.stiffness_damping_s += settings_.stiffness_damping_s;
+      for (model::ShaftLayer& layer : segment.layers) layer.stiffness_damping_s += settings_.stiffness_damping_s;
+    }
   }
 
   bool is_on_shaft(int node) const { return node <= last_node(); }
@@ -174,6 +205,7 @@ class KitOfElements {
 
   void add_support(AtNode<RossSupport> read) {
     model::Support& support = read.part.support;
+    support.name = read.element->name;
     if (is_on_shaft(read.node)) {
       support.position_m = node_m_[static_cast<std::size_t>(read.node)];
     } else {
@@ -208,6 +240,7 @@ class KitOfElements {
   }
 
   yaml::Value file_;
+  RossSettings settings_;
   model::RotorKit kit_;
   std::vector<double> node_m_;
   std::map<int, int> housing_of_node_;
@@ -275,8 +308,12 @@ model::RotorKit read_ross_rotor(yaml::Section& section) {
   if (text) {
     const std::filesystem::path beside = name->diagnostics.file_of(name->node.place);
     if (const auto root = parse(*name, beside.parent_path() / *text)) {
-      const Elements elements = sorted({*root, "", name->diagnostics});
-      kit = KitOfElements({*root, name->path, name->diagnostics}).build(elements);
+      const std::size_t problems = name->diagnostics.count();
+      const yaml::Value file{*root, "", name->diagnostics};
+      const Elements elements = sorted(file);
+      const RossSettings settings = read_ross_settings(file);
+      kit = KitOfElements({*root, name->path, name->diagnostics}, settings)
+                .build(elements, name->diagnostics.count() == problems);
       if (unbalance) read_unbalance(*unbalance, elements, kit);
     }
   }

@@ -231,6 +231,7 @@ void read_kit_rest(yaml::Section& section, model::RotorKit& kit) {
   read_inner(section, "torsion", kit.torsion);
   if (const auto value = section.find("damping_ratio")) read_damping_ratio(*value, kit.damping_ratio);
   if (const auto value = section.find("rotating_damping_ratio")) read_rotating_damping_ratio(*value, kit);
+  section.field("mass_damping_per_s", kit.mass_damping_per_s, model::physical::rate_per_s);
   section.field("clearances_from", kit.clearances_from_sag, clearance_origins);
   if (const auto value = section.find("modes")) read_modes(*value, kit);
   section.field("modes_up_to_hz", kit.modes_up_to_hz, model::physical::frequency_hz);
@@ -283,6 +284,7 @@ void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit, MatrixP
   print_inner(printer, "torsion", kit.torsion);
   printer.numbers("damping_ratio", kit.damping_ratio);
   printer.numbers("rotating_damping_ratio", kit.rotating_damping_ratio);
+  if (kit.mass_damping_per_s != 0) printer.number("mass_damping_per_s", kit.mass_damping_per_s);
   printer.field("clearances_from", kit.clearances_from_sag, clearance_origins);
   if (kit.modes) {
     printer.integer("modes", *kit.modes);

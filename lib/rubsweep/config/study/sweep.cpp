@@ -8,6 +8,7 @@
 #include "rubsweep/config/study/place_axes.hpp"
 #include "rubsweep/config/yaml/section.hpp"
 #include "rubsweep/model/speed_text.hpp"
+#include "rubsweep/model/support_path.hpp"
 
 namespace rubsweep::config::study {
 namespace {
@@ -50,7 +51,7 @@ void refuse_speeds_beyond_tables(const yaml::Section& section, const sweep::Grid
     if (beyond == grid.speed_hz.end()) continue;
     section.refuse_together(
         "speed_hz", {"speed_hz", speed_rpm_key},
-        fmt::format("{} is beyond the table of rotor.supports.{}", model::speed_text(*beyond), i),
+        fmt::format("{} is beyond the table of {}", model::speed_text(*beyond), model::support_path(*kit, i)),
         model::speed_range_text(low, high));
     return;
   }

@@ -7,12 +7,6 @@
 #include "rubsweep/structure/stability.hpp"
 
 namespace rubsweep::response::proof {
-namespace {
-
-constexpr double growth_tolerance = 1e-12;  ///< rounding of an undamped mode's real part, per radian
-
-}  // namespace
-
 RestProof::RestProof(const scene::Cell& cell) {
   numerics::ModalFormCache forms;
   *this = RestProof(cell, forms);
@@ -22,7 +16,8 @@ RestProof::RestProof(const scene::Cell& cell, numerics::ModalFormCache& forms) {
   const scene::Scene& scene = cell.scene;
   const auto system = integrate::run::scale<Eigen::Dynamic>(scene);
   const std::optional<numerics::ModalForm>& form = forms.form_of(system.stiffness, system.damping);
-  grows_ = form ? form->growth > growth_tolerance : structure::grows(scene.structure);
+  // The form's own growth may be rounding: of an undamped mode it has either sign.
+  grows_ = (!form || form->growth > 0) && structure::grows(scene.structure);
   // At a whirl ratio of 1 rounding must not decide.
   if (cell.start != scene::Start::quiet) return;
   // With torsion no free vibration is linear.
