@@ -63,8 +63,8 @@ for phase in lag mark sensor; do
     fi
   done
 done
-expect_exit 0 "$minimal" "${steady[@]}" --steady lag.csv --phase sensor --output out
-expect_contains stdout '% of lag.csv are left over: not the right minimum (--starts), bounds, phases (--phase) or machine'
+expect_exit 0 "$minimal" "${steady[@]}" --steady mark.csv --phase sensor --output out
+expect_contains stdout '% of mark.csv are left over: not the right minimum (--starts), bounds, phases (--phase) or machine'
 expect_usage_error '--phase late: allowed: lag, mark, sensor' "$minimal" "${steady[@]}" --steady lag.csv --phase late
 expect_usage_error '--phase: is of tables' "$minimal" --ring-down free/sensors.csv --fit rotor.damping_ratio --phase lag
 
