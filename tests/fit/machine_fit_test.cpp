@@ -90,7 +90,7 @@ TEST(MachineFit, WhatIsMissingIsNamed) {
 TEST(MachineFit, ARunUpOfTheRightMachineRaisesNoWarning) {
   MeasuredData data = run_up(2e-7);
   auto& run = std::get<RunUp>(data.data);
-  // What smoothed marks leave hangs together, and is half a per cent of 1X.
+  // Errors of smoothed marks hang together, and are half a per cent of 1X.
   std::complex<double> error = 0;
   for (Eigen::Index k = 0; k < run.phasor_m.rows(); ++k) {
     error = 0.8 * error + std::complex<double>(0, noise(0.003));
@@ -103,7 +103,7 @@ TEST(MachineFit, ARunUpOfTheRightMachineRaisesNoWarning) {
                      .machine = rotor};
   std::string summary = tables_of(problem, fit_machine(problem, {})).summary;
   EXPECT_EQ(summary.find("warning"), std::string::npos) << summary;
-  // Of a machine with another unbalance in it, something is missing.
+  // A machine with another unbalance misses something.
   problem.eccentricity_m = 1.8e-5;
   summary = tables_of(problem, fit_machine(problem, {})).summary;
   EXPECT_NE(summary.find("something is missing"), std::string::npos) << summary;

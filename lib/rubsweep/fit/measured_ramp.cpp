@@ -67,7 +67,7 @@ Polynomials polynomials(const std::vector<double>& t_s, const std::vector<double
                                       .solve(rotated.head(degree + 1));
     return ((of_turns ? basis.rate : basis.value).leftCols(degree + 1) * found).array();
   };
-  // What is below the rounding of the numbers tells no degree.
+  // Residuals below the rounding of the numbers tell no degree.
   const double rounding = n * std::pow(1e-13 * (1 + all.cwiseAbs().maxCoeff()), 2);
   Eigen::Index best = least;
   double least_criterion = INFINITY;
