@@ -121,18 +121,19 @@ fit::Parameter parameter_of(const RubfitArguments& arguments, const FittedKey& k
 
 std::vector<fit::MeasuredData> data_of(const RubfitArguments& arguments,
                                        const std::vector<double>& angle_deg) {
+  const auto phases = arguments.phases.value_or(fit::PhaseConvention::sensor);
   std::vector<fit::MeasuredData> data;
   for (const auto& file : arguments.ring_downs)
     data.push_back({file.string(), fit::read_ring_down(file, arguments.from_s), false});
   for (const auto& file : arguments.run_ups)
     data.push_back({file.string(), fit::read_run_up(file), arguments.run_out});
   for (const auto& file : arguments.steady)
-    data.push_back({file.string(), fit::read_steady(file, angle_deg), arguments.run_out});
+    data.push_back({file.string(), fit::read_steady(file, angle_deg, phases), arguments.run_out});
   for (const auto& file : arguments.ramped_speeds)
-    data.push_back(
-        {file.string(),
-         fit::as_run_up(fit::read_steady(file, angle_deg), *arguments.rate_hz_per_s, arguments.window_turns),
-         arguments.run_out});
+    data.push_back({file.string(),
+                    fit::as_run_up(fit::read_steady(file, angle_deg, phases), *arguments.rate_hz_per_s,
+                                   arguments.window_turns),
+                    arguments.run_out});
   for (const auto& directory : arguments.rubs)
     data.push_back({directory.string(), fit::read_rub(directory), false});
   return data;
@@ -213,6 +214,11 @@ FittedMachine fitted_machine_of(const RubfitArguments& arguments, const config::
     orbits->follow(machine, asked_of(rub, eccentricity_m));
   };
   return fitted;
+}
+
+void take_phases_as(fit::PhaseConvention other, fit::PhaseConvention read_as, FittedMachine& fitted) {
+  const std::vector<double> angle_deg = identify::sensor_rows(*fitted.first).angle_deg;
+  for (fit::MeasuredData& data : fitted.problem.data) fit::take_phases_as(other, read_as, angle_deg, data);
 }
 
 fit::MachineFit without(const FittedMachine& fitted, const std::vector<std::string>& names) {

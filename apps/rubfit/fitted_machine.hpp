@@ -23,6 +23,9 @@ struct FittedMachine {
 /// data do.
 FittedMachine fitted_machine_of(const RubfitArguments& arguments, const config::RunConfig& config);
 
+/// Takes the phases of its tables in another meaning than the one that they were read in.
+void take_phases_as(fit::PhaseConvention other, fit::PhaseConvention read_as, FittedMachine& fitted);
+
 /// The same with some parameters left as the configuration and the command line have them.
 fit::MachineFit without(const FittedMachine& fitted, const std::vector<std::string>& names);
 

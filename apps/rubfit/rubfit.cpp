@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/fit/fit_tables.hpp"
+#include "rubsweep/fit/modelled_data.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
@@ -72,10 +74,56 @@ int nothing_was_found() {
   return 128 + caught_signal();
 }
 
+/// Largest share that is left of a table whose phases mean what is said; 0 without tables.
+double left_of_tables(const fit::MachineFit& problem, const Eigen::VectorXd& values) {
+  double most = 0;
+  for (std::size_t i = 0; i < problem.data.size(); ++i)
+    if (has_phases_of_a_table(problem.data[i]))
+      most = std::max(most, fit::what_is_left(problem, i, values).share());
+  return most;
+}
+
+/// Takes the phases of tables as what they fit, where nobody has said what they are and as `sensor` they do
+/// not. Returns the line on what they were taken as; without tables an empty one.
+std::string choose_phases(const RubfitArguments& arguments,
+                          const std::function<fit::MachineFitResult(const fit::MachineFit&, int)>& found,
+                          FittedMachine& fitted, fit::MachineFitResult& result) {
+  using enum fit::PhaseConvention;
+  constexpr double too_much = 0.1, far_less = 0.5;
+  if (!std::ranges::any_of(fitted.problem.data, fit::has_phases_of_a_table)) return {};
+  fit::PhaseConvention taken = arguments.phases.value_or(sensor);
+  const double left = left_of_tables(fitted.problem, result.fit.value);
+  std::string doubt;
+  if (!arguments.phases && left > too_much && !result.fit.stopped) {
+    double least = far_less * left;
+    for (const auto other : {lag, mark}) {
+      FittedMachine turned = fitted;
+      take_phases_as(other, taken, turned);
+      fit::MachineFitResult next = found(turned.problem, arguments.starts);
+      if (next.fit.stopped || next.fit.value.size() == 0) break;
+      const double left_so = left_of_tables(turned.problem, next.fit.value);
+      if (!(left_so < least)) continue;
+      least = left_so;
+      taken = other;
+      fitted = std::move(turned);
+      result = std::move(next);
+    }
+    if (taken != sensor)
+      doubt = fmt::format(
+          "warning   phases are taken as --phase {}, which leaves {:.2g} %; --phase sensor leaves {:.0f} %\n",
+          name_of(taken), 100 * least, 100 * left);
+  }
+  return fmt::format("phases    of tables: {} (--phase {})\n{}",
+                     taken == lag    ? "lag of the positive peak behind the mark"
+                     : taken == mark ? "from the one mark, negative lags"
+                                     : "from where the mark passes each sensor, negative lags",
+                     name_of(taken), doubt);
+}
+
 int run(const RubfitArguments& arguments) {
   const config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
   ask("rubfit", config.questions, arguments.quiet);
-  const FittedMachine fitted = fitted_machine_of(arguments, config);
+  FittedMachine fitted = fitted_machine_of(arguments, config);
   const fit::MachineFit& problem = fitted.problem;
   const std::filesystem::path directory = results_directory(arguments, config.output_directory, "_fit");
   const ResultDirectory made(directory, file_names);
@@ -90,9 +138,10 @@ int run(const RubfitArguments& arguments) {
     options.on_iteration = [&](int start, int step, double cost) { steps(start, step, cost, starts); };
     return fit::fit_machine(asked, options);
   };
-  const fit::MachineFitResult result = found(problem, arguments.starts);
+  fit::MachineFitResult result = found(problem, arguments.starts);
   watch.reset();
   if (result.fit.value.size() == 0) return nothing_was_found();
+  const std::string phases = choose_phases(arguments, found, fitted, result);
   fit::FitTables tables = fit::tables_of(problem, result);
   if (!arguments.without.empty() && !result.fit.stopped) {
     const fit::MachineFitResult less = found(without(fitted, arguments.without), arguments.starts);
@@ -107,7 +156,7 @@ int run(const RubfitArguments& arguments) {
                                  {"correlation.csv", std::move(tables.correlation_csv)},
                                  {"fitted.csv", std::move(tables.residuals_csv)}};
   batch::write_result_files(files, file_names, directory, {"rubfit", config::study_digest(config.study), {}});
-  if (!arguments.quiet) print("{}{}", tables.summary, batch::files_line(files, directory));
+  if (!arguments.quiet) print("{}{}{}", phases, tables.summary, batch::files_line(files, directory));
   if (stop) {
     say("rubfit: interrupted; the best so far is written\n");
     return 128 + caught_signal();

@@ -37,7 +37,13 @@ po::options_description visible_options() {
                                                        "angle between both marks, likewise; 0 unless given")(
       "hit-s", po::value<double>()->value_name("T"), "instant of the impulse, likewise; 0 unless given")(
       "from-s", po::value<double>()->value_name("T"), "leave out what ring-downs read before")(
-      "run-out", "every sensor's 1X has a constant of its own beside the vibration")(
+      "phase", po::value<std::string>()->value_name("lag|mark|sensor"),
+      "what phases of --steady and --ramp are. lag: degrees by which the positive peak of the vibration lags "
+      "behind the once-per-turn mark, 0 to 360, as instruments say; mark: the same with a minus, as in "
+      "bode.csv of rubscope; sensor: as mark, but from the instant at which the mark passes each sensor, as "
+      "in bode.csv of rubtrace. Unless given sensor, or what leaves less than half where sensor leaves more "
+      "than a tenth, which is said")("run-out",
+                                     "every sensor's 1X has a constant of its own beside the vibration")(
       "starts", po::value<int>()->value_name("N"),
       "begin at so many places between the bounds; 1 unless given")(
       "robust", po::value<double>()->value_name("K"), "outliers beyond K standard deviations count less")(
@@ -93,6 +99,15 @@ double number_of(const po::variables_map& given, const char* name) {
   return value;
 }
 
+std::optional<fit::PhaseConvention> phases_of(const po::variables_map& given) {
+  if (!given.count("phase")) return std::nullopt;
+  const auto& text = given["phase"].as<std::string>();
+  for (const auto convention :
+       {fit::PhaseConvention::lag, fit::PhaseConvention::mark, fit::PhaseConvention::sensor})
+    if (text == name_of(convention)) return convention;
+  throw UsageError(fmt::format("--phase {}: allowed: lag, mark, sensor", text));
+}
+
 std::vector<std::string> names_in(std::string_view text) {
   std::vector<std::string> names;
   while (true) {
@@ -103,6 +118,12 @@ std::vector<std::string> names_in(std::string_view text) {
 }
 
 }  // namespace
+
+const char* name_of(fit::PhaseConvention convention) {
+  return convention == fit::PhaseConvention::lag    ? "lag"
+         : convention == fit::PhaseConvention::mark ? "mark"
+                                                    : "sensor";
+}
 
 std::string rubfit_help() {
   return fmt::format(
@@ -156,6 +177,9 @@ RubfitArguments parse_rubfit_arguments(int argc, const char* const* argv) {
   arguments.mark_deg = number_of(given, "mark-deg");
   arguments.hit_s = number_of(given, "hit-s");
   arguments.from_s = given.count("from-s") ? number_of(given, "from-s") : -INFINITY;
+  arguments.phases = phases_of(given);
+  if (arguments.phases && arguments.steady.empty() && arguments.ramped_speeds.empty())
+    throw UsageError("--phase: is of tables, allowed: with --steady or --ramp");
   arguments.run_out = given.count("run-out") > 0;
   if (given.count("starts")) arguments.starts = given["starts"].as<int>();
   if (arguments.starts < 1 || arguments.starts > 100) throw UsageError("--starts: allowed: 1 to 100");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/fit/measured_data.hpp"
 #include "shared/action.hpp"
 #include "shared/figure.hpp"
 
@@ -23,12 +24,16 @@ struct RubfitArguments : StudyArguments {
   std::optional<double> rate_hz_per_s = {};
   double window_turns = 0;
   double eccentricity_m = 0, mark_deg = 0, hit_s = 0, from_s = 0;
+  std::optional<fit::PhaseConvention> phases = {};  ///< of tables; else by what they leave
   bool run_out = false;
   int starts = 1;
   double robust_beyond = 0;
   std::vector<std::string> without = {};  ///< names left out of a second fit
   std::optional<Figure> figure = {};
 };
+
+/// As --phase has it: sensor, mark or lag.
+const char* name_of(fit::PhaseConvention convention);
 
 /// Throws UsageError (program.hpp).
 RubfitArguments parse_rubfit_arguments(int argc, const char* const* argv);

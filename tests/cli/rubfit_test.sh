@@ -32,6 +32,42 @@ found rotor.damping_ratio 0.0199 0.0201
 found eccentricity_m 0.99e-5 1.01e-5
 expect_contains stdout 'compared  without mark_deg'
 
+# Phases of a table: lags as instruments have them, and the same with a minus from the one mark, are recognised and said;
+# what is said is taken. A machine with sensors at 0 and 90 degrees, whose mode follows from its closed form.
+python3 -B - <<'END'
+import cmath, math
+def table(name, phases):
+    with open(name, "w") as file:
+        file.write("speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,sensor_1_phase_deg\n")
+        for speed in (21, 25, 28, 29, 30, 31, 32, 35, 44):
+            r = speed / 30
+            a = 2e-5 * r * r / (1 - r * r + 0.04j * r) * cmath.rect(1, math.radians(35))
+            x, y = phases(math.degrees(cmath.phase(a)))
+            file.write(f"{speed},{abs(a):.9e},{x:.6f},{abs(a):.9e},{y:.6f}\n")
+table("lag.csv", lambda phase: (-phase % 360, (90 - phase) % 360))
+table("mark.csv", lambda phase: (phase, phase - 90))
+table("sensor.csv", lambda phase: (phase, phase))
+END
+steady=("${start[@]}" --fit rotor.natural_frequency_hz --fit rotor.damping_ratio --fit eccentricity_m=1e-6:1e-4 --fit mark_deg)
+for phase in lag mark sensor; do
+  for said in '' "--phase $phase"; do
+    expect_exit 0 "$minimal" "${steady[@]}" --steady $phase.csv $said --output out
+    found rotor.natural_frequency_hz 29.999 30.001
+    found eccentricity_m 1.999e-5 2.001e-5
+    found mark_deg 34.99 35.01
+    expect_contains stdout "(--phase $phase)"
+    if [[ $phase == sensor || $said ]]; then
+      ! grep -q warning stdout || fail "$phase: $(<stdout)"
+    else
+      expect_contains stdout "warning   phases are taken as --phase $phase, which leaves"
+    fi
+  done
+done
+expect_exit 0 "$minimal" "${steady[@]}" --steady mark.csv --phase sensor --output out
+expect_contains stdout '% of mark.csv are left over: not the right minimum (--starts), bounds, phases (--phase) or machine'
+expect_usage_error '--phase late: allowed: lag, mark, sensor' "$minimal" "${steady[@]}" --steady lag.csv --phase late
+expect_usage_error '--phase: is of tables' "$minimal" --ring-down free/sensors.csv --fit rotor.damping_ratio --phase lag
+
 # A figure; one that cannot be drawn is said before the fit.
 if command -v gnuplot >/dev/null; then
   expect_exit 0 "$minimal" --ramp run_up/bode.csv --rate-hz-per-s 4 --fit rotor.damping_ratio --eccentricity-m 1e-5 \

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "dataset/small_study.hpp"
+#include "rubsweep/error.hpp"
 
 namespace rubsweep::dataset {
 namespace {
@@ -52,6 +55,44 @@ TEST(LabelledRecording, NumbersStayInTheirRanges) {
     EXPECT_TRUE(lies_in(25, frequency_hz, 35));
     EXPECT_TRUE(lies_in(1e-4, recording.clearance_m, 5e-4));
     EXPECT_TRUE(recording.candidate == 1 || !recording.motion.rubs);
+  }
+}
+
+TEST(LabelledRecording, RubsAreThoseThatAMachineSurvives) {
+  response::motion::Workspace workspace;
+  DataStudy study = small_study();
+  study.candidates = diagnose::usual_candidates();
+  for (diagnose::Candidate& candidate : study.candidates) {
+    candidate.clearance_m = {5e-5, 1e-3, true};
+    spread_of(candidate, Unknown::natural_frequency) = {20, 60, false};
+    spread_of(candidate, Unknown::damping_ratio) = {0.01, 0.04, true};
+  }
+  int rubs = 0, deep_without_bounds = 0;
+  for (std::size_t index = 10; index < 30; ++index) {
+    study.rub = {};
+    const LabelledRecording recording = make_recording(study, index, workspace);
+    const double force_n = recording.motion.contact.peak_contact_force_n;
+    rubs += recording.motion.rubs;
+    EXPECT_LE(force_n, 100 * 9.81 * study.fixed.rotor_mass_kg);
+    EXPECT_LE(force_n / value_of(recording.values, Unknown::stiffness), 0.5 * recording.clearance_m);
+    EXPECT_EQ(recording.penetration_ratio > 0, recording.motion.rubs);
+    study.rub = {.penetration_ratio = 1e9, .force_ratio = 1e9};
+    deep_without_bounds += make_recording(study, index, workspace).penetration_ratio > 0.5;
+  }
+  EXPECT_GE(rubs, 4);
+  EXPECT_GE(deep_without_bounds, 2);
+}
+
+TEST(LabelledRecording, BoundsThatNoDrawKeepsAreNamed) {
+  response::motion::Workspace workspace;
+  DataStudy study = small_study();
+  spread_of(study.candidates[1], Unknown::whirl_ratio) = {2, 3, false};
+  study.rub = {.penetration_ratio = 1e-9, .force_ratio = 1e-9};
+  try {
+    make_recording(study, 2, workspace);
+    FAIL();
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("rub.penetration_ratio"), std::string::npos) << error.what();
   }
 }
 

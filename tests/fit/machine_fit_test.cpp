@@ -87,6 +87,28 @@ TEST(MachineFit, WhatIsMissingIsNamed) {
   EXPECT_NE(summary.find("of sensor 1: a vibration of 50"), std::string::npos) << summary;
 }
 
+TEST(MachineFit, ARunUpOfTheRightMachineRaisesNoWarning) {
+  MeasuredData data = run_up(2e-7);
+  auto& run = std::get<RunUp>(data.data);
+  // Errors of smoothed marks hang together, and are half a per cent of 1X.
+  std::complex<double> error = 0;
+  for (Eigen::Index k = 0; k < run.phasor_m.rows(); ++k) {
+    error = 0.8 * error + std::complex<double>(0, noise(0.003));
+    run.phasor_m.row(k) *= 1.0 + error;
+  }
+  MachineFit problem{.parameters = rotor_parameters,
+                     .data = {data},
+                     .eccentricity_m = 2e-5,
+                     .mark_deg = 0.5 * 180 / 3.14159265358979,
+                     .machine = rotor};
+  std::string summary = tables_of(problem, fit_machine(problem, {})).summary;
+  EXPECT_EQ(summary.find("warning"), std::string::npos) << summary;
+  // A machine with another unbalance misses something.
+  problem.eccentricity_m = 1.8e-5;
+  summary = tables_of(problem, fit_machine(problem, {})).summary;
+  EXPECT_NE(summary.find("something is missing"), std::string::npos) << summary;
+}
+
 TEST(MachineFit, RunUpTellsUnbalanceAndMarkToo) {
   MachineFit problem{.parameters = rotor_parameters, .data = {run_up(5e-6)}, .machine = rotor};
   problem.parameters.push_back({eccentricity_name, 1e-5, 1e-6, 1e-4, 1e-5});
@@ -109,6 +131,20 @@ TEST(MachineFit, AMarkIsFoundFromTheOtherSideOfTheShaft) {
     expect_told(result, 3, 0.5 * 180 / 3.14159265358979);
     problem.parameters.pop_back();
   }
+}
+
+TEST(MachineFit, AMarkIsFoundBehindItsBound) {
+  MeasuredData data = run_up(5e-6);
+  // The mark of the data stands at 178 degrees, and that of a rotor whose frequency is too low beyond 180.
+  std::get<RunUp>(data.data).phasor_m *= std::polar(1.0, 178 * 3.14159265358979 / 180 - 0.5);
+  MachineFit problem{.parameters = rotor_parameters, .data = {data}, .machine = rotor};
+  problem.parameters[0].start = 29.8;
+  problem.parameters.push_back({eccentricity_name, 1e-5, 1e-6, 1e-4, 1e-5});
+  problem.parameters.push_back({mark_name, -170, -180, 180, 30});
+  const MachineFitResult result = fit_machine(problem, {});
+  expect_told(result, 0, 31);
+  expect_told(result, 3, 178);
+  EXPECT_FALSE(result.fit.at_bound[3]);
 }
 
 TEST(MachineFit, DataOfTwoKindsCountByTheirNoise) {

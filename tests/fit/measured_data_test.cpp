@@ -91,6 +91,30 @@ TEST_F(MeasuredDataTest, SteadyPhasesCountFromTheSensor) {
   EXPECT_THROW(as_run_up(data, -4, 1), ConfigError);
 }
 
+TEST_F(MeasuredDataTest, PhasesMeanWhatIsSaid) {
+  // A peak 30 degrees behind the mark in x, and 120 in y, which the mark passes 90 degrees later.
+  using enum PhaseConvention;
+  const std::string header =
+      "speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,sensor_1_phase_deg\n20,1e-5,";
+  const std::vector<std::pair<PhaseConvention, std::string>> tables{
+      {lag, "30,2e-5,120\n"}, {mark, "-30,2e-5,240\n"}, {sensor, "-30,2e-5,-30\n"}};
+  for (const auto& [convention, row] : tables) {
+    const Steady data = read_steady(write(header + row), {0, 90}, convention);
+    EXPECT_LT(std::abs(data.phasor_m(0, 0) - std::polar(1e-5, -3.14159265358979 / 6)), 1e-18);
+    EXPECT_LT(std::abs(data.phasor_m(0, 1) - std::polar(2e-5, -3.14159265358979 * 2 / 3)), 1e-18);
+    for (const auto& [other, its_row] : tables) {
+      MeasuredData taken{"table", read_steady(write(header + row), {0, 90}, other), false};
+      EXPECT_TRUE(has_phases_of_a_table(taken));
+      take_phases_as(convention, other, {0, 90}, taken);
+      EXPECT_LT((std::get<Steady>(taken.data).phasor_m - data.phasor_m).norm(), 1e-18);
+    }
+  }
+  MeasuredData ramp{"ramp", as_run_up(read_steady(write(header + "30,2e-5,120\n"), {0, 90}), 4, 1), false};
+  EXPECT_TRUE(has_phases_of_a_table(ramp));
+  std::get<RunUp>(ramp.data).from_readings = true;
+  EXPECT_FALSE(has_phases_of_a_table(ramp)) << "phases of rubscope are known";
+}
+
 class MeasuredDataRubTest : public testing::Test {
  protected:
   void write(const std::string& measures, const std::string& lines) {

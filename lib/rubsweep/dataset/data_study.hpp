@@ -30,6 +30,12 @@ struct Split {
   double training = 0.7, validation = 0.15, test = 0.15;
 };
 
+/// Bounds of a rub, in its recorded turns, that a machine survives.
+struct RubBounds {
+  double penetration_ratio = 0.5;  ///< largest force / stiffness of the contact / smallest clearance
+  double force_ratio = 100;        ///< largest force of a stop / weight of the rotor
+};
+
 /// Everything that decides the bytes of a data set: never threads, paths or times.
 struct DataStudy {
   long recordings = 1000;
@@ -38,6 +44,7 @@ struct DataStudy {
   std::vector<diagnose::Candidate> candidates{};
   diagnose::FixedNumbers fixed{};
   diagnose::Spread speed_ratio{1.2, 4.5, false};  ///< shaft speed / natural frequency
+  RubBounds rub{};
   Measurement measurement{};
   Split split{};
   Format format = Format::csv;

@@ -33,14 +33,16 @@ std::string study_text(const DataStudy& study) {
   const Measurement& read = study.measurement;
   std::string text = fmt::format(
       "recordings: {}\nrecordings_per_machine: {}\nseed: {}\nmass_kg: {}\ncontact_radius_m: {}\n"
-      "casing_damping_ratio: {}\nspeed_ratio: {}\nturns: {}\nsampling_rate_hz: {}\nprobes: {}\n"
+      "casing_damping_ratio: {}\nspeed_ratio: {}\nrub.penetration_ratio: {}\nrub.force_ratio: {}\nturns: "
+      "{}\nsampling_rate_hz: {}\nprobes: {}\n"
       "noise_share: {}\nbackward_1x_share: {}\norder_2_share: {}\norder_3_share: {}\ngain_error: {}\n"
       "training: {}\nvalidation: {}\ntest: {}\nformat: {}\n",
       study.recordings, study.recordings_per_machine, study.seed, study.fixed.rotor_mass_kg,
-      study.fixed.contact_radius_m, study.fixed.casing_damping_ratio, text_of(study.speed_ratio), read.turns,
-      read.sampling_rate_hz, read.probes, text_of(read.noise_share), read.other_lines.backward_1x,
-      read.other_lines.order_2, read.other_lines.order_3, read.gain_error, study.split.training,
-      study.split.validation, study.split.test, to_string(study.format));
+      study.fixed.contact_radius_m, study.fixed.casing_damping_ratio, text_of(study.speed_ratio),
+      study.rub.penetration_ratio, study.rub.force_ratio, read.turns, read.sampling_rate_hz, read.probes,
+      text_of(read.noise_share), read.other_lines.backward_1x, read.other_lines.order_2,
+      read.other_lines.order_3, read.gain_error, study.split.training, study.split.validation,
+      study.split.test, to_string(study.format));
   for (const diagnose::Candidate& candidate : study.candidates)
     fmt::format_to(std::back_inserter(text), "candidate {} ({}):\n{}", candidate.name,
                    to_string(candidate.cause), ranges_of(candidate));
@@ -62,14 +64,17 @@ std::string datasheet(const DataStudy& study, const std::string& program) {
       "(from a whirl ratio of 1 on it starts at rest instead), and is followed until its motion is known, "
       "and on until "
       "its free vibration has died away to a thousandth ({} turns at most where a stop is touched). Then the "
-      "recording begins. So the share of motions in the set is that of starts that lead to "
+      "recording begins. Rubs that go deeper in it than {} of the clearance, or strike harder than {} times "
+      "the "
+      "weight of the rotor, are no machine's: speed, unbalance and kick are then drawn again. So the share "
+      "of motions in the set is that of starts that lead to "
       "them, and many machines with stops are quiet: `rubs` says which.\n\n"
       "Each probe reads its direction times its gain, with white noise. Lines at -1X, 2X and 3X that no "
       "rub makes (run-out, supports, couplings) are added to every motion; they are smaller than the shares "
       "below of its size, its root mean square about the mean.\n\n"
       "The same study and build of the program give the same bytes, whatever the number of threads.\n\n",
       study.recordings, (study.recordings + study.recordings_per_machine - 1) / study.recordings_per_machine,
-      program, diagnose::most_turns_touching);
+      program, diagnose::most_turns_touching, study.rub.penetration_ratio, study.rub.force_ratio);
   fmt::format_to(
       std::back_inserter(text),
       "## Files\n\n"

@@ -1,5 +1,6 @@
 #include "rubsweep/dataset/labelled_recording.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -22,10 +23,21 @@ constexpr bool of_one_recording(Unknown unknown) {
          unknown == Unknown::kick_angle || unknown == Unknown::kick_phase;
 }
 
-/// A motion with the numbers that are drawn until it runs.
+/// Sets how deep and how hard the stops are touched.
+void measure_rub(const DataStudy& study, LabelledRecording& recording) {
+  constexpr double gravity_m_per_s2 = 9.80665;
+  double clearance_m = recording.clearance_m;
+  if (study.candidates[recording.candidate].cause == diagnose::Cause::two_sides)
+    clearance_m *= std::min(1.0, value_of(recording.values, Unknown::second_clearance_ratio));
+  const double force_n = recording.motion.contact.peak_contact_force_n;
+  recording.penetration_ratio = force_n / value_of(recording.values, Unknown::stiffness) / clearance_m;
+  recording.force_ratio = force_n / (study.fixed.rotor_mass_kg * gravity_m_per_s2);
+}
+
+/// A motion with the numbers that are drawn until it runs and is no harder than a machine survives.
 void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRecording& recording,
                  response::motion::Workspace& workspace) {
-  constexpr int most_draws = 100;
+  constexpr int most_draws = 300;
   const diagnose::Candidate& candidate = study.candidates[recording.candidate];
   RandomStream random(study.seed, recording.index, Purpose::of_recording);
   for (int draw = 0; draw < most_draws; ++draw) {
@@ -42,12 +54,17 @@ void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRec
           study.measurement.turns, workspace);
       if (!motion) continue;
       recording.motion = *motion;
-      return;
+      measure_rub(study, recording);
+      if (recording.penetration_ratio <= study.rub.penetration_ratio &&
+          recording.force_ratio <= study.rub.force_ratio)
+        return;
     } catch (const ConfigError&) {
       // Numbers that are each allowed, but not together.
     }
   }
-  throw SolverError("recording " + std::to_string(recording.index) + ": no draw could be simulated");
+  throw SolverError(
+      "recording " + std::to_string(recording.index) +
+      ": no draw could be simulated that stays within rub.penetration_ratio and rub.force_ratio");
 }
 
 }  // namespace

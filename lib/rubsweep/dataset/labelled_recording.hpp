@@ -16,11 +16,12 @@ struct LabelledRecording {
   std::string_view part{};  ///< training, validation or test, the same for all recordings of a machine
   diagnose::Point values{};
   double speed_hz = 0, clearance_m = 0, stop_angle_deg = 0;
-  double mark_turns = 0;               ///< of the shaft, from the first reading to the mark
-  double noise_m = 0;                  ///< standard deviation of every reading
-  std::vector<double> gain{};          ///< of each probe
-  diagnose::SimulatedMotion motion{};  ///< label; its samples are used up
-  std::string sha256{};                ///< of its file, once that is written
+  double mark_turns = 0;                          ///< of the shaft, from the first reading to the mark
+  double noise_m = 0;                             ///< standard deviation of every reading
+  std::vector<double> gain{};                     ///< of each probe
+  double penetration_ratio = 0, force_ratio = 0;  ///< as RubBounds has them
+  diagnose::SimulatedMotion motion{};             ///< label; its samples are used up
+  std::string sha256{};                                     ///< of its file, once that is written
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: of two probes
 };
 
@@ -29,8 +30,9 @@ inline constexpr double no_mark_v = -2, mark_v = -12;
 
 /// Makes the recording of that index. Of its machine are its stops, frequency, damping, clearance and
 /// contact, where its stop stands and where its mark is, and the gains of its probes; its own are speed,
-/// unbalance, the kick that started it, and its noise. Depends on its arguments alone. Throws SolverError
-/// where many draws in a row cannot be simulated.
+/// unbalance, the kick that started it, and its noise, drawn until the rub stays within the study's bounds.
+/// Depends on its arguments alone. Throws SolverError where many draws in a row cannot be simulated or do
+/// not.
 LabelledRecording make_recording(const DataStudy& study, std::size_t index,
                                  response::motion::Workspace& workspace);
 

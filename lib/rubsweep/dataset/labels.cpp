@@ -128,6 +128,11 @@ std::vector<Column> motion_columns() {
       {{"gain_x", "gain of the probe in x, 1 being right"}, [](S, R r) { return number(r.gain[0]); }},
       {{"gain_y", "gain of the probe in y"},
        [](S, R r) { return r.gain.size() > 1 ? number(r.gain[1]) : std::string(); }},
+      {{"penetration_ratio",
+        "largest force over the stiffness of the contact, over the smallest clearance, in the recording"},
+       [](S s, R r) { return touches(s, r) ? number(r.penetration_ratio) : std::string(); }},
+      {{"force_ratio", "largest normal force at one stop over the weight of the rotor, in the recording"},
+       [](S s, R r) { return touches(s, r) ? number(r.force_ratio) : std::string(); }},
       {{"sha256", "SHA-256 of its file"}, [](S, R r) { return r.sha256; }},
   };
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -53,18 +54,39 @@ std::vector<Series> series_of(const MeasuredData& data) {
       data.data);
 }
 
-/// Sentence on the residuals of a series; empty where they are noise.
-std::string doubt_of(const Series& series, std::span<const double> residuals) {
+/// Sentence on the residuals of a series, one of so many; empty where they are noise. In a run-up neighbours
+/// always hang together, since its readings are interpolated and its marks smoothed: what hangs together
+/// counts there from this share of 1X on.
+std::string doubt_of(const Series& series, std::span<const double> residuals, double size_m,
+                     std::size_t of_series) {
+  constexpr double level = 1e-3, of_run_ups = 0.03;
   // Neighbouring lines of a spectrum have nothing to do with each other.
   if (series.kind == "rub") return {};
-  const ResidualTest test = test_residuals(residuals);
+  const ResidualTest test = test_residuals(residuals, level / static_cast<double>(of_series));
   if (test.white) return {};
+  double square = 0;
+  for (const double value : residuals) square += value * value / static_cast<double>(residuals.size());
+  if (series.kind == "run_up" &&
+      std::sqrt(std::max(0.0, test.first_correlation) * square) < of_run_ups * size_m)
+    return {};
   if (test.line_stands_out && series.kind == "ring_down") {
     const double step_s = (series.at.back() - series.at.front()) / static_cast<double>(series.at.size() - 1);
     return fmt::format("a vibration of {:.4g} Hz remains, {:.2g} % of what is left", test.line / step_s,
                        100 * test.line_share);
   }
   return fmt::format("neighbours hang together, correlation {:.2f}", test.first_correlation);
+}
+
+/// Fewest rows of a series that tell noise from what is missing.
+constexpr std::size_t fewest_to_test = 24;
+
+/// Line on a file of which more than a tenth is left, and no noise; `doubted`: something is missing there.
+std::string too_much_left(const MeasuredData& data, const WhatIsLeft& left, bool doubted) {
+  constexpr double too_much = 0.1;
+  if (!(left.share() > too_much) || !doubted) return {};
+  return fmt::format("warning   {:.0f} % of {} are left over: not the right minimum (--starts), bounds{}\n",
+                     100 * left.share(), data.name,
+                     has_phases_of_a_table(data) ? ", phases (--phase) or machine" : " or machine");
 }
 
 std::string parameters_csv(const MachineFit& problem, const MachineFitResult& result) {
@@ -130,13 +152,15 @@ FitTables tables_of(const MachineFit& problem, const MachineFitResult& result) {
     tables.summary += fmt::format("warning   {}\n", sentence);
   for (std::size_t d = 0; d < problem.data.size(); ++d) {
     const ModelledData both = modelled(problem, d, fit.value);
-    const double left = std::sqrt((both.measured_m - both.modelled_m).squaredNorm() /
-                                  static_cast<double>(both.measured_m.size()));
+    const WhatIsLeft left = what_is_left(problem, d, fit.value);
     tables.summary += fmt::format(
-        "left      {:.3g} um of {:.3g} um in {}\n", 1e6 * left,
+        "left      {:.3g} um of {:.3g} um in {}\n", 1e6 * left.left_m,
         1e6 * std::sqrt(both.measured_m.squaredNorm() / static_cast<double>(both.measured_m.size())),
         problem.data[d].name);
-    for (const Series& series : series_of(problem.data[d])) {
+    std::string doubts;
+    bool doubted = false;
+    const std::vector<Series> all_series = series_of(problem.data[d]);
+    for (const Series& series : all_series) {
       std::vector<double> residuals;
       for (std::size_t k = 0; k < series.at.size(); ++k) {
         const Eigen::Index row = series.begin + static_cast<Eigen::Index>(k);
@@ -145,11 +169,13 @@ FitTables tables_of(const MachineFit& problem, const MachineFitResult& result) {
             "{},{},{},{},{},{},{}\n", d, series.kind, series.sensor, series.part, csv_number(series.at[k]),
             csv_number(both.measured_m(row)), csv_number(both.modelled_m(row)));
       }
-      const std::string doubt = doubt_of(series, residuals);
+      const std::string doubt = doubt_of(series, residuals, left.size_m, all_series.size());
+      doubted = doubted || !doubt.empty() || series.kind == "rub" || residuals.size() < fewest_to_test;
       if (!doubt.empty())
-        tables.summary += fmt::format("warning   something is missing in the {} of sensor {}: {}\n",
-                                      series.part, series.sensor, doubt);
+        doubts += fmt::format("warning   something is missing in the {} of sensor {}: {}\n", series.part,
+                              series.sensor, doubt);
     }
+    tables.summary += too_much_left(problem.data[d], left, doubted) + doubts;
   }
   return tables;
 }

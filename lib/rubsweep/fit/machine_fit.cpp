@@ -6,6 +6,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/fit/correlated_noise.hpp"
+#include "rubsweep/fit/first_values.hpp"
 #include "rubsweep/fit/modelled_data.hpp"
 
 namespace rubsweep::fit {
@@ -65,50 +66,26 @@ Eigen::VectorXd start_of(const MachineFit& problem) {
   return start;
 }
 
-/// Sum of squares; infinite at values that are impossible.
-double left_at(const MachineFit& problem, const std::vector<double>& noise_m, LastRamps& ramps,
-               const Eigen::VectorXd& values) {
-  try {
-    return residuals_of(problem, noise_m, values, ramps).squaredNorm();
-  } catch (const ConfigError&) {
-    return INFINITY;
-  } catch (const SolverError&) {
-    return INFINITY;
-  }
-}
-
-/// Turns the starts of angles by 24ths of a turn between their bounds to what leaves the least, one angle
-/// after the other and twice: a descent that begins a quarter turn beside the truth may end elsewhere. In
-/// orbits of rubs an angle other than that of the mark may not be turned so far: it changes the motion.
-void turn_angles(const MachineFit& problem, const std::vector<double>& noise_m, LastRamps& ramps,
-                 Eigen::VectorXd& start) {
-  constexpr int rounds = 2, places = 24;
+/// Angles that may have any value of a turn go on beyond their bounds, so that a descent does not end at one
+/// of them while the truth is behind the other.
+void open_whole_turns(LeastSquares& squares) {
   constexpr double turn_deg = 360;
-  const bool rubs = std::ranges::any_of(
-      problem.data, [](const MeasuredData& data) { return std::holds_alternative<RubLines>(data.data); });
-  double least = left_at(problem, noise_m, ramps, start);
-  for (int round = 0; round < rounds; ++round) {
-    for (Eigen::Index i = 0; i < start.size(); ++i) {
-      const Parameter& angle = problem.parameters[static_cast<std::size_t>(i)];
-      if (angle.name != mark_name && (rubs || !angle.name.ends_with("_deg"))) continue;
-      Eigen::VectorXd turned = start;
-      const double from = start(i);
-      for (int k = 1; k < places; ++k) {
-        turned(i) = from + k * turn_deg / places;
-        while (turned(i) >= angle.high) turned(i) -= turn_deg;
-        if (turned(i) <= angle.low) continue;
-        const double left = left_at(problem, noise_m, ramps, turned);
-        if (left >= least) continue;
-        least = left;
-        start(i) = turned(i);
-      }
-    }
+  for (Parameter& angle : squares.parameters) {
+    if (!angle.name.ends_with("_deg") || angle.high - angle.low < turn_deg) continue;
+    angle.low -= turn_deg / 2;
+    angle.high += turn_deg / 2;
   }
 }
 
-void begin_at(const Eigen::VectorXd& start, LeastSquares& squares) {
-  for (Eigen::Index i = 0; i < start.size(); ++i)
-    squares.parameters[static_cast<std::size_t>(i)].start = start(i);
+/// Sets such angles back between their bounds.
+void close_whole_turns(const MachineFit& problem, LeastSquaresFit& fit) {
+  constexpr double turn_deg = 360;
+  for (Eigen::Index i = 0; i < fit.value.size(); ++i) {
+    const Parameter& angle = problem.parameters[static_cast<std::size_t>(i)];
+    if (!angle.name.ends_with("_deg") || angle.high - angle.low < turn_deg) continue;
+    while (fit.value(i) < angle.low) fit.value(i) += turn_deg;
+    while (fit.value(i) > angle.high) fit.value(i) -= turn_deg;
+  }
 }
 
 /// Which residuals are of which file.
@@ -168,11 +145,12 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
   // Whatever is wrong with the first values is said here: a descent takes it for values that are impossible.
   follow_rubs(problem, start);
   residuals_of(problem, noise_m, start, ramps);
-  turn_angles(problem, noise_m, ramps, start);
   LeastSquares squares{
       .parameters = problem.parameters,
       .residuals = [&](const Eigen::VectorXd& at) { return residuals_of(problem, noise_m, at, ramps); },
       .accepted = [&](const Eigen::VectorXd& values) { follow_rubs(problem, values); }};
+  open_whole_turns(squares);
+  find_first_values(problem, squares, options, start);
   begin_at(start, squares);
   MachineFitResult result;
   result.fit = least_squares(squares, options);
@@ -199,6 +177,7 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
     result.fit.agreeing = agreeing;
     result.data = parts_of(problem, noise_m);
   }
+  close_whole_turns(problem, result.fit);
   int eliminated = 0;
   for (const DataResidual& data : result.data) eliminated += data.eliminated;
   result.uncertainty = uncertainty_of(result.fit, eliminated);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,8 +9,8 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/fit/measured_ramp.hpp"
 #include "rubsweep/fit/measured_table.hpp"
-#include "rubsweep/numerics/straight_line.hpp"
 
 namespace rubsweep::fit {
 namespace {
@@ -45,47 +44,20 @@ Eigen::MatrixXcd matrix_of(const std::vector<std::vector<Complex>>& rows) {
   return matrix;
 }
 
+/// Numbers taken to have phases of one meaning, as they are in another; one of both is `mark`, whose phases
+/// are those of A in Re(A e^{i phi}).
+void recount(PhaseConvention from, PhaseConvention to, const std::vector<double>& angle_deg,
+             Eigen::MatrixXcd& phasor_m) {
+  if (from == PhaseConvention::lag || to == PhaseConvention::lag) phasor_m = phasor_m.conjugate().eval();
+  const double sign = from == PhaseConvention::sensor ? 1 : to == PhaseConvention::sensor ? -1 : 0;
+  for (Eigen::Index i = 0; i < phasor_m.cols(); ++i)
+    phasor_m.col(i) *= std::polar(1.0, sign * angle_deg[static_cast<std::size_t>(i)] * degree);
+}
+
 void require_rows(const std::filesystem::path& file, std::size_t rows, std::size_t fewest) {
   if (rows < fewest)
     throw ConfigError(
         fmt::format("{}: has {} rows of such data, allowed: {} or more", file.string(), rows, fewest));
-}
-
-/// Turns since the first row, where rows are whole turns apart as those of rubscope are; else empty.
-std::vector<double> whole_turns(const std::vector<double>& t_s, const std::vector<double>& speed_hz) {
-  constexpr double whole_to = 0.1;
-  std::vector<double> turns{0};
-  for (std::size_t k = 1; k < t_s.size(); ++k) {
-    const double passed = (speed_hz[k - 1] + speed_hz[k]) / 2 * (t_s[k] - t_s[k - 1]);
-    if (passed < 1 - whole_to || std::abs(passed - std::round(passed)) > whole_to) return {};
-    turns.push_back(turns.back() + std::round(passed));
-  }
-  return turns;
-}
-
-/// Ramp whose turns are these at these instants, by least squares.
-Ramp ramp_through(const std::vector<double>& t_s, const std::vector<double>& turns) {
-  const auto count = static_cast<Eigen::Index>(t_s.size());
-  const double middle_s = (t_s.front() + t_s.back()) / 2;
-  const Eigen::ArrayXd since_s = Eigen::Map<const Eigen::ArrayXd>(t_s.data(), count) - middle_s;
-  Eigen::MatrixX3d powers(count, 3);
-  powers << Eigen::VectorXd::Ones(count), since_s, since_s.square() / 2;
-  const Eigen::Vector3d found =
-      powers.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(turns.data(), count));
-  return {found(1) - found(2) * middle_s, found(2)};
-}
-
-/// Ramp of speeds that change evenly, by the instants of whole turns where rows are that, since these tell it
-/// better than the speeds; or the speeds themselves where they are off a line.
-Ramp ramp_of(const std::vector<double>& t_s, const std::vector<double>& speed_hz) {
-  constexpr double even = 0.02;
-  const numerics::StraightLine line = numerics::line_through(t_s, speed_hz);
-  const double change = std::abs(line.slope * (t_s.back() - t_s.front()));
-  if (numerics::largest_distance(line, t_s, speed_hz) <= even * change) {
-    const std::vector<double> turns = whole_turns(t_s, speed_hz);
-    return turns.empty() ? Ramp{line(0), line.slope} : ramp_through(t_s, turns);
-  }
-  return {speed_hz.front(), 0, t_s, speed_hz};
 }
 
 }  // namespace
@@ -144,12 +116,13 @@ RunUp read_run_up(const std::filesystem::path& file) {
     taken = !taken;
   }
   require_rows(file, rows.size(), 16);
-  data.ramp = ramp_of(data.t_s, speeds);
+  data.ramp = measured_ramp(data.t_s, speeds);
   data.phasor_m = matrix_of(rows);
   return data;
 }
 
-Steady read_steady(const std::filesystem::path& file, const std::vector<double>& angle_deg) {
+Steady read_steady(const std::filesystem::path& file, const std::vector<double>& angle_deg,
+                   PhaseConvention convention) {
   MeasuredTable table(file, "speed_hz");
   const std::size_t speed = table.column("speed_hz");
   std::vector<std::size_t> amplitudes, phases;
@@ -167,12 +140,26 @@ Steady read_steady(const std::filesystem::path& file, const std::vector<double>&
                                     table.place().line, data.speed_hz.back()));
     rows.emplace_back();
     for (std::size_t i = 0; i < amplitudes.size(); ++i)
-      rows.back().push_back(
-          std::polar(number(table, amplitudes[i]), (number(table, phases[i]) - angle_deg[i]) * degree));
+      rows.back().push_back(std::polar(number(table, amplitudes[i]), number(table, phases[i]) * degree));
   }
   require_rows(file, rows.size(), 1);
   data.phasor_m = matrix_of(rows);
+  recount(PhaseConvention::mark, convention, angle_deg, data.phasor_m);
   return data;
+}
+
+bool has_phases_of_a_table(const MeasuredData& data) {
+  const auto* run = std::get_if<RunUp>(&data.data);
+  return std::holds_alternative<Steady>(data.data) || (run != nullptr && !run->from_readings);
+}
+
+void take_phases_as(PhaseConvention other, PhaseConvention read_as, const std::vector<double>& angle_deg,
+                    MeasuredData& data) {
+  if (!has_phases_of_a_table(data)) return;
+  auto* steady = std::get_if<Steady>(&data.data);
+  Eigen::MatrixXcd& phasor_m = steady != nullptr ? steady->phasor_m : std::get<RunUp>(data.data).phasor_m;
+  recount(read_as, PhaseConvention::mark, angle_deg, phasor_m);
+  recount(PhaseConvention::mark, other, angle_deg, phasor_m);
 }
 
 RubLines read_rub(const std::filesystem::path& directory) {

@@ -55,14 +55,25 @@ struct MeasuredData {
 RingDown read_ring_down(const std::filesystem::path& file, double from_s);
 
 /// bode.csv of rubscope: t_s, speed_hz, order, x_amplitude_m, x_phase_deg and perhaps y; of order 1 every
-/// second row is taken, since each is the mean of two turns. A speed that changes evenly to 2 % of the change
-/// is taken to be even; else it goes in straight lines from row to row. Throws ConfigError where times do not
-/// rise.
+/// second row is taken, since each is the mean of two turns. The ramp is that of measured_ramp. Throws
+/// ConfigError where times do not rise.
 RunUp read_run_up(const std::filesystem::path& file);
 
-/// bode.csv of rubtrace, or any table of speed_hz, sensor_0_amplitude_m, sensor_0_phase_deg, ...; a phase
-/// counts from the instant at which the mark passes its sensor, which looks in direction `angle_deg`.
-Steady read_steady(const std::filesystem::path& file, const std::vector<double>& angle_deg);
+/// Meaning of the phases of a table: degrees from the instant at which the mark passes each sensor, negative
+/// where the displacement lags (bode.csv of rubtrace); the same from the one instant of the mark (bode.csv of
+/// rubscope); or degrees by which the positive peak lags behind the one mark, as instruments have it.
+enum class PhaseConvention { sensor, mark, lag };
+
+/// Table of speed_hz, sensor_0_amplitude_m, sensor_0_phase_deg, ...; sensors look in directions `angle_deg`.
+Steady read_steady(const std::filesystem::path& file, const std::vector<double>& angle_deg,
+                   PhaseConvention convention = PhaseConvention::sensor);
+
+/// Whether phases of these data are of a table, and mean what is said beside it.
+bool has_phases_of_a_table(const MeasuredData& data);
+
+/// The phases of such data taken in another meaning than the one that they were read in.
+void take_phases_as(PhaseConvention other, PhaseConvention read_as, const std::vector<double>& angle_deg,
+                    MeasuredData& data);
 
 /// Directory that rubscope wrote of a steady recording by two probes: speed and period of measures.csv, lines
 /// of lines.csv but the gap (0X) and those that noise leaves no phase. Throws ConfigError for a motion

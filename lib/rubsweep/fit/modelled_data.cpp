@@ -1,5 +1,6 @@
 #include "rubsweep/fit/modelled_data.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -138,6 +139,22 @@ ModelledData modelled(const MachineFit& problem, std::size_t data, const Eigen::
   LastRamps ramps(problem);
   const MeasuredData& measured = problem.data[data];
   return {measured_of(measured), modelled_of(problem, measured, problem.machine(values), values, ramps)};
+}
+
+WhatIsLeft what_is_left(const MachineFit& problem, std::size_t data, const Eigen::VectorXd& values) {
+  const MeasuredData& measured = problem.data[data];
+  const ModelledData both = modelled(problem, data, values);
+  Eigen::VectorXd without_offsets = both.measured_m;
+  const auto* ring = std::get_if<RingDown>(&measured.data);
+  if (ring != nullptr || measured.run_out) {
+    // One column for each offset.
+    const Eigen::Index offsets = ring != nullptr ? ring->signal_m.cols() : eliminated_of(measured);
+    auto columns = without_offsets.reshaped(without_offsets.size() / std::max<Eigen::Index>(offsets, 1),
+                                            std::max<Eigen::Index>(offsets, 1));
+    columns.rowwise() -= columns.colwise().mean().eval();
+  }
+  const double count = std::sqrt(static_cast<double>(both.measured_m.size()));
+  return {(both.measured_m - both.modelled_m).norm() / count, without_offsets.norm() / count};
 }
 
 }  // namespace rubsweep::fit

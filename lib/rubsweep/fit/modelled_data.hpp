@@ -25,4 +25,11 @@ struct ModelledData {
 };
 ModelledData modelled(const MachineFit& problem, std::size_t data, const Eigen::VectorXd& values);
 
+/// Root mean squares of what is left of a file, and of its numbers without the offsets that are fitted.
+struct WhatIsLeft {
+  double left_m = 0, size_m = 0;
+  double share() const { return size_m > 0 ? left_m / size_m : 0; }
+};
+WhatIsLeft what_is_left(const MachineFit& problem, std::size_t data, const Eigen::VectorXd& values);
+
 }  // namespace rubsweep::fit

@@ -1,6 +1,7 @@
 #include "rubsweep/fit/residual_test.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -11,13 +12,12 @@ namespace {
 
 constexpr std::size_t fewest = 24;
 constexpr std::size_t lags = 8;
-constexpr double portmanteau_99 = 20.09;  // chi-squared, eight degrees of freedom
 /// Lines are looked for among so many residuals at most, for the time that it takes.
 constexpr std::size_t most_for_lines = 4096;
 
 }  // namespace
 
-ResidualTest test_residuals(std::span<const double> residuals) {
+ResidualTest test_residuals(std::span<const double> residuals, double level) {
   ResidualTest test;
   const std::size_t count = residuals.size();
   if (count < fewest) return test;
@@ -54,8 +54,9 @@ ResidualTest test_residuals(std::span<const double> residuals) {
   // Probability that noise makes one of m lines hold this share is about m (1 - share)^(m - 1).
   const auto m = static_cast<double>(lines);
   test.line_stands_out =
-      std::log(m) + (m - 1) * std::log1p(-std::min(test.line_share, 1 - 1e-15)) < std::log(0.01);
-  test.white = test.portmanteau < portmanteau_99 && !test.line_stands_out;
+      std::log(m) + (m - 1) * std::log1p(-std::min(test.line_share, 1 - 1e-15)) < std::log(level);
+  const double most = boost::math::quantile(boost::math::chi_squared(lags), 1 - level);
+  test.white = test.portmanteau < most && !test.line_stands_out;
   return test;
 }
 

@@ -11,7 +11,8 @@
 namespace rubsweep::config::dataset {
 namespace {
 
-constexpr std::string_view candidate_file_form = "a map with clearance_m, eccentricity_m, candidates, prior, measurement";
+constexpr std::string_view candidate_file_form =
+    "a map with clearance_m, eccentricity_m, candidates, prior, measurement";
 /// From a labyrinth seal of a small machine to the screw of a rotor kit.
 constexpr diagnose::Spread usual_clearance_m{5e-5, 1e-3, true};
 

@@ -16,6 +16,7 @@ using diagnose::Spread;
 using diagnose::Unknown;
 using rubsweep::dataset::DataStudy;
 using rubsweep::dataset::Format;
+using rubsweep::dataset::RubBounds;
 using rubsweep::dataset::Split;
 
 constexpr std::string_view root_form =
@@ -38,6 +39,15 @@ MachineRanges read_machine(const yaml::Value& value, diagnose::FixedNumbers& fix
   read_spread(section, "clearance_m", model::positive, true, ranges.clearance_m);
   section.refuse_unknown_keys();
   return ranges;
+}
+
+RubBounds read_rub(const yaml::Value& value) {
+  yaml::Section section(value);
+  RubBounds rub;
+  section.field("penetration_ratio", rub.penetration_ratio, model::positive);
+  section.field("force_ratio", rub.force_ratio, model::positive);
+  section.refuse_unknown_keys();
+  return rub;
 }
 
 Split read_split(const yaml::Value& value) {
@@ -83,6 +93,7 @@ DataStudy read_root(const yaml::Value& root) {
     spread_of(candidate, Unknown::damping_ratio) = machine.damping_ratio;
     if (candidate.clearance_m.high == 0) candidate.clearance_m = machine.clearance_m;
   }
+  if (const auto value = section.find("rub")) study.rub = read_rub(*value);
   if (const auto value = section.find("measurement")) study.measurement = read_measurement(*value);
   if (const auto value = section.find("split")) study.split = read_split(*value);
   constexpr yaml::Words<Format, 2> formats{{"csv", "matlab"}, {Format::csv, Format::matlab}};
