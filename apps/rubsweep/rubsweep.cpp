@@ -107,8 +107,9 @@ int export_matrices(const RubsweepArguments& arguments, const config::RunConfig&
     throw UsageError(
         "--export-matrices: rotor.yaml would replace the configuration that was read, allowed: another DIR");
   const ResultDirectory made(directory, config::exported_matrix_files);
-  batch::write_result_files(files, config::exported_matrix_files, directory,
-                            {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
+  batch::write_result_files(
+      files, config::exported_matrix_files, directory,
+      {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) print("{}", batch::files_line(files, directory));
   return done;
 }

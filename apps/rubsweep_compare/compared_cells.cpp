@@ -49,7 +49,8 @@ void write_compared_cells(const std::filesystem::path& file, const report::MapCo
     for (const double key : cell.keys) text += fmt::format(",{}", key);
     text += fmt::format(",{},{},{}\n", word_of(cell.verdict), cell.label_a, cell.label_b);
   }
-  batch::TableFile table(file, {fmt::format("rubsweep-compare {}", RUBSWEEP_VERSION), comparison.digest_a, {}});
+  batch::TableFile table(file,
+                         {fmt::format("rubsweep-compare {}", RUBSWEEP_VERSION), comparison.digest_a, {}});
   table.write(text);
   table.commit();
 }

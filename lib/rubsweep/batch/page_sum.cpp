@@ -8,16 +8,16 @@
 namespace rubsweep::batch {
 namespace {
 
-constexpr std::string_view begin = "<!-- sha256 ", end = " -->\n";
+constexpr std::string_view before_digits = "<!-- sha256 ", behind_digits = " -->\n";
 
 }  // namespace
 
 std::string with_page_sum(std::string_view page) {
   const std::size_t after_first = std::min(page.find('\n'), page.size() - 1) + 1;
   return std::string(page.substr(0, after_first))
-      .append(begin)
+      .append(before_digits)
       .append(sha256_of(page))
-      .append(end)
+      .append(behind_digits)
       .append(page.substr(after_first));
 }
 
@@ -25,10 +25,11 @@ PageSum check_page(std::string_view page) {
   const std::string text = without_carriage_returns(page);
   const std::size_t line = std::min(text.find('\n'), text.size() - 1) + 1;
   const std::string_view marked = std::string_view(text).substr(line);
-  if (!marked.starts_with(begin)) return PageSum::none;
+  if (!marked.starts_with(before_digits)) return PageSum::none;
   const std::size_t length = std::min(marked.find('\n'), marked.size() - 1) + 1;
   const std::string other = text.substr(0, line).append(marked.substr(length));
-  const bool same = marked.substr(0, length) == std::string(begin).append(sha256_of(other)).append(end);
+  const bool same =
+      marked.substr(0, length) == std::string(before_digits).append(sha256_of(other)).append(behind_digits);
   return same ? PageSum::right : PageSum::wrong;
 }
 

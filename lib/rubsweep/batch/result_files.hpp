@@ -16,7 +16,7 @@ using ResultFiles = std::map<std::string_view, std::string>;
 struct ResultSource {
   std::string program;  ///< without its version
   std::string digest;
-  std::string captions{};  ///< as caption_lines gives them
+  std::string captions{};              ///< as caption_lines gives them
   std::vector<std::string> made_of{};  ///< names of files in the same directory that the results are made of
 };
 

@@ -1,3 +1,0 @@
-cd /tmp/rp; rm -rf em2; cp -r em em2; sed -i 's/$/\r/' em2/*; /work/main/build/release/apps/rubsweep em2/rotor.yaml --check; echo "rc $?"; /work/main/build/release/apps/rubsweep --verify em2; echo $?
-printf 'base: /work/main/configs/minimal.yaml\r\ntitle: x\r\n' > crlf.yaml;  /work/main/build/release/apps/rubsweep crlf.yaml --check; echo $?
-rm -rf vx; cp -r map vx; sed -i 's/$/\r/' vx/map.csv vx/config.yaml; cd vx; /work/main/build/release/apps/rubsweep /work/shared/next/attack/small.yaml --output . ; echo "sweep on crlf map $?"; /work/main/build/release/apps/rubsweep-compare map.csv ../map/map.csv | tail -3; python3 /work/main/scripts/rubplot map . --output p.svg; echo $?
