@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "response/golden_angle.hpp"
 
@@ -49,6 +50,21 @@ TEST(Followed, AnAngleThatNeverComesRoundReturnsLikeATorus) {
 TEST(Followed, WhatGrowsWithoutAnEndIsNoTorus) {
   EXPECT_TRUE(like_a_torus(turning(golden_angle, 0, 2e-4)));
   EXPECT_FALSE(like_a_torus(turning(golden_angle, 0, 2e-3)));
+}
+
+TEST(Followed, AWindowOfAnotherMotionDoesNotBelongToIt) {
+  const Followed torus = turning(golden_angle, 0);
+  const auto window = [](double radius) {
+    std::vector<double> sections;
+    for (int k = 0; k < 64; ++k) {
+      const double angle = golden_angle * (k - 64.0);
+      sections.insert(sections.end(), {1 + radius * std::cos(angle), radius * std::sin(angle), 0.0, 0.0});
+    }
+    return sections;
+  };
+  EXPECT_TRUE(belongs_to(torus, window(1)));
+  EXPECT_FALSE(belongs_to(torus, window(1.1)));
+  EXPECT_FALSE(belongs_to(torus, window(0)));
 }
 
 }  // namespace
