@@ -72,6 +72,9 @@ TEST(SampleClock, EvenTimesHaveOneStretchAndTimesThatStepBackAreRefused) {
   EXPECT_FALSE(stretch_without_jump(table(), {.time = "t"}, "f.csv", findings));
   EXPECT_FALSE(stretch_without_jump(jumping(30, -3), {.time = "t"}, "f.csv", findings));
   EXPECT_NE(clock_fault(jumping(30, -3), {.time = "t"}), "");
+  Channels one_back = table();
+  one_back.channels[0].values[40] = 5.5;
+  EXPECT_FALSE(stretch_without_jump(one_back, {.time = "t"}, "f.csv", findings));
   Channels uneven = table();
   for (std::size_t k = 0; k < uneven.rows(); k += 7) uneven.channels[0].values[k] += 0.3;
   EXPECT_FALSE(stretch_without_jump(uneven, {.time = "t"}, "f.csv", findings));

@@ -29,6 +29,8 @@ TEST(Layout, NamesAreWhatTheirCellsAre) {
   // One name fewer than numbers: the names would be those of other columns.
   EXPECT_EQ(names_of("X,Y\n0,1,2\n1,2,3\n"), "  ");
   EXPECT_EQ(names_of(",X,Y\n0,1,2\n1,2,3\n"), " X Y");
+  EXPECT_EQ(names_of("t,X,X\n0,1,2\n1,2,3\n"), "t X X");
+  EXPECT_EQ(names_of("Mode,Detail,Mode,Detail\n0,1,2,3\n1,2,3,4\n"), "   ");
   EXPECT_EQ(names_of("Volt,Volt\n0,1\n1,2\n"), "/Volt /Volt");
 }
 

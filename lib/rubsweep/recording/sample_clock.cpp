@@ -107,8 +107,12 @@ std::optional<Channels> stretch_without_jump(const Channels& channels, const Ins
   const Channel& time = find_channel(channels, *instrument.time, name);
   const double unit_s = seconds_per(time.unit, time.name, name), usual = usual_step(time.values);
   std::vector<std::size_t> begins{0};  // of stretches, and the end of the last one
-  for (std::size_t k = 1; k < time.values.size(); ++k)
-    if (usual > 0 && time.values[k] - time.values[k - 1] >= (1 + largest_jitter) * usual) begins.push_back(k);
+  for (std::size_t k = 1; k < time.values.size(); ++k) {
+    const double step = time.values[k] - time.values[k - 1];
+    if (!(usual > 0) || step <= (1 - largest_jitter) * usual)
+      return std::nullopt;  // no clock: clock_of says where
+    if (step >= (1 + largest_jitter) * usual) begins.push_back(k);
+  }
   const std::size_t jumps = begins.size() - 1;
   constexpr std::size_t usual_steps_of_one = 100;
   if (jumps == 0 || jumps > time.values.size() / usual_steps_of_one) return std::nullopt;

@@ -24,8 +24,8 @@ const Channel& find_channel(const Channels& channels, const std::string& column,
 SampleClock clock_of(const Channels& channels, const Instrument& instrument, const std::string& name);
 
 /// The longest stretch of rows in which the column of times does not jump ahead, as far as from_s and to_s
-/// leave it, and a sentence for `findings`; nothing where it does not jump, or jumps so often that it is
-/// uneven.
+/// leave it, and a sentence for `findings`; nothing where it does not jump, steps back too, or jumps so often
+/// that it is uneven.
 std::optional<Channels> stretch_without_jump(const Channels& channels, const Instrument& instrument,
                                              const std::string& name, std::vector<std::string>& findings);
 

@@ -117,14 +117,19 @@ bool is_unit_row(const std::vector<std::string_view>& cells) {
          std::ranges::all_of(cells, [](auto cell) { return cell.empty() || is_unit(cell); });
 }
 
-/// Whether cells name the columns: the first one may be a number of the row, without a name.
-bool are_names(const std::vector<std::string_view>& cells, const Layout& layout) {
+/// Whether cells name the columns: the first one may be a number of the row, without a name, and where no
+/// line is left in which all differ, some may be the same, which whoever asks for them is told.
+bool are_names(const std::vector<std::string_view>& cells, const Layout& layout, bool all_differ = true) {
   if (cells.size() < layout.fewest_cells) return false;
+  std::size_t once = 0, named = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i].empty() && i > 0 && i < layout.fewest_cells) return false;
     if (is_number(cells[i], i, layout.separator)) return false;
-    if (!cells[i].empty() && std::ranges::count(cells, cells[i]) > 1) return false;
+    if (cells[i].empty()) continue;
+    once += std::ranges::count(cells, cells[i]) == 1;
+    ++named;
   }
+  if (all_differ ? once < named : once == 0) return false;
   return !(layout.fewest_cells == 1 && cells[0].empty());
 }
 
@@ -169,13 +174,17 @@ void refuse_other_rows(const Layout& layout, const std::vector<Line>& above) {
 void find_names(Layout& layout, const std::vector<Line>& above) {
   std::vector<std::string_view> units;
   const Line* names = nullptr;
-  for (auto line = above.rbegin(); line != above.rend() && names == nullptr; ++line) {
-    if (is_comment(line->text)) continue;
-    const auto cells = cells_of(line->text, layout.separator);
-    if (units.empty() && is_unit_row(cells) && cells.size() >= layout.fewest_cells) {
-      units = cells;
-    } else if (are_names(cells, layout)) {
-      names = &*line;
+  for (const bool all_differ : {true, false}) {
+    for (auto line = above.rbegin(); line != above.rend() && names == nullptr; ++line) {
+      if (is_comment(line->text)) continue;
+      const auto cells = cells_of(line->text, layout.separator);
+      if (is_unit_row(cells) && cells.size() >= layout.fewest_cells) {
+        if (units.empty()) units = cells;
+      } else if (are_names(cells, layout, all_differ)) {
+        names = &*line;
+      } else if (!all_differ) {
+        break;  // the line above the numbers alone
+      }
     }
   }
   if (names != nullptr) {

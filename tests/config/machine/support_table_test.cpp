@@ -48,7 +48,7 @@ TEST(SupportTable, FromAFileIsPrintedInlineAndReadsBackTheSame) {
 }
 
 /// Table that a file with these bytes gives, or what is wrong with it.
-class TableFiles : public testing::Test {
+class SupportTableFile : public testing::Test {
  protected:
   RunConfig config_of(const std::string& bytes) const {
     std::ofstream(directory_.path() / "film.csv", std::ios::binary) << bytes;
@@ -78,7 +78,7 @@ class TableFiles : public testing::Test {
   const TemporaryDirectory directory_;
 };
 
-TEST_F(TableFiles, AreReadAsPeopleHaveThem) {
+TEST_F(SupportTableFile, AreReadAsPeopleHaveThem) {
   expect_table("speed_rpm;kxx;kyy;cxx\n1200;3,0e4;31000;5\n4800;3,35e4;32000;6\n");
   expect_table("speed_rpm\tkxx\tkyy\tcxx\r\n1200\t3e4\t3.1e4\t5\r\n4800\t33500\t32000\t6\r\n");
   expect_table(
@@ -95,7 +95,7 @@ TEST_F(TableFiles, AreReadAsPeopleHaveThem) {
   expect_table("speed_hz,kxx,kyy,cxx\n80,33500,32000,6\n20,30000,31000,5\n");
 }
 
-TEST_F(TableFiles, UnitsThatAreMissingOrContradictAreRefused) {
+TEST_F(SupportTableFile, UnitsThatAreMissingOrContradictAreRefused) {
   EXPECT_EQ(problem_of("Omega,kxx,kyy\n1,2,3\n2,2,3\n"),
             "film.csv:1:1: rotor.supports.1.table.file: 'Omega' says no unit, allowed: rpm, Hz or rad/s "
             "behind it or "
