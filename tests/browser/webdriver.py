@@ -145,3 +145,5 @@ class Browser:
     def choose(self, selector, value):
         """An option of a select element, as a reader would choose it."""
         self.click(f'{selector} option[value="{value}"]')
+        chosen = "return document.querySelector(arguments[0]).value === arguments[1]"
+        self.wait(lambda: self.run(chosen, selector, value), f"{selector} does not become {value}")

@@ -41,6 +41,7 @@ class Drawn(figures.FigureTest):
                 self.write("map.csv", HEADER + "".join(
                     f"{hz},{share},{20 * hz * share}\n" for share in (0.01, 0.1, 1) for hz in (60, 90)))
                 root = self.draw("threshold")
+                self.assertEqual(figures.over_each_other(root), [])
                 self.assertIn("whirl ratio (quiet whirl / clearance)", figures.words(root))
                 self.assertIn("shaft speed (Hz)", figures.words(root))
                 self.assertIn("kick.force_n, smallest after which rub goes on", figures.words(root))

@@ -82,7 +82,7 @@ do for [format in formats] {
   set format x ""
   # Not as labels of the axes: beside a fixed margin these may come over the numbers.
   set label 4 "displacement (mm)" at screen 0.011, 0.65 center rotate by 90
-  set key at screen 0.47, 0.842 center top horizontal Left reverse samplen 2 maxrows 2
+  set key at screen 0.47, 0.844 center top horizontal Left reverse samplen 2 maxrows 2 font ',17'
     plot "envelope" using 1:2:3 with filledcurves linecolor rgb rotor fillstyle solid 0.35 noborder title "y", \
     "envelope" using 1:4 with lines linewidth 1.2 linecolor rgb rotor title "largest distance", \
     "steady" using 1:2 with points pointtype 7 pointsize 0.5 linecolor rgb steady title "at steady speed", \

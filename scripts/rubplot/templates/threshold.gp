@@ -38,7 +38,9 @@ if (strstrt(ARG6, "logx")) { set logscale x }
 if (strstrt(ARG6, "logy")) { set logscale y }
 set xtics out nomirror
 set ytics out nomirror
-set key outside below Left reverse samplen 1.5
+# A row of its own below the name of the axis.
+set bmargin at screen 0.175
+set key at screen 0.5, screen 0.005 center bottom horizontal Left reverse samplen 1.5 maxrows 1
 with_threshold(x) = strcol(7) eq "NaN" ? NaN : x
 without(x) = strcol(7) eq "NaN" ? x : NaN
 
