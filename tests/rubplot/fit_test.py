@@ -44,6 +44,16 @@ class FitPicture(figures.FigureTest):
         found = fit.Fit(self.directory).files[0]
         self.assertTrue(all(abs(float(line.split()[1]) - 1e-6 * found.left_per_metre) < 1e-9 * found.left_per_metre for line in found.lower("0")))
 
+    def test_a_run_up_shows_what_is_left(self):
+        self.write_fit(phasor_rows(0, "run_up", 0, run_up()))
+        found = fit.Fit(self.directory).files[0]
+        for line, (_, measured, model) in zip(found.lower("0"), run_up()):
+            self.assertAlmostEqual(float(line.split()[3]), found.left_per_metre * abs(measured - model))
+        self.assertEqual([fit.FittedFile._step(largest) for largest in (2.5, 0.9, 40, 1.99)], [1, 0.2, 20, 0.5])
+        root = self.draw("fit")
+        self.assertTrue(any(word.startswith("left (") for word in figures.words(root)))
+        self.assertEqual(figures.over_each_other(root), [])
+
     def test_the_picture_says_what_it_shows(self):
         rows = "".join(f"0,ring_down,{i},signal,{k / 100},{math.cos(k) * 1e-4},{math.cos(k) * 1e-4}\n" for i in (0, 1) for k in range(30))
         rows += phasor_rows(1, "run_up", 0, run_up())

@@ -39,6 +39,16 @@ class FittedFile:
         left = max(abs(measured - model) for rows_of in self.series.values() for _, measured, model in rows_of)
         self.left_per_metre, self.left_unit = shown_units.of_length(left) if left > 0 else (self.per_metre, self.unit)
 
+        self.left_step = self._step(self.left_per_metre * left)
+
+    @staticmethod
+    def _step(largest):
+        """1, 2 or 5 times a power of ten, at most half of a number: a low panel has room for few numbers."""
+        if not largest > 0:
+            return 1
+        power = 10 ** math.floor(math.log10(largest / 2))
+        return max(share * power for share in (1, 2, 5) if share * power <= largest / 2 or share == 1)
+
     @staticmethod
     def _joined(parts):
         if "signal" in parts:
@@ -57,7 +67,7 @@ class FittedFile:
             yield " ".join("%.17g" % number for number in (at, *(self.per_metre * value for value in values)))
 
     def lower(self, sensor):
-        """Residual of a reading; of 1X the phases, which go on where they pass a whole turn."""
+        """Residual of a reading; of 1X the phases, which go on where they pass a whole turn, and what is left."""
         before = None
         for at, measured, modelled in self.series[sensor]:
             if self.kind == "ring_down":
@@ -66,7 +76,7 @@ class FittedFile:
             model = phases.beside(math.degrees(cmath.phase(modelled)), before)
             before = None if self.kind == "rub" else model
             phase = phases.beside(math.degrees(cmath.phase(measured)), model)
-            yield f"{at:.17g} {phase:.17g} {model:.17g}"
+            yield f"{at:.17g} {phase:.17g} {model:.17g} {self.left_per_metre * abs(measured - modelled):.17g}"
 
 
 class Fit:
@@ -101,7 +111,7 @@ def picture(given):
     for column, data in enumerate(fit.files):
         sensors = list(data.series)[:MOST_SENSORS]
         panels += [f'title_{column} = "{data.title}"', f'axis_{column} = "{data.axis.label}"', f'unit_{column} = "{data.unit}"', f'left_unit_{column} = "{data.left_unit}"',
-                   f'kind_{column} = "{data.kind}"', f"sensors_{column} = {len(sensors)}", f"nothing_left_{column} = {int(data.leaves_nothing())}"]
+                   f'kind_{column} = "{data.kind}"', f"sensors_{column} = {len(sensors)}", f"nothing_left_{column} = {int(data.leaves_nothing())}", f"left_step_{column} = {data.left_step:.17g}"]
         for i, sensor in enumerate(sensors):
             panels.append(f'name_{column}_{i} = "sensor {sensor}"')
             files[f"upper_{column}_{i}"] = data.upper(sensor)
@@ -118,7 +128,7 @@ SUBCOMMAND = Subcommand(
     name="fit",
     summary="data and model of a fit (rubfit)",
     description="""Draws what rubfit wrote into DIR: of each file of data, three at most, the readings or the amplitude and
-phase of 1X as points and the fitted model as lines, of a ring-down what is left, of a rub the lines of its spectrum; below,
+phase of 1X as points and the fitted model as lines, what is left of both, of a rub the lines of its spectrum; below,
 the numbers that were found with half the width of their 95 % intervals.""",
     source="DIR",
     heading="Fit",

@@ -1,7 +1,7 @@
 # Draws the fit that pictures/fit.py lays out.
 # Arguments: HEADING COLUMNS
-# Files: panels.gp (title, axis, unit, left_unit, kind, sensors and nothing_left of each column; the sentences found_N),
-# upper_C_N and lower_C_N (place, measured, modelled) of sensor N in column C.
+# Files: panels.gp (title, axis, unit, left_unit, kind, sensors, nothing_left and left_step of each column; the sentences found_N),
+# upper_C_N and lower_C_N (place, measured, modelled, of 1X what is left) of sensor N in column C.
 
 heading = ARG1
 columns = int(ARG2)
@@ -74,12 +74,14 @@ do for [format in formats] {
 
     eval no_rpm
     set tmargin at screen 1 - 474 / high
-    set bmargin at screen 1 - 770 / high
-    set xlabel "" . of("axis", c)
-    set format x "% h"
+    # Below the phases of 1X stands what is left of it.
+    below = !ring && !rub
+    set bmargin at screen 1 - (below ? 636.0 : 770.0) / high
+    set xlabel (below ? "" : "" . of("axis", c))
+    set format x (below ? "" : "% h")
     set yrange [*:*]
     set label 2 (ring ? sprintf("left (%s)", of("left_unit", c)) : "phase (deg)") center rotate by 90 \
-      at screen (c + (columns == 1 ? 0.02 : 0.025)) / columns, screen 1 - 615 / high
+      at screen (c + (columns == 1 ? 0.02 : 0.025)) / columns, screen 1 - (below ? 555.0 : 615.0) / high
     if (!ring) { set ytics 90 }
     if (of("nothing_left", c)) { set yrange [-1:1] }
     plot for [i = 0:last] lower(c, i) using 1:2 with points pointtype 7 pointsize (rub ? 1.2 : dot) \
@@ -88,6 +90,17 @@ do for [format in formats] {
         linecolor rgb colours[rub ? 2 : i + 1], \
       for [i = 0:last] lower(c, i) using 1:(rub ? NaN : $3) with lines linewidth 1.5 linecolor rgb colours[i + 1]
     set offsets 0, 0, 0, 0
+    if (below) {
+      set tmargin at screen 1 - 666 / high
+      set bmargin at screen 1 - 770 / high
+      set xlabel "" . of("axis", c)
+      set format x "% h"
+      set yrange [0:*]
+      set ytics of("left_step", c)
+      set label 2 sprintf("left (%s)", of("left_unit", c)) center rotate by 90 \
+        at screen (c + (columns == 1 ? 0.02 : 0.025)) / columns, screen 1 - 718 / high
+      plot for [i = 0:last] lower(c, i) using 1:4 with points pointtype 7 pointsize dot linecolor rgb colours[i + 1]
+    }
   }
   unset multiplot
   unset output
