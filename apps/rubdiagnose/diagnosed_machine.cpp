@@ -55,10 +55,13 @@ void set_jeffcott(const model::JeffcottRotor& rotor, const Fitted& fitted, const
                       ": rotor.damping_ratio: is 0, allowed: above 0, as no motion would settle");
   diagnosed.fixed.rotor_mass_kg = rotor.mass_kg;
   diagnosed.fixed.rotating_damping_ratio = rotor.rotating_damping_ratio;
-  diagnosed.natural_frequency_hz = interval_of(fitted, "rotor.natural_frequency_hz",
-                                               rotor.natural_frequency_hz, frequency_share, diagnosed.remarks);
+  diagnosed.natural_frequency_hz = interval_of(
+      fitted, "rotor.natural_frequency_hz", rotor.natural_frequency_hz, frequency_share, diagnosed.remarks);
   diagnosed.damping_ratio =
       interval_of(fitted, "rotor.damping_ratio", rotor.damping_ratio, damping_share, diagnosed.remarks);
+  diagnosed.remarks.push_back(
+      "rotor: has one mode, and so has every candidate: a rub of a rotor with a second bending mode may be "
+      "called none of these; a rotor_kit has its modes");
 }
 
 /// Values of the fitted keys of the rotor as overrides of a configuration.
@@ -67,8 +70,7 @@ std::vector<std::string> overrides_of(const diagnose::FittedParameters& fitted,
   std::vector<std::string> overrides;
   for (std::size_t i = 0; i < fitted.name.size(); ++i)
     if (fitted.name[i].starts_with("rotor."))
-      overrides.push_back(
-          fmt::format("{}={}", fitted.name[i], values(static_cast<Eigen::Index>(i))));
+      overrides.push_back(fmt::format("{}={}", fitted.name[i], values(static_cast<Eigen::Index>(i))));
   return overrides;
 }
 

@@ -56,6 +56,14 @@ class Scope(figures.FigureTest):
         found = scope.ScopeRun(self.directory)
         self.assertEqual((found.orders, found.directions, found.resonances), ([1.0, 2.0], ["x"], ["30"]))
         root = self.draw("scope")
+        self.assertEqual(figures.over_each_other(root), [])
+        both = "t_s,speed_hz,order,x_amplitude_m,x_phase_deg,y_amplitude_m,y_phase_deg\n"
+        both += "".join(f"{k},{10 + k / 2},{order},{1e-5 / (1 + abs(k - 20))},-90,1e-6,0\n" for order in (1, 2) for k in range(40))
+        self.write("bode.csv", both)
+        self.write("measures.csv", "quantity,value,uncertainty\nturns,40,\nresonance_x_hz,19.381,\n")
+        crowded = self.draw("scope")
+        self.assertIn("2X, y", figures.words(crowded))
+        self.assertEqual(figures.over_each_other(crowded), [])
         for word in ("amplitude (µm)", "phase of 1X (deg)", "1X, x", "2X, x", "resonance 30 Hz", "shaft speed (Hz)", "order"):
             self.assertIn(word, figures.words(root))
         self.assertEqual(figures.over_each_other(root), [])

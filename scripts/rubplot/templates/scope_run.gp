@@ -47,11 +47,15 @@ do for [format in formats] {
   set yrange [0:*]
   set format x ""
   set label 2 sprintf("amplitude (%s)", unit) at screen 0.015, 0.69 center rotate by 90
-  set key at screen 0.29, 0.94 center top horizontal maxrows 2 Left reverse samplen 1.5 width -7 font ",16" noenhanced
+  # A row of its own: five entries of a key would reach the revolutions per minute.
+  if (words(resonances)) {
+    set label 5 sprintf("resonance %s %s", word(resonances, 1), strstrt(ARG5, "rpm") ? "rpm" : "Hz") \
+      at screen 0.29, 0.918 center font ",15" textcolor rgb mark noenhanced
+  }
+  set key at screen 0.29, 0.952 center top horizontal maxrows 2 Left reverse samplen 1.5 width 1 font ",15" noenhanced
   plot for [i = 0:curves - 1] file(i) using 1:2 with lines linewidth 2 linecolor rgb colours[i + 1] \
-      title value(sprintf("name_%d", i)), \
-    NaN with lines dashtype 2 linewidth 1.2 linecolor rgb mark \
-      title (words(resonances) ? sprintf("resonance %s %s", word(resonances, 1), strstrt(ARG5, "rpm") ? "rpm" : "Hz") : "")
+      title value(sprintf("name_%d", i))
+  unset label 5
   unset label 1
   unset key
 
