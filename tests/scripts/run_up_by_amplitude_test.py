@@ -7,7 +7,7 @@ from run_up_by_amplitude import amplitudes, least, left_um
 class Amplitudes(unittest.TestCase):
     def test_a_slow_ramp_has_the_amplitudes_of_steady_speeds(self):
         speeds = [20.0, 24.0, 27.0]
-        for speed, found in zip(speeds, amplitudes(speeds, 30.0, 0.05, 2.0)):
+        for speed, found in zip(speeds, amplitudes(speeds, 30.0, 0.05, 0.5)):
             r = speed / 30
             self.assertAlmostEqual(found / (r * r / math.hypot(1 - r * r, 0.1 * r)), 1, delta=0.02)
 
