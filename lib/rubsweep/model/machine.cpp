@@ -9,6 +9,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/model/require.hpp"
+#include "rubsweep/model/shaft_end.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::model {
@@ -91,7 +92,7 @@ void validate_position(const Machine& machine, const std::optional<double>& posi
     if (position_m)
       throw ConfigError(path + ": a Jeffcott rotor has no places along its shaft, allowed: nothing");
   } else if (position_m || needed) {
-    require(path, position_m.value_or(required), Range{.low = 0, .high = shaft_length_m(*kit)});
+    require(path, position_m.value_or(required), Range{.low = 0, .high = furthest_place_m(shaft_length_m(*kit))});
   }
 }
 

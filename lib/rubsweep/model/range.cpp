@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "rubsweep/model/magnitude.hpp"
 
@@ -18,6 +19,14 @@ bool inside(const Range& range, double value) {
 bool of_any_machine(double value) {
   const double magnitude = std::abs(value);
   return magnitude == 0 || (magnitude >= smallest_magnitude && magnitude <= largest_magnitude);
+}
+
+/// A number without the rounding of a sum, and without the margin that is given for it.
+std::string short_text(double value) {
+  constexpr double rounding = 2e-10;
+  const std::string rounded = fmt::format("{:.9g}", value);
+  const bool same = std::abs(std::strtod(rounded.c_str(), nullptr) - value) <= rounding * std::abs(value);
+  return same ? fmt::format("{}", std::strtod(rounded.c_str(), nullptr)) : fmt::format("{}", value);
 }
 
 }  // namespace
@@ -38,8 +47,8 @@ std::string describe(const Range& range) {
   if (has_low) text = fmt::format("a number {} {}", range.low_open ? ">" : ">=", range.low);
   if (std::isfinite(range.high)) {
     const char* sign = range.high_open ? "<" : "<=";
-    text = has_low ? fmt::format("{} and {} {}", text, sign, range.high)
-                   : fmt::format("a number {} {}", sign, range.high);
+    const std::string high = short_text(range.high);
+    text = has_low ? fmt::format("{} and {} {}", text, sign, high) : fmt::format("a number {} {}", sign, high);
   }
   return text;
 }

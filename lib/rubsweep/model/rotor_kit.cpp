@@ -12,6 +12,7 @@
 #include "rubsweep/error.hpp"
 #include "rubsweep/model/disc_inertia.hpp"
 #include "rubsweep/model/require.hpp"
+#include "rubsweep/model/shaft_end.hpp"
 #include "rubsweep/model/shaft_matrices.hpp"
 #include "rubsweep/overloaded.hpp"
 
@@ -43,7 +44,7 @@ void require_parts(const std::vector<Part>& parts, const std::string& path, cons
     const std::string name = fmt::format("{}{}.{}.", path, list, i);
     Part::visit_fields(parts[i], [&](const char* key, const auto& value, const Range& range) {
       if (key != std::string_view("position_m")) return require(name + key, value, range);
-      if (is_on_shaft(parts[i])) require(name + key, value, Range{.low = 0, .high = length_m});
+      if (is_on_shaft(parts[i])) require(name + key, value, Range{.low = 0, .high = furthest_place_m(length_m)});
     });
   }
 }
@@ -87,7 +88,7 @@ void validate(const BowMode& mode, const std::string& path) {
 
 void validate(const BowPoints& points, const std::string& path, double length_m) {
   for (const double position : points.position_m) {
-    require(path + "position_m", position, Range{.low = 0, .high = length_m});
+    require(path + "position_m", position, Range{.low = 0, .high = furthest_place_m(length_m)});
   }
   for (const double deflection : points.deflection_m)
     require(path + "deflection_m", deflection, physical::deflection_m);

@@ -140,7 +140,7 @@ double FullReference::difference(const MatrixXcd& found, const MatrixXcd& exact,
                                  const Eigen::Vector2d& size) const {
   const Eigen::Vector2d off = sizes(found - exact);
   // Loads may be none.
-  return std::max(off(0) / size(0), size(1) > 0 ? off(1) / size(1) : 0);
+  return std::max(off(0) / size(0), size(1) > 0 ? share_beside * off(1) / size(1) : 0);
 }
 
 double FullReference::line_error(const Rotor& reduced, std::size_t line, double enough) const {
@@ -178,7 +178,8 @@ double FullReference::peak_error(const Rotor& reduced, std::size_t line, double 
     const double w = rad_per_s((low + high) / 2);
     const MatrixXcd exact = receptance(full_, lines_[line], w), found = receptance(reduced, lines_[line], w);
     Eigen::Vector2d size = sizes(exact).cwiseMax(sizes(found));
-    worst = std::max(worst, difference(found, exact, size));
+    const Eigen::Vector2d off = sizes(found - exact);
+    worst = std::max(worst, share_beside * std::max(off(0) / size(0), size(1) > 0 ? off(1) / size(1) : 0));
   }
   return worst;
 }

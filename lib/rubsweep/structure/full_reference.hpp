@@ -8,6 +8,10 @@
 
 namespace rubsweep::structure {
 
+/// Resonances move with the last digits of a frequency, and a load away from all attachment modes is followed
+/// by the modes alone: there a difference counts by this share.
+inline constexpr double share_beside = 0.2;
+
 /// Judge of reductions of one kit: its full matrices, answered once by direct solution, with dampers, cross
 /// terms, gyroscopic moments and damping that turns.
 class FullReference {
@@ -19,8 +23,8 @@ class FullReference {
 
   /// Worst difference of a receptance up to kit.modes_up_to_hz, against the largest within a fifth of the
   /// frequency: at rest, turning with the force, and with supports at the lowest and highest speed of their
-  /// tables; at even steps of log frequency and at the resonances of the reduced rotor. A larger one than
-  /// `enough` ends the look.
+  /// tables; at even steps of log frequency, and by share_beside at the resonances of the reduced rotor and
+  /// under unbalance and loads. A larger one than `enough` ends the look.
   double receptance_error(const Reduction& reduction, double enough) const;
 
   /// How vibrations that grow come out up to kit.modes_up_to_hz.

@@ -12,6 +12,7 @@
 #include "rubsweep/config/machine/shaft_segment.hpp"
 #include "rubsweep/config/machine/support_table.hpp"
 #include "rubsweep/model/disc_inertia.hpp"
+#include "rubsweep/model/shaft_end.hpp"
 #include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::config::machine {
@@ -182,7 +183,8 @@ void print_parts(yaml::Printer& printer, std::string_view name, const std::vecto
 model::Range places(const model::RotorKit& kit) {
   const double length_m = model::shaft_length_m(kit);
   const bool known = kit.matrices || !kit.shaft.empty();
-  return known && std::isfinite(length_m) ? model::Range{.low = 0, .high = length_m} : model::not_negative;
+  return known && std::isfinite(length_m) ? model::Range{.low = 0, .high = model::furthest_place_m(length_m)}
+                                              : model::not_negative;
 }
 
 void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit) {
