@@ -21,6 +21,8 @@ po::options_description visible_options() {
   add_instrument(options);
   options.add_options()("orders", po::value<std::string>()->value_name("P,P,..."),
                         "orders of the Bode plot, multiples of 1/8; 1,2 unless given")(
+      "least-line", po::value<double>()->value_name("PERCENT"),
+      "smallest line that counts for a period, in per cent of the largest one; 0.5 unless given")(
       "compare", po::value<std::string>()->value_name("CONFIG.yaml"),
       "lay the recording over a simulated motion, that of --cell, by the first sensor of a rotor kit or by "
       "the rotor")("cell", po::value<std::string>()->value_name("SPEED_HZ,UNBALANCE"),
@@ -99,6 +101,11 @@ RubscopeArguments parse_rubscope_arguments(int argc, const char* const* argv) {
   RubscopeArguments arguments{recording_arguments(given, "rubscope RECORDING", "_scope")};
   if (arguments.action != Action::run) return arguments;
   if (given.count("orders")) arguments.orders = orders_of(given["orders"].as<std::string>());
+  if (const auto percent = not_negative_number(given, "least-line")) {
+    if (!(*percent < 100))
+      throw UsageError(fmt::format("--least-line: {:g}, allowed: from 0 to below 100 (per cent)", *percent));
+    arguments.least_line = *percent / 100;
+  }
   arguments.compared = compared_of(given);
   arguments.shown = shown_lengths_of(given);
   arguments.figure = figure_of(given);

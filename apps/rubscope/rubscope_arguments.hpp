@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/model/length_text.hpp"
+#include "rubsweep/scope/verdict.hpp"
 #include "shared/cell_argument.hpp"
 #include "shared/figure.hpp"
 #include "shared/recording_arguments.hpp"
@@ -20,7 +21,8 @@ struct ComparedCell {
 };
 
 struct RubscopeArguments : RecordingArguments {
-  std::vector<double> orders = {1, 2};  ///< of the Bode plot, multiples of 1/8
+  std::vector<double> orders = {1, 2};           ///< of the Bode plot, multiples of 1/8
+  double least_line = scope::usual_least_share;  ///< that counts for a period, as a share of the largest line
   std::optional<ComparedCell> compared = {};
   model::ShownLengths shown = {};  ///< in the printed text
   std::optional<Figure> figure = {};

@@ -43,7 +43,8 @@ TEST(ScopeTables, HoldTheMotion) {
   EXPECT_NE(tables.measures_csv.find("\nperiod_turns,1,\n"), std::string::npos);
   EXPECT_NE(tables.summary.find("synchronous, circle orbit, forward whirl\n"), std::string::npos);
   EXPECT_NE(tables.summary.find("100 um peak to peak in x, 100 um in y"), std::string::npos);
-  EXPECT_TRUE(tables.summary.starts_with("speed     50 Hz (3000 rpm), 50 to 50 Hz (3000 to 3000 rpm), 30 turns, "));
+  EXPECT_TRUE(
+      tables.summary.starts_with("speed     50 Hz (3000 rpm), 50 to 50 Hz (3000 to 3000 rpm), 30 turns, "));
   EXPECT_TRUE(tables.summary.ends_with("warning   'x' is clipped above\n"));
 }
 
@@ -51,7 +52,8 @@ TEST(ScopeTables, SayLengthsAsTheyAreAskedFor) {
   const recording::Recording recording = circle(30);
   const Verdict verdict = judge(recording.displacement_m, recording::samples_per_revolution, true);
   const ScopeTables tables = tables_of(recording, verdict, {1, 2}, {model::LengthUnit::mil, true});
-  EXPECT_NE(tables.summary.find("3.937 mil peak to peak in x, 3.937 mil in y"), std::string::npos) << tables.summary;
+  EXPECT_NE(tables.summary.find("3.937 mil peak to peak in x, 3.937 mil in y"), std::string::npos)
+      << tables.summary;
   EXPECT_EQ(tables.measures_csv, tables_of(recording, verdict, {1, 2}).measures_csv);
 }
 

@@ -127,8 +127,7 @@ std::vector<std::vector<double>> stretch_of(const std::vector<Readings>& all, co
   return stretch;
 }
 
-/// What the probes do not see: says it, and leaves out where one of them stands still, if enough turns are
-/// left.
+/// Says what the probes do not see, and leaves out where one of them stands still, if enough turns are left.
 void look_for_faults(std::vector<Readings>& all, const Recording& recording, const SampleClock& clock,
                      std::vector<std::string>& findings) {
   const std::size_t first = place_of(recording.turn_begin_s.front(), clock, all[0].values_m.size()),

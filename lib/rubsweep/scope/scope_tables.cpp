@@ -57,15 +57,24 @@ std::string orbit_csv(const Verdict& verdict, bool plane) {
 
 std::string lines_csv(const Verdict& verdict) {
   constexpr double degrees = 180 / std::numbers::pi;
-  std::string text = "order,amplitude_m,uncertainty_m,phase_deg,phase_uncertainty_deg\n";
+  std::string text =
+      "order,amplitude_m,uncertainty_m,phase_deg,phase_uncertainty_deg,line_order,line_order_uncertainty,"
+      "line_amplitude_m,line_amplitude_uncertainty_m\n";
   for (const MeasuredLine& line : verdict.lines) {
     const double amplitude_m = std::abs(line.amplitude_m);
     // Below its noise a line has no phase.
-    const double phase_rad = amplitude_m > verdict.noise_m ? verdict.noise_m / amplitude_m : NAN;
-    text += fmt::format("{},{},{},{},{}\n", csv_number(line.order), csv_number(amplitude_m),
-                        csv_number(verdict.noise_m),
-                        csv_number(std::isnan(phase_rad) ? NAN : std::arg(line.amplitude_m) * degrees),
-                        csv_number(phase_rad * degrees));
+    const double phase_rad = amplitude_m > verdict.noise_m ? line.uncertainty_m / amplitude_m : NAN;
+    DiscreteLine own{line.order, 0, amplitude_m, line.uncertainty_m};
+    if (!verdict.period && line.order != 0) {
+      const DiscreteLine* found = line_of_bin(verdict, line.order);
+      own = found ? *found : DiscreteLine{NAN, NAN, NAN, NAN};
+    }
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_number(line.order), csv_number(amplitude_m),
+                    csv_number(line.uncertainty_m),
+                    csv_number(std::isnan(phase_rad) ? NAN : std::arg(line.amplitude_m) * degrees),
+                    csv_number(phase_rad * degrees), csv_number(own.order), csv_number(own.order_uncertainty),
+                    csv_number(own.amplitude_m), csv_number(own.amplitude_uncertainty_m));
   }
   return text;
 }
@@ -91,19 +100,52 @@ std::string period_text(const Verdict& verdict) {
 
 /// Doubts that noise and length leave.
 std::string doubt_text(const Verdict& verdict, double mean_speed_hz, const model::ShownLengths& shown) {
-  const auto line = [&](double amplitude_m) { return model::amplitude_text(amplitude_m, shown, LengthUnit::um, 2); };
+  const auto line = [&](double amplitude_m) {
+    return model::amplitude_text(amplitude_m, shown, LengthUnit::um, 2);
+  };
   if (const auto& doubt = verdict.doubtful) {
-    return fmt::format("1/{} or 1/{}: {:.2g} s more would tell (a line of {}, seen from {} on)\n", *verdict.period,
-                       doubt->turns, std::max(doubt->more_turns, 1.0) / mean_speed_hz, line(doubt->amplitude_m),
-                       line(verdict.visible_m));
+    return fmt::format("1/{} or 1/{}: {:.2g} s more would tell (a line of {}, seen from {} on)\n",
+                       *verdict.period, doubt->turns, std::max(doubt->more_turns, 1.0) / mean_speed_hz,
+                       line(doubt->amplitude_m), line(verdict.visible_m));
   }
   if (verdict.longest_period < max_period) {
     return fmt::format(
         "periods of more than {} turns cannot be told by {} turns; {:.2g} s more would tell up to {}\n",
         verdict.longest_period, verdict.turns, (3 * max_period - verdict.turns) / mean_speed_hz, max_period);
   }
-  if (!verdict.period) return fmt::format("lines of {} or more stand beside every period\n", line(verdict.visible_m));
+  if (!verdict.period)
+    return fmt::format("lines of {} or more stand beside every period\n", line(verdict.visible_m));
   return fmt::format("no line of {} or more belongs to another period\n", line(verdict.visible_m));
+}
+
+/// Text on what stands beside the period, or on the lines where there is none.
+std::string content_text(const Verdict& verdict, const model::ShownLengths& shown) {
+  const auto length = [&](double amplitude_m, int digits) {
+    return model::amplitude_text(amplitude_m, shown, LengthUnit::um, digits);
+  };
+  if (verdict.motion == MeasuredClass::at_rest) return {};
+  std::string text;
+  if (!verdict.period) {
+    constexpr std::size_t most_said = 4;
+    for (std::size_t k = 0; k < std::min(most_said, verdict.discrete_lines.size()); ++k) {
+      const DiscreteLine& line = verdict.discrete_lines[k];
+      text += fmt::format("{} {:+.6g}X +- {:.1g}, {} +- {}\n", k == 0 ? "lines    " : "         ", line.order,
+                          line.order_uncertainty, length(line.amplitude_m, 4),
+                          length(line.amplitude_uncertainty_m, 2));
+    }
+    return text;
+  }
+  double largest_m = 0;
+  for (const MeasuredLine& line : verdict.lines)
+    if (line.order != 0) largest_m = std::max(largest_m, std::abs(line.amplitude_m));
+  const auto percent = [&](double amplitude_m) {
+    return fmt::format("{:.2g} %", 100 * amplitude_m / largest_m);
+  };
+  text = fmt::format("unsteady  lines vary slowly by {} of the largest one", percent(verdict.modulation_m));
+  if (verdict.beside_m > verdict.seen_m)
+    text += fmt::format("; beside the period stands a line of {}, {}, too small to count",
+                        length(verdict.beside_m, 2), percent(verdict.beside_m));
+  return text + '\n';
 }
 
 std::string speed_text(const Recording& recording, const std::vector<double>& speeds_hz) {
@@ -162,8 +204,8 @@ std::string run_text(const std::vector<OrderPoint>& points, bool y, const model:
       fmt::format("resonance_{0}_hz,{1},\ndamping_ratio_{0},{2},\nmisfit_{0},{3},\n", name,
                   csv_number(fit->frequency_hz), csv_number(fit->damping_ratio), csv_number(fit->misfit));
   return text + fmt::format("; a mode of {:.5g} Hz, damping ratio {:.3g}, explains {} but for {:.2g} %\n",
-                            fit->frequency_hz, fit->damping_ratio, model::speed_range_text(fit->from_hz, fit->to_hz, 4),
-                            100 * fit->misfit);
+                            fit->frequency_hz, fit->damping_ratio,
+                            model::speed_range_text(fit->from_hz, fit->to_hz, 4), 100 * fit->misfit);
 }
 
 }  // namespace
@@ -196,15 +238,19 @@ ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const 
   measure("peak_to_peak_x_m", peak_to_peak_m(verdict, false), end_noise_m);
   if (recording.plane) measure("peak_to_peak_y_m", peak_to_peak_m(verdict, true), end_noise_m);
   if (verdict.whirl) measure("forward_share", verdict.forward_share, verdict.forward_share_uncertainty);
+  if (verdict.period) measure("slow_modulation_m", verdict.modulation_m, NAN);
+  if (verdict.period) measure("largest_line_beside_m", verdict.beside_m, NAN);
   tables.summary = speed_text(recording, speeds_hz);
   tables.summary +=
       fmt::format("motion    {}\n          {}", period_text(verdict), doubt_text(verdict, mean_hz, shown));
   tables.summary += fmt::format("size      {} peak to peak",
                                 model::length_text(peak_to_peak_m(verdict, false), shown, LengthUnit::um));
   if (recording.plane)
-    tables.summary += " in x, " + model::length_text(peak_to_peak_m(verdict, true), shown, LengthUnit::um) + " in y";
-  tables.summary +=
-      fmt::format("; a line has {} of noise\n", model::amplitude_text(verdict.noise_m, shown, LengthUnit::um, 2));
+    tables.summary +=
+        " in x, " + model::length_text(peak_to_peak_m(verdict, true), shown, LengthUnit::um) + " in y";
+  tables.summary += fmt::format("; a line has {} of noise\n",
+                                model::amplitude_text(verdict.noise_m, shown, LengthUnit::um, 2));
+  tables.summary += content_text(verdict, shown);
   tables.summary += findings_text(recording);
   return tables;
 }

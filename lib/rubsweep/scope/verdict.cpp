@@ -9,6 +9,8 @@
 #include "rubsweep/response/spectrum/discrete_lines.hpp"
 #include "rubsweep/scope/mean_period.hpp"
 #include "rubsweep/scope/repeating_angles.hpp"
+#include "rubsweep/scope/slow_modulation.hpp"
+#include "rubsweep/scope/verdict_lines.hpp"
 
 namespace rubsweep::scope {
 namespace {
@@ -19,8 +21,6 @@ using response::spectrum::SpectrumWorkspace;
 
 constexpr int fewest_periods = 3;
 constexpr double false_alarm = 0.01;
-constexpr int most_aperiodic_turns = 64;
-constexpr double smallest_share = 1e-3;
 /// The same of a line that is not visible and yet suspicious.
 constexpr double suspicion = 0.2;
 
@@ -28,7 +28,7 @@ int longest_period_in(int turns) { return std::min(max_period, turns / fewest_pe
 
 /// A spectrum of which the lines up to an order are looked at.
 struct Lines : FullSpectrum {
-  double most_order = 0;
+  double most_order = 0, least_share = 0;
 };
 
 /// Lines that are looked at, but not 0X.
@@ -68,6 +68,7 @@ Noise noise_of(const Lines& spectrum) {
 
 struct Threshold {
   double noise_m = 0, suspicious_m = 0, visible_m = 0, largest_m = 0;
+  double seen_m = 0;  ///< smallest line that is not taken for noise, however small a part of the motion it is
 };
 
 Threshold threshold_of(const Lines& spectrum) {
@@ -85,9 +86,10 @@ Threshold threshold_of(const Lines& spectrum) {
     const double square = 2 * std::log(count / probability);
     return noise.deviation_m * std::sqrt(square / (1 - std::min(square * noise.variance, most)));
   };
-  const double floor_m = smallest_share * threshold.largest_m;
+  const double floor_m = spectrum.least_share * threshold.largest_m;
   threshold.suspicious_m = std::max(reached(suspicion), floor_m);
-  threshold.visible_m = std::max(reached(false_alarm), floor_m);
+  threshold.seen_m = reached(false_alarm);
+  threshold.visible_m = std::max(threshold.seen_m, floor_m);
   return threshold;
 }
 
@@ -129,13 +131,21 @@ struct Motion {
   std::size_t per_turn = 0;
   Reading reading;
 
-  double most_order_looked_at() const {
-    constexpr double flat_share = 0.4;
-    return std::min(most_order, flat_share * reading.readings_per_turn);
-  }
+  double most_order_looked_at() const { return scope::most_order_looked_at(reading); }
   std::vector<Complex> repeating_after(int turns) const {
     return at_repeating_angles(samples, static_cast<int>(per_turn), turns, most_order_looked_at(),
                                reading.angle_doubt);
+  }
+  /// Samples without slow modulation. Lines that come once a turn wander at the pace of turns, whatever the
+  /// period is.
+  Levelled levelled(std::span<const Complex> motion, int turns) const {
+    const int revolution = static_cast<int>(per_turn);
+    Levelled once = without_slow_modulation(motion, revolution, 1, most_order_looked_at(),
+                                            static_cast<std::size_t>(turns));
+    if (turns == 1) return once;
+    Levelled all = without_slow_modulation(once.samples, revolution, turns, most_order_looked_at());
+    all.modulation_m = std::hypot(once.modulation_m, all.modulation_m);
+    return all;
   }
 };
 
@@ -144,7 +154,8 @@ Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples
                           SpectrumWorkspace& workspace) {
   const auto window = whole_periods(samples, static_cast<std::size_t>(n) * motion.per_turn);
   const int turns = static_cast<int>(window.size() / motion.per_turn);
-  return {response::spectrum::full_spectrum(window, turns, workspace), motion.most_order_looked_at()};
+  return {response::spectrum::full_spectrum(window, turns, workspace), motion.most_order_looked_at(),
+          motion.reading.least_share};
 }
 
 /// Shortest period beside which no line is visible, if any, and a longer one that cannot be ruled out; the
@@ -152,15 +163,19 @@ Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples
 std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
   for (int n = 1; n <= verdict.longest_period; ++n) {
     std::vector<Complex> samples = motion.repeating_after(n);
-    const Lines spectrum = spectrum_of_periods(motion, samples, n, workspace);
+    const Levelled levelled = motion.levelled(samples, n);
+    const Lines spectrum = spectrum_of_periods(motion, levelled.samples, n, workspace);
     const Threshold threshold = threshold_of(spectrum);
     if (largest_beside(spectrum, n) > threshold.visible_m) continue;
     verdict.period = n;
     verdict.turns = spectrum.turns;
     verdict.noise_m = threshold.noise_m;
     verdict.visible_m = threshold.visible_m;
+    verdict.modulation_m = levelled.modulation_m;
+    verdict.beside_m = largest_beside(spectrum, n);
+    verdict.seen_m = threshold.seen_m;
     for (int m = 2 * n; m <= verdict.longest_period && !verdict.doubtful; m += n) {
-      const Lines longer = spectrum_of_periods(motion, samples, m, workspace);
+      const Lines longer = spectrum_of_periods(motion, levelled.samples, m, workspace);
       verdict.doubtful = doubtful_period(longer, n, m, threshold_of(longer));
     }
     return samples;
@@ -256,7 +271,10 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
                      : *verdict.period > 1 ? MeasuredClass::subharmonic
                                            : MeasuredClass::synchronous;
   }
+  if (!verdict.period)
+    verdict.discrete_lines = discrete_lines_of(displacement_m, motion.per_turn, reading, verdict, workspace);
   take_orbit(samples, motion.per_turn, verdict);
+  add_uncertainties(reading, verdict);
   if (plane && verdict.motion != MeasuredClass::at_rest) {
     verdict.shape = response::spectrum::orbit_kind(
         verdict.orbit_m, response::spectrum::full_spectrum(
@@ -266,9 +284,9 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
   return verdict;
 }
 
-Verdict judge(const recording::Recording& recording) {
+Verdict judge(const recording::Recording& recording, double least_share) {
   return judge(recording.displacement_m, recording::samples_per_revolution, recording.plane,
-               {recording.sampling_rate_hz / recording.mean_speed_hz(), recording.angle_doubt});
+               {recording.sampling_rate_hz / recording.mean_speed_hz(), recording.angle_doubt, least_share});
 }
 
 }  // namespace rubsweep::scope

@@ -16,7 +16,7 @@ struct ResolvedLine {
   double amplitude_uncertainty = 0;    ///< standard, of each component
 };
 
-/// What lines are looked for.
+/// Lines that are looked for.
 struct LineSearch {
   int most_lines = 16;
   bool about_mean = true;               ///< the mean is no line, and none stands within two bins of it
