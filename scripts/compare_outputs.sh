@@ -111,7 +111,7 @@ same() {
     mkdir -p "$work/compared/$build"
     cp -r "$work/$build/$1" "$work/compared/$build/$1"
     find "$work/compared/$build/$1" -type f \( -name '*.csv' -o -name '*.yaml' -o -name '*.json' -o -name '*.html' -o -name files \) \
-      -exec sed -i -E -e '/^# (digest|sha256|rubsweep) /d; s/[0-9a-f]{64}/DIGEST/g' \
+      -exec sed -i -E -e '/^# (digest|sha256|sum|rubsweep) /d; s/[0-9a-f]{64}/DIGEST/g' \
       -e 's/"(rubsweep|version)": *"[^"]*"/"\1":"VERSION"/g' -e "s|$work/$build/||g" {} +
     # The journal of a set has its recordings in the order in which threads ended them.
     find "$work/compared/$build/$1" -type f -name recordings.journal -delete

@@ -28,7 +28,7 @@ Eigen::MatrixXd generator_of(const LinearSystem& system) {
   };
   const Eigen::MatrixXd stiffness = normalised(system.stiffness);
   const double fastest = stiffness.diagonal().cwiseAbs().maxCoeff();
-  // What hardly anything holds keeps a unit.
+  // A coordinate that hardly anything holds keeps a unit.
   const Eigen::VectorXd rate =
       stiffness.diagonal().cwiseAbs().cwiseMax(fastest > 0 ? 1e-16 * fastest : 1).cwiseSqrt();
   const Eigen::Index n = rate.size();
