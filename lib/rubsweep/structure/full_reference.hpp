@@ -49,7 +49,7 @@ class FullReference {
 
   Rotor rotor_of(const PlaneBases& bases, FullSystem matrices) const;
   Rotor reduced_rotor(const Reduction& reduction) const;
-  Eigen::MatrixXcd receptance(const Rotor& rotor, const Line& line, double rad_per_s) const;
+  Eigen::MatrixXcd receptance(const Rotor& rotor, const Line& line, double rad_per_s, double loss = 0) const;
   double rad_per_s(double step) const;
   double difference(const Eigen::MatrixXcd& found, const Eigen::MatrixXcd& exact,
                     const Eigen::Vector2d& size) const;
