@@ -272,7 +272,7 @@ TEST(Campbell, FollowsModesThatBeginOrEndToOscillate) {
   }
 }
 
-/// What makes a rotor unstable is shown, however fast it is beside the speeds that were asked for.
+/// A mode that makes a rotor unstable is shown, however fast it is beside the speeds that were asked for.
 TEST(Campbell, ShowsWhatGrows) {
   model::Machine machine = scene::one_side_machine();
   std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
