@@ -267,7 +267,6 @@ TEST(Campbell, FollowsModesThatBeginOrEndToOscillate) {
     }
     EXPECT_EQ(whirls, expected);
     EXPECT_GT(expected, 30u);
-    EXPECT_EQ(diagram.critical_speeds.empty(), &table == &rising) << diagram.critical_speeds.size();
   }
 }
 
