@@ -258,17 +258,15 @@ TEST(Campbell, FollowsModesThatBeginOrEndToOscillate) {
       expected += square > 0 ? 2 : 0;
       for (const CampbellMode& mode : diagram.modes) {
         for (const CampbellPoint& point : mode.points) {
-          // Overdamped motions of x and y that the gyroscopic moment couples whirl a little as they decay.
-          constexpr double hardly_any_whirl = 0.9999;
-          if (point.speed_hz != speed_hz || point.damping_ratio > hardly_any_whirl) continue;
-          ++whirls;
-          EXPECT_NEAR(point.frequency_hz, std::sqrt(square) / (2 * pi), 1e-3 * point.frequency_hz) << speed_hz;
+          // Beside it the rotor rocks, at another frequency.
+          const double bouncing_hz = square > 0 ? std::sqrt(square) / (2 * pi) : -1;
+          const bool bounces = std::abs(point.frequency_hz - bouncing_hz) < 1e-3 * bouncing_hz;
+          whirls += point.speed_hz == speed_hz && bounces ? 1 : 0;
         }
       }
     }
     EXPECT_EQ(whirls, expected);
     EXPECT_GT(expected, 30u);
-    EXPECT_EQ(diagram.critical_speeds.empty(), &table == &rising) << diagram.critical_speeds.size();
   }
 }
 

@@ -92,7 +92,7 @@ TEST(WhirlModes, AreFoundHoweverDamped) {
       support.damping_x_ns_per_m = damping;
       support.damping_y_ns_per_m = 1.1 * damping;
     }
-    expect_all_roots(machine, 60, 150);
+    expect_all_roots(machine, 60, 100);
   }
 }
 

@@ -85,5 +85,41 @@ TEST(StabilityInstabilityHz, OfARotorKitIsThatOfItsFirstMode) {
   EXPECT_EQ(assemble_rotor_kit(machine).assembly.circulatory.size(), 0);
 }
 
+/// A kit that conserves energy, its planes coupled by equal cross stiffnesses: rounding is no growth. The least
+/// force across that is more than rounding is.
+TEST(StabilityGrows, AboveRoundingAlone) {
+  model::RotorKit kit;
+  kit.shaft = {{{.outer_diameter_m = 0.03,
+                 .youngs_modulus_pa = 2.06e11,
+                 .shear_modulus_pa = 7.92e10,
+                 .density_kg_per_m3 = 7850},
+                0.5}};
+  kit.discs = {{.position_m = 0.1, .mass_kg = 2, .polar_inertia_kg_m2 = 4e-3, .diametral_inertia_kg_m2 = 2e-3}};
+  for (const double position_m : {0.05, 0.45}) {
+    model::Support support;
+    support.position_m = position_m;
+    support.stiffness_x_n_per_m = support.stiffness_y_n_per_m = 3e7;
+    support.stiffness_xy_n_per_m = support.stiffness_yx_n_per_m = -5e6;
+    kit.supports.push_back(support);
+  }
+  model::Stop stop;
+  stop.geometry = model::OneSideGeometry{90};
+  stop.position_m = 0.1;
+  stop.clearance_m = 1e-3;
+  stop.stiffness_n_per_m = 1e7;
+  stop.contact_radius_m = 5e-3;
+  stop.damping = model::ExplicitDamping{0};
+  model::Machine machine{.rotor = kit, .stops = {stop}, .kick = {}};
+  const Assembly conservative = assemble_rotor_kit(machine).assembly;
+  for (const double hz : {0.0, 50.0, 400.0, 2000.0}) {
+    EXPECT_FALSE(grows(conservative, 2 * pi * hz)) << hz;
+    EXPECT_EQ(growth_per_s(conservative, 2 * pi * hz), 0) << hz;
+  }
+  auto& supports = model::kit_of(machine)->supports;
+  supports[0].stiffness_xy_n_per_m += 100;
+  supports[0].stiffness_yx_n_per_m -= 100;
+  EXPECT_TRUE(grows(assemble_rotor_kit(machine).assembly, 2 * pi * 50));
+}
+
 }  // namespace
 }  // namespace rubsweep::structure

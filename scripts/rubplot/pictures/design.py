@@ -11,7 +11,7 @@ from rubplot.subcommand import Subcommand
 
 MOST_CURVES = 8  # of probes and of stops each
 MOST_ROWS = 14
-CHECKS = {"vibration": "vibration", "clearance": "clearance", "dry_whip": "dry whip", "kick": "smallest kick"}
+CHECKS = {"vibration": "vibration", "clearance": "clearance", "dry_whip": "dry whip", "stability": "stability", "kick": "smallest kick"}
 
 
 def picture(given):
@@ -67,7 +67,7 @@ def check_rows(path):
     for row in rows:
         if row["check"] not in CHECKS:
             raise csv_table.TableError(f"{path}: '{row['check']}' is no check")
-        if row["check"] != "kick" or row["place"]:
+        if row["check"] not in ("kick", "stability") or row["place"]:
             _require_place(path, row["place"])
     return rows
 
