@@ -19,7 +19,7 @@ using response::spectrum::ResolvedLine;
 using std::numbers::pi;
 
 constexpr int steps_of_a_turn = 4, smoothed_turns = 4;
-constexpr double fewest_turns = 12, looked_at = 0.4;
+constexpr double fewest_turns_searched = 12, looked_at = 0.4;
 
 /// Readings times e^{-i 2 pi f t}, under Hann windows of four turns, every quarter of a turn. Missing
 /// readings count as the mean.
@@ -60,7 +60,7 @@ std::optional<FoundSpeed> speed_near(const std::vector<std::vector<double>>& pro
   double weights = 0, most_weight = 0, sum = 0, largest = 0, largest_place = 0;
   response::spectrum::SpectrumWorkspace workspace;
   for (const std::vector<double>& readings : probes) {
-    if (static_cast<double>(readings.size()) < fewest_turns * readings_per_turn) return std::nullopt;
+    if (static_cast<double>(readings.size()) < fewest_turns_searched * readings_per_turn) return std::nullopt;
     const std::vector<Complex> sequence = shifted_down(readings, readings_per_turn);
     const double size =
         std::abs(*std::ranges::max_element(sequence, {}, [](Complex z) { return std::norm(z); }));
