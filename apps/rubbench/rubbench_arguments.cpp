@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "rubsweep/bench/reference.hpp"
+#include "bench/reference.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
