@@ -20,8 +20,9 @@ using Paths = std::set<std::string>;
 
 /// Keys that no shipped configuration needs, each with the reason.
 const Paths unused{
-    "base",                          // many have it, and none any more once it was read
+    "base",  // many have it, and none any more once it was read
     "ring.modal_stiffness_n_per_m",  // the same as a natural frequency, which rings are known by
+    "rotor.mass_damping_per_s",      // files of ROSS have it, and segments one of their own
     // a layer may have what its segment has
     "rotor.shaft.layers.inner_diameter_end_m", "rotor.shaft.layers.mass_damping_per_s",
     "rotor.shaft.layers.outer_diameter_end_m", "rotor.shaft.layers.stiffness_damping_s",

@@ -138,8 +138,7 @@ TEST(Campbell, CriticalSpeedsSolveTheirOwnEigenproblem) {
   const Campbell diagram = campbell(rotor, speeds(1, 150, 50), 400);
   // stiffness^-1 (mass - i gyroscopic) q = q / W^2, by the general solver: the inertia need not be positive.
   // In real and imaginary parts of q every value comes twice.
-  const Eigen::MatrixXd by_mass =
-                            numerics::dense::solve_full_pivot(rotor.full.system.stiffness,
+  const Eigen::MatrixXd by_mass = numerics::dense::solve_full_pivot(rotor.full.system.stiffness,
                                                                     rotor.full.system.mass),
                         by_turning = numerics::dense::solve_full_pivot(rotor.full.system.stiffness,
                                                                        rotor.full.system.gyroscopic);
@@ -236,8 +235,8 @@ TEST(Campbell, CriticalSpeedsFollowTheTableOfASupport) {
     EXPECT_NEAR(critical.speed_hz, low, 2e-4 * low);
 }
 
-/// The damping falls through the critical one on the way, or rises through it: the mode begins or ends there, and
-/// its frequency is that of a mass on a spring and a damper.
+/// The damping falls through the critical one on the way, or rises through it: the mode begins or ends there,
+/// and its frequency is that of a mass on a spring and a damper.
 TEST(Campbell, FollowsModesThatBeginOrEndToOscillate) {
   model::SupportTable falling = round_table();
   const double critical = std::sqrt(2 * 3e4 * bouncing_mass_kg) / 2;

@@ -10,8 +10,8 @@
 
 namespace rubsweep::identify {
 
-/// The matrices that --export-matrices writes of a rotor, at one speed, and their determinant by elimination: roots
-/// and their number without any eigensolver.
+/// The matrices that --export-matrices writes of a rotor, at one speed, and their determinant by elimination:
+/// roots and their number without any eigensolver.
 class ExportedMatrices {
  public:
   ExportedMatrices(const model::Machine& machine, double speed_rad_per_s) {
@@ -38,12 +38,16 @@ class ExportedMatrices {
     return now;
   }
 
-  /// Roots with an imaginary part from a thousandth of `fastest` to it: the turns of the determinant around them.
+  /// Roots with an imaginary part from a thousandth of `fastest` to it: the turns of the determinant around
+  /// them.
   int roots_below(double fastest) const {
     constexpr double far = 1e8, hardly = 1e-3;
     double turned = 0;
-    const std::vector<std::complex<double>> corners{{-far, hardly * fastest}, {far, hardly * fastest},
-                                                    {far, fastest}, {-far, fastest}, {-far, hardly * fastest}};
+    const std::vector<std::complex<double>> corners{{-far, hardly * fastest},
+                                                    {far, hardly * fastest},
+                                                    {far, fastest},
+                                                    {-far, fastest},
+                                                    {-far, hardly * fastest}};
     for (std::size_t k = 1; k < corners.size(); ++k) turned += turn_between(corners[k - 1], corners[k]);
     return static_cast<int>(std::lround(turned / (2 * std::numbers::pi)));
   }
@@ -74,8 +78,8 @@ class ExportedMatrices {
     return {log, turn};
   }
 
-  /// Angle that the determinant turns by on a straight way, in steps that its logarithmic derivative makes short
-  /// beside a root.
+  /// Angle that the determinant turns by on a straight way, in steps that its logarithmic derivative makes
+  /// short beside a root.
   double turn_between(std::complex<double> from, std::complex<double> to) const {
     constexpr double little = 0.4, hardly = 1e-9;
     const auto at = [&](double s) {

@@ -56,9 +56,8 @@ TEST(WhirlModes, OfSupportsByATableAreThoseOfTheNumbersTypedIn) {
   }
 }
 
-/// Roots up to `up_to_hz`, ascending by frequency, must be those of the exported matrices: each solves them, and
-/// there are no others.
-/// Without ratios of modes, which no matrix file says.
+/// Roots up to `up_to_hz`, ascending by frequency, must be those of the exported matrices: each solves them,
+/// and there are no others. Without ratios of modes, which no matrix file says.
 void expect_all_roots(model::Machine machine, double speed_hz, double up_to_hz) {
   model::kit_of(machine)->damping_ratio = {0};
   model::kit_of(machine)->elements = 4;  // the determinant of many is dear
@@ -68,7 +67,8 @@ void expect_all_roots(model::Machine machine, double speed_hz, double up_to_hz) 
   for (const WhirlMode& mode : WhirlProblem(free_rotor(machine), speeds, up_to_hz).at(speed_hz).modes) {
     if (mode.frequency_hz() > up_to_hz || mode.frequency_hz() < 1e-3 * up_to_hz) continue;
     ++count;
-    EXPECT_LT(std::abs(exported.root_near(mode.root_per_s) - mode.root_per_s), 1e-9 * std::abs(mode.root_per_s))
+    EXPECT_LT(std::abs(exported.root_near(mode.root_per_s) - mode.root_per_s),
+              1e-9 * std::abs(mode.root_per_s))
         << mode.root_per_s;
   }
   EXPECT_EQ(count, exported.roots_below(2 * pi * up_to_hz)) << speed_hz << " " << up_to_hz;
@@ -83,8 +83,8 @@ TEST(WhirlModes, AreAllRootsOfTheExportedMatrices) {
   expect_all_roots(damped_by_its_mass, 20, 200);
 }
 
-/// Dampers that hold the shaft at its bearings: what oscillates there is damped by nearly all of critical, with a
-/// rate far from its frequency.
+/// Dampers that hold the shaft at its bearings: what oscillates there is damped by nearly all of critical,
+/// with a rate far from its frequency.
 TEST(WhirlModes, AreFoundHoweverDamped) {
   for (const double damping : {3e3, 1e5}) {
     model::Machine machine = coupled_machine();
@@ -107,8 +107,8 @@ TEST(WhirlModes, SolveTheEquationsOfMotion) {
     const Complex root = modes[k].root_per_s;
     const Eigen::VectorXcd q = modes[k].shape;
     const Eigen::VectorXcd elastic = system.stiffness.cast<Complex>() * q;
-    const Eigen::VectorXcd rest = root * root * (system.mass.cast<Complex>() * q) +
-                                  root * (damping.cast<Complex>() * q) + elastic;
+    const Eigen::VectorXcd rest =
+        root * root * (system.mass.cast<Complex>() * q) + root * (damping.cast<Complex>() * q) + elastic;
     EXPECT_LT(rest.norm(), 1e-9 * elastic.norm()) << k;
     EXPECT_GE(root.imag(), modes[k > 0 ? k - 1 : 0].root_per_s.imag());
   }

@@ -9,6 +9,7 @@ CHECKS = """check,place,position_m,speed_hz,value,limit,unit,margin,verdict
 vibration,probe 0,0.25,50,1e-05,2.54e-05,m,0.6063,ok
 clearance,stop 0,0.29,30,3e-04,1.5e-4,m,-1,not_met
 dry_whip,stop 0,,50,0.25,,1,1,ok
+stability,,,90,201,0,1/s,,not_met
 kick,,,60,17.5,,N,,
 """
 RESPONSE = """place,position_m,speed_hz,major_axis_m,limit_m
@@ -34,7 +35,8 @@ class Design(figures.FigureTest):
         words = figures.words(self.draw("design", "--heading", "Design check"))
         for word in ("Pump: Design check", "probes (µm peak to peak)", "limit 25.4 µm",
                      "probe 0", "stop 0", "axis / allowed at stops (%)", "kick that starts a rub (N)",
-                     "lock speed", "none of the kicks", "clearance", "not met", "-100.0 %", "17.5 N", "60 Hz (3600 rpm)", "dry whip"):
+                     "lock speed", "none of the kicks", "clearance", "not met", "-100.0 %", "17.5 N", "60 Hz (3600 rpm)", "dry whip",
+                     "stability"):
             self.assertIn(word, words)
 
     def test_texts_leave_each_other_room(self):

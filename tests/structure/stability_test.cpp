@@ -85,8 +85,8 @@ TEST(StabilityInstabilityHz, OfARotorKitIsThatOfItsFirstMode) {
   EXPECT_EQ(assemble_rotor_kit(machine).assembly.circulatory.size(), 0);
 }
 
-/// A kit that conserves energy, its planes coupled by equal cross stiffnesses: rounding is no growth. The least
-/// force across that is more than rounding is.
+/// A kit that conserves energy, its planes coupled by equal cross stiffnesses: rounding is no growth. The
+/// least force across that is more than rounding is.
 TEST(StabilityGrows, AboveRoundingAlone) {
   model::RotorKit kit;
   kit.shaft = {{{.outer_diameter_m = 0.03,
@@ -94,7 +94,8 @@ TEST(StabilityGrows, AboveRoundingAlone) {
                  .shear_modulus_pa = 7.92e10,
                  .density_kg_per_m3 = 7850},
                 0.5}};
-  kit.discs = {{.position_m = 0.1, .mass_kg = 2, .polar_inertia_kg_m2 = 4e-3, .diametral_inertia_kg_m2 = 2e-3}};
+  kit.discs = {
+      {.position_m = 0.1, .mass_kg = 2, .polar_inertia_kg_m2 = 4e-3, .diametral_inertia_kg_m2 = 2e-3}};
   for (const double position_m : {0.05, 0.45}) {
     model::Support support;
     support.position_m = position_m;

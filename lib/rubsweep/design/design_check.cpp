@@ -142,7 +142,8 @@ DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine
   const identify::Campbell modes = modes_over(check.whole, study.machine);
   for (const identify::GrowthAt& one : modes.growth) {
     if (one.growth_per_s > check.whole_growth.growth_per_s) check.whole_growth = one;
-    if (check.operating.contains(one.speed_hz) && one.growth_per_s > check.growth.growth_per_s) check.growth = one;
+    if (check.operating.contains(one.speed_hz) && one.growth_per_s > check.growth.growth_per_s)
+      check.growth = one;
   }
   const std::vector<double> speeds_hz = response_speeds(check.whole, modes.critical_speeds);
   check.probes = probe_responses(prepared, check.eccentricity_m, within(check.operating, speeds_hz));

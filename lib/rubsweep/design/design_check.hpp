@@ -61,10 +61,10 @@ struct DesignCheck {
   std::vector<WhipMargin> whips;            ///< one for each annular stop
   /// Fastest growth of a free vibration within the operating range, and over the whole range; 0: none grows.
   identify::GrowthAt growth, whole_growth;
-  std::vector<identify::LockSpeed> locks;   ///< in the operating range
-  std::vector<KickThreshold> kicks;         ///< ascending by speed
-  std::string no_kicks;                     ///< why there are none; else empty
-  std::vector<ResponseCurve> curves;        ///< of probes, then of stops
+  std::vector<identify::LockSpeed> locks;  ///< in the operating range
+  std::vector<KickThreshold> kicks;        ///< ascending by speed
+  std::string no_kicks;                    ///< why there are none; else empty
+  std::vector<ResponseCurve> curves;       ///< of probes, then of stops
 
   /// The probe that moves most.
   const ProbeResponse& worst_probe() const;

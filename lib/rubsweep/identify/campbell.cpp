@@ -25,8 +25,8 @@ struct Followed {
 };
 using Curve = std::vector<Followed>;
 
-/// The curves between two speeds: which of `to` continues each of `from`, empty where none does, and which are
-/// new.
+/// The curves between two speeds: which of `to` continues each of `from`, empty where none does, and which
+/// are new.
 struct Continuation {
   std::vector<std::optional<std::size_t>> next;
   std::vector<std::size_t> fresh;
@@ -60,8 +60,8 @@ Continuation continuation(const std::vector<const WhirlMode*>& from, const std::
   return found;
 }
 
-/// Follows the modes of a rotor from its first speed on. Curves end where a mode becomes overdamped, and begin
-/// where one is no longer.
+/// Follows the modes of a rotor from its first speed on. Curves end where a mode becomes overdamped, and
+/// begin where one is no longer.
 class Follower {
  public:
   Follower(const WhirlProblem& problem, double speed_hz, double up_to_hz)

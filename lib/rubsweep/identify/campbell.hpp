@@ -18,8 +18,8 @@ struct CampbellPoint {
 
 /// One curve of a Campbell diagram: a mode followed over the speed by its shape.
 struct CampbellMode {
-  /// From 1, by the frequency at the first speed, backward before forward; then those that are overdamped there,
-  /// as they begin to oscillate.
+  /// From 1, by the frequency at the first speed, backward before forward; then those that are overdamped
+  /// there, as they begin to oscillate.
   int number = 0;
   std::vector<CampbellPoint> points;  ///< where the mode is not overdamped; perhaps none
 };
@@ -56,10 +56,10 @@ struct Campbell {
 };
 
 /// Campbell diagram of a rotor over `speeds_hz`, ascending and >= 0, at least one: the modes whose frequency
-/// comes below `up_to_hz` somewhere, those that grow somewhere, and the two slowest in any case, from the full
-/// matrices. Modes are followed from speed to speed by the modal assurance criterion, with more speeds in between
-/// where it is in doubt or where modes begin or end. Critical speeds are located to rounding. Throws SolverError
-/// as WhirlProblem.
+/// comes below `up_to_hz` somewhere, those that grow somewhere, and the two slowest in any case, from the
+/// full matrices. Modes are followed from speed to speed by the modal assurance criterion, with more speeds
+/// in between where it is in doubt or where modes begin or end. Critical speeds are located to rounding.
+/// Throws SolverError as WhirlProblem.
 Campbell campbell(const FreeRotor& rotor, std::span<const double> speeds_hz, double up_to_hz);
 
 }  // namespace rubsweep::identify

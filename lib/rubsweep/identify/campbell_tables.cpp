@@ -58,8 +58,8 @@ std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& lo
     if (mode.points.empty()) continue;  // it whirls between two of the speeds alone
     const CampbellPoint &first = mode.points.front(), &last = mode.points.back();
     text += fmt::format("mode {:<4} {:.5g} Hz at {}, {:.5g} Hz at {} ({})", mode.number, first.frequency_hz,
-                        model::speed_text(first.speed_hz, 5), last.frequency_hz, model::speed_text(last.speed_hz, 5),
-                        whirl_of(last.forward_share));
+                        model::speed_text(first.speed_hz, 5), last.frequency_hz,
+                        model::speed_text(last.speed_hz, 5), whirl_of(last.forward_share));
     const bool unstable = std::ranges::any_of(mode.points, [](const auto& p) { return p.damping_ratio < 0; });
     text += unstable ? ", unstable at some speeds\n" : "\n";
   }
@@ -70,8 +70,9 @@ std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& lo
     text += fmt::format("unstable  a free vibration grows by up to {:.4g} 1/s, at {}\n", worst.growth_per_s,
                         model::speed_text(worst.speed_hz));
   for (const CriticalSpeed& critical : diagram.critical_speeds) {
-    text += fmt::format("critical  {}, mode {}, {}, damping ratio {:.4g}\n", model::speed_text(critical.speed_hz),
-                        critical.mode, whirl_of(critical.forward_share), critical.damping_ratio);
+    text +=
+        fmt::format("critical  {}, mode {}, {}, damping ratio {:.4g}\n", model::speed_text(critical.speed_hz),
+                    critical.mode, whirl_of(critical.forward_share), critical.damping_ratio);
   }
   if (diagram.critical_speeds.empty()) text += "critical  none in this range of speeds\n";
   for (const LockSpeed& lock : locks) {

@@ -18,8 +18,8 @@ struct FreeRotor {
   Eigen::MatrixXd x, y;            ///< positions x n: deflections in metres = row * q
 };
 
-/// A kit with its structural damping, its stops among the places along the shaft; a Jeffcott rotor as it is. The
-/// machine must be valid. Throws ConfigError where a ratio damps modes that cannot be computed.
+/// A kit with its structural damping, its stops among the places along the shaft; a Jeffcott rotor as it is.
+/// The machine must be valid. Throws ConfigError where a ratio damps modes that cannot be computed.
 FreeRotor free_rotor(const model::Machine& machine);
 
 }  // namespace rubsweep::identify

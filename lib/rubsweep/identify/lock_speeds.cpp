@@ -21,8 +21,8 @@ double signed_hz(const CampbellPoint& point) {
 }
 
 bool lasts_somewhere(const CampbellMode& mode) {
-  return std::ranges::any_of(mode.points,
-                             [](const CampbellPoint& point) { return point.damping_ratio <= most_damping_ratio; });
+  return std::ranges::any_of(
+      mode.points, [](const CampbellPoint& point) { return point.damping_ratio <= most_damping_ratio; });
 }
 
 /// A mode over the speed.

@@ -17,9 +17,9 @@ struct LockSpeed {
   double speed_hz = 0;
 };
 
-/// Lock speeds of all pairs of the first four modes of a diagram for coprime p > q from 1 to 3, ascending, within
-/// its speeds. Modes do not count where they are damped by more than half of critical: such a one is gone before
-/// it comes round. Frequencies between the speeds of the diagram by monotone cubics.
+/// Lock speeds of all pairs of the first four modes of a diagram for coprime p > q from 1 to 3, ascending,
+/// within its speeds. Modes do not count where they are damped by more than half of critical: such a one is
+/// gone before it comes round. Frequencies between the speeds of the diagram by monotone cubics.
 std::vector<LockSpeed> lock_speeds(const Campbell& diagram);
 
 }  // namespace rubsweep::identify

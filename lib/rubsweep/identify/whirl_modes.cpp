@@ -15,8 +15,8 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-constexpr double same_root = 1e-7;   ///< of its size: rounding of a double root, and far below any split
-constexpr double least_whirl = 1e-7; ///< of the size of a root: rounding of a double overdamped one
+constexpr double same_root = 1e-7;    ///< of its size: rounding of a double root, and far below any split
+constexpr double least_whirl = 1e-7;  ///< of the size of a root: rounding of a double overdamped one
 
 bool whirls(Complex root) { return root.imag() > least_whirl * std::abs(root); }
 
@@ -46,8 +46,8 @@ bool never_grows(const structure::SpeedMatrices& matrices) {
   return structure::dissipates(matrices.mass, matrices.damping, matrices.stiffness, rounding);
 }
 
-/// Rates at one speed that a diagram shows, wherever they are: whirl up to `fastest`, the slowest two, and what
-/// grows.
+/// Rates at one speed that a diagram shows, wherever they are: whirl up to `fastest`, the slowest two, and
+/// what grows.
 std::vector<Complex> wanted_rates(const structure::SpeedMatrices& matrices, double fastest) {
   constexpr std::size_t slowest = 2;
   // Faster rates are those of single elements, and less growth may be rounding.
@@ -56,7 +56,8 @@ std::vector<Complex> wanted_rates(const structure::SpeedMatrices& matrices, doub
   std::vector<Complex> found, wanted;
   for (const Complex root : structure::all_rates_per_s(matrices, 4 * fastest)) {
     if (whirls(root)) found.push_back(root);
-    if (!dissipating && root.imag() >= 0 && std::abs(root) < far * fastest && root.real() > growth * std::abs(root))
+    if (!dissipating && root.imag() >= 0 && std::abs(root) < far * fastest &&
+        root.real() > growth * std::abs(root))
       wanted.push_back(root);
   }
   std::ranges::sort(found, {}, [](Complex root) { return root.imag(); });
@@ -139,7 +140,8 @@ std::optional<WhirlMode> WhirlProblem::continued(const WhirlMode& mode, double s
   return assurance(found, mode) > certain ? std::optional(std::move(found)) : std::nullopt;
 }
 
-WhirlMode WhirlProblem::mode_of(Complex root, const Eigen::VectorXcd& shape, const Eigen::MatrixXd& mass) const {
+WhirlMode WhirlProblem::mode_of(Complex root, const Eigen::VectorXcd& shape,
+                                const Eigen::MatrixXd& mass) const {
   WhirlMode mode;
   mode.root_per_s = root;
   mode.state = (mass_.upper().cast<Complex>() * shape);

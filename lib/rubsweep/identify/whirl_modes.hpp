@@ -26,7 +26,7 @@ struct WhirlMode {
 /// Whirl at one speed.
 struct WhirlModes {
   std::vector<WhirlMode> modes;  ///< slowest first
-  double growth_per_s = 0;       ///< of the free vibration that grows fastest, also without whirl; 0: none does
+  double growth_per_s = 0;  ///< of the free vibration that grows fastest, also without whirl; 0: none does
 };
 
 /// Modal assurance criterion: 0 for states that have nothing in common, 1 for the same motion.
@@ -36,25 +36,27 @@ double assurance(const WhirlMode& a, const WhirlMode& b);
 /// 0 of a rotor in all of its coordinates.
 class WhirlProblem {
  public:
-  /// Looks for whirl of at most `up_to_hz`, however damped, for the slowest two in any case, and for what grows.
-  /// At the first, a middle and the last of `speeds_hz` all rates are looked at. Whirl of at most `up_to_hz` is
-  /// then missed between these speeds only where it is damped by more than 0.968 of critical at all of them, or
-  /// what grows, where its rate is beyond four times `up_to_hz`. Throws SolverError where an iteration does not
-  /// converge.
+  /// Looks for whirl of at most `up_to_hz`, however damped, for the slowest two in any case, and for what
+  /// grows. At the first, a middle and the last of `speeds_hz` all rates are looked at. Whirl of at most
+  /// `up_to_hz` is then missed between these speeds only where it is damped by more than 0.968 of critical at
+  /// all of them, or what grows, where its rate is beyond four times `up_to_hz`. Throws SolverError where an
+  /// iteration does not converge.
   WhirlProblem(const FreeRotor& rotor, std::span<const double> speeds_hz, double up_to_hz);
 
   /// The whirl modes at a speed, slowest first; overdamped modes have no whirl and are left out. Where roots
   /// coincide (forward and backward whirl of an isotropic rotor at rest), the modes are those that whirl most
-  /// forward and most backward. Faster ones than were asked for may be among them. A mode whose growth is no more
-  /// than rounding of the matrices may cause has none. Throws SolverError as the constructor.
+  /// forward and most backward. Faster ones than were asked for may be among them. A mode whose growth is no
+  /// more than rounding of the matrices may cause has none. Throws SolverError as the constructor.
   WhirlModes at(double speed_hz) const;
 
-  /// The mode at a speed that continues one of a speed nearby; empty where it is not certain which one that is.
+  /// The mode at a speed that continues one of a speed nearby; empty where it is not certain which one that
+  /// is.
   std::optional<WhirlMode> continued(const WhirlMode& mode, double speed_hz) const;
 
  private:
   structure::SpeedMatrices matrices(double speed_hz) const;
-  WhirlMode mode_of(std::complex<double> root, const Eigen::VectorXcd& shape, const Eigen::MatrixXd& mass) const;
+  WhirlMode mode_of(std::complex<double> root, const Eigen::VectorXcd& shape,
+                    const Eigen::MatrixXd& mass) const;
   void part_by_direction(std::vector<WhirlMode>& modes, const Eigen::MatrixXd& mass) const;
 
   structure::FullSystem full_;

@@ -50,8 +50,8 @@ class ShiftedInverse {
  private:
   /// A coordinate that nothing but its mass resists is measured by this.
   static Eigen::VectorXd unit_of(const SpeedMatrices& matrices, double radius) {
-    const Eigen::VectorXd size =
-        matrices.stiffness.diagonal().cwiseAbs().cwiseMax(radius * radius * matrices.mass.diagonal().cwiseAbs());
+    const Eigen::VectorXd size = matrices.stiffness.diagonal().cwiseAbs().cwiseMax(
+        radius * radius * matrices.mass.diagonal().cwiseAbs());
     return (size.array() > 0).select(size.cwiseSqrt().cwiseInverse(), 1);
   }
 

@@ -146,9 +146,10 @@ void add_gyroscopic_problems(const model::ShaftMatrices& matrices, const MatrixL
   if (problems.size() > before) return;
   const Eigen::MatrixXd across = block(turning, layout, 0, 1);
   if (across.trace() < 0)
-    problems.push_back({"gyroscopic", "has the sign of a shaft that turns from y to x",
-                        "that of one that turns from x to y: moments of inertia about the axis stand in the row of "
-                        "rx and the column of ry, those times -1 in the row of ry"});
+    problems.push_back(
+        {"gyroscopic", "has the sign of a shaft that turns from y to x",
+         "that of one that turns from x to y: moments of inertia about the axis stand in the row of "
+         "rx and the column of ry, those times -1 in the row of ry"});
   const Asymmetry found = asymmetry_of(across);
   if (found.difference <= matrix_rounding * turning.cwiseAbs().maxCoeff()) return;
   problems.push_back({"gyroscopic",

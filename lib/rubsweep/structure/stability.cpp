@@ -53,7 +53,8 @@ bool dissipates(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& damping, con
   const auto definite = [](const Eigen::MatrixXd& matrix) {
     const Eigen::VectorXd unit = matrix.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
     return unit.allFinite() &&
-           numerics::dense::CholeskyFactors(unit.asDiagonal() * matrix * unit.asDiagonal()).positive_definite();
+           numerics::dense::CholeskyFactors(unit.asDiagonal() * matrix * unit.asDiagonal())
+               .positive_definite();
   };
   if (!definite((stiffness + stiffness.transpose()) / 2)) return false;
   Eigen::MatrixXd lossy = (damping + damping.transpose()) / 2;
@@ -78,8 +79,8 @@ double growth_per_s(const LinearSystem& system) {
   for (Eigen::Index k = 0; k < modes.values.size(); ++k) {
     // A vector that two vibrations share has none; rounding then moves rates by its root.
     const double condition = left.row(k).norm() * modes.vectors.col(k).norm();
-    const double share = std::isfinite(condition) ? std::min(epsilon * condition, std::sqrt(epsilon))
-                                                  : std::sqrt(epsilon);
+    const double share =
+        std::isfinite(condition) ? std::min(epsilon * condition, std::sqrt(epsilon)) : std::sqrt(epsilon);
     const double rate = modes.values(k).real();
     if (rate > steps * share * generator.norm()) growth = std::max(growth, rate);
   }

@@ -6,10 +6,10 @@
 
 namespace rubsweep::structure {
 
-/// Whether a proof holds that no free vibration mass q'' + damping q' + stiffness q = 0 grows: a stiffness that is
-/// symmetric and positive definite holds energy, and the symmetric part of the damping takes none in. A skew part
-/// of the damping, as of gyroscopic moments, does no work. `rounding`: share of the sizes on the diagonals below
-/// which a number counts as rounding. Without the proof vibrations may decay all the same.
+/// Whether a proof holds that no free vibration mass q'' + damping q' + stiffness q = 0 grows: a stiffness
+/// that is symmetric and positive definite holds energy, and the symmetric part of the damping takes none in.
+/// A skew part of the damping, as of gyroscopic moments, does no work. `rounding`: share of the sizes on the
+/// diagonals below which a number counts as rounding. Without the proof vibrations may decay all the same.
 bool dissipates(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& damping, const Eigen::MatrixXd& stiffness,
                 double rounding);
 

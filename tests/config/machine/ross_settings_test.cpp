@@ -75,14 +75,15 @@ TEST(RossSettings, ClassesThatNobodyKnowsAreRefused) {
   expect_said(files.message(small_ross() + "[\"FoilBearing_f\"]\nn = 1\nkxx = 1e6\n"),
               "FoilBearing_f: is of a class that cannot be represented");
   EXPECT_EQ(files.message(small_ross() + "[\"BearingElement6DoF_b\"]\nn = 1\nkxx = 1e6\n"), "no error");
-  EXPECT_EQ(files.message(small_ross() + "[\"BearingElement_Thrust\"]\nn = 1\nkzz = 1e6\nczz = 3.0\n"), "no error");
+  EXPECT_EQ(files.message(small_ross() + "[\"BearingElement_Thrust\"]\nn = 1\nkzz = 1e6\nczz = 3.0\n"),
+            "no error");
 }
 
 /// An element that could not be read is missing for no other one.
 TEST(RossSettings, OneProblemMakesNoOther) {
-  const std::string pedestal =
-      replaced(small_ross(), "cxx = [50]", "cxx = [50]\nn_link = 9") +
-      ross_bearing(2, 9, "kxx = [1e7]") + "[\"PointMass_p\"]\nn = 9\nm = \"heavy\"\n";
+  const std::string pedestal = replaced(small_ross(), "cxx = [50]", "cxx = [50]\nn_link = 9") +
+                               ross_bearing(2, 9, "kxx = [1e7]") +
+                               "[\"PointMass_p\"]\nn = 9\nm = \"heavy\"\n";
   const std::string found = files.message(pedestal);
   expect_said(found, "PointMass_p.m: ");
   EXPECT_EQ(found.find("names node 9"), std::string::npos) << found;

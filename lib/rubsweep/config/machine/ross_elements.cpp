@@ -103,8 +103,8 @@ std::vector<double> read_numbers_or_one(yaml::Section& section, std::string_view
   return numbers;
 }
 
-/// Tables are made at whole revolutions per minute and saved in rad/s to some ten digits. A speed that is whole
-/// to nine is taken as that, so that a sweep may begin and end with the table.
+/// Tables are made at whole revolutions per minute and saved in rad/s to some ten digits. A speed that is
+/// whole to nine is taken as that, so that a sweep may begin and end with the table.
 double speed_hz_of(double rad_per_s) {
   constexpr double nine_digits = 1e-9;
   const double hz = rad_per_s / (2 * std::numbers::pi), rpm = model::rpm_per_hz * hz, whole = std::round(rpm);
@@ -272,7 +272,8 @@ AtNode<RossSupport> read_ross_support(const RossElement& element, bool whirl_tab
   if (whirl_tables && refuse_whirl_table(section)) return support;
   read_coefficients(section, support.part.support);
   if (const auto link = given(section, "n_link")) {
-    if (const auto node = read_integer(*link, node_numbers)) support.part.linked_node = static_cast<int>(*node);
+    if (const auto node = read_integer(*link, node_numbers))
+      support.part.linked_node = static_cast<int>(*node);
   }
   // Classes that compute their coefficients save what they computed them from, too.
   const bool plain = element.type == "BearingElement" || element.type == "SealElement";

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -12,11 +11,11 @@
 #include <utility>
 
 #include "rubsweep/config/machine/ross_elements.hpp"
+#include "rubsweep/config/machine/ross_sections.hpp"
 #include "rubsweep/config/machine/ross_settings.hpp"
 #include "rubsweep/config/machine/rotor_kit.hpp"
 #include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/config/yaml/json_document.hpp"
-#include "rubsweep/config/yaml/repeated_keys.hpp"
 #include "rubsweep/config/yaml/text.hpp"
 #include "rubsweep/config/yaml/toml_document.hpp"
 
@@ -24,61 +23,6 @@ namespace rubsweep::config::machine {
 namespace {
 
 constexpr std::string_view allowed_ross_file = "a TOML or JSON file of ROSS, named relative to this one";
-constexpr std::array<std::string_view, 19> known_classes{
-    "ShaftElement",       "DiskElement",           "PointMass",          "BearingElement",
-    "SealElement",        "BallBearingElement",    "RollerBearingElement", "MagneticBearingElement",
-    "BearingFluidFlow",   "CylindricalBearing",    "THDCylindrical",     "PlainJournal",
-    "TiltingPad",         "FluidFilmBearing",      "SqueezeFilmDamper",  "LabyrinthSeal",
-    "HolePatternSeal",    "HybridSeal",            "ThrustPad"};
-constexpr std::string_view with_axial_motion = "6DoF";  ///< end of the name of a class that has this, too
-
-struct Elements {
-  std::vector<RossElement> shaft, discs, masses, supports;
-};
-
-RossElement element_of(const yaml::Value& value, const std::string& name) {
-  const std::size_t underscore = name.find('_');
-  std::string type = name.substr(0, underscore);
-  if (type.ends_with(with_axial_motion)) type.resize(type.size() - with_axial_motion.size());
-  return {std::move(type), underscore == std::string::npos ? "" : name.substr(underscore + 1), name, value};
-}
-
-bool has_key(const yaml::Node& node, std::string_view name) {
-  return std::ranges::any_of(node.keys, [&](const yaml::Node::Key& key) { return key.text == name; });
-}
-
-/// Whether an element acts along the axis alone, where nothing couples with bending.
-bool is_thrust_bearing(const RossElement& element) {
-  return has_key(element.value.node, "kzz") && !has_key(element.value.node, "kxx");
-}
-
-/// Sorts the sections of a file. Those of which nothing could be made are refused by their names.
-Elements sorted(const yaml::Value& root) {
-  Elements elements;
-  refuse_repeated_keys(root.node, root.path, root.diagnostics);
-  for (std::size_t i = 0; i < root.node.items.size(); ++i) {
-    const std::string& name = root.node.keys[i].text;
-    if (is_ross_setting(name)) continue;
-    const yaml::Value value{root.node.items[i], yaml::child_path(root.path, name), root.diagnostics};
-    RossElement element = element_of(value, name);
-    if (value.node.kind != yaml::Node::Kind::map) {
-      refuse(value, yaml::describe(value.node) + " and no element", yaml::describe(known_classes));
-    } else if (std::ranges::count(known_classes, element.type) == 0) {
-      refuse(value,
-             "is of a class that cannot be represented, " + yaml::describe_unknown(element.type, known_classes),
-             yaml::describe(known_classes));
-    } else if (element.type == "ShaftElement") {
-      elements.shaft.push_back(std::move(element));
-    } else if (element.type == "DiskElement") {
-      elements.discs.push_back(std::move(element));
-    } else if (element.type == "PointMass") {
-      elements.masses.push_back(std::move(element));
-    } else if (!is_thrust_bearing(element)) {
-      elements.supports.push_back(std::move(element));
-    }
-  }
-  return elements;
-}
 
 class KitOfElements {
  public:
@@ -87,7 +31,7 @@ class KitOfElements {
 
   /// `sound`: nothing of the file was refused yet. What elements are to each other is looked at where each is
   /// sound by itself: an element that could not be read is missing for no other one.
-  model::RotorKit build(const Elements& elements, bool sound) {
+  model::RotorKit build(const RossSections& elements, bool sound) {
     const std::size_t problems = file_.diagnostics.count();
     std::vector<AtNode<model::ShaftSegment>> shaft;
     std::vector<AtNode<model::Disc>> discs;
@@ -155,7 +99,8 @@ class KitOfElements {
     kit_.mass_damping_per_s = settings_.mass_damping_per_s;
     for (model::ShaftSegment& segment : kit_.shaft) {
       segment.stiffness_damping_s += settings_.stiffness_damping_s;
-      for (model::ShaftLayer& layer : segment.layers) layer.stiffness_damping_s += settings_.stiffness_damping_s;
+      for (model::ShaftLayer& layer : segment.layers)
+        layer.stiffness_damping_s += settings_.stiffness_damping_s;
     }
   }
 
@@ -248,7 +193,7 @@ class KitOfElements {
 };
 
 /// Unbalance of single discs, by their tags; the others are balanced then.
-void read_unbalance(const yaml::Value& list, const Elements& elements, model::RotorKit& kit) {
+void read_unbalance(const yaml::Value& list, const RossSections& elements, model::RotorKit& kit) {
   const auto items = read_list(list, model::RotorKit::most_parts);
   if (!items || kit.discs.size() != elements.discs.size()) return;
   std::vector<std::string_view> tags;
@@ -310,7 +255,7 @@ model::RotorKit read_ross_rotor(yaml::Section& section) {
     if (const auto root = parse(*name, beside.parent_path() / *text)) {
       const std::size_t problems = name->diagnostics.count();
       const yaml::Value file{*root, "", name->diagnostics};
-      const Elements elements = sorted(file);
+      const RossSections elements = read_ross_sections(file);
       const RossSettings settings = read_ross_settings(file);
       kit = KitOfElements({*root, name->path, name->diagnostics}, settings)
                 .build(elements, name->diagnostics.count() == problems);

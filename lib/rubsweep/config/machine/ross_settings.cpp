@@ -23,7 +23,8 @@ std::optional<int> main_version(std::string_view text) {
 }
 
 int read_version(const yaml::Value& value) {
-  const auto version = value.node.kind == yaml::Node::Kind::scalar ? main_version(value.node.text) : std::nullopt;
+  const auto version =
+      value.node.kind == yaml::Node::Kind::scalar ? main_version(value.node.text) : std::nullopt;
   if (version && *version <= latest_version) return *version;
   refuse(value, fmt::format("'{}' is no version whose files are known", yaml::shown(value.node.text)),
          fmt::format("\"0\" to \"{}\" and what follows after a point", latest_version));
@@ -40,9 +41,10 @@ void read_damping(yaml::Section& parameters, RossSettings& settings) {
   const auto ratios = parameters.find("modal_damping_ratio");
   if (!ratios || ratios->node.kind == yaml::Node::Kind::null) return;
   if (ratios->node.kind == yaml::Node::Kind::list && ratios->node.items.empty()) return;
-  refuse(*ratios,
-         "counts modes of torsion and along the axis among those of bending, and no bearing holds these modes",
-         "none, and damping_ratio beside the name of the file");
+  refuse(
+      *ratios,
+      "counts modes of torsion and along the axis among those of bending, and no bearing holds these modes",
+      "none, and damping_ratio beside the name of the file");
 }
 
 }  // namespace

@@ -201,7 +201,8 @@ void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit)
 
 void read_supports(const yaml::Value& supports, model::RotorKit& kit) {
   kit.supports = read_parts<model::Support>(
-      supports, places(kit), [&](yaml::Section& part, model::Support& support) { read_support(part, support, kit); });
+      supports, places(kit),
+      [&](yaml::Section& part, model::Support& support) { read_support(part, support, kit); });
 }
 
 void refuse_tables(const yaml::Value& supports, yaml::Section& section, const model::RotorKit& kit) {
