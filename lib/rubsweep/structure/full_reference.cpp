@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <utility>
 
+#include "rubsweep/error.hpp"
 #include "rubsweep/numerics/dense/lu.hpp"
+#include "rubsweep/structure/free_modes.hpp"
 #include "rubsweep/structure/seen_modes.hpp"
 
 namespace rubsweep::structure {
@@ -25,6 +28,15 @@ int points_for(Index coordinates) {
   constexpr double many = 150;
   return std::clamp(static_cast<int>(most * std::pow(many / static_cast<double>(coordinates), 3)), least,
                     most);
+}
+
+/// Rates of the free vibrations up to a frequency; no numbers where they cannot be told.
+Eigen::VectorXcd rates_within(const SpeedMatrices& matrices, double rad_per_s) {
+  try {
+    return free_modes(matrices, {0, rad_per_s}).rate_per_s;
+  } catch (const SolverError&) {
+    return Eigen::VectorXcd::Constant(1, std::numeric_limits<double>::quiet_NaN());
+  }
 }
 
 /// Distance of a growing rate from the nearest of `others`: the larger one of the shares by which frequency
@@ -73,8 +85,7 @@ FullReference::FullReference(const BeamShaft& shaft, const model::RotorKit& kit,
   for (const double share : {0.1, 1.0}) speeds.push_back({false, share * highest, {}});
   for (const Line& at : speeds) {
     rates_.emplace_back(
-        at,
-        slow_rates_per_s(matrices_at(full_.matrices, at.speed_rad_per_s, at.supports_rad_per_s), highest));
+        at, rates_within(matrices_at(full_.matrices, at.speed_rad_per_s, at.supports_rad_per_s), highest));
   }
 }
 
@@ -206,7 +217,7 @@ FullReference::Growth FullReference::growth(const Reduction& reduction) const {
     // Rates of either a little beyond may be those of the other within.
     constexpr double beyond = 1.1;
     const double highest = 2 * pi * kit_.modes_up_to_hz;
-    const Eigen::VectorXcd found = slow_rates_per_s(
+    const Eigen::VectorXcd found = rates_within(
         matrices_at(reduced.matrices, at.speed_rad_per_s, at.supports_rad_per_s), beyond * highest);
     growth.mistaken = growth.mistaken || any_grows(found) != any_grows(exact);
     for (const std::complex<double>& rate : exact) {

@@ -29,9 +29,4 @@ struct SpeedMatrices {
 SpeedMatrices matrices_at(const FullSystem& full, double speed_rad_per_s,
                           std::optional<double> supports_rad_per_s = {});
 
-/// Rates s of free vibrations (s^2 mass + s damping + stiffness) q = 0 with |s| <= `radius_rad_per_s`, those
-/// that coincide perhaps once, by Arnoldi's method for their inverses, from a start with a share of all. A
-/// coordinate without mass has none. NaN where the stiffness is singular or the iteration does not converge.
-Eigen::VectorXcd slow_rates_per_s(const SpeedMatrices& matrices, double radius_rad_per_s);
-
 }  // namespace rubsweep::structure
