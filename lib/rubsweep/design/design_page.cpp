@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "rubsweep/design/vibration_limit.hpp"
 #include "rubsweep/model/speed_text.hpp"
 
 namespace rubsweep::design {
@@ -23,7 +22,9 @@ std::string at(const std::optional<double>& position_m) {
 class Lengths {
  public:
   explicit Lengths(const model::ShownLengths& shown) : shown_(shown) {}
-  std::string operator()(double length_m) const { return model::length_text(length_m, shown_, model::LengthUnit::um); }
+  std::string operator()(double length_m) const {
+    return model::length_text(length_m, shown_, model::LengthUnit::um);
+  }
 
  private:
   model::ShownLengths shown_;
@@ -35,9 +36,10 @@ std::string_view if_lasting(bool met, const identify::GrowthAt& growth) {
 }
 
 std::string stability_lines(const DesignCheck& check) {
-  if (check.growth.growth_per_s == 0) return "stability every free vibration decays in the operating range: ok\n";
-  return fmt::format("stability a free vibration grows by {:.4g} 1/s at {}: NOT MET\n", check.growth.growth_per_s,
-                     speed(check.growth.speed_hz));
+  if (check.growth.growth_per_s == 0)
+    return "stability every free vibration decays in the operating range: ok\n";
+  return fmt::format("stability a free vibration grows by {:.4g} 1/s at {}: NOT MET\n",
+                     check.growth.growth_per_s, speed(check.growth.speed_hz));
 }
 
 std::string_view end_of_scale(double scale) {
@@ -46,14 +48,14 @@ std::string_view end_of_scale(double scale) {
 }
 
 std::string vibration_lines(const DesignCheck& check, const Lengths& length) {
-  std::string text = fmt::format("vibration {} peak to peak allowed at the probes\n", length(check.vibration_limit_m));
+  std::string text =
+      fmt::format("vibration {} peak to peak allowed at the probes\n", length(check.vibration_limit_m));
   text += fmt::format("unbalance eccentricity {}\n", length(check.eccentricity_m));
   for (std::size_t k = 0; k < check.probes.size(); ++k) {
     const ProbeResponse& probe = check.probes[k];
-    text +=
-        fmt::format("  probe {}{}: {} at {}: {}\n", k, at(probe.position_m), length(probe.major_axis_m.value),
-                    speed(probe.major_axis_m.speed_hz), 
-                    if_lasting(probe.major_axis_m.value <= check.vibration_limit_m, check.growth));
+    text += fmt::format("  probe {}{}: {} at {}: {}\n", k, at(probe.position_m),
+                        length(probe.major_axis_m.value), speed(probe.major_axis_m.speed_hz),
+                        if_lasting(probe.major_axis_m.value <= check.vibration_limit_m, check.growth));
   }
   return text + fmt::format("scale     x {:.4g}{}, eccentricity {} in all that follows\n", check.scale,
                             end_of_scale(check.scale), length(check.scale * check.eccentricity_m));
@@ -68,9 +70,10 @@ std::string clearance_lines(const DesignCheck& check, const Lengths& length) {
                           speed(one.speed_hz));
       continue;
     }
-    text += fmt::format("  stop {}{}: {} of {} at {}, margin {:.1f} %: {}\n", one.stop, at(one.position_m),
-                        length(one.major_axis_m), length(clearance_share * one.diametral_clearance_m),
-                        speed(one.speed_hz), 100 * one.margin, if_lasting(one.margin >= 0, check.whole_growth));
+    text +=
+        fmt::format("  stop {}{}: {} of {} at {}, margin {:.1f} %: {}\n", one.stop, at(one.position_m),
+                    length(one.major_axis_m), length(clearance_share * one.diametral_clearance_m),
+                    speed(one.speed_hz), 100 * one.margin, if_lasting(one.margin >= 0, check.whole_growth));
   }
   return text;
 }
@@ -125,8 +128,8 @@ std::string design_page(const DesignCheck& check, const model::ShownLengths& sho
   const Lengths length(shown);
   return fmt::format("operating {} to {}, clearances from {} on\n", speed(check.operating.from_hz),
                      speed(check.operating.to_hz), speed(check.whole.from_hz)) +
-         stability_lines(check) + vibration_lines(check, length) + clearance_lines(check, length) + whip_lines(check) + lock_lines(check) +
-         kick_lines(check);
+         stability_lines(check) + vibration_lines(check, length) + clearance_lines(check, length) +
+         whip_lines(check) + lock_lines(check) + kick_lines(check);
 }
 
 }  // namespace rubsweep::design
