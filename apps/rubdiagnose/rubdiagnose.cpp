@@ -18,7 +18,7 @@
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/batch/result_files.hpp"
-#include "rubsweep/config/dataset/read_candidate_file.hpp"
+#include "rubsweep/config/dataset/read_candidates.hpp"
 #include "rubsweep/config/recording/read_instrument.hpp"
 #include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/config/yaml/file_bytes.hpp"

@@ -15,7 +15,7 @@
 #include "rubsweep/config/yaml/document.hpp"
 #include "rubsweep/config/yaml/json_document.hpp"
 #include "rubsweep/config/yaml/json_string.hpp"
-#include "rubsweep/config/yaml/said_lines.hpp"
+#include "rubsweep/config/yaml/terminal_text.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "rubsweep/config/place_of_key.hpp"
+#include "rubsweep/config/number_at.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/report/explain_study.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
@@ -24,8 +24,8 @@ void ask_about_weak_kick(std::string_view program, const StudyArguments& argumen
   constexpr std::string_view key = "kick.force_n";
   ask(program,
       {fmt::format("{}: {}: {} N reach no wall from any cell (more than {:.3g} N?)",
-                   config::place_of_key(arguments.config, arguments.overrides, key), key, study.machine.kick->force_n,
-                   *least_n)},
+                   config::place_of_key(arguments.config, arguments.overrides, key), key,
+                   study.machine.kick->force_n, *least_n)},
       arguments.quiet);
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "rubsweep/diagnose/inference/density_of_size.hpp"
+#include "rubsweep/diagnose/inference/posterior.hpp"
 
 namespace rubsweep::diagnose {
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "rubsweep/dataset/data_study.hpp"
-#include "rubsweep/diagnose/inference/diagnosis_problem.hpp"
+#include "rubsweep/diagnose/inference/simulated_case.hpp"
 
 namespace rubsweep {
 

@@ -12,7 +12,6 @@
 #include "rubsweep/basin/basin_entropy.hpp"
 #include "rubsweep/basin/fraction.hpp"
 #include "rubsweep/basin/low_discrepancy.hpp"
-#include "rubsweep/basin/uncertainty_exponent.hpp"
 
 namespace rubsweep::basin {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "config/support.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 
 namespace rubsweep::config {
@@ -19,6 +20,15 @@ TEST(NumberAt, WhatIsNoNumberOrNotThere) {
   for (const char* path :
        {"", "rotor", "rotor.kind", "rotor.mass", "stops.7.clearance_m", "stops.x", "rotor.mass_kg.x"})
     EXPECT_FALSE(number_at(config, path)) << path;
+}
+
+TEST(NumberAt, IsThatOfItsValue) {
+  const std::filesystem::path file = std::filesystem::path(CONFIG_TEST_DATA) / "minimal.yaml";
+  const std::string name = file.string();
+  EXPECT_EQ(place_of_key(file, {}, "rotor.mass_kg"), name + ":2:34");
+  EXPECT_EQ(place_of_key(file, {}, "stops.0.angle_deg"), name + ":5:16");
+  EXPECT_EQ(place_of_key(file, {"rotor.mass_kg=2"}, "rotor.mass_kg"), "--set rotor.mass_kg=2");
+  EXPECT_EQ(place_of_key(file, {}, "kick.force_n"), name);
 }
 
 }  // namespace

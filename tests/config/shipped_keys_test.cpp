@@ -9,7 +9,7 @@
 
 #include "config/support.hpp"
 #include "rubsweep/config/file.hpp"
-#include "rubsweep/config/ring/read_ring_config.hpp"
+#include "rubsweep/config/ring/ring_config.hpp"
 #include "rubsweep/config/yaml/file_bytes.hpp"
 
 namespace rubsweep::config {

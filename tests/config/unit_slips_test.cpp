@@ -1,7 +1,7 @@
 #include "rubsweep/config/unit_slips.hpp"
 
 #include "config/support.hpp"
-#include "rubsweep/config/ring/read_ring_config.hpp"
+#include "rubsweep/config/ring/ring_config.hpp"
 
 namespace rubsweep::config {
 namespace {

@@ -4,10 +4,13 @@
 #include <charconv>
 #include <cstddef>
 
+#include "rubsweep/config/file.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/yaml/diagnostics.hpp"
 #include "rubsweep/config/yaml/document.hpp"
+#include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/config/yaml/number.hpp"
+#include "rubsweep/config/yaml/override.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -26,6 +29,14 @@ const yaml::Node* child(const yaml::Node& node, std::string_view name) {
 }
 
 }  // namespace
+
+std::string place_of_key(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                         std::string_view path) {
+  yaml::Diagnostics diagnostics(file.string(), overrides);
+  const yaml::Node root = parse_config(yaml::read_config_bytes(file), file, "a map", overrides, diagnostics);
+  const yaml::Node* node = find_node(root, path);
+  return node == nullptr ? file.string() : diagnostics.describe(node->place);
+}
 
 std::optional<double> number_at(const RunConfig& config, std::string_view path) {
   yaml::Diagnostics diagnostics("", {});

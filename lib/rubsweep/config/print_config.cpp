@@ -4,7 +4,6 @@
 #include "rubsweep/config/machine/stop.hpp"
 #include "rubsweep/config/output.hpp"
 #include "rubsweep/config/study/captions.hpp"
-#include "rubsweep/config/study/kick.hpp"
 #include "rubsweep/config/study/response.hpp"
 #include "rubsweep/config/study/solver.hpp"
 #include "rubsweep/config/study/start.hpp"

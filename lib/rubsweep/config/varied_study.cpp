@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/config/machine/jeffcott.hpp"
+#include "rubsweep/config/machine/rotor.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/study/key_axis.hpp"
 #include "rubsweep/config/study/place_axes.hpp"

@@ -1,9 +1,11 @@
 #include "rubsweep/dataset/data_set.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
-#include <string_view>
 #include <utility>
 
 #include "rubsweep/batch/directory.hpp"
@@ -16,8 +18,8 @@
 #include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/dataset/datasheet.hpp"
 #include "rubsweep/dataset/labels.hpp"
-#include "rubsweep/dataset/recording_text.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/matlab/version_5.hpp"
 
 namespace rubsweep::dataset {
 namespace {
@@ -90,6 +92,26 @@ std::string write_recording(const DataStudy& study, const LabelledRecording& rec
 }
 
 }  // namespace
+
+std::string recording_csv(const LabelledRecording& recording) {
+  const bool plane = !recording.y_m.empty();
+  std::string text = plane ? "t_s,x_m,y_m,keyphasor_v\n" : "t_s,x_m,keyphasor_v\n";
+  for (std::size_t k = 0; k < recording.t_s.size(); ++k) {
+    fmt::format_to(std::back_inserter(text), "{:.12g},{:.7g},", recording.t_s[k], recording.x_m[k]);
+    if (plane) fmt::format_to(std::back_inserter(text), "{:.7g},", recording.y_m[k]);
+    fmt::format_to(std::back_inserter(text), "{:.7g}\n", recording.keyphasor_v[k]);
+  }
+  return text;
+}
+
+std::string write_recording_matlab(const LabelledRecording& recording, const std::filesystem::path& file) {
+  std::vector<matlab::NamedVector> columns{{"t_s", recording.t_s}, {"x_m", recording.x_m}};
+  if (!recording.y_m.empty()) columns.push_back({"y_m", recording.y_m});
+  columns.push_back({"keyphasor_v", recording.keyphasor_v});
+  std::string bytes = matlab::version_5_file("MATLAB 5.0 MAT-file, written by rubdata", columns);
+  batch::write_whole_file(file, bytes);
+  return bytes;
+}
 
 DataSet::DataSet(const DataStudy& study, std::string program, std::string program_digest)
     : study_(study),

@@ -5,14 +5,27 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rubsweep/batch/file_lock.hpp"
 #include "rubsweep/batch/journal.hpp"
 #include "rubsweep/dataset/data_study.hpp"
+#include "rubsweep/dataset/labelled_recording.hpp"
 #include "rubsweep/dataset/set_digest.hpp"
 
 namespace rubsweep::dataset {
+
+/// Ending of the file that becomes a MATLAB file once it is whole, before that of a temporary.
+inline constexpr std::string_view scratch_ending = ".part";
+
+/// t_s, x_m, y_m (of two probes), keyphasor_v: time with twelve digits, so that it goes on at
+/// every reading, and the others with seven.
+std::string recording_csv(const LabelledRecording& recording);
+
+/// Writes the same columns as variables of a MATLAB file, version 5, compressed; its head is the same in
+/// every run. Whole or not at all. Returns the bytes of the file. Throws IoError.
+std::string write_recording_matlab(const LabelledRecording& recording, const std::filesystem::path& file);
 
 /// A set of recordings on the disk. Each recording is a file of its own, and a line of recordings.journal
 /// says that it is whole, so that an interrupted run goes on where it ended. One process at a time.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,23 @@
 #include "rubsweep/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::dataset {
+
+/// Purposes of the random numbers of a set.
+enum Purpose : std::uint64_t { of_machine, of_recording, of_readings };
+
+/// Numbers of a machine that its recordings have in common.
+struct MachineDraw {
+  diagnose::Point unit{};  ///< places in the ranges of its candidate; those of one recording are drawn anew
+  double clearance_m = 0, stop_angle_deg = 0, mark_turns = 0;
+  std::string_view part{};     ///< training, validation or test
+  std::vector<double> gain{};  ///< of each probe
+};
+
+/// Candidates take turns.
+std::size_t candidate_of(const DataStudy& study, std::size_t machine);
+
+/// Depends on the study and the number of the machine alone.
+MachineDraw draw_machine(const DataStudy& study, std::size_t machine);
 
 /// One recording and all that is known of it.
 struct LabelledRecording {
@@ -21,7 +39,7 @@ struct LabelledRecording {
   std::vector<double> gain{};                     ///< of each probe
   double penetration_ratio = 0, force_ratio = 0;  ///< as RubBounds has them
   diagnose::SimulatedMotion motion{};             ///< label; its samples are used up
-  std::string sha256{};                                     ///< of its file, once that is written
+  std::string sha256{};                           ///< of its file, once that is written
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: of two probes
 };
 

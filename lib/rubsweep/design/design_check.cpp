@@ -3,18 +3,29 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <variant>
 
 #include "rubsweep/batch/axis.hpp"
 #include "rubsweep/design/unbalance_response.hpp"
-#include "rubsweep/design/vibration_limit.hpp"
-#include "rubsweep/identify/campbell.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/model/balance.hpp"
+#include "rubsweep/model/rpm.hpp"
 #include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::design {
 namespace {
+
+/// Twice the gap that the mean position leaves at a stop, not below 0.
+double diametral_clearance_m(const scene::PreparedMachine& prepared, std::size_t stop,
+                             const WatchedPlace& place, const scene::QuietMotion& motion) {
+  const model::Stop& described = prepared.machine.stops[stop];
+  const contact::Excursion about = contact::excursion(
+      contact::wall_of(described.geometry), described.clearance_m, place.map, motion.mean, motion.amplitude);
+  return std::max(0.0, -2 * about.mean);
+}
 
 constexpr int campbell_speeds = 101;
 constexpr int whip_speeds = 11;
@@ -104,6 +115,49 @@ void try_kicks(const sweep::Study& study, const scene::PreparedMachine& prepared
 }
 
 }  // namespace
+
+double vibration_limit_m(double max_continuous_hz) {
+  constexpr double slow_rotor_m = 25.4e-6, fastest_slow_rpm = 12000;
+  return std::min(slow_rotor_m,
+                  slow_rotor_m * std::sqrt(fastest_slow_rpm / (model::rpm_per_hz * max_continuous_hz)));
+}
+
+double analysis_eccentricity_m(const model::Machine& machine, double max_continuous_hz) {
+  constexpr double residual_g_mm_rpm_per_kg = 6350, times_residual = 4;
+  const double g_mm_per_metre = model::g_mm_per_metre(machine);
+  if (!(g_mm_per_metre > 0)) {
+    throw ConfigError(
+        "rotor.discs: no disc stands off the axis, so that there is no unbalance to respond to, allowed: at "
+        "least one eccentricity_ratio that is not 0");
+  }
+  return times_residual * residual_g_mm_rpm_per_kg * model::rotor_mass_kg(machine) /
+         (model::rpm_per_hz * max_continuous_hz) / g_mm_per_metre;
+}
+
+double scale_factor(double limit_m, double response_m) {
+  if (response_m * largest_scale_factor <= limit_m) return largest_scale_factor;
+  return std::max(limit_m / response_m, smallest_scale_factor);
+}
+
+std::vector<ClearanceMargin> clearance_margins(const scene::PreparedMachine& prepared, double eccentricity_m,
+                                               std::span<const double> speeds_hz) {
+  const std::vector<WatchedPlace> places = stop_places(prepared);
+  std::vector<ClearanceMargin> margins;
+  for (std::size_t stop = 0; stop < places.size(); ++stop) {
+    const auto at = [&](double speed_hz) {
+      const scene::QuietMotion motion = unit_response(prepared, speed_hz);
+      ClearanceMargin found{stop, places[stop].position_m, speed_hz, 0, 0, 0};
+      found.major_axis_m = eccentricity_m * major_axis_at(motion, places[stop]);
+      found.diametral_clearance_m = diametral_clearance_m(prepared, stop, places[stop], motion);
+      found.margin = found.diametral_clearance_m > 0
+                         ? 1 - found.major_axis_m / (clearance_share * found.diametral_clearance_m)
+                         : -std::numeric_limits<double>::infinity();
+      return found;
+    };
+    margins.push_back(at(largest_over_speed(speeds_hz, [&](double hz) { return -at(hz).margin; }).speed_hz));
+  }
+  return margins;
+}
 
 double WhipMargin::margin() const {
   if (!needs || friction == 0) return 1;

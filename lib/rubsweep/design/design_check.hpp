@@ -2,19 +2,56 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "rubsweep/design/clearance_margin.hpp"
 #include "rubsweep/design/dry_whip.hpp"
 #include "rubsweep/design/kick_threshold.hpp"
 #include "rubsweep/design/largest_over_speed.hpp"
 #include "rubsweep/identify/campbell.hpp"
 #include "rubsweep/identify/lock_speeds.hpp"
+#include "rubsweep/model/machine.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/sweep/study.hpp"
 
 namespace rubsweep::design {
+
+/// Largest vibration of the shaft at a probe that API 617 (9th edition) allows, in metres peak to peak:
+/// min(25.4, 25.4 sqrt(12000 / N)) micrometres. N in rpm is the maximum continuous speed, here in Hz, > 0.
+double vibration_limit_m(double max_continuous_hz);
+
+/// Eccentricity of a cell that stands for the unbalance of an analysis by API 617, in metres: four times the
+/// largest residual unbalance 6350 W / N in g mm, with W in kg the mass of the rotor and N in rpm its maximum
+/// continuous speed. The unbalance is spread over the discs as the machine has it. Throws ConfigError where
+/// no disc stands off the axis.
+double analysis_eccentricity_m(const model::Machine& machine, double max_continuous_hz);
+
+/// Factor from the response that was computed to the one that clearances must bear (API 617, 9th edition; API
+/// RP 684): limit / response at the probe that moves most within the operating range, at least 1/2 (as ROSS
+/// takes these clauses: a rotor that moves more than twice as much as it may is not judged by less than half
+/// of its unbalance) and at most 6. Both in metres peak to peak, `response_m` >= 0.
+double scale_factor(double limit_m, double response_m);
+inline constexpr double smallest_scale_factor = 0.5, largest_scale_factor = 6;
+
+/// Share of the smallest diametral clearance that the major axis may take (API 617, 9th edition; API RP 684).
+inline constexpr double clearance_share = 0.75;
+
+/// The tightest speed of one stop.
+struct ClearanceMargin {
+  std::size_t stop = 0;
+  std::optional<double> position_m;  ///< along the shaft; empty: of a Jeffcott rotor
+  double speed_hz = 0;               ///< at which the margin is smallest
+  double major_axis_m = 0;           ///< there, from end to end
+  double diametral_clearance_m =
+      0;              ///< twice the smallest gap about the rotor's mean position; 0: it rests on the wall
+  double margin = 0;  ///< 1 - major axis / (share of the clearance); below 0: too tight
+};
+
+/// The margin of each stop, each at the speed from the first to the last of `speeds_hz` that is worst for it.
+/// Offsets of the stop and static loads take from its clearance as they do in a cell.
+std::vector<ClearanceMargin> clearance_margins(const scene::PreparedMachine& prepared, double eccentricity_m,
+                                               std::span<const double> speeds_hz);
 
 /// Questions of a design check.
 struct DesignQuestions {

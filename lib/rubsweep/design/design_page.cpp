@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "rubsweep/design/vibration_limit.hpp"
 #include "rubsweep/model/speed_text.hpp"
 
 namespace rubsweep::design {

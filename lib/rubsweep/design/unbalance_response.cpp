@@ -1,9 +1,9 @@
 #include "rubsweep/design/unbalance_response.hpp"
 
 #include <algorithm>
+#include <complex>
 #include <numbers>
 
-#include "rubsweep/design/elliptic_orbit.hpp"
 #include "rubsweep/scene/constant_load.hpp"
 #include "rubsweep/structure/system_at.hpp"
 
@@ -15,6 +15,11 @@ const structure::Point& point_of(const scene::PreparedMachine& prepared, int poi
 }
 
 }  // namespace
+
+double major_axis(const Eigen::Vector2cd& amplitude) {
+  const std::complex<double> turned = std::complex<double>(0, 1) * amplitude(1);
+  return std::abs(amplitude(0) + turned) + std::abs(amplitude(0) - turned);
+}
 
 std::vector<WatchedPlace> probe_places(const scene::PreparedMachine& prepared) {
   const structure::Assembly& assembly = prepared.assembly;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,12 @@
 #include "rubsweep/structure/linear_system.hpp"
 
 namespace rubsweep::design {
+
+/// Major axis of the ellipse x = Re(X e^{i w t}), y = Re(Y e^{i w t}), from end to end, in the unit of
+/// `amplitude` = (X, Y). The forward circle has the radius |X + i Y| / 2, the backward one |X - i Y| / 2, and
+/// their sum is half the axis: never less than the peak to peak of x or of y, and more where the ellipse
+/// leans.
+double major_axis(const Eigen::Vector2cd& amplitude);
 
 /// A place at which the motion of the shaft is looked at.
 struct WatchedPlace {

@@ -1,12 +1,12 @@
 #include "rubsweep/diagnose/lasting_motion.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <complex>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <variant>
-#include <vector>
 
-#include "rubsweep/diagnose/free_decay.hpp"
-#include "rubsweep/diagnose/turn_samples.hpp"
 #include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/scene/prepare_with_modes.hpp"
@@ -57,6 +57,25 @@ std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::ru
 }
 
 }  // namespace
+
+void add_samples(const scene::Scene& scene, const integrate::run::TurnReport& turn,
+                 std::vector<std::complex<double>>& displacement_m) {
+  const auto& map = scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
+  const auto coordinates = static_cast<std::size_t>(scene.structure.coordinates());
+  for (std::size_t k = 0; k < static_cast<std::size_t>(turn.sample_count); ++k) {
+    const Eigen::Map<const Eigen::VectorXd> q(turn.samples.data() + k * 2 * coordinates,
+                                              scene.structure.coordinates());
+    const Eigen::Vector2d z = scene.length_scale_m * (map * q);
+    displacement_m.emplace_back(z.x(), z.y());
+  }
+}
+
+int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz, double left) {
+  constexpr double most = 1e6;
+  const double turns =
+      -std::log(left) * speed_hz / (2 * std::numbers::pi * damping_ratio * natural_frequency_hz);
+  return static_cast<int>(std::ceil(std::min(turns, most)));
+}
 
 int turns_before_recording(const model::Machine& machine, double speed_hz) {
   const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor);

@@ -1,13 +1,25 @@
 #pragma once
 
+#include <complex>
 #include <optional>
+#include <vector>
 
 #include "rubsweep/diagnose/motion_lines.hpp"
+#include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/model/machine.hpp"
 #include "rubsweep/response/motion/contact_facts.hpp"
 #include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::diagnose {
+
+/// Adds the samples of a turn at the observed point, x + iy in metres.
+void add_samples(const scene::Scene& scene, const integrate::run::TurnReport& turn,
+                 std::vector<std::complex<double>>& displacement_m);
+
+/// Turns of the shaft in which free vibration of a damped rotor falls to the share `left` of what it was: its
+/// envelope is exp(-damping_ratio * natural angular frequency * time). At most a million.
+int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz, double left);
 
 /// Turns without contact after which a motion counts as one that has fallen back to quiet whirling.
 inline constexpr int turns_in_flight = 30;

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "rubsweep/diagnose/free_decay.hpp"
-#include "rubsweep/diagnose/turn_samples.hpp"
+#include "rubsweep/diagnose/lasting_motion.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/response/settle.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
-
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/table_file.hpp"

@@ -1,9 +1,34 @@
 #pragma once
 
+#include <bit>
+#include <concepts>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace rubsweep::page {
+
+/// Appends an integer to `bytes`, the lowest byte first, as a browser's DataView reads it.
+template <std::unsigned_integral Integer>
+void append(std::string& bytes, Integer value) {
+  for (unsigned shift = 0; shift < 8 * sizeof(Integer); shift += 8)
+    bytes.push_back(static_cast<char>(static_cast<unsigned char>(std::uint64_t{value} >> shift)));
+}
+
+/// The same for a number of floating point (IEEE 754).
+template <std::floating_point Number>
+void append(std::string& bytes, Number value) {
+  using Bits = std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>;
+  append(bytes, std::bit_cast<Bits>(value));
+}
+
+/// Appends `records`, of `width` bytes each, byte plane by byte plane: first the lowest bytes of all records,
+/// then the second ones. Numbers that are alike compress better that way.
+inline void append_planes(std::string& bytes, const std::string& records, std::size_t width) {
+  for (std::size_t plane = 0; plane < width; ++plane)
+    for (std::size_t i = plane; i < records.size(); i += width) bytes.push_back(records[i]);
+}
 
 /// `bytes` in base64 (RFC 4648) with its padding.
 std::string base64(std::string_view bytes);

@@ -11,6 +11,12 @@
 namespace rubsweep::page {
 namespace {
 
+/// How many of `count` values are left at a stride.
+std::size_t left(std::size_t count, std::size_t stride) {
+  const std::size_t first = stride / 2;
+  return first < count ? (count - first - 1) / stride + 1 : 0;
+}
+
 thread_local response::motion::Workspace orbit_workspace;
 
 KnownMotion known_motion(const MapTable& map, std::size_t row) {
@@ -24,6 +30,24 @@ KnownMotion known_motion(const MapTable& map, std::size_t row) {
 
 }  // namespace
 
+std::vector<std::size_t> ThinnedGrid::cells() const {
+  std::vector<std::size_t> kept;
+  for (std::size_t j = unbalance_stride / 2; j < unbalances; j += unbalance_stride)
+    for (std::size_t i = speed_stride / 2; i < speeds; i += speed_stride) kept.push_back(j * speeds + i);
+  return kept;
+}
+
+ThinnedGrid thinned_grid(std::size_t speeds, std::size_t unbalances, std::size_t most) {
+  ThinnedGrid grid{speeds, unbalances};
+  while (left(speeds, grid.speed_stride) * left(unbalances, grid.unbalance_stride) > most) {
+    // The axis that is still denser gives way, but never its last value.
+    const bool speed = left(unbalances, grid.unbalance_stride) == 1 ||
+                       (grid.speed_stride <= grid.unbalance_stride && left(speeds, grid.speed_stride) > 1);
+    ++(speed ? grid.speed_stride : grid.unbalance_stride);
+  }
+  return grid;
+}
+
 std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& map,
                                     std::vector<std::size_t> cells, int threads,
                                     const std::function<void()>& on_cell, const std::atomic<bool>& stop) {
@@ -32,7 +56,8 @@ std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& m
   const std::size_t finished = batch::parallel_run(
       cells.size(), threads,
       [&](std::size_t i) {
-        const auto orbit = settled_orbit(study, prepared, cells[i], known_motion(map, cells[i]), orbit_workspace);
+        const auto orbit =
+            settled_orbit(study, prepared, cells[i], known_motion(map, cells[i]), orbit_workspace);
         if (orbit) records[i] = encode_orbit(cells[i], *orbit);
       },
       [&](std::size_t) { on_cell(); }, stop);

@@ -5,17 +5,33 @@
 #include <algorithm>
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
+#include <boost/json/src.hpp>  // the library's code: here and nowhere else
+#include <boost/json/value.hpp>
+#include <cstdint>
 #include <map>
 #include <string_view>
+#include <unordered_map>
 
 #include "rubsweep/page/assets.hpp"
 #include "rubsweep/page/compressed.hpp"
-#include "rubsweep/page/encode_column.hpp"
-#include "rubsweep/page/json_text.hpp"
 #include "rubsweep/response/motion/motion_kind.hpp"
 
 namespace rubsweep::page {
 namespace {
+
+/// `value` as JSON that may stand inside an HTML script element: no character of it opens a tag.
+std::string json_text(const boost::json::value& value) {
+  std::string text;
+  for (const char c : boost::json::serialize(value)) {
+    // Outside strings JSON has no '<'.
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
 
 namespace json = boost::json;
 
@@ -204,6 +220,25 @@ std::string filled(std::string_view form, const std::map<std::string_view, std::
 }
 
 }  // namespace
+
+EncodedColumn encode_column(const MapColumn& column) {
+  EncodedColumn encoded;
+  std::string records, planes;
+  if (!column.numbers.empty()) {
+    for (const double number : column.numbers) append(records, number);
+    append_planes(planes, records, 8);
+  } else {
+    std::unordered_map<std::string, std::uint32_t> places;
+    for (const std::string& word : column.words) {
+      const auto [found, is_new] = places.try_emplace(word, static_cast<std::uint32_t>(places.size()));
+      if (is_new) encoded.words.push_back(word);
+      append(records, found->second);
+    }
+    append_planes(planes, records, 4);
+  }
+  encoded.data = compressed(planes);
+  return encoded;
+}
 
 std::string page_text(const PageContents& contents) {
   return filled(document.text,

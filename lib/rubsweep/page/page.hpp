@@ -8,12 +8,20 @@
 #include "rubsweep/page/boundaries.hpp"
 #include "rubsweep/page/map_table.hpp"
 #include "rubsweep/page/orbits.hpp"
-#include "rubsweep/page/thinned_grid.hpp"
 #include "rubsweep/page/walls.hpp"
 #include "rubsweep/sweep/study.hpp"
 #include "rubsweep/sweep/written_axis.hpp"
 
 namespace rubsweep::page {
+
+/// A column of a map as the page reads it.
+struct EncodedColumn {
+  std::vector<std::string> words;  ///< the different words in the order of their first row; empty: numbers
+  std::string data;  ///< compressed byte planes: 8 bytes a number (IEEE 754, NaN where empty), or
+                     ///< 4 bytes a word, its place in `words`
+};
+
+EncodedColumn encode_column(const MapColumn& column);
 
 /// All that a page shows.
 struct PageContents {

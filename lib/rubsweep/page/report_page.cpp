@@ -6,7 +6,6 @@
 #include <array>
 #include <cctype>
 #include <sstream>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "rubsweep/basin/basin_entropy.hpp"
-#include "rubsweep/basin/uncertainty_exponent.hpp"
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/report/cells_of_rows.hpp"

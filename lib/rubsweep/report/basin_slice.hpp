@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/basin/label_grid.hpp"
+#include "rubsweep/basin/basin_entropy.hpp"
 #include "rubsweep/sweep/attractors.hpp"
 #include "rubsweep/sweep/grid.hpp"
 

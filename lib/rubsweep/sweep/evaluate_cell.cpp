@@ -16,7 +16,6 @@
 #include "rubsweep/contact/hertz_line.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/overloaded.hpp"
-#include "rubsweep/scene/build_scene.hpp"
 #include "rubsweep/sweep/hertz_secant.hpp"
 #include "rubsweep/sweep/robustness.hpp"
 #include "rubsweep/sweep/unstable_rotor.hpp"

@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "rubsweep/integrate/exact/modes/mode_cache.hpp"
-#include "rubsweep/scene/prepared_machine.hpp"
 
 namespace rubsweep::sweep {
 namespace {

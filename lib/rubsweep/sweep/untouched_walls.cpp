@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "rubsweep/integrate/run/state_scale.hpp"

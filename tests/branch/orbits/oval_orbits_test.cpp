@@ -12,7 +12,6 @@
 #include "response/annular_cell.hpp"
 #include "rubsweep/branch/continuation/doubling.hpp"
 #include "rubsweep/branch/continuation/follow.hpp"
-#include "rubsweep/branch/orbits/settled_oval.hpp"
 #include "rubsweep/branch/orbits/settled_start.hpp"
 #include "rubsweep/response/settle.hpp"
 #include "support/annular_scene.hpp"

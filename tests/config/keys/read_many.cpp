@@ -4,7 +4,7 @@
 #include <string>
 
 #include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/config/ring/read_ring_config.hpp"
+#include "rubsweep/config/ring/ring_config.hpp"
 #include "rubsweep/error.hpp"
 
 int main() {

@@ -1,11 +1,11 @@
+#include "rubsweep/config/ring/ring_config.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "config/support.hpp"
-#include "rubsweep/config/ring/print_ring_config.hpp"
-#include "rubsweep/config/ring/read_ring_config.hpp"
 
 namespace rubsweep::config::ring {
 namespace {

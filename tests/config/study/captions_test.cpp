@@ -2,8 +2,7 @@
 
 #include "config/support.hpp"
 #include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/ring/print_ring_config.hpp"
-#include "rubsweep/config/ring/read_ring_config.hpp"
+#include "rubsweep/config/ring/ring_config.hpp"
 #include "rubsweep/config/study_digest.hpp"
 
 namespace rubsweep::config::study {

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
+
 #include "../inference/small_problem.hpp"
+#include "small_answer.hpp"
 
 namespace rubsweep::diagnose::answer {
 namespace {
@@ -75,6 +79,25 @@ TEST(Answer, TrustsNoClippedProbe) {
   EXPECT_TRUE(answer.clipped);
   EXPECT_EQ(answer.none, 1);
   EXPECT_EQ(answer.candidates[0].probability, 0);
+}
+
+TEST(Answer, FindsScaleTurnAndMark) {
+  const MotionLines recorded = small_motion();
+  MotionLines simulated = recorded;
+  for (int k = -simulated.last(); k <= simulated.last(); ++k)
+    simulated.at(k) *= std::polar(7.0, 0.4 + k * 2 * 3.14159265358979324 * 11 / 64 / 4);
+  const Overlay overlay = lay_over(recorded, simulated, true);
+  EXPECT_LT(overlay.unexplained, 1e-12);
+  EXPECT_LT((overlay.simulated.amplitude - recorded.amplitude).norm(), 1e-9);
+}
+
+TEST(Answer, LeavesWhatTheOtherMotionDoesNotHave) {
+  MotionLines other = small_motion();
+  other.at(2) = 0;
+  // Energies are 1 and 1/4: a circle of the same size has 1 in common: |c|^2 / (1.25 x 1.25).
+  const double common = 1e-4 * std::sqrt(1.25) * 1e-4;
+  const double left = 2 * 1.25e-8 - 2 * common;
+  EXPECT_NEAR(lay_over(small_motion(), other, true).unexplained, left / 1.25e-8, 1e-9);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "rubsweep/branch/orbits/scene_plane.hpp"
 
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <numbers>
 #include <span>

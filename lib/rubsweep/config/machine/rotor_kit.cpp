@@ -7,9 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "rubsweep/config/machine/bow.hpp"
 #include "rubsweep/config/machine/rotor_parts.hpp"
-#include "rubsweep/config/machine/shaft_segment.hpp"
 #include "rubsweep/config/machine/support_table.hpp"
 #include "rubsweep/model/disc_inertia.hpp"
 #include "rubsweep/model/shaft_end.hpp"
@@ -184,7 +182,7 @@ model::Range places(const model::RotorKit& kit) {
   const double length_m = model::shaft_length_m(kit);
   const bool known = kit.matrices || !kit.shaft.empty();
   return known && std::isfinite(length_m) ? model::Range{.low = 0, .high = model::furthest_place_m(length_m)}
-                                              : model::not_negative;
+                                          : model::not_negative;
 }
 
 void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit) {

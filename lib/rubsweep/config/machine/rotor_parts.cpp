@@ -2,12 +2,47 @@
 
 #include <array>
 #include <optional>
+#include <variant>
 
 #include "rubsweep/model/disc_geometry.hpp"
 #include "rubsweep/model/rolling_bearing.hpp"
+#include "rubsweep/overloaded.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
+
+constexpr std::size_t most_layers = 16;
+constexpr yaml::Words<model::ShearCoefficient, 3> shear_coefficients{
+    {"cowper", "hutchinson", "none"},
+    {model::ShearCoefficient::cowper, model::ShearCoefficient::hutchinson, model::ShearCoefficient::none}};
+constexpr yaml::Words<bool, 2> on_off{{"off", "on"}, {false, true}};
+
+/// Reader and printer share this list.
+template <class Fields>
+void visit_words(Fields& fields, auto& layer) {
+  fields.field("shear_coefficient", layer.shear_coefficient, shear_coefficients);
+  fields.field("rotary_inertia", layer.rotary_inertia, on_off);
+  fields.field("gyroscopic", layer.gyroscopic, on_off);
+}
+
+void read_words(yaml::Section& section, model::ShaftLayer& layer) {
+  visit_words(section, layer);
+  if (!section.is_sound()) return;
+  if (const auto problem = model::diameter_problem(layer))
+    section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
+}
+
+model::BowPoints read_bow_points(yaml::Section& section, const model::Range& range) {
+  model::BowPoints points;
+  if (const auto positions = section.require("position_m", "a list of numbers")) {
+    points.position_m = read_number_list(*positions, range, model::RotorKit::most_parts);
+  }
+  if (const auto deflections = section.require("deflection_m", "a list of numbers")) {
+    points.deflection_m =
+        read_number_list(*deflections, model::physical::deflection_m, model::RotorKit::most_parts);
+  }
+  return points;
+}
 
 constexpr std::array<std::string_view, 4> defects{"outer_race", "inner_race", "ball", "cage"};
 
@@ -26,6 +61,64 @@ std::optional<double> read_strikes(const yaml::Value& value) {
 }
 
 }  // namespace
+
+void read_segment(yaml::Section& section, model::ShaftSegment& segment) {
+  read_words(section, segment);
+  const auto list = section.find("layers");
+  if (!list) return;
+  const auto items = read_list(*list, most_layers);
+  if (!items) return;
+  for (const yaml::Value& item : *items) {
+    yaml::Section layer(item);
+    read_fields(layer, segment.layers.emplace_back());
+    read_words(layer, segment.layers.back());
+    layer.refuse_unknown_keys();
+  }
+}
+
+void print_segment(yaml::Printer& printer, const model::ShaftSegment& segment) {
+  visit_words(printer, segment);
+  if (segment.layers.empty()) return;
+  printer.open("layers");
+  for (const model::ShaftLayer& layer : segment.layers) {
+    printer.open_item();
+    print_fields(printer, layer);
+    visit_words(printer, layer);
+    printer.close();
+  }
+  printer.close();
+}
+
+model::Bow read_bow(const yaml::Value& value, const model::Range& range) {
+  yaml::Section section(value);
+  model::Bow bow;
+  section.require_exactly_one({"mode", "position_m"});
+  if (section.find("mode")) {
+    auto& mode = bow.shape.emplace<model::BowMode>();
+    section.field("mode", mode.mode, yaml::IntegerRange{1, model::RotorKit::most_modes});
+    section.field("amplitude_m", mode.amplitude_m, model::physical::amplitude_m);
+  } else if (section.is_sound()) {
+    bow.shape = read_bow_points(section, range);
+  }
+  section.field("phase_deg", bow.phase_deg, model::any_finite);
+  section.refuse_unknown_keys();
+  return bow;
+}
+
+void print_bow(yaml::Printer& printer, const model::Bow& bow) {
+  printer.open("bow");
+  std::visit(overloaded{[&](const model::BowMode& mode) {
+                          printer.integer("mode", mode.mode);
+                          printer.number("amplitude_m", mode.amplitude_m);
+                        },
+                        [&](const model::BowPoints& points) {
+                          printer.numbers("position_m", points.position_m);
+                          printer.numbers("deflection_m", points.deflection_m);
+                        }},
+             bow.shape);
+  printer.number("phase_deg", bow.phase_deg);
+  printer.close();
+}
 
 void read_disc_geometry(yaml::Section& section, model::Disc& disc) {
   const auto value = section.find("geometry");

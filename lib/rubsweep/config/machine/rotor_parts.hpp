@@ -1,9 +1,22 @@
 #pragma once
 
+#include "rubsweep/config/yaml/printer.hpp"
 #include "rubsweep/config/yaml/section.hpp"
+#include "rubsweep/config/yaml/value.hpp"
 #include "rubsweep/model/rotor_kit.hpp"
+#include "rubsweep/model/shaft_segment.hpp"
 
 namespace rubsweep::config::machine {
+
+/// Keys of a segment of `rotor.shaft` beside its numbers: shear_coefficient (cowper, hutchinson or none),
+/// rotary_inertia and gyroscopic (on or off), and `layers`, a list of sections of the same length.
+void read_segment(yaml::Section& section, model::ShaftSegment& segment);
+void print_segment(yaml::Printer& printer, const model::ShaftSegment& segment);
+
+/// `bow` of a rotor kit: {mode, amplitude_m} or {position_m, deflection_m}, two lists; phase_deg. `places`
+/// are those along the shaft.
+model::Bow read_bow(const yaml::Value& value, const model::Range& places);
+void print_bow(yaml::Printer& printer, const model::Bow& bow);
 
 /// Numbers of a disc that follow from its `geometry`, where that is given: outer_diameter_m,
 /// inner_diameter_m, width_m and density_kg_per_m3 in place of mass and inertias. To be called before these

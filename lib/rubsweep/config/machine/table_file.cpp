@@ -6,9 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/config/yaml/document.hpp"
 #include "rubsweep/config/yaml/text.hpp"
-#include "rubsweep/config/yaml/value.hpp"
 #include "rubsweep/table/encoding.hpp"
 #include "rubsweep/table/rows.hpp"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <string>
 
 #include "rubsweep/config/file.hpp"
 #include "rubsweep/config/yaml/section.hpp"
@@ -92,7 +91,8 @@ Instrument read_root(const yaml::Value& root) {
                             "with keyphasor");
   if (section.is_sound() && instrument.probes.size() == 2 &&
       instrument.probes[0].rest.has_value() != instrument.probes[1].rest.has_value())
-    section.refuse_together("probes", {"probes"}, "have a reading at rest of one alone", "rest of both, or of none");
+    section.refuse_together("probes", {"probes"}, "have a reading at rest of one alone",
+                            "rest of both, or of none");
   if (section.is_sound() && instrument.probes.size() == 2) {
     const double apart_rad =
         (instrument.probes[1].angle_deg - instrument.probes[0].angle_deg) * std::numbers::pi / 180;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "rubsweep/config/ring/ring_load.hpp"
-#include "rubsweep/config/study/axis.hpp"
 #include "rubsweep/config/yaml/section.hpp"
 
 namespace rubsweep::config::ring {

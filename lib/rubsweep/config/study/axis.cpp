@@ -6,8 +6,6 @@
 #include <set>
 
 #include "rubsweep/batch/decimal_steps.hpp"
-#include "rubsweep/config/study/scale.hpp"
-#include "rubsweep/config/yaml/section.hpp"
 
 namespace rubsweep::config::study {
 namespace {

@@ -11,6 +11,10 @@
 
 namespace rubsweep::config::study {
 
+/// Spacing of numbers from one end to the other.
+enum class Scale { linear, log };
+inline constexpr yaml::Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
+
 inline constexpr std::string_view axis_forms =
     "a number, {from, to, count}, {from, to, step} or {values: [...]}";
 inline constexpr long max_axis_values = 10'000;

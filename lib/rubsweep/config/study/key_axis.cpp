@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "rubsweep/config/study/axis.hpp"
 #include "rubsweep/config/yaml/text.hpp"
 
 namespace rubsweep::config::study {

@@ -4,11 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "rubsweep/config/study/axis.hpp"
 #include "rubsweep/config/yaml/number.hpp"
 #include "rubsweep/config/yaml/override.hpp"
 #include "rubsweep/model/balance.hpp"
-#include "rubsweep/model/rpm.hpp"
 
 namespace rubsweep::config::study {
 namespace {

@@ -8,7 +8,6 @@
 #include "rubsweep/config/machine/rotor.hpp"
 #include "rubsweep/config/machine/rotor_kit.hpp"
 #include "rubsweep/config/machine/stop.hpp"
-#include "rubsweep/config/study/kick.hpp"
 #include "rubsweep/config/study/response.hpp"
 #include "rubsweep/config/study/solver.hpp"
 #include "rubsweep/config/study/start.hpp"
@@ -43,7 +42,8 @@ sweep::Study read_study(yaml::Section& root) {
   }
   if (const auto value = root.find("kick")) study.machine.kick = read_kick(*value, shaft);
   for (const std::string_view name : {"stops", "kick"}) {
-    if (const auto value = root.find(name); value && kit != nullptr) machine::refuse_between_nodes(*value, *kit);
+    if (const auto value = root.find(name); value && kit != nullptr)
+      machine::refuse_between_nodes(*value, *kit);
   }
   if (const auto value = root.find("start")) {
     study.machine.start = read_start(*value, study.machine.stops);

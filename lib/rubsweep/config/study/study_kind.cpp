@@ -10,7 +10,6 @@
 
 #include "rubsweep/basin/low_discrepancy.hpp"
 #include "rubsweep/config/study/key_axis.hpp"
-#include "rubsweep/config/study/scale.hpp"
 #include "rubsweep/config/yaml/section.hpp"
 #include "rubsweep/config/yaml/text.hpp"
 

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "rubsweep/config/yaml/alternatives.hpp"

@@ -4,12 +4,21 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <mutex>
 
-#include "rubsweep/config/yaml/said_lines.hpp"
 #include "rubsweep/config/yaml/text.hpp"
 
 namespace rubsweep::config::yaml {
 namespace {
+
+constexpr std::size_t most_lines = 1000;
+
+std::mutex mutex;  // guards the lines
+
+std::vector<std::string>& lines() {
+  static std::vector<std::string> of_this_process;
+  return of_this_process;
+}
 
 /// U+0080 to U+009F, of a whole character.
 bool is_second_control(std::string_view character) {
@@ -17,6 +26,20 @@ bool is_second_control(std::string_view character) {
 }
 
 }  // namespace
+
+void remember_lines(std::string_view shown) {
+  const std::lock_guard lock(mutex);
+  while (!shown.empty() && lines().size() < most_lines) {
+    const std::size_t end = std::min(shown.find('\n'), shown.size());
+    if (end > 0) lines().emplace_back(shown.substr(0, end));
+    shown.remove_prefix(std::min(end + 1, shown.size()));
+  }
+}
+
+std::vector<std::string> said_lines() {
+  const std::lock_guard lock(mutex);
+  return lines();
+}
 
 std::size_t append_shown(std::string& result, std::string_view text, ControlCharacters kept) {
   const std::size_t length = utf8_length(text);

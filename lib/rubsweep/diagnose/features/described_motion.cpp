@@ -1,15 +1,68 @@
 #include "rubsweep/diagnose/features/described_motion.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <cmath>
 #include <complex>
 #include <string>
 
 #include "rubsweep/diagnose/features/line_features.hpp"
-#include "rubsweep/diagnose/features/phase_features.hpp"
 #include "rubsweep/diagnose/features/waveform_features.hpp"
 
 namespace rubsweep::diagnose::features {
 namespace {
+
+using Complex = std::complex<double>;
+
+/// A line's phase with a length below 1, which is less where the line is weak; nothing where none is seen.
+class Arrows {
+ public:
+  explicit Arrows(const MotionLines& lines) : lines_(lines), visible_(0.01 * size_of(lines)) {}
+
+  Complex operator()(int half_orders) const {
+    const int twice = half_orders * lines_.turns, k = twice / 2;
+    const Complex line = twice % 2 != 0 || std::abs(k) > lines_.last() ? Complex(0) : lines_.at(k);
+    return line / (std::abs(line) + visible_);
+  }
+
+ private:
+  const MotionLines& lines_;
+  double visible_;  ///< amplitude of half the length
+};
+
+void add_phase(const std::string& name, Complex phase, Features& features) {
+  add(features, name + ", cosine", phase.real());
+  add(features, name + ", sine", phase.imag());
+}
+
+/// Orders a + b = c + d (times 2): the phase of A_a A_b / (A_c A_d) does not change when the motion is turned
+/// or recorded from another mark.
+struct PhaseRelation {
+  std::array<int, 2> gained, lost;
+};
+constexpr std::array plane_relations{PhaseRelation{{6, -2}, {2, 2}},  PhaseRelation{{4, -2}, {-4, 6}},
+                                     PhaseRelation{{4, -4}, {2, -2}}, PhaseRelation{{4, 4}, {2, 6}},
+                                     PhaseRelation{{1, 3}, {2, 2}},   PhaseRelation{{-1, 3}, {1, 1}},
+                                     PhaseRelation{{1, -1}, {2, -2}}};
+
+/// Phases of forward and backward lines, which two probes tell.
+void add_phases(const Arrows& arrow, Features& features) {
+  for (const PhaseRelation& r : plane_relations)
+    add_phase(
+        fmt::format("phase of {}/2, {}/2 to {}/2, {}/2", r.gained[0], r.gained[1], r.lost[0], r.lost[1]),
+        arrow(r.gained[0]) * arrow(r.gained[1]) * std::conj(arrow(r.lost[0]) * arrow(r.lost[1])), features);
+}
+
+/// The same of one probe: A_b / A_a^m, where b = m a.
+void add_phases_of_one_probe(const Arrows& arrow, Features& features) {
+  struct Relation {
+    int half_orders, times, of;
+  };
+  for (const Relation r : {Relation{4, 2, 2}, {6, 3, 2}, {2, 2, 1}, {3, 3, 1}, {8, 4, 2}})
+    add_phase(fmt::format("phase of {}/2 to {} times {}/2", r.half_orders, r.times, r.of),
+              arrow(r.half_orders) * std::conj(std::pow(arrow(r.of), r.times)), features);
+}
 
 using Complex = std::complex<double>;
 
@@ -26,6 +79,17 @@ void add_mean(const MotionLines& lines, const View& view, const DescribedMotion&
 }
 
 }  // namespace
+
+Features phase_features(const MotionLines& lines, bool plane) {
+  const Arrows arrow(lines);
+  Features features;
+  if (plane) {
+    add_phases(arrow, features);
+  } else {
+    add_phases_of_one_probe(arrow, features);
+  }
+  return features;
+}
 
 DescribedMotion describe(const MotionLines& lines, const View& view,
                          response::spectrum::SpectrumWorkspace& workspace) {

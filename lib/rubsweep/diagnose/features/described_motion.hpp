@@ -7,6 +7,10 @@
 
 namespace rubsweep::diagnose::features {
 
+/// Phases that lines have to each other, as points inside the unit circle: nearer to the middle where the
+/// lines are weak. `plane`: two probes; else the motion is real.
+Features phase_features(const MotionLines& lines, bool plane);
+
 /// A motion as it is compared with others: features that do not depend on its size and direction, and these
 /// two.
 struct DescribedMotion {

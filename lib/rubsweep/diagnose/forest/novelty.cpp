@@ -1,11 +1,8 @@
 #include "rubsweep/diagnose/forest/novelty.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "rubsweep/batch/parallel_run.hpp"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include "rubsweep/batch/parallel_run.hpp"

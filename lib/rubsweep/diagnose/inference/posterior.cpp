@@ -1,22 +1,41 @@
 #include "rubsweep/diagnose/inference/posterior.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "rubsweep/batch/parallel_run.hpp"
 #include "rubsweep/diagnose/draw_purpose.hpp"
 #include "rubsweep/diagnose/forest/novelty.hpp"
-#include "rubsweep/diagnose/inference/density_of_size.hpp"
 #include "rubsweep/diagnose/inference/other_cause.hpp"
 
 namespace rubsweep::diagnose::inference {
 namespace {
+
+/// Least width of an interval in which a length may lie: cases have any size, and must find place in it.
+constexpr double least_decades = 0.08;
+
+bool inside(const Spread& spread, double value) { return value >= spread.low && value <= spread.high; }
+
+double decades(const Spread& spread) { return std::log10(spread.high / spread.low); }
+
+Spread widened(const Spread& spread) {
+  const double factor = std::pow(10, std::max(0.0, least_decades - decades(spread)) / 2);
+  return {spread.low / factor, spread.high * factor, true};
+}
+
+/// Share of the whirl ratios at which a quiet whirl of this radius is one in a clearance of the range. Its
+/// shape is the same at all of them.
+double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, double radius_m) {
+  const double low = std::max(ratios.low, radius_m / clearances.high),
+               high = std::min(ratios.high, radius_m / clearances.low);
+  return low < high ? decades({low, high}) / decades(ratios) : 0;
+}
 
 /// Share of each candidate that a forest of so many cases cannot tell from none.
 constexpr double least_probability = 1e-3;
@@ -108,6 +127,22 @@ Eigen::MatrixXd rows_of_priors(const CaseSet& set, const Eigen::MatrixXd& featur
 }
 
 }  // namespace
+
+double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
+                       double seen_size_m) {
+  const Candidate& candidate = problem.candidates[one.candidate];
+  const double clearance = simulated_clearance_m(candidate) * seen_size_m / case_size_m;
+  const Spread clearances = widened(candidate.clearance_m);
+  double density = inside(clearances, clearance) ? 1 : 0;
+  if (candidate.cause == Cause::no_rub)
+    density =
+        share_of_whirl_ratios(spread_of(candidate, Unknown::whirl_ratio), clearances,
+                              clearance * value_of(values_at(candidate, one.unit), Unknown::whirl_ratio));
+  if (!problem.eccentricity_m) return density;
+  const Spread eccentricities = widened(*problem.eccentricity_m);
+  if (!inside(eccentricities, one.motion.eccentricity_m * seen_size_m / case_size_m)) return 0;
+  return density * decades(clearances) / decades(eccentricities);
+}
 
 void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads,
                    ObservedCases& observed) {

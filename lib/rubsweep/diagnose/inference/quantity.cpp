@@ -1,7 +1,6 @@
 #include "rubsweep/diagnose/inference/quantity.hpp"
 
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 #include "rubsweep/error.hpp"

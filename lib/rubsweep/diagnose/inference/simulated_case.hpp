@@ -1,13 +1,40 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
+#include "rubsweep/diagnose/candidate.hpp"
+#include "rubsweep/diagnose/drawn_machine.hpp"
 #include "rubsweep/diagnose/features/described_motion.hpp"
-#include "rubsweep/diagnose/inference/diagnosis_problem.hpp"
 #include "rubsweep/diagnose/lasting_motion.hpp"
+#include "rubsweep/diagnose/observed_lines.hpp"
 
 namespace rubsweep::diagnose::inference {
+
+/// Everything that decides which motions a recording is compared with.
+struct DiagnosisProblem {
+  std::vector<Candidate> candidates{};  ///< their natural frequency and damping are those of the machine
+  std::vector<double> prior{};  ///< probability of each, given that it is one of them; they add up to 1
+  FixedNumbers fixed{};
+  std::optional<Spread> eccentricity_m{};  ///< of the unbalance, > 0, logarithmic; empty: anything
+  double speed_hz = 0;                     ///< of the shaft
+  int turns = 0;                           ///< of it in the recording
+  Measuring measuring{};
+  std::uint64_t seed = 1;
+};
+
+inline features::View view_of(const Measuring& measuring) {
+  return {measuring.probes == 2, measuring.directions, measuring.from_rest};
+}
+
+/// Largest order that the readings of a turn show as it is.
+inline double seen_order(const Measuring& measuring) {
+  constexpr double clean_share = 0.4;  // as scope::judge
+  return std::min(most_order, clean_share * measuring.readings_per_turn);
+}
 
 /// One motion of one candidate. Without gravity everything grows with the clearance, so that it is simulated
 /// at one clearance for all, and scaled to a recording.

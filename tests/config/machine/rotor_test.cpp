@@ -1,9 +1,8 @@
-#include "rubsweep/config/machine/jeffcott.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include "config/support.hpp"
+#include "rubsweep/config/machine/rotor.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 
@@ -21,7 +20,7 @@ model::JeffcottRotor rotor_of(const std::vector<std::string>& overrides) {
 }
 
 /// sqrt(8e5 / 2) = 632.46 rad/s = 100.66 Hz; 60 / (2 sqrt(8e5 2)) = 0.023717.
-TEST(Jeffcott, ByStiffnessAndDampingConstant) {
+TEST(Rotor, ByStiffnessAndDampingConstant) {
   const model::JeffcottRotor rotor = rotor_of({by_constants});
   EXPECT_NEAR(rotor.natural_frequency_hz, std::sqrt(4e5) / (2 * std::numbers::pi), 1e-12);
   EXPECT_NEAR(rotor.damping_ratio, 60 / (2 * std::sqrt(1.6e6)), 1e-16);
@@ -31,7 +30,7 @@ TEST(Jeffcott, ByStiffnessAndDampingConstant) {
   EXPECT_NEAR(assembly.system.damping(1, 1), 60, 1e-12);
 }
 
-TEST(Jeffcott, EitherConstantMayStandBesideTheOtherNumber) {
+TEST(Rotor, EitherConstantMayStandBesideTheOtherNumber) {
   const auto stiff =
       rotor_of({"rotor={kind: jeffcott, mass_kg: 2, stiffness_n_per_m: 8.0e5, damping_ratio: 0.03}"});
   EXPECT_EQ(stiff.damping_ratio, 0.03);
@@ -42,20 +41,20 @@ TEST(Jeffcott, EitherConstantMayStandBesideTheOtherNumber) {
   EXPECT_NEAR(damped.damping_ratio, 60 / (2 * 2 * 100 * std::numbers::pi), 1e-15);
 }
 
-TEST(Jeffcott, WhatIsPrintedReadsBackTheSame) {
+TEST(Rotor, WhatIsPrintedReadsBackTheSame) {
   const std::string printed = print_config(read({by_constants}));
   const RunConfig again = read_run_config_text(printed, "printed.yaml", {});
   EXPECT_EQ(print_config(again), printed);
 }
 
-TEST(Jeffcott, AnOverrideReplacesTheOtherWayOfSayingIt) {
+TEST(Rotor, AnOverrideReplacesTheOtherWayOfSayingIt) {
   EXPECT_NEAR(rotor_of({by_constants, "rotor.natural_frequency_hz=40"}).natural_frequency_hz, 40, 0);
   EXPECT_NEAR(rotor_of({"rotor.stiffness_n_per_m=8.0e5"}).natural_frequency_hz,
               std::sqrt(1e6) / (2 * std::numbers::pi), 1e-12);
   EXPECT_EQ(rotor_of({by_constants, "rotor.damping_ratio=0.01"}).damping_ratio, 0.01);
 }
 
-TEST(Jeffcott, ProblemsNameBothKeys) {
+TEST(Rotor, ProblemsNameBothKeys) {
   const auto problem = [](const std::string& rotor) {
     return message_of(test_file("minimal.yaml"), {"rotor={kind: jeffcott, " + rotor + "}"});
   };
@@ -77,7 +76,7 @@ TEST(Jeffcott, ProblemsNameBothKeys) {
 }
 
 /// A cell with another mass would keep frequency and ratio instead of the constants.
-TEST(Jeffcott, AnAxisThatWouldChangeTheConstantsIsRefused) {
+TEST(Rotor, AnAxisThatWouldChangeTheConstantsIsRefused) {
   const auto problem = [](const std::string& key) {
     return message_of(test_file("minimal.yaml"),
                       {by_constants, "sweep.x={key: " + key + ", values: [1.9, 2.1]}"});
@@ -90,7 +89,7 @@ TEST(Jeffcott, AnAxisThatWouldChangeTheConstantsIsRefused) {
             std::string::npos);
 }
 
-TEST(Jeffcott, AnAxisOverAConstantMakesRotorsOfThat) {
+TEST(Rotor, AnAxisOverAConstantMakesRotorsOfThat) {
   const RunConfig config =
       read({"rotor={kind: jeffcott, mass_kg: 2, stiffness_n_per_m: 8.0e5, damping_ratio: 0.03}",
             "sweep.x={key: rotor.stiffness_n_per_m, values: [2.0e5, 8.0e5]}"});

@@ -1,5 +1,3 @@
-#include "rubsweep/page/encode_column.hpp"
-
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -7,6 +5,7 @@
 #include <limits>
 
 #include "page/decoded.hpp"
+#include "rubsweep/page/page.hpp"
 
 namespace rubsweep::page {
 namespace {
@@ -20,7 +19,7 @@ std::uint64_t record(const std::string& planes, std::size_t width, std::size_t i
   return value;
 }
 
-TEST(EncodeColumn, NumbersComeBackToTheLastBit) {
+TEST(Page, NumbersComeBackToTheLastBit) {
   const std::vector<double> numbers{0.1,  -1e-300, 5e-324, std::numeric_limits<double>::infinity(),
                                     1e17, -0.0,    1320,   std::numeric_limits<double>::quiet_NaN()};
   const EncodedColumn encoded = encode_column({"speed_hz", numbers, {}});
@@ -31,7 +30,7 @@ TEST(EncodeColumn, NumbersComeBackToTheLastBit) {
     EXPECT_EQ(record(planes, 8, i), std::bit_cast<std::uint64_t>(numbers[i])) << i;
 }
 
-TEST(EncodeColumn, WordsAreNumberedInTheOrderOfTheirRows) {
+TEST(Page, WordsAreNumberedInTheOrderOfTheirRows) {
   const EncodedColumn encoded = encode_column({"class", {}, {"b", "", "b", "a", ""}});
   EXPECT_EQ(encoded.words, (std::vector<std::string>{"b", "", "a"}));
   const std::string planes = decompressed(encoded.data);

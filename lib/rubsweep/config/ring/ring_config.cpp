@@ -1,4 +1,4 @@
-#include "rubsweep/config/ring/read_ring_config.hpp"
+#include "rubsweep/config/ring/ring_config.hpp"
 
 #include <fmt/format.h>
 
@@ -13,9 +13,11 @@
 #include "rubsweep/config/study/axis.hpp"
 #include "rubsweep/config/study/captions.hpp"
 #include "rubsweep/config/study/sweep.hpp"
+#include "rubsweep/config/study_digest.hpp"
 #include "rubsweep/config/unit_slips.hpp"
 #include "rubsweep/config/yaml/base.hpp"
 #include "rubsweep/config/yaml/file_bytes.hpp"
+#include "rubsweep/config/yaml/printer.hpp"
 #include "rubsweep/config/yaml/section.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/ring/normal_form.hpp"
@@ -71,6 +73,18 @@ RingConfig read_sections(const yaml::Value& root) {
   return config;
 }
 
+void print(yaml::Printer& printer, const rubsweep::ring::Study& study, study::AxisPrint how) {
+  print_ring(printer, study.system.ring);
+  print_ring_loads(printer, study.system.loads);
+  printer.number("friction_coefficient", study.system.friction_coefficient);
+  printer.number("preload_n", study.system.preload_n);
+  printer.open("speed_rpm");
+  study::print_axis_values(printer, study.speeds_rpm,
+                           how == study::AxisPrint::as_written ? study.spacing : std::nullopt);
+  printer.close();
+  if (study.chart) print_ring_chart(printer, *study.chart, how);
+}
+
 }  // namespace
 
 RingConfig read_ring_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
@@ -87,6 +101,20 @@ RingConfig read_ring_config_text(std::string_view text, const std::string& name,
   diagnostics.throw_if_any();
   config.questions = unit_questions({root, "", diagnostics}, nullptr);
   return config;
+}
+
+std::string print_ring_config(const RingConfig& config) {
+  yaml::Printer printer;
+  study::print_captions(printer, config.captions);
+  print(printer, config.study, study::AxisPrint::as_written);
+  print_output(printer, config.output_directory);
+  return printer.yaml();
+}
+
+std::string ring_study_digest(const rubsweep::ring::Study& study) {
+  yaml::Printer printer;
+  print(printer, study, study::AxisPrint::by_value);
+  return digest_of(printer.yaml());
 }
 
 }  // namespace rubsweep::config::ring

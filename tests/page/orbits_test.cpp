@@ -1,19 +1,19 @@
-#include "rubsweep/page/thinned_grid.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "rubsweep/page/orbits.hpp"
+
 namespace rubsweep::page {
 namespace {
 
-TEST(ThinnedGrid, ASmallMapKeepsAllItsCells) {
+TEST(Orbits, ASmallMapKeepsAllItsCells) {
   const ThinnedGrid grid = thinned_grid(3, 2, 6);
   EXPECT_TRUE(grid.whole());
   EXPECT_EQ(grid.cells(), (std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));
 }
 
-TEST(ThinnedGrid, ALargeOneKeepsSomeAllOverIt) {
+TEST(Orbits, ALargeOneKeepsSomeAllOverIt) {
   const ThinnedGrid grid = thinned_grid(400, 250, 4000);
   EXPECT_FALSE(grid.whole());
   const auto cells = grid.cells();
@@ -26,7 +26,7 @@ TEST(ThinnedGrid, ALargeOneKeepsSomeAllOverIt) {
   EXPECT_GE(cells.back() % 400 + grid.speed_stride, 400u);
 }
 
-TEST(ThinnedGrid, ALineKeepsItsOtherAxis) {
+TEST(Orbits, ALineKeepsItsOtherAxis) {
   const ThinnedGrid grid = thinned_grid(1000, 1, 10);
   EXPECT_EQ(grid.unbalance_stride, 1u);
   EXPECT_LE(grid.cells().size(), 10u);
