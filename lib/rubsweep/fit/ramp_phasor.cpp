@@ -6,7 +6,6 @@
 #include <complex>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 #include "rubsweep/fit/mode_set.hpp"
 #include "rubsweep/fit/ramp_window.hpp"

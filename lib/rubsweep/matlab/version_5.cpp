@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstdint>
 #include <new>
-#include <utility>
 
 #include "rubsweep/matlab/inflate.hpp"
 

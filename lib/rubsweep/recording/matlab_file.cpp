@@ -1,7 +1,6 @@
 #include "rubsweep/recording/matlab_file.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -8,7 +8,6 @@
 #include "rubsweep/response/proof/approach.hpp"
 #include "rubsweep/response/proof/equal_stops.hpp"
 #include "rubsweep/response/proof/orbit_ball.hpp"
-#include "rubsweep/response/proof/periodic_orbit.hpp"
 #include "rubsweep/response/proof/split_norms.hpp"
 
 namespace rubsweep::response::proof {

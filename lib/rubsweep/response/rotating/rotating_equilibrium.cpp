@@ -1,6 +1,5 @@
 #include "rubsweep/response/rotating/rotating_equilibrium.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

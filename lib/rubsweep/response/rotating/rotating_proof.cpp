@@ -11,7 +11,6 @@
 #include "rubsweep/response/motion/section.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/response/proof/approach.hpp"
-#include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/response/rotating/cycle_measures.hpp"
 
 namespace rubsweep::response::rotating {

@@ -1,7 +1,6 @@
 #include "rubsweep/response/spectrum/comb_line.hpp"
 
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 namespace rubsweep::response::spectrum {
