@@ -15,7 +15,6 @@
 #include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/ring/print_ring_config.hpp"
 #include "rubsweep/config/ring/read_ring_config.hpp"
-#include "rubsweep/ring/ring_chart_csv.hpp"
 #include "rubsweep/ring/ring_csv.hpp"
 #include "rubsweep/ring/ring_summary.hpp"
 #include "shared/exit_code.hpp"
