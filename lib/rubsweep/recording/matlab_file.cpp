@@ -6,7 +6,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/matlab/read_file.hpp"
-#include "rubsweep/recording/name_unit.hpp"
+#include "rubsweep/recording/channels.hpp"
 
 namespace rubsweep::recording {
 namespace {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "rubsweep/table/cell.hpp"
-#include "rubsweep/table/heading.hpp"
 
 namespace rubsweep::table {
 

@@ -3,29 +3,11 @@
 #include <memory>
 
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
-#include "rubsweep/integrate/adaptive/twist_dynamics.hpp"
+#include "rubsweep/integrate/adaptive/start_twisted.hpp"
 #include "rubsweep/integrate/run/coordinates.hpp"
-#include "rubsweep/integrate/run/options.hpp"
-#include "rubsweep/integrate/run/turn.hpp"
-#include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::integrate::adaptive {
 namespace {
-
-template <bool Smoothed>
-run::Cursor start(const scene::Scene& scene, const run::SolverOptions& options) {
-  auto run = std::make_shared<AdaptiveRun<TwistDynamics<Smoothed>>>(without_turning(scene), options,
-                                                                    twist_law(scene));
-  return [run](const run::TurnRequest& request, run::TurnReport& report) {
-    return run->advance(request, report);
-  };
-}
-
-/// As start_adaptive, for a scene with torsion.
-run::Cursor start_twisted(const scene::Scene& scene, const run::SolverOptions& options) {
-  return options.contact == run::ContactHandling::smoothed ? start<true>(scene, options)
-                                                           : start<false>(scene, options);
-}
 
 template <bool Smoothed>
 run::Cursor start(const scene::Scene& scene, const run::SolverOptions& options) {
