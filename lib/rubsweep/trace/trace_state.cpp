@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <span>
-#include <vector>
 
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/contact/friction_law.hpp"
@@ -17,33 +14,11 @@
 #include "rubsweep/integrate/law/dynamics.hpp"
 #include "rubsweep/integrate/law/settle_slips.hpp"
 #include "rubsweep/integrate/run/pulse_times.hpp"
-#include "rubsweep/integrate/run/scaled_system.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
-#include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::trace {
 namespace {
-
-/// Friction of the contacts whose friction is dry, at one instant of a run. A contact that slips has mu S;
-/// the holding friction of one that sticks is no function of its own motion: it is the force that keeps the
-/// slip zero against all that acts on the structure at that instant, within mu S.
-class DryForces {
- public:
-  explicit DryForces(const scene::Scene& scene);
-
-  /// Whether some contact has dry friction. Without one nobody has to ask.
-  bool any() const { return any_; }
-
-  /// Newtons along the tangent on the casing, one number per contact, 0 where it is open or its friction is
-  /// of another kind. `scaled`: a state as integrate::run::TurnReport holds it; `turns`: of the shaft since t
-  /// = 0.
-  std::vector<double> forces_n(const scene::Scene& scene, std::span<const double> scaled, double turns) const;
-
- private:
-  integrate::run::ScaledSystem<Eigen::Dynamic> system_;
-  bool any_ = false;
-};
 
 using Law = integrate::law::Dynamics<Eigen::Dynamic, false>;
 using State = std::vector<double>;
@@ -68,6 +43,25 @@ void enter(Law& law, const State& state) {
     law.slips()[i] = law.slip(i, state) >= 0 ? contact::Slip::forward : contact::Slip::backward;
   }
 }
+
+/// Sum of all forces on the structure that neither its own matrices nor its contacts give.
+Eigen::VectorXd forcing_n(const scene::Scene& scene, double turns) {
+  const std::complex<double> turn = std::polar(1.0, 2 * std::numbers::pi * (turns - std::floor(turns)));
+  Eigen::VectorXd force = scene.constant_n + (scene.harmonic_n * turn).real();
+  if (scene.second_harmonic_n.size() > 0) force += (scene.second_harmonic_n * (turn * turn)).real();
+  for (const scene::Pulse& pulse : scene.pulses) {
+    const double since_s = turns * scene.period_s() + pulse.elapsed_s;
+    if (since_s >= 0 && since_s < pulse.duration_s)
+      force += pulse.direction * (pulse.force_n * std::sin(std::numbers::pi * since_s / pulse.duration_s));
+  }
+  return force;
+}
+
+const auto& point(const scene::Scene& scene, int index) {
+  return scene.structure.points[static_cast<std::size_t>(index)].map;
+}
+
+}  // namespace
 
 DryForces::DryForces(const scene::Scene& scene)
     : any_(std::ranges::any_of(scene.contacts, [](const scene::Contact& contact) {
@@ -98,25 +92,6 @@ std::vector<double> DryForces::forces_n(const scene::Scene& scene, std::span<con
   }
   return forces;
 }
-
-/// Sum of all forces on the structure that neither its own matrices nor its contacts give.
-Eigen::VectorXd forcing_n(const scene::Scene& scene, double turns) {
-  const std::complex<double> turn = std::polar(1.0, 2 * std::numbers::pi * (turns - std::floor(turns)));
-  Eigen::VectorXd force = scene.constant_n + (scene.harmonic_n * turn).real();
-  if (scene.second_harmonic_n.size() > 0) force += (scene.second_harmonic_n * (turn * turn)).real();
-  for (const scene::Pulse& pulse : scene.pulses) {
-    const double since_s = turns * scene.period_s() + pulse.elapsed_s;
-    if (since_s >= 0 && since_s < pulse.duration_s)
-      force += pulse.direction * (pulse.force_n * std::sin(std::numbers::pi * since_s / pulse.duration_s));
-  }
-  return force;
-}
-
-const auto& point(const scene::Scene& scene, int index) {
-  return scene.structure.points[static_cast<std::size_t>(index)].map;
-}
-
-}  // namespace
 
 Energy structure_energy(const scene::Scene& scene, const Eigen::VectorXd& q_m,
                         const Eigen::VectorXd& rate_m_per_s, double turns) {
