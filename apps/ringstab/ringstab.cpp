@@ -14,7 +14,6 @@
 #include "rubsweep/batch/progress.hpp"
 #include "rubsweep/batch/result_files.hpp"
 #include "rubsweep/config/ring/ring_config.hpp"
-#include "rubsweep/ring/ring_chart_csv.hpp"
 #include "rubsweep/ring/ring_csv.hpp"
 #include "rubsweep/ring/ring_summary.hpp"
 #include "shared/exit_code.hpp"

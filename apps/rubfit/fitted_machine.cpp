@@ -14,7 +14,7 @@
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/config/read_run_config.hpp"
 #include "rubsweep/error.hpp"
-#include "rubsweep/fit/prepare_again.hpp"
+#include "rubsweep/fit/fit_problem.hpp"
 #include "rubsweep/fit/rub/rub_orbits.hpp"
 #include "rubsweep/identify/linear_run.hpp"
 #include "rubsweep/numerics/recently_used.hpp"

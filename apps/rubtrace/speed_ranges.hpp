@@ -3,7 +3,7 @@
 #include <string>
 
 #include "rubsweep/design/largest_over_speed.hpp"
-#include "rubsweep/ramp/speed_ramp.hpp"
+#include "rubsweep/ramp/ramp_run.hpp"
 
 namespace rubsweep::apps {
 

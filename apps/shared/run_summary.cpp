@@ -10,7 +10,7 @@
 #include <system_error>
 #include <vector>
 
-#include "rubsweep/batch/written_files.hpp"
+#include "rubsweep/batch/whole_file.hpp"
 #include "rubsweep/config/yaml/diagnostics.hpp"
 #include "rubsweep/config/yaml/document.hpp"
 #include "rubsweep/config/yaml/json_document.hpp"

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -130,6 +132,26 @@ TEST(WholeFile, ThatIsGivenUpLeavesTheOlderOne) {
   WholeFile(path).write("new");
   EXPECT_EQ(read_whole_file(path), "old");
   EXPECT_EQ(entries(directory.path()), 1);
+}
+
+namespace fs = std::filesystem;
+
+TEST(WholeFile, AreThoseThatWereCommittedEachOnceAndAreStillThere) {
+  const TemporaryDirectory directory;
+  const fs::path kept = directory.path() / "kept", removed = directory.path() / "removed",
+                 given_up = directory.path() / "given_up";
+  const auto count = [](const fs::path& path) { return std::ranges::count(written_files(), path); };
+  write_whole_file(kept, "a");
+  write_whole_file(removed, "b");
+  write_whole_file(kept, "c");
+  { WholeFile file(given_up); }
+  EXPECT_EQ(count(kept), 1);
+  EXPECT_EQ(count(removed), 1);
+  EXPECT_EQ(count(given_up), 0);
+  const auto files = written_files();
+  EXPECT_LT(std::ranges::find(files, kept), std::ranges::find(files, removed));
+  fs::remove(removed);
+  EXPECT_EQ(count(removed), 0);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "batch/message_of.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/fit/fit_tables.hpp"
-#include "rubsweep/fit/free_vibration.hpp"
+#include "rubsweep/fit/modelled_data.hpp"
 #include "rubsweep/fit/ramp_phasor.hpp"
 #include "rubsweep/identify/linear_run.hpp"
 #include "scene/one_side_machine.hpp"

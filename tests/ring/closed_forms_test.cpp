@@ -10,7 +10,6 @@
 #include "rubsweep/batch/axis.hpp"
 #include "rubsweep/ring/changes.hpp"
 #include "rubsweep/ring/critical_speeds.hpp"
-#include "rubsweep/ring/divergence.hpp"
 
 namespace rubsweep::ring {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/batch/whole_file.hpp"
-#include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
 namespace {

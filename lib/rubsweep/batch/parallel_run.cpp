@@ -8,7 +8,6 @@
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
-#include <atomic>
 #include <exception>
 #include <future>
 #include <mutex>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <memory>
 #include <variant>
-#include <vector>
 
 #include "rubsweep/batch/directory.hpp"
 #include "rubsweep/batch/leftovers.hpp"

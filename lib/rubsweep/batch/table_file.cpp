@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
-#include <cstdio>
 #include <optional>
-#include <utility>
 
 #include "rubsweep/batch/input_file.hpp"
 

@@ -8,16 +8,29 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <mutex>
 #include <system_error>
+#include <unordered_set>
 #include <utility>
 
 #include "rubsweep/batch/directory.hpp"
 #include "rubsweep/batch/leftovers.hpp"
-#include "rubsweep/batch/written_files.hpp"
 #include "rubsweep/error.hpp"
 
 namespace rubsweep::batch {
 namespace {
+
+struct Files {
+  std::vector<std::filesystem::path> in_order;
+  std::unordered_set<std::string> names;
+};
+
+std::mutex mutex;  // guards the files
+
+Files& files() {
+  static Files of_this_process;
+  return of_this_process;
+}
 
 constexpr std::size_t buffer_bytes = 65536;
 
@@ -107,6 +120,19 @@ void write_whole_file(const std::filesystem::path& path, std::string_view text) 
   WholeFile file(path);
   file.write(text);
   file.commit();
+}
+
+void note_written_file(const std::filesystem::path& path) {
+  const std::lock_guard lock(mutex);
+  if (files().names.insert(path.native()).second) files().in_order.push_back(path);
+}
+
+std::vector<std::filesystem::path> written_files() {
+  const std::lock_guard lock(mutex);
+  std::vector<std::filesystem::path> there = files().in_order;
+  std::error_code none;
+  std::erase_if(there, [&](const auto& path) { return !std::filesystem::exists(path, none); });
+  return there;
 }
 
 }  // namespace rubsweep::batch

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "rubsweep/batch/descriptor.hpp"
 
@@ -54,5 +55,11 @@ std::filesystem::path file_behind(std::filesystem::path path);
 
 /// Makes `path` hold exactly `text`, whole or not at all (see WholeFile).
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
+
+/// Remembers that this process put a whole file in place. For any thread.
+void note_written_file(const std::filesystem::path& path);
+
+/// Files that this process put in place and that are still there, each once, in the order in which they came.
+std::vector<std::filesystem::path> written_files();
 
 }  // namespace rubsweep::batch

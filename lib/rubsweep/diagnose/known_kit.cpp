@@ -17,7 +17,7 @@
 #include "rubsweep/model/shaft_matrices.hpp"
 #include "rubsweep/response/rotating/symmetry.hpp"
 #include "rubsweep/scene/build_scene.hpp"
-#include "rubsweep/scene/prepare_with_modes.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
 
 namespace rubsweep::diagnose {
 namespace {
@@ -130,8 +130,7 @@ KnownKit known_kit(std::vector<model::RotorKit> drawn, double speed_hz, const st
   KnownKit known = places_of(first);
   // Off the middle, where every second mode of a symmetric shaft has a node.
   const double inside_m = place_of_stop(known, std::lerp(known.from_m, known.to_m, 0.3));
-  const int modes =
-      modes_kept(*scene::prepare_machine(in_a_wide_stop(first, inside_m)).reduction, speed_hz);
+  const int modes = modes_kept(*scene::prepare_machine(in_a_wide_stop(first, inside_m)).reduction, speed_hz);
   std::vector<std::pair<double, std::size_t>> order;
   batch::Sha256 sum;
   for (std::size_t k = 0; k < drawn.size(); ++k) {

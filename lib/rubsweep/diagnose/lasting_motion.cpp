@@ -9,7 +9,7 @@
 
 #include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/scene/prepare_with_modes.hpp"
+#include "rubsweep/scene/prepared_machine.hpp"
 #include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::diagnose {

@@ -6,6 +6,7 @@
 
 #include "rubsweep/fit/least_squares.hpp"
 #include "rubsweep/fit/measured_data.hpp"
+#include "rubsweep/model/machine.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 
 namespace rubsweep::fit {
@@ -35,5 +36,10 @@ struct MachineFit {
 /// Value of the parameter of that name; `otherwise` where it is none.
 double value_named(const MachineFit& problem, const Eigen::VectorXd& values, const char* name,
                    double otherwise);
+
+/// The machine of a fit at one step, as scene::prepare_machine makes it, but a rotor kit is reduced to as
+/// many modes as `first`, the machine at which the fit began: a number that jumps has no derivative. Throws
+/// ConfigError as prepare_machine does.
+scene::PreparedMachine prepare_again(const model::Machine& machine, const scene::PreparedMachine& first);
 
 }  // namespace rubsweep::fit

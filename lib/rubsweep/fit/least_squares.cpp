@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
-#include <memory>
 #include <random>
 #include <utility>
 

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/fit/correlated_noise.hpp"
 #include "rubsweep/fit/first_values.hpp"
 #include "rubsweep/fit/modelled_data.hpp"
+#include "rubsweep/fit/uncertainty.hpp"
 
 namespace rubsweep::fit {
 namespace {

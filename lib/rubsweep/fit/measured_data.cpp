@@ -9,7 +9,6 @@
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/error.hpp"
-#include "rubsweep/fit/measured_ramp.hpp"
 #include "rubsweep/fit/measured_table.hpp"
 
 namespace rubsweep::fit {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -12,11 +13,84 @@
 
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/numerics/straight_line.hpp"
 #include "rubsweep/table/encoding.hpp"
 #include "rubsweep/table/rows.hpp"
 
 namespace rubsweep::fit {
 namespace {
+
+/// Turns since the first row, where rows are whole turns apart; else empty.
+std::vector<double> whole_turns(const std::vector<double>& t_s, const std::vector<double>& speed_hz) {
+  constexpr double whole_to = 0.1;
+  std::vector<double> turns{0};
+  for (std::size_t k = 1; k < t_s.size(); ++k) {
+    const double passed = (speed_hz[k - 1] + speed_hz[k]) / 2 * (t_s[k] - t_s[k - 1]);
+    if (passed < 1 - whole_to || std::abs(passed - std::round(passed)) > whole_to) return {};
+    turns.push_back(turns.back() + std::round(passed));
+  }
+  return turns;
+}
+
+/// Chebyshev's polynomials and their derivatives by time, one column for each degree.
+struct Chebyshev {
+  Eigen::MatrixXd value, rate;
+};
+
+Chebyshev chebyshev(const std::vector<double>& t_s, Eigen::Index degree) {
+  const auto count = static_cast<Eigen::Index>(t_s.size());
+  const double half_s = (t_s.back() - t_s.front()) / 2;
+  const Eigen::ArrayXd x =
+      (Eigen::Map<const Eigen::ArrayXd>(t_s.data(), count) - (t_s.front() + half_s)) / half_s;
+  Chebyshev basis{Eigen::MatrixXd::Ones(count, degree + 1), Eigen::MatrixXd::Zero(count, degree + 1)};
+  basis.value.col(1) = x;
+  basis.rate.col(1).setConstant(1 / half_s);
+  for (Eigen::Index n = 2; n <= degree; ++n) {
+    basis.value.col(n) = 2 * x * basis.value.col(n - 1).array() - basis.value.col(n - 2).array();
+    basis.rate.col(n) = 2 * basis.value.col(n - 1).array() / half_s + 2 * x * basis.rate.col(n - 1).array() -
+                        basis.rate.col(n - 2).array();
+  }
+  return basis;
+}
+
+/// Speeds of the polynomial that goes through what was measured, of the `least` degree, and of the degree
+/// that Schwarz' criterion asks for. Its penalty counts three times, since errors of marks are smoothed and
+/// hang together.
+struct Polynomials {
+  Eigen::ArrayXd least_hz, best_hz;
+};
+
+Polynomials polynomials(const std::vector<double>& t_s, const std::vector<double>& measured,
+                        Eigen::Index least, bool of_turns) {
+  const auto count = static_cast<Eigen::Index>(t_s.size());
+  const auto n = static_cast<double>(count);
+  constexpr double penalty = 3, most_degree = 24;
+  const auto most =
+      std::max(least, static_cast<Eigen::Index>(std::min({most_degree, 1.5 * std::sqrt(n), n / 4 - 1})));
+  const Chebyshev basis = chebyshev(t_s, most);
+  const Eigen::Map<const Eigen::VectorXd> all(measured.data(), count);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(basis.value);
+  const Eigen::VectorXd rotated = qr.householderQ().transpose() * all;
+  const auto speeds_of = [&](Eigen::Index degree) -> Eigen::ArrayXd {
+    const Eigen::VectorXd found = qr.matrixQR()
+                                      .topLeftCorner(degree + 1, degree + 1)
+                                      .triangularView<Eigen::Upper>()
+                                      .solve(rotated.head(degree + 1));
+    return ((of_turns ? basis.rate : basis.value).leftCols(degree + 1) * found).array();
+  };
+  // Residuals below the rounding of the numbers tell no degree.
+  const double rounding = n * std::pow(1e-13 * (1 + all.cwiseAbs().maxCoeff()), 2);
+  Eigen::Index best = least;
+  double least_criterion = INFINITY;
+  for (Eigen::Index degree = least; degree <= most; ++degree) {
+    const double left = rotated.tail(count - degree - 1).squaredNorm() + rounding;
+    const double criterion = n * std::log(left) + penalty * static_cast<double>(degree) * std::log(n);
+    if (!(criterion < least_criterion)) continue;
+    least_criterion = criterion;
+    best = degree;
+  }
+  return {speeds_of(least), speeds_of(best)};
+}
 
 struct Unit {
   std::string_view written, ending;
@@ -125,6 +199,24 @@ double MeasuredTable::number(std::size_t column) const {
 
 batch::CsvReader::RowPosition MeasuredTable::place() const {
   return own_ ? own_->place() : batch::CsvReader::RowPosition{0, lines_[row_ - 1]};
+}
+
+Ramp measured_ramp(const std::vector<double>& t_s, const std::vector<double>& speed_hz) {
+  constexpr double followed = 0.02, even = 2e-4;
+  const auto count = static_cast<Eigen::Index>(t_s.size());
+  const Eigen::Map<const Eigen::ArrayXd> speeds(speed_hz.data(), count);
+  const std::vector<double> turns = whole_turns(t_s, speed_hz);
+  const Polynomials through =
+      turns.empty() ? polynomials(t_s, speed_hz, 1, false) : polynomials(t_s, turns, 2, true);
+  const numerics::StraightLine line = numerics::line_through(t_s, speed_hz);
+  const double change = std::abs(line.slope * (t_s.back() - t_s.front()));
+  if ((through.best_hz - speeds).abs().maxCoeff() > followed * change)
+    return {speed_hz.front(), 0, t_s, speed_hz};
+  const double off = std::sqrt((through.best_hz - through.least_hz).square().mean());
+  if (off > even * speeds.mean())
+    return {through.best_hz(0), 0, t_s, {through.best_hz.data(), through.best_hz.data() + count}};
+  const double rate = (through.least_hz(count - 1) - through.least_hz(0)) / (t_s.back() - t_s.front());
+  return {through.least_hz(0) - rate * t_s.front(), rate};
 }
 
 }  // namespace rubsweep::fit

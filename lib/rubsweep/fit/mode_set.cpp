@@ -1,6 +1,5 @@
 #include "rubsweep/fit/mode_set.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <complex>
 #include <utility>

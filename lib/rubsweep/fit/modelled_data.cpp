@@ -7,15 +7,28 @@
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/fit/free_vibration.hpp"
+#include "rubsweep/fit/mode_set.hpp"
 #include "rubsweep/identify/linear_run.hpp"
 #include "rubsweep/overloaded.hpp"
+#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/structure/tabled_support.hpp"
 
 namespace rubsweep::fit {
 namespace {
+
+using Complex = std::complex<double>;
+
+/// Answer of a' = value a + sin(w t) for 0 < t < d, from rest.
+Complex answer(Complex value, double t, double duration_s) {
+  if (t <= 0) return 0;
+  const double w = std::numbers::pi / duration_s;
+  const Complex denominator = value * value + w * w;
+  if (t < duration_s)
+    return (w * std::exp(value * t) - value * std::sin(w * t) - w * std::cos(w * t)) / denominator;
+  return w * (std::exp(value * t) + std::exp(value * (t - duration_s))) / denominator;
+}
 
 using Complex = std::complex<double>;
 
@@ -58,6 +71,26 @@ Eigen::VectorXd with_first_turn(const RubLines& rub, const Eigen::VectorXcd& lin
 }
 
 }  // namespace
+
+RampParts LastRamps::of(const MachineFit& problem, const RunUp& run, Eigen::VectorXd values,
+                        const std::function<RampParts()>& make) {
+  for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+    const std::string& name = problem.parameters[i].name;
+    if (name == eccentricity_name || name == mark_name || name == hit_name)
+      values(static_cast<Eigen::Index>(i)) = 0;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    const auto* known =
+        known_.find([&](const Known& one) { return one.run == &run && one.values == values; });
+    if (known != nullptr) return known->parts;
+  }
+  RampParts parts = make();
+  const std::lock_guard lock(mutex_);
+  known_.emplace(Known{&run, std::move(values), parts});
+  known_.trim();
+  return parts;
+}
 
 Eigen::VectorXd measured_of(const MeasuredData& data) {
   return std::visit(
@@ -155,6 +188,27 @@ WhatIsLeft what_is_left(const MachineFit& problem, std::size_t data, const Eigen
   }
   const double count = std::sqrt(static_cast<double>(both.measured_m.size()));
   return {(both.measured_m - both.modelled_m).norm() / count, without_offsets.norm() / count};
+}
+
+Eigen::MatrixXd free_vibration(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
+                               const std::vector<double>& since_s) {
+  structure::refuse_beyond_tables(prepared.machine, 0, 0);
+  const auto pulses = scene::build_cell(prepared, 1, scene::Eccentricity{0}).scene.pulses;
+  if (pulses.empty())
+    throw ConfigError("kick: is not there, allowed with a ring-down: where and how it was struck");
+  const ModeSet modes = modes_at(prepared, 0);
+  const Eigen::MatrixXcd seen = rows.cast<Complex>() * modes.vectors.topRows(rows.cols());
+  Eigen::MatrixXd signal = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(since_s.size()), rows.rows());
+  for (const scene::Pulse& pulse : pulses) {
+    const Eigen::VectorXcd push = modes.force((pulse.force_n * pulse.direction).cast<Complex>());
+    Eigen::VectorXcd state(push.size());
+    for (std::size_t k = 0; k < since_s.size(); ++k) {
+      for (Eigen::Index i = 0; i < push.size(); ++i)
+        state(i) = push(i) * answer(modes.values(i), since_s[k] + pulse.elapsed_s, pulse.duration_s);
+      signal.row(static_cast<Eigen::Index>(k)) += (seen * state).real().transpose();
+    }
+  }
+  return signal;
 }
 
 }  // namespace rubsweep::fit

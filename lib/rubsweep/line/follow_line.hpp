@@ -7,7 +7,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "rubsweep/line/settled_motion.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"

@@ -1,7 +1,6 @@
 #include "rubsweep/matlab/read_file.hpp"
 
 #include <cstdint>
-#include <limits>
 #include <string>
 
 #include "rubsweep/matlab/bytes.hpp"

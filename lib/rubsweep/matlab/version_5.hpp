@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,5 +22,13 @@ struct NamedVector {
 
 /// Bytes of a file of version 5 with these columns, compressed; `words` are its head, at most 116.
 std::string version_5_file(std::string_view words, std::span<const NamedVector> columns);
+
+/// The first `count` bytes of what zlib packed, or fewer where it holds fewer. Throws FileError where it is
+/// damaged so far.
+std::string inflate_begin(std::string_view packed, std::size_t count);
+
+/// All bytes of what zlib packed, to its end and with its checksum. Throws FileError where these are wrong,
+/// or it holds more than `most`.
+std::string inflate_all(std::string_view packed, std::size_t most);
 
 }  // namespace rubsweep::matlab

@@ -1,6 +1,5 @@
 #include "rubsweep/matlab/version_73.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <utility>

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/model/part_problem.hpp"
 #include "rubsweep/model/physical_range.hpp"
 #include "rubsweep/model/range.hpp"
+#include "rubsweep/model/require.hpp"
 
 namespace rubsweep::model {
 

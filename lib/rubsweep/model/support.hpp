@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/model/part_problem.hpp"
 #include "rubsweep/model/physical_range.hpp"
 #include "rubsweep/model/range.hpp"
+#include "rubsweep/model/require.hpp"
 #include "rubsweep/model/support_table.hpp"
 
 namespace rubsweep::model {

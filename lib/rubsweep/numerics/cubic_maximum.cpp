@@ -1,6 +1,5 @@
 #include "rubsweep/numerics/cubic_maximum.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rubsweep::numerics {

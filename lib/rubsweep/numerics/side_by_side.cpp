@@ -1,6 +1,5 @@
 #include "rubsweep/numerics/side_by_side.hpp"
 
-#include <algorithm>
 #include <cstring>
 
 #include "rubsweep/numerics/lanes.hpp"

@@ -1,7 +1,6 @@
 #include "rubsweep/ramp/ramp_record.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "rubsweep/response/spectrum/hann_window.hpp"

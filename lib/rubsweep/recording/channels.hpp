@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rubsweep::recording {
@@ -40,5 +41,10 @@ struct Channels {
     return line.empty() ? "reading " + std::to_string(row + 1) : "line " + std::to_string(line[row]);
   }
 };
+
+/// Unit that the ending _s or _m of a name says, as in the programs' own tables; empty for other names.
+inline std::string unit_in_ending(std::string_view name) {
+  return name.ends_with("_s") || name.ends_with("_m") ? std::string(1, name.back()) : std::string();
+}
 
 }  // namespace rubsweep::recording

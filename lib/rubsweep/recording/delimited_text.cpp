@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/recording/name_unit.hpp"
+#include "rubsweep/recording/channels.hpp"
 #include "rubsweep/table/encoding.hpp"
 #include "rubsweep/table/rows.hpp"
 

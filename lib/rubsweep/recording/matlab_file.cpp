@@ -1,13 +1,12 @@
 #include "rubsweep/recording/matlab_file.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/matlab/read_file.hpp"
-#include "rubsweep/recording/name_unit.hpp"
+#include "rubsweep/recording/channels.hpp"
 
 namespace rubsweep::recording {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/response/student_quantile.hpp"
+#include "rubsweep/response/exponent.hpp"
 
 namespace rubsweep::response {
 namespace {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/response/student_quantile.hpp"
 
 namespace rubsweep::response {
 namespace {
@@ -61,6 +61,10 @@ motion::Exponent exponent_of(std::span<const double> contributions) {
   double variance = 0;
   for (const double m : means) variance += (m - mean) * (m - mean) / (blocks - 1);
   return {.per_revolution = mean, .error_bar = student_quantile(blocks - 1) * std::sqrt(variance / blocks)};
+}
+
+double student_quantile(std::size_t degrees_of_freedom) {
+  return boost::math::quantile(boost::math::students_t(static_cast<double>(degrees_of_freedom)), 0.995);
 }
 
 }  // namespace rubsweep::response

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "rubsweep/response/motion/motion.hpp"
@@ -27,5 +28,9 @@ struct BumpMeans {
   double all = 0, first = 0, last = 0;
 };
 BumpMeans bump_means(std::span<const double> contributions);
+
+/// Half-width of the two-sided 99 % confidence interval of a mean or a slope in units of its standard error:
+/// the quantile 0.995 of Student's distribution with so many degrees of freedom, at least 1.
+double student_quantile(std::size_t degrees_of_freedom);
 
 }  // namespace rubsweep::response

@@ -1,6 +1,5 @@
 #include "rubsweep/response/growth.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "rubsweep/response/proof/section_map.hpp"
 

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <complex>
-#include <functional>
 #include <numbers>
 #include <variant>
-#include <vector>
 
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <span>
-#include <vector>
 
 #include "rubsweep/response/followed.hpp"
 #include "rubsweep/response/proof/section_map.hpp"

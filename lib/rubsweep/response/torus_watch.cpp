@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "rubsweep/response/aperiodic.hpp"
 #include "rubsweep/response/exponent.hpp"

@@ -11,7 +11,6 @@
 #include "rubsweep/response/recorded_run.hpp"
 #include "rubsweep/response/rotating/symmetry.hpp"
 #include "rubsweep/response/spectrum/comb.hpp"
-#include "rubsweep/response/spectrum/comb_line.hpp"
 
 namespace rubsweep::response {
 namespace {

@@ -9,7 +9,6 @@
 #include <map>
 #include <set>
 
-#include "rubsweep/ring/onsets.hpp"
 
 namespace rubsweep::ring {
 namespace {

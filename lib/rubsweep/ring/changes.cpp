@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "rubsweep/numerics/dense/lu.hpp"
-#include "rubsweep/ring/divergence.hpp"
+#include "rubsweep/ring/critical_speeds.hpp"
 
 namespace rubsweep::ring {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rubsweep/ring/changes.hpp"
+#include "rubsweep/ring/normal_form.hpp"
 #include "rubsweep/ring/system.hpp"
 
 namespace rubsweep::ring {
@@ -21,5 +22,9 @@ struct CriticalSpeed {
 /// kind that was found numerically within 1e-6 of it: singular K for divergence, `changes` (of the system
 /// with its friction) for the others.
 std::vector<CriticalSpeed> critical_speeds(const System& system, const std::vector<Change>& changes);
+
+/// Every speed (rad/s, ascending, repeated ones repeatedly) at which K0 - Omega^2 K2 is singular: a root
+/// lambda passes through zero. No scan: they are the roots of a generalised eigenvalue problem.
+std::vector<double> divergence_speeds(const NormalForm& form);
 
 }  // namespace rubsweep::ring

@@ -1,21 +1,46 @@
 #include "rubsweep/scene/build_scene.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <complex>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "rubsweep/contact/restitution.hpp"
 #include "rubsweep/overloaded.hpp"
 #include "rubsweep/scene/constant_load.hpp"
 #include "rubsweep/scene/given_start.hpp"
 #include "rubsweep/scene/two_orders.hpp"
-#include "rubsweep/scene/unbalance.hpp"
 #include "rubsweep/structure/system_at.hpp"
 
 namespace rubsweep::scene {
 namespace {
+
+/// Largest e >= 0 at which a convex excursion(e) = |bow + e unbalance| reaches `target_m`; empty where it
+/// stays above it. `slope` > 0: excursion grows by no more than this per metre of e, and in the end by as
+/// much; `bow_m`: excursion(0).
+std::optional<double> eccentricity_reaching(double target_m, double bow_m, double slope,
+                                            const std::function<double(double)>& excursion) {
+  // excursion(e) >= slope e - bow: beyond `high` it is above the target for ever.
+  const double high = (target_m + bow_m) / slope;
+  if (high == 0) return 0;
+  const auto excess = [&](double e) { return excursion(e) - target_m; };
+  double low = 0;
+  if (bow_m > target_m) {
+    low = boost::math::tools::brent_find_minima(excess, 0.0, high, 40).first;
+    if (excess(low) > 0) return std::nullopt;
+  }
+  if (excess(high) <= 0) return high;
+  std::uintmax_t iterations = 400;  // four halve the bracket at least: it ends before
+  const auto bracket = boost::math::tools::toms748_solve(
+      excess, low, high, boost::math::tools::eps_tolerance<double>(52), iterations);
+  return (bracket.first + bracket.second) / 2;
+}
 
 double damping_of(const model::Stop& stop, double rotor_mass_kg) {
   const double rotor_kg = stop.contact_mass_kg.value_or(rotor_mass_kg);
@@ -23,18 +48,18 @@ double damping_of(const model::Stop& stop, double rotor_mass_kg) {
   const auto constant = [&](double ratio, double mass_kg) {
     return contact::damping_constant(ratio, mass_kg, stop.stiffness_n_per_m);
   };
-  return std::visit(
-      overloaded{[&](const model::NominalRestitution& nominal) {
-                   return constant(contact::nominal_damping_ratio(nominal.value), reduced_kg);
-                 },
-                 [&](const model::DeliveredRestitution& delivered) {
-                   return constant(contact::damping_ratio_delivering(delivered.value), reduced_kg);
-                 },
-                 [](const model::ExplicitDamping& given) { return given.damping_ns_per_m; },
-                 [&](const model::RestitutionByRotorMass& printed) {
-                   return constant(contact::nominal_damping_ratio(printed.value), rotor_kg);
-                 }},
-      stop.damping);
+  return std::visit(overloaded{[&](const model::NominalRestitution& nominal) {
+                                 return constant(contact::nominal_damping_ratio(nominal.value), reduced_kg);
+                               },
+                               [&](const model::DeliveredRestitution& delivered) {
+                                 return constant(contact::damping_ratio_delivering(delivered.value),
+                                                 reduced_kg);
+                               },
+                               [](const model::ExplicitDamping& given) { return given.damping_ns_per_m; },
+                               [&](const model::RestitutionByRotorMass& printed) {
+                                 return constant(contact::nominal_damping_ratio(printed.value), rotor_kg);
+                               }},
+                    stop.damping);
 }
 
 Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly, std::size_t index,

@@ -1,6 +1,5 @@
 #include "rubsweep/scope/mean_period.hpp"
 
-#include <cmath>
 #include <numbers>
 
 namespace rubsweep::scope {

@@ -1,7 +1,6 @@
 #include "rubsweep/scope/verdict.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 

@@ -2,13 +2,10 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "rubsweep/table/cell.hpp"
-#include "rubsweep/table/heading.hpp"
 
 namespace rubsweep::table {
 

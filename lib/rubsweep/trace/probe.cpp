@@ -1,7 +1,6 @@
 #include "rubsweep/trace/probe.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <random>
 #include <utility>

@@ -9,7 +9,6 @@
 
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/response/motion/section.hpp"
-#include "rubsweep/trace/trace_state.hpp"
 
 namespace rubsweep::trace {
 namespace {

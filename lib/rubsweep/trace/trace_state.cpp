@@ -4,21 +4,114 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
 
 #include "rubsweep/contact/force_law.hpp"
 #include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/error.hpp"
+#include "rubsweep/integrate/law/dynamics.hpp"
+#include "rubsweep/integrate/law/settle_slips.hpp"
+#include "rubsweep/integrate/run/pulse_times.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 
 namespace rubsweep::trace {
 namespace {
 
+using Law = integrate::law::Dynamics<Eigen::Dynamic, false>;
+using State = std::vector<double>;
+
+/// A contact that sticks keeps a slip of rounding, which grows with the steps since it came to stick: more
+/// than a run takes for zero when it looks for the instant at which a slip ends.
+constexpr double sticking_slip = 1e-9;
+
+bool stands(const Law& law, std::size_t i, const State& state) {
+  const auto& c = law.system().contacts[i];
+  const double surface = c.surface_speed_m_per_s / c.slip_scale_m_per_s;
+  return std::abs(law.slip(i, state)) <= sticking_slip * std::max(1.0, std::abs(surface));
+}
+
+/// Initialises the mode of every contact from the state, ignoring history, and the directions of their slips.
+void enter(Law& law, const State& state) {
+  for (std::size_t i = 0; i < law.modes().size(); ++i) {
+    const auto& c = law.system().contacts[i];
+    law.modes()[i] = contact::Mode::sprung;  // an open annular stop measures by squares
+    const contact::Kinematics k = law.kinematics(i, state, state);
+    law.modes()[i] = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
+    law.slips()[i] = law.slip(i, state) >= 0 ? contact::Slip::forward : contact::Slip::backward;
+  }
+}
+
+/// Sum of all forces on the structure that neither its own matrices nor its contacts give.
+Eigen::VectorXd forcing_n(const scene::Scene& scene, double turns) {
+  const std::complex<double> turn = std::polar(1.0, 2 * std::numbers::pi * (turns - std::floor(turns)));
+  Eigen::VectorXd force = scene.constant_n + (scene.harmonic_n * turn).real();
+  if (scene.second_harmonic_n.size() > 0) force += (scene.second_harmonic_n * (turn * turn)).real();
+  for (const scene::Pulse& pulse : scene.pulses) {
+    const double since_s = turns * scene.period_s() + pulse.elapsed_s;
+    if (since_s >= 0 && since_s < pulse.duration_s)
+      force += pulse.direction * (pulse.force_n * std::sin(std::numbers::pi * since_s / pulse.duration_s));
+  }
+  return force;
+}
+
 const auto& point(const scene::Scene& scene, int index) {
   return scene.structure.points[static_cast<std::size_t>(index)].map;
 }
 
 }  // namespace
+
+DryForces::DryForces(const scene::Scene& scene)
+    : any_(std::ranges::any_of(scene.contacts, [](const scene::Contact& contact) {
+        return contact::dry_coefficient(contact.friction) > 0;
+      })) {
+  if (any_) system_ = integrate::run::scale<Eigen::Dynamic>(scene);
+}
+
+std::vector<double> DryForces::forces_n(const scene::Scene& scene, std::span<const double> scaled,
+                                        double turns) const {
+  std::vector<double> forces(scene.contacts.size());
+  if (!any_) return forces;
+  const State state(scaled.begin(), scaled.end());
+  State rate(state.size());
+  const double whole = std::floor(turns), phase = 2 * std::numbers::pi * (turns - whole);
+  integrate::run::PulseTimes pulses(scene, system_.scale, 2 * std::numbers::pi);
+  pulses.begin_turn(static_cast<long>(whole));
+  pulses.go_to(phase);
+  Law law(system_, 0);
+  law.follow(pulses);
+  enter(law, state);
+  integrate::law::settle_slips(law, state, rate, phase, [&](std::size_t i) { return stands(law, i, state); });
+  law.loose(state, rate, phase);
+  const Law::Holding holding = law.hold(state, rate);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    if (!law.touches_dry(i)) continue;
+    forces[i] = law.slips()[i] == contact::Slip::sticking ? holding.force_n(i) : law.friction_n(i, state);
+  }
+  return forces;
+}
+
+Energy structure_energy(const scene::Scene& scene, const Eigen::VectorXd& q_m,
+                        const Eigen::VectorXd& rate_m_per_s, double turns) {
+  const structure::LinearSystem& system = scene.structure;
+  const Eigen::VectorXd spring = system.stiffness * q_m, back = system.stiffness.transpose() * q_m;
+  Energy energy;
+  energy.kinetic_j = rate_m_per_s.dot(system.mass * rate_m_per_s) / 2;
+  energy.elastic_j = q_m.dot(spring) / 2;
+  energy.damping_w = -rate_m_per_s.dot(system.damping * rate_m_per_s) - rate_m_per_s.dot(spring - back) / 2;
+  energy.forcing_w =
+      scene.twist ? std::numeric_limits<double>::quiet_NaN() : rate_m_per_s.dot(forcing_n(scene, turns));
+  return energy;
+}
+
+double spring_energy_j(double stiffness_n_per_m, double penetration_m, double smoothing_m) {
+  const double p = penetration_m, half = smoothing_m / 2;
+  if (p <= -half) return 0;
+  if (p >= half) return stiffness_n_per_m * (p * p / 2 + smoothing_m * smoothing_m / 24);
+  return stiffness_n_per_m * (p + half) * (p + half) * (p + half) / (6 * smoothing_m);
+}
 
 StateReader::StateReader(const scene::Scene& scene, const integrate::run::SolverOptions& options)
     : scene_(scene),

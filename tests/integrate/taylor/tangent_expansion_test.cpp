@@ -11,7 +11,7 @@
 #include "rubsweep/integrate/adaptive/adaptive_run.hpp"
 #include "rubsweep/integrate/hybrid_run.hpp"
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
-#include "rubsweep/response/rotating/variational_dynamics.hpp"
+#include "rubsweep/response/rotating/rotating_flow.hpp"
 #include "support/annular_scene.hpp"
 #include "support/set_a_cell.hpp"
 

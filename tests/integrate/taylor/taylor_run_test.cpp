@@ -16,7 +16,7 @@
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/hybrid_run.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "rubsweep/response/rotating/variational_dynamics.hpp"
+#include "rubsweep/response/rotating/rotating_flow.hpp"
 #include "support/annular_scene.hpp"
 #include "support/rolling_scene.hpp"
 #include "support/set_a_cell.hpp"

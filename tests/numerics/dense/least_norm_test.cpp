@@ -26,5 +26,14 @@ TEST(LeastNorm, WhatCannotBeMetIsMissedByTheLeastSquares) {
   EXPECT_NEAR(least_norm_solution(MatrixXd(MatrixXd::Ones(3, 1)), VectorXd{{1, 2, 6}})(0), 3, 1e-15);
 }
 
+using Eigen::MatrixXd;
+
+TEST(LeastNorm, ColumnsAreOrthonormalAndSpanWhatTheyCameFrom) {
+  const MatrixXd a{{1, 2}, {0, 1}, {1, 0}};
+  const MatrixXd all = orthonormal_columns(a, 3), first = all.leftCols(2);
+  EXPECT_LE((all.transpose() * all - MatrixXd::Identity(3, 3)).norm(), 1e-15);
+  EXPECT_LE((first * (first.transpose() * a) - a).norm(), 1e-15 * a.norm());
+}
+
 }  // namespace
 }  // namespace rubsweep::numerics::dense

@@ -6,7 +6,6 @@
 #include "rubsweep/integrate/start.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/response/rotating/apex_return_search.hpp"
-#include "rubsweep/response/rotating/cycle_flows.hpp"
 #include "rubsweep/response/rotating/limit_cycle.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 #include "rubsweep/response/rotating/symmetry.hpp"

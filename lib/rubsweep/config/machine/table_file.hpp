@@ -10,7 +10,7 @@
 #include "rubsweep/config/yaml/document.hpp"
 #include "rubsweep/config/yaml/file_bytes.hpp"
 #include "rubsweep/config/yaml/value.hpp"
-#include "rubsweep/table/heading.hpp"
+#include "rubsweep/table/cell.hpp"
 
 namespace rubsweep::config::machine {
 

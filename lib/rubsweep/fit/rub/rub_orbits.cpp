@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <complex>
 #include <numbers>
-#include <span>
-#include <utility>
 
 #include "rubsweep/branch/continuation/orbit_newton.hpp"
 #include "rubsweep/branch/orbits/scene_orbits.hpp"

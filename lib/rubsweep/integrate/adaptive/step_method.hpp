@@ -1,11 +1,20 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
-#include "rubsweep/integrate/adaptive/step.hpp"
 #include "rubsweep/integrate/run/options.hpp"
 
 namespace rubsweep::integrate::adaptive {
+
+/// State of a run, and its rate: coordinates, then their rates, then what a law adds.
+using State = std::vector<double>;
+
+/// One attempted or accepted step of any method: from `start` to `end`, states and rates at both.
+struct Step {
+  double start_phase = 0, end_phase = 0;
+  State start, start_rate, end, end_rate;
+};
 
 /// A law as methods see it, so that each method is compiled once and not once for every law.
 class RightHandSide {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubsweep/contact/contact_mode.hpp"
-#include "rubsweep/integrate/adaptive/step.hpp"
+#include "rubsweep/integrate/adaptive/step_method.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/numerics/cubic_maximum.hpp"
 

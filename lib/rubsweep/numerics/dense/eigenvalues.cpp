@@ -1,7 +1,6 @@
 #include "rubsweep/numerics/dense/eigenvalues.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

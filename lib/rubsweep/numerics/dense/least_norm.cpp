@@ -28,4 +28,10 @@ VectorXcd least_norm_solution(const MatrixXcd& a, const VectorXcd& b) {
   return joined;
 }
 
+using Eigen::MatrixXd;
+
+MatrixXd orthonormal_columns(const MatrixXd& a, Eigen::Index count) {
+  return a.householderQr().householderQ() * MatrixXd::Identity(a.rows(), count);
+}
+
 }  // namespace rubsweep::numerics::dense

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
+
+#include "rubsweep/response/motion/motion.hpp"
 
 namespace rubsweep::response::motion {
 
@@ -28,5 +31,14 @@ constexpr std::string_view to_string(Proof proof) {
   }
   return "";
 }
+
+/// A motion that a transient is proven to settle on.
+struct ProvenMotion {
+  MotionClass motion_class = MotionClass::synchronous;  ///< of a period, or quasi_periodic
+  std::optional<int> order;                             ///< in turns; empty when quasi-periodic
+  Measures measures;                                    ///< of the orbit itself
+  double floquet_modulus = 0;                           ///< largest multiplier over its period, < 1
+  Proof proof = Proof::floquet_observed;                ///< or floquet
+};
 
 }  // namespace rubsweep::response::motion

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "rubsweep/response/proof/linear_convergence.hpp"
-
 namespace rubsweep::response::proof {
 namespace {
 

@@ -8,7 +8,7 @@
 #include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/integrate/run/work_bound.hpp"
 #include "rubsweep/response/motion/options.hpp"
-#include "rubsweep/response/motion/proven_motion.hpp"
+#include "rubsweep/response/motion/proof.hpp"
 #include "rubsweep/response/motion/workspace.hpp"
 #include "rubsweep/response/proof/period_search.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
@@ -49,5 +49,12 @@ class OrbitProof {
   PeriodSearch search_;
   std::optional<SceneMap> map_, run_map_;
 };
+
+/// The scene with equal stops made one: contacts of the same place of the rotor with the same wall at the
+/// same clearance on rigid casings, whose dampers are the same share of their stiffness and whose friction is
+/// the same. Their guards are one function of the state, so that they change mode together, and the sum of
+/// their forces is that of one stop with the sum of their stiffnesses and dampings: no motion differs but for
+/// rounding. Stops with a casing each are two bodies and stay two.
+scene::Scene with_equal_stops_as_one(scene::Scene scene);
 
 }  // namespace rubsweep::response::proof

@@ -4,7 +4,7 @@
 
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/numerics/dense/orthonormal.hpp"
+#include "rubsweep/numerics/dense/least_norm.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
 #include "rubsweep/scene/quiet_motion.hpp"
 

@@ -7,12 +7,15 @@
 #include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/numerics/newton.hpp"
 #include "rubsweep/response/proof/adapted_norm.hpp"
-#include "rubsweep/response/proof/linear_convergence.hpp"
-#include "rubsweep/response/proof/patience.hpp"
+#include "rubsweep/response/proof/approach.hpp"
 #include "rubsweep/response/proof/periodic_orbit.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {
+
+using Eigen::VectorXd;
+
+constexpr double first_tolerance = 1e-4, rough_tolerance = 1e-6, tolerance_of_a_cycle = 1e-8;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -247,6 +250,22 @@ std::optional<LimitCycle> prove_limit_cycle(const RotatingMotion& motion, const 
     return smallest_cycle(motion, *nearly);
   }
   return std::nullopt;
+}
+
+CycleFlows::CycleFlows(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                       int samples_per_revolution)
+    : exactly(RotatingFlow(scene, solver, samples_per_revolution)
+                  .with(std::min(solver.relative_tolerance, tolerance_of_a_cycle), samples_per_revolution)),
+      roughly(exactly.with(rough_tolerance, 0)),
+      at_first(exactly.with(first_tolerance, 0)) {}
+
+RotatingMotion CycleFlows::motion(const RotatingField& field) const {
+  const auto from = [](const RotatingFlow& flow) {
+    return [&flow](const VectorXd& state, double angle_rad) { return flow.from(state, angle_rad); };
+  };
+  return {[&field](const VectorXd& state) { return field.rate(state); }, from(at_first), from(roughly),
+          from(exactly),
+          [this](const VectorXd& state, double angle_rad) { return roughly.end_from(state, angle_rad); }};
 }
 
 }  // namespace rubsweep::response::rotating

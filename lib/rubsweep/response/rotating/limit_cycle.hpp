@@ -5,7 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/response/rotating/rotating_flow.hpp"
+#include "rubsweep/response/rotating/rotating_frame.hpp"
+#include "rubsweep/scene/scene.hpp"
 
 namespace rubsweep::response::rotating {
 
@@ -38,5 +41,17 @@ struct LimitCycle {
 /// when the transient does not come near the first that is.
 std::optional<LimitCycle> prove_limit_cycle(const RotatingMotion& motion, const Eigen::VectorXd& start,
                                             const std::vector<double>& periods_rad);
+
+/// A scene's flows as RotatingMotion names them.
+struct CycleFlows {
+  RotatingFlow exactly, roughly, at_first;
+
+  /// `samples_per_revolution`: of the exact one; the others take none.
+  CycleFlows(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+             int samples_per_revolution);
+
+  /// With the rates of `field`; both are referred to.
+  RotatingMotion motion(const RotatingField& field) const;
+};
 
 }  // namespace rubsweep::response::rotating

@@ -9,7 +9,6 @@
 #include "rubsweep/integrate/taylor/taylor_run.hpp"
 #include "rubsweep/numerics/full_turn.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
-#include "rubsweep/response/rotating/variational_dynamics.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {

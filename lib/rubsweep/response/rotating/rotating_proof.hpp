@@ -1,22 +1,39 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
 
 #include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/response/motion/options.hpp"
-#include "rubsweep/response/motion/proven_motion.hpp"
+#include "rubsweep/response/motion/proof.hpp"
 #include "rubsweep/response/motion/workspace.hpp"
 #include "rubsweep/response/proof/period_search.hpp"
 #include "rubsweep/response/proof/section_map.hpp"
 #include "rubsweep/response/rotating/apex_return_search.hpp"
-#include "rubsweep/response/rotating/cycle_flows.hpp"
 #include "rubsweep/response/rotating/limit_cycle.hpp"
-#include "rubsweep/response/rotating/rotating_equilibrium.hpp"
 #include "rubsweep/response/rotating/rotating_frame.hpp"
 
 namespace rubsweep::response::rotating {
+
+/// Rate d(state)/d(phase) of an autonomous system, 2n numbers, and its 2n x 2n derivative.
+struct RotatingEquations {
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> rate;
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> jacobian;
+};
+
+/// A synchronous circle: a stable fixed point in the frame that turns with the shaft.
+struct RotatingEquilibrium {
+  Eigen::VectorXd state;
+  Eigen::MatrixXd transition;  ///< over one turn
+  double floquet_modulus = 0;  ///< over one turn: e^{2 pi Re lambda}, lambda the rightmost eigenvalue
+};
+
+/// Newton's iteration from `start` (in the rotating frame) for a fixed point whose multipliers over one turn
+/// lie inside `largest_floquet_modulus`. Empty where it finds none within `farthest_orbit`.
+std::optional<RotatingEquilibrium> find_rotating_equilibrium(const RotatingEquations& equations,
+                                                             const Eigen::VectorXd& start);
 
 /// Search for the stable motion that a transient of a rotationally symmetric scene converges to, in the frame
 /// that turns with the shaft: a synchronous circle is a fixed point there, the quasi-periodic oval a closed

@@ -1,8 +1,7 @@
-#include "rubsweep/response/proof/equal_stops.hpp"
-
 #include <gtest/gtest.h>
 
 #include "rubsweep/integrate/start.hpp"
+#include "rubsweep/response/proof/orbit_proof.hpp"
 #include "rubsweep/response/settle.hpp"
 #include "scene/one_side_machine.hpp"
 
@@ -25,7 +24,7 @@ scene::Cell cell_of(const model::Machine& machine) {
   return scene::build_cell(machine, 75, scene::WhirlRatio{0.4});
 }
 
-TEST(EqualStops, MakeOneStopWithTheSumOfTheirForces) {
+TEST(OrbitProof, MakeOneStopWithTheSumOfTheirForces) {
   const scene::Scene one = cell_of(shared_by(1)).scene;
   for (const int count : {2, 3, 4}) {
     const scene::Scene merged = with_equal_stops_as_one(cell_of(shared_by(count)).scene);
@@ -45,7 +44,7 @@ TEST(EqualStops, MakeOneStopWithTheSumOfTheirForces) {
   }
 }
 
-TEST(EqualStops, AnythingThatDiffersKeepsThemApart) {
+TEST(OrbitProof, AnythingThatDiffersKeepsThemApart) {
   const auto stops_left = [](const auto& change) {
     model::Machine machine = shared_by(2);
     change(machine.stops.back());
@@ -68,7 +67,7 @@ TEST(EqualStops, AnythingThatDiffersKeepsThemApart) {
 }
 
 /// Two guards that are one function of the state cross at one instant, which no tube of motions keeps apart.
-TEST(EqualStops, AnOrbitAgainstThemIsProvenAsThatAgainstOne) {
+TEST(OrbitProof, AnOrbitAgainstThemIsProvenAsThatAgainstOne) {
   motion::Workspace workspace;
   for (const int count : {1, 2, 3}) {
     const SettledRun run = settle(cell_of(shared_by(count)), {}, {}, workspace);

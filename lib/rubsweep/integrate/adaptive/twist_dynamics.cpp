@@ -1,6 +1,4 @@
-#include "rubsweep/integrate/adaptive/twist_law.hpp"
-
-#include <complex>
+#include "rubsweep/integrate/adaptive/twist_dynamics.hpp"
 
 #include "rubsweep/integrate/run/state_scale.hpp"
 #include "rubsweep/numerics/dense/cholesky.hpp"
