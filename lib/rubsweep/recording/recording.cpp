@@ -201,9 +201,9 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
 }
 
 std::vector<std::complex<double>> run_out_of(std::span<const std::complex<double>> displacement_m,
-                                             int samples_per_revolution, bool vector) {
+                                             int samples_per_turn, bool vector) {
   using Complex = std::complex<double>;
-  const auto length = static_cast<std::size_t>(samples_per_revolution);
+  const auto length = static_cast<std::size_t>(samples_per_turn);
   std::vector<Complex> mean(length);
   double turns = 0;
   for (std::size_t begin = 0; begin + length <= displacement_m.size(); begin += length) {
@@ -215,7 +215,7 @@ std::vector<std::complex<double>> run_out_of(std::span<const std::complex<double
   if (turns == 0) throw ConfigError("run_out: every turn has a gap");
   Complex gap = 0, forward = 0, backward = 0;
   const auto angle = [&](std::size_t k) {
-    return 2 * std::numbers::pi * static_cast<double>(k) / samples_per_revolution;
+    return 2 * std::numbers::pi * static_cast<double>(k) / samples_per_turn;
   };
   for (std::size_t k = 0; k < length; ++k) {
     mean[k] /= turns;

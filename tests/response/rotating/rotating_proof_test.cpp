@@ -146,6 +146,12 @@ TEST(RotatingProof, LabelsAreThoseOfLongRuns) {
   }
 }
 
+}  // namespace
+}  // namespace rubsweep::response::testing
+
+namespace rubsweep::response::rotating {
+namespace {
+
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -208,4 +214,4 @@ TEST(RotatingProofFind, RefusesAPointFarAway) {
 }
 
 }  // namespace
-}  // namespace rubsweep::response::testing
+}  // namespace rubsweep::response::rotating
