@@ -1,8 +1,8 @@
+#include "rubsweep/page/orbits.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
-#include "rubsweep/page/orbits.hpp"
 
 namespace rubsweep::page {
 namespace {

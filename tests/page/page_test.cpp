@@ -1,3 +1,5 @@
+#include "rubsweep/page/page.hpp"
+
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -5,7 +7,6 @@
 #include <limits>
 
 #include "page/decoded.hpp"
-#include "rubsweep/page/page.hpp"
 
 namespace rubsweep::page {
 namespace {

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include "rubsweep/batch/csv_table.hpp"
 #include "rubsweep/batch/file_lock.hpp"

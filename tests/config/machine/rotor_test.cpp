@@ -1,8 +1,9 @@
+#include "rubsweep/config/machine/rotor.hpp"
+
 #include <cmath>
 #include <numbers>
 
 #include "config/support.hpp"
-#include "rubsweep/config/machine/rotor.hpp"
 #include "rubsweep/config/print_config.hpp"
 #include "rubsweep/scene/prepared_machine.hpp"
 
