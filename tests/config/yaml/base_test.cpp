@@ -311,23 +311,23 @@ std::string merge(const std::string& base, const std::string& over) {
   return written(Merge(base, over).node);
 }
 
-TEST(Base, OverridesAndAddsKeysAtEveryDepth) {
+TEST_F(Base, OverridesAndAddsKeysAtEveryDepth) {
   EXPECT_EQ(merge("{a: 1, b: {c: 2, d: 3}}", "{b: {d: 4, e: 5}, f: 6}"),
             "{a: 1, b: {c: 2, d: 4, e: 5}, f: 6}");
 }
 
-TEST(Base, ReplacesListsAndWordsWhole) {
+TEST_F(Base, ReplacesListsAndWordsWhole) {
   EXPECT_EQ(merge("a: [1, 2, 3]", "a: [4]"), "{a: [4]}");
   EXPECT_EQ(merge("casing: {mass_kg: 1}", "casing: rigid"), "{casing: rigid}");
   EXPECT_EQ(merge("casing: rigid", "casing: {mass_kg: 1}"), "{casing: {mass_kg: 1}}");
 }
 
-TEST(Base, AKeyWithoutAValueTakesBackThatOfTheBase) {
+TEST_F(Base, AKeyWithoutAValueTakesBackThatOfTheBase) {
   EXPECT_EQ(merge("{a: 1, kick: {force_n: 2}}", "kick:"), "{a: 1}");
   EXPECT_EQ(merge("a: 1", "kick:"), "{a: 1, kick: null}");
 }
 
-TEST(Base, AKeyTakesBackWhatTheBaseSaysByOtherMeans) {
+TEST_F(Base, AKeyTakesBackWhatTheBaseSaysByOtherMeans) {
   EXPECT_EQ(merge("{from: 1, to: 2, count: 3}", "values: [7]"), "{values: [7]}");
   EXPECT_EQ(merge("{from: 1, to: 2, count: 3}", "count: 5"), "{from: 1, to: 2, count: 5}");
   EXPECT_EQ(merge("{kick: 1}", "{kick: , start: 2}"), "{start: 2}");
@@ -336,14 +336,14 @@ TEST(Base, AKeyTakesBackWhatTheBaseSaysByOtherMeans) {
   EXPECT_EQ(merge("stribeck: [1]", "{coefficient: 1, static: 2}"), "{coefficient: 1, static: 2}");
 }
 
-TEST(Base, AnotherKindSharesNothing) {
+TEST_F(Base, AnotherKindSharesNothing) {
   EXPECT_EQ(merge("{kind: jeffcott, mass_kg: 1}", "{kind: rotor_kit, shaft: 2}"),
             "{kind: rotor_kit, shaft: 2}");
   EXPECT_EQ(merge("{kind: jeffcott, mass_kg: 1}", "{kind: jeffcott, a: 2}"),
             "{kind: jeffcott, mass_kg: 1, a: 2}");
 }
 
-TEST(Base, KeepsThePlaceOfWhatEachFileWrote) {
+TEST_F(Base, KeepsThePlaceOfWhatEachFileWrote) {
   const Node node = Merge("a: 1\nb:\n  c: 2\n", "\n\nb: {d: 3}\n").node;
   EXPECT_EQ(node.place, (SourcePosition{-1, 3, 1, 0}));
   EXPECT_EQ(node.items[0].place, (SourcePosition{-1, 1, 4, 1}));
@@ -352,7 +352,7 @@ TEST(Base, KeepsThePlaceOfWhatEachFileWrote) {
   EXPECT_LT(node.items[0].place, node.place);
 }
 
-TEST(Base, RefusesRepeatedKeysOfEitherOnce) {
+TEST_F(Base, RefusesRepeatedKeysOfEitherOnce) {
   const Merge merge("a: 1\na: 2\n", "b: 1\na: 3\nb: 4\n");
   EXPECT_EQ(merge.problems(),
             "base:2:1: top.a: given again, first at line 1, allowed: each key once\n"
