@@ -35,7 +35,7 @@ TEST(RecordedRun, IsNoneWhereATurnFails) {
   EXPECT_FALSE(recorded_run(test::cell_of({}).scene, solver, {}, 128, workspace));
 }
 
-TEST(Checkpoints, GiveTheLastSectionTwoWindowsBefore) {
+TEST(RecordedRun, CheckpointsGiveTheLastSectionTwoWindowsBefore) {
   Checkpoints passed(10, std::array{-1.0});
   EXPECT_EQ(passed.before_windows(19), nullptr);
   for (int k = 1; k <= 57; ++k) {

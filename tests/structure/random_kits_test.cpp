@@ -60,7 +60,7 @@ WrittenRotor written(const model::Machine& machine) {
   return {kit, assemble_beam_shaft(kit, {*machine.stops[0].position_m})};
 }
 
-TEST(ReductionUnseenModes, UnequalDampersBringThemIntoTheMotionOfTheStop) {
+TEST(RandomKitsUnseenModes, UnequalDampersBringThemIntoTheMotionOfTheStop) {
   const model::Machine machine = halves(600, 0);
   const KitAssembly kit = assemble_rotor_kit(machine);
   const WrittenRotor full = written(machine);
@@ -72,11 +72,11 @@ TEST(ReductionUnseenModes, UnequalDampersBringThemIntoTheMotionOfTheStop) {
   }
 }
 
-TEST(ReductionUnseenModes, AreLeftOutWhereNothingCouplesThem) {
+TEST(RandomKitsUnseenModes, AreLeftOutWhereNothingCouplesThem) {
   EXPECT_EQ(assemble_rotor_kit(halves(20, 0)).reduction.mode_number[0][1], 3);
 }
 
-TEST(ReductionUnseenModes, OneThatASealFeedsGrows) {
+TEST(RandomKitsUnseenModes, OneThatASealFeedsGrows) {
   for (const double damper : {20.0, 600.0}) {
     const model::Machine machine = halves(damper, 1e5);
     const Eigen::VectorXcd rates = written(machine).rates(2 * pi * 60);
@@ -205,7 +205,7 @@ bool grows_as_well(const KitAssembly& kit, const WrittenRotor& full, double spee
   return fastest == 0 || found > 0.97 * fastest;
 }
 
-TEST(ReductionRandomKits, AreAsGoodAsTheyClaimAgainstFullMatrices) {
+TEST(RandomKits, AreAsGoodAsTheyClaimAgainstFullMatrices) {
   const char* asked = std::getenv("RUBSWEEP_RANDOM_KITS");
   const int kits = asked != nullptr ? std::atoi(asked) : 10;
   int refused = 0, growing = 0;
