@@ -71,7 +71,6 @@ design::SpeedRange operating_range(const DesignCheckArguments& arguments, const 
 
 int run_design_check(const RubtraceArguments& arguments, const config::RunConfig& config,
                      const std::filesystem::path& directory) {
-  end_on_interrupts("nothing was written");
   const sweep::Study& study = config.study;
   const design::DesignQuestions questions = questions_of(arguments, study);
   batch::require_threads(questions.threads);

@@ -155,7 +155,6 @@ std::pair<const char*, std::string> drawing_of(const RubtraceArguments& argument
 int run_experiment(const RubtraceArguments& arguments, const config::RunConfig& config,
                    const std::filesystem::path& directory) {
   const ResultDirectory made(directory, experiment_file_names);
-  end_on_interrupts("nothing was written");
   std::optional<WorkingTime> working(std::in_place, "rubtrace", "runs the experiment", !arguments.quiet);
   auto [files, summary, run] = perform(arguments, config.study);
   working.reset();

@@ -168,7 +168,6 @@ int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
                                    prepared.assembly.system.coordinates());
   const fs::path directory = directory_of(arguments, config);
   const ResultDirectory made(directory, file_names);
-  end_on_interrupts("nothing was written");
 
   std::optional<WorkingTime> working(std::in_place, "rubtrace", "runs the cell", !arguments.quiet);
   response::motion::Workspace workspace;
@@ -213,6 +212,7 @@ int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
 
 int perform(RubtraceArguments arguments) {
   if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
+  end_on_interrupts("nothing was written");  // a rotor may take a second to be prepared
   config::RunConfig config = config::read_cell_config(arguments.config, arguments.overrides);
   ask("rubtrace", config.questions, arguments.quiet);
   if (arguments.place.has_unbalance())

@@ -50,8 +50,12 @@ refused() {
 }
 sed '9s/;[^;]*;/;x1;/' run.csv >letters.csv
 refused letters.csv run.yaml "letters.csv:9:8: 'x1' is no number"
+# A jump leaves the longest stretch; a step back is no time.
 sed '20,30d' run.csv >jump.csv
-refused jump.csv run.yaml "jump.csv:20: 'time' goes from"
+expect_exit 0 jump.csv --instrument run.yaml --output jumped
+expect_contains stdout "'time' jumps from 0.0034 to 0.0058 at line 20: the longest stretch without a jump"
+sed '20{h;d};21G' run.csv >back.csv
+refused back.csv run.yaml "back.csv:20: 'time' goes from"
 sed 's/column: Y/column: Z/' run.yaml >column.yaml
 refused run.csv column.yaml "has no column 'Z', allowed: 'time', 'X', 'Y', 'KP'"
 sed 's/gain_mv_per_um: 8}/gain: 8}/' run.yaml >gain.yaml

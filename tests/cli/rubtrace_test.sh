@@ -134,7 +134,7 @@ for file in trajectory.csv motion.csv spectrum.csv; do expect_same in_metres/$fi
 # The row is that of the map, and the configuration beside it makes that map.
 rubtrace=$rubsweep rubsweep=$sweep
 expect_exit 0 trace/config.yaml --output map
-expect_same <(grep -v '^# \(files\|sha256\) ' trace/motion.csv) <(grep -v '^# sha256 ' map/map.csv)
+expect_same <(grep -v '^# \(files\|sha256\|sum\) ' trace/motion.csv) <(grep -v '^# \(sha256\|sum\) ' map/map.csv)
 
 # The same cell in other units: 5400 revolutions per minute, 240 g mm on 0.8 kg, also of a run-up.
 rubsweep=$rubtrace

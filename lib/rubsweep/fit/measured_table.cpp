@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "rubsweep/batch/input_file.hpp"
+#include "rubsweep/batch/table_file.hpp"
 #include "rubsweep/error.hpp"
 #include "rubsweep/numerics/straight_line.hpp"
 #include "rubsweep/table/encoding.hpp"
@@ -148,7 +149,9 @@ bool MeasuredTable::read_of_somebody(std::string_view needed) {
   std::vector<double> sizes;
   std::vector<std::size_t> places;
   try {
-    text = table::utf8_of(batch::read_input(path_));
+    const std::string bytes = batch::read_input(path_);
+    batch::check_table_text(bytes, path_);  // a damaged table of ours is no table of somebody
+    text = table::utf8_of(bytes);
     layout = table::layout_of(text);
   } catch (const table::Fault&) {
     return false;  // what the reader of the programs said is told
