@@ -17,7 +17,7 @@ namespace {
 /// Fewest instants that tell how they hang together.
 constexpr Eigen::Index fewest_instants = 24;
 /// Squares of singular values below this share of the largest are rounding.
-constexpr double rounding = 1e-6;
+constexpr double noise_rounding = 1e-6;
 constexpr Eigen::Index shortest_block = 4, fewest_blocks = 10;
 
 /// Correlation of neighbours in all rows together.
@@ -139,7 +139,8 @@ void allow_for_correlation(const LeastSquaresFit& fit, const std::vector<RowsInT
                            Uncertainty& uncertainty) {
   const Eigen::Index count = fit.value.size();
   const Eigen::VectorXd length = fit.jacobian.colwise().norm().transpose();
-  if (!(length.minCoeff() > 0) || !(uncertainty.singular(count - 1) > rounding * uncertainty.singular(0)))
+  if (!(length.minCoeff() > 0) ||
+      !(uncertainty.singular(count - 1) > noise_rounding * uncertainty.singular(0)))
     return;
   const Eigen::MatrixXd jacobian = fit.jacobian * length.cwiseInverse().asDiagonal();
   const Eigen::MatrixXd normal = jacobian.transpose() * jacobian;

@@ -202,7 +202,6 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
 
 std::vector<std::complex<double>> run_out_of(std::span<const std::complex<double>> displacement_m,
                                              int samples_per_turn, bool vector) {
-  using Complex = std::complex<double>;
   const auto length = static_cast<std::size_t>(samples_per_turn);
   std::vector<Complex> mean(length);
   double turns = 0;
