@@ -79,6 +79,13 @@ config::RunConfig config_of_map(const fs::path& directory) {
   return config;
 }
 
+/// Files in the directory of the output that it is made of: the map, where the output stands beside it.
+std::vector<std::string> sources_beside(const fs::path& output, const fs::path& directory) {
+  std::error_code none;
+  if (fs::equivalent(output, directory, none)) return {"map.csv"};
+  return {};
+}
+
 }  // namespace
 
 int run_on_map(const RubbranchArguments& arguments) {
@@ -124,16 +131,13 @@ int run_on_map(const RubbranchArguments& arguments) {
   }
   const auto edges = branch::families::attribute(study.grid, labels, families.list,
                                                  branch::families::quiet_cells(study), quiet_label);
-  std::error_code none;
-  std::vector<std::string> made_of;
-  if (fs::equivalent(output, directory, none)) made_of.emplace_back("map.csv");
   batch::write_result_files(
       {{"families.csv", branch::families::families_csv(study.grid, families.list)},
        {"edges.csv", branch::families::edges_csv(study.grid, labels, edges)},
        {"boundaries.csv", branch::families::boundaries_csv(study.grid, families.list)},
        {"contradictions.csv", branch::families::contradictions_csv(study.grid, labels, checks)}},
       map::family_files, output,
-      {"rubbranch", map.digest, batch::caption_lines(config.captions), std::move(made_of)});
+      {"rubbranch", map.digest, batch::caption_lines(config.captions), sources_beside(output, directory)});
   journal.remove();
   count_in_summary("families", families.list.size());
   if (!arguments.quiet) {

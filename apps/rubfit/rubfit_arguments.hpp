@@ -24,7 +24,7 @@ struct RubfitArguments : StudyArguments {
   std::optional<double> rate_hz_per_s = {};
   double window_turns = 0;
   double eccentricity_m = 0, mark_deg = 0, hit_s = 0, from_s = 0;
-  std::optional<fit::PhaseConvention> phases = {};  ///< of tables; else by what they leave
+  std::optional<fit::PhaseConvention> phases{};  ///< convention of tables; empty: the one that leaves least
   bool run_out = false;
   int starts = 1;
   double robust_beyond = 0;

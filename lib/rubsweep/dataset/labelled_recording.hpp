@@ -39,7 +39,7 @@ struct LabelledRecording {
   std::vector<double> gain{};                     ///< of each probe
   double penetration_ratio = 0, force_ratio = 0;  ///< as RubBounds has them
   diagnose::SimulatedMotion motion{};             ///< label; its samples are used up
-  std::string sha256{};                           ///< of its file, once that is written
+  std::string sha256{};                           ///< digest of its file, once that is written
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: of two probes
 };
 

@@ -21,7 +21,7 @@ struct CampbellMode {
   /// From 1, by the frequency at the first speed, backward before forward; then those that are overdamped
   /// there, as they begin to oscillate.
   int number = 0;
-  std::vector<CampbellPoint> points;  ///< where the mode is not overdamped; perhaps none
+  std::vector<CampbellPoint> points;  ///< speeds at which the mode is not overdamped; perhaps none
 };
 
 /// Critical speed: a whirl frequency equals the shaft speed, so that the unbalance is in resonance.

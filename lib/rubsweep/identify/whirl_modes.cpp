@@ -15,8 +15,8 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-constexpr double same_root = 1e-7;    ///< of its size: rounding of a double root, and far below any split
-constexpr double least_whirl = 1e-7;  ///< of the size of a root: rounding of a double overdamped one
+constexpr double same_root = 1e-7;    ///< share of its size: rounding of a double root, far below any split
+constexpr double least_whirl = 1e-7;  ///< share of the size of a root: rounding of a double overdamped one
 
 bool whirls(Complex root) { return root.imag() > least_whirl * std::abs(root); }
 

@@ -26,7 +26,7 @@ struct WhirlMode {
 /// Whirl at one speed.
 struct WhirlModes {
   std::vector<WhirlMode> modes;  ///< slowest first
-  double growth_per_s = 0;  ///< of the free vibration that grows fastest, also without whirl; 0: none does
+  double growth_per_s = 0;  ///< rate of the vibration that grows fastest, also without whirl; 0: none does
 };
 
 /// Modal assurance criterion: 0 for states that have nothing in common, 1 for the same motion.

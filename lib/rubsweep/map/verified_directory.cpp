@@ -31,7 +31,7 @@ constexpr std::string_view config_file = "config.yaml", labels_file = "labels.cs
 /// Head of a table.
 struct TableHead {
   std::string program, digest;
-  std::vector<std::string> files;  ///< that were written with it, or that it is made of
+  std::vector<std::string> files;  ///< files written with it, or that it is made of
 
   bool is_of(std::string_view name) const { return program.starts_with(std::string(name) + ' '); }
 
@@ -275,9 +275,9 @@ class Verification {
   const ReadConfiguration& read_;
   std::vector<std::string> names_;  ///< ascending
   std::map<std::string, TableHead, std::less<>> heads_;
-  std::map<std::string, std::set<std::string>, std::less<>> sums_;  ///< that tables tell of other files
-  std::set<std::string, std::less<>> as_written_;                   ///< of these
-  std::vector<std::string> pages_;                                  ///< that are whole
+  std::map<std::string, std::set<std::string>, std::less<>> sums_;  ///< digests of other files, by tables
+  std::set<std::string, std::less<>> as_written_;                   ///< files whose digest agrees
+  std::vector<std::string> pages_;                                  ///< pages that are whole
   std::string page_;                                                ///< report.html, where it is ours
   VerifiedConfiguration configuration_;
   std::string digest_;  ///< of all that belongs together

@@ -20,7 +20,7 @@ struct Variable {
   std::vector<std::size_t> dims{};  ///< at least two, but none of an object
   /// Real numbers, column by column, of a sparse matrix its zeros as well; empty where nobody wanted them.
   std::vector<double> values{};
-  std::vector<Variable> fields{};  ///< of the first one of an array of structures
+  std::vector<Variable> fields{};  ///< fields of the first one of an array of structures
 
   bool is_real_matrix() const { return kind == Kind::numbers && !complex && dims.size() == 2; }
 };

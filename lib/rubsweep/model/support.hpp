@@ -71,7 +71,7 @@ struct Support {
   /// Curves that the coefficients above follow over the speed; they are then those of one of its speeds
   /// (with_table).
   std::optional<SupportTable> table;
-  std::string name;  ///< of the element in a file of another program that it was read from; for messages
+  std::string name;  ///< name of the element in the file it was read from; for messages
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, not_negative);

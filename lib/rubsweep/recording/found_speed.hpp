@@ -12,7 +12,7 @@ inline constexpr double most_speed_error = 0.02;
 /// Speed of a shaft without a mark, from what probes read.
 struct FoundSpeed {
   double speed_hz = 0, uncertainty_hz = 0;  ///< standard
-  double largest_hz = 0;                    ///< of the largest line within two fifths of the given speed
+  double largest_hz = 0;  ///< frequency of the largest line within two fifths of the given speed
 };
 
 /// The largest line near a speed, within most_speed_error, and within two fifths of it: of each probe the

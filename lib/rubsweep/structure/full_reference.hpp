@@ -64,7 +64,7 @@ class FullReference {
   int points_ = 0, around_ = 0;
   Rotor full_;
   std::vector<std::vector<Eigen::MatrixXcd>> exact_;      ///< per line and point
-  std::vector<std::pair<Line, Eigen::VectorXcd>> rates_;  ///< of free vibrations, where some may grow
+  std::vector<std::pair<Line, Eigen::VectorXcd>> rates_;  ///< rates of free vibrations, where some may grow
 };
 
 }  // namespace rubsweep::structure

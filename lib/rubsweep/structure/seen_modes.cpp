@@ -13,9 +13,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double share_of_compliance = 1e-9;  ///< of a place, that a mode makes there
-constexpr double share_of_shape = 1e-6;       ///< of its largest deflection, that it has at a place
-constexpr double coupled = 1e-8;  ///< of the largest coupling by the same matrix; rounding is below
+constexpr double share_of_compliance = 1e-9;  ///< share of the compliance of a place that a mode makes there
+constexpr double share_of_shape = 1e-6;       ///< share of its largest deflection that it has at a place
+constexpr double coupled = 1e-8;  ///< share of the largest coupling by the same matrix; rounding is below
 constexpr const char* nothing_seen =
     "rotor: its parts are too far apart in stiffness or mass for the motion at the stops to be computed, "
     "allowed: "
