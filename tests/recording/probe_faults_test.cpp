@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -63,7 +64,7 @@ TEST(ProbeFaults, NoiseAloneBesideAMotion) {
   EXPECT_TRUE(pair_findings(x, noise)[0].starts_with("'Y' shows noise alone where 'X' sees a motion"));
   EXPECT_TRUE(pair_findings(noise, x)[0].starts_with("'X' shows noise alone"));
   auto other_noise = noise;
-  std::ranges::reverse(other_noise);
+  std::reverse(other_noise.begin(), other_noise.end());
   EXPECT_TRUE(pair_findings(noise, other_noise).empty());
   EXPECT_TRUE(pair_findings(x, signal(30, 1.6, 0.01, 3)).empty());
   // A motion as large as the noise is one.

@@ -219,9 +219,9 @@ TEST(TraceStateBalance, ClosesAtAFlatStopWithItsCasing) {
 }
 
 TEST(TraceStateBalance, ClosesInASmoothedLaw) {
-  const integrate::run::SolverOptions smoothed{
+  const integrate::run::SolverOptions smooth_law{
       .contact = integrate::run::ContactHandling::smoothed, .relative_tolerance = 1e-11, .smoothing_m = 1e-6};
-  expect_closed(test::cell_of({}).scene, 6, smoothed);
+  expect_closed(test::cell_of({}).scene, 6, smooth_law);
 }
 
 TEST(TraceStateBalance, ClosesInAnOffsetAnnularStopWithDryFriction) {

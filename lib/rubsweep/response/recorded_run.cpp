@@ -40,7 +40,7 @@ Checkpoints::Checkpoints(int window_revolutions, std::span<const double> start)
 
 void Checkpoints::pass(long revolutions, std::span<const double> section) {
   if (revolutions % window_ != 0) return;
-  std::ranges::rotate(last_, last_.end() - 1);
+  std::rotate(last_.begin(), last_.end() - 1, last_.end());
   last_[0].revolutions = revolutions;
   last_[0].section.assign(section.begin(), section.end());
   count_ = std::min(count_ + 1, last_.size());
