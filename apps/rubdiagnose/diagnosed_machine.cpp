@@ -60,7 +60,7 @@ void set_jeffcott(const model::JeffcottRotor& rotor, const Fitted& fitted, const
       fitted, "rotor.natural_frequency_hz", rotor.natural_frequency_hz, frequency_share, diagnosed.remarks);
   diagnosed.damping_ratio =
       interval_of(fitted, "rotor.damping_ratio", rotor.damping_ratio, damping_share, diagnosed.remarks);
-  diagnosed.remarks.push_back(
+  diagnosed.remarks.emplace_back(
       "rotor: has one mode, and so has every candidate: a rub of a rotor with a second bending mode may be "
       "called none of these; a rotor_kit has its modes");
 }
