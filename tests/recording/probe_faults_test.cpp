@@ -16,7 +16,7 @@ std::vector<double> signal(int turns, double phase, double noise, unsigned seed)
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, 1);
   std::vector<double> values;
-  values.reserve(static_cast<std::size_t>(turns * readings_per_turn));
+  values.reserve(static_cast<std::size_t>(turns) * readings_per_turn);
   for (int k = 0; k < turns * readings_per_turn; ++k)
     values.push_back(std::cos(2 * std::numbers::pi * k / readings_per_turn + phase) + noise * normal(random));
   return values;
