@@ -6,6 +6,7 @@
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/exact/exact_run.hpp"
+#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
 #include "rubsweep/integrate/exact/sticking_stretch.hpp"
 #include "rubsweep/integrate/run/coordinates.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"

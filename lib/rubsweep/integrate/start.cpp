@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/integrate/hybrid_run.hpp"
 #include "rubsweep/integrate/run/state_scale.hpp"
 
 namespace rubsweep::integrate {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rubsweep/integrate/hybrid_run.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/integrate/run/options.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 #include "rubsweep/scene/scene.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "rubsweep/response/followed.hpp"
 #include "rubsweep/response/growth.hpp"
 #include "rubsweep/response/motion/section.hpp"
 

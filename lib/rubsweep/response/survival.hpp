@@ -1,11 +1,11 @@
 #pragma once
 
 #include <functional>
-
-#include "rubsweep/response/followed.hpp"
-#include "rubsweep/response/proof/section_map.hpp"
+#include <span>
 
 namespace rubsweep::response {
+
+struct Followed;
 
 /// How long a chaotic motion was seen to last: turns that it and its companions were followed for, and how
 /// many of them left it in these turns. Chaos may be a transient of any length: what it leaves a region by is
@@ -34,7 +34,8 @@ struct SurvivalOptions {
 /// turns; these count, too. `turn` moves a section by a turn, `touched` says whether it saw contact. An
 /// escape shows a window after it happened at most, so that the last window of each counts for nothing. A
 /// turn that cannot be made ends its companion and is no escape. Depends on its arguments alone.
-Survival survive(const proof::SectionMap& turn, const std::function<bool()>& touched, const Followed& motion,
+Survival survive(const std::function<bool(std::span<double> state)>& turn,
+                 const std::function<bool()>& touched, const Followed& motion,
                  const SurvivalOptions& options);
 
 }  // namespace rubsweep::response

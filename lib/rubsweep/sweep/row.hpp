@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "rubsweep/response/motion/motion_kind.hpp"
-#include "rubsweep/response/settle.hpp"
+#include "rubsweep/response/motion/proof.hpp"
+#include "rubsweep/response/survival.hpp"
 #include "rubsweep/sweep/basin_sampling.hpp"
 #include "rubsweep/sweep/threshold.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "rubsweep/config/yaml/section.hpp"
 #include "rubsweep/integrate/adaptive/stepper_table.hpp"
-#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 
 namespace rubsweep::config::study {
 namespace {

@@ -10,6 +10,7 @@
 #include "rubsweep/integrate/exact/exact_motion.hpp"
 #include "rubsweep/integrate/exact/modes/joint_mode.hpp"
 #include "rubsweep/integrate/exact/modes/machine_modes.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/numerics/certified_step.hpp"
 #include "rubsweep/numerics/cubic_maximum.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rubsweep/integrate/exact/modes/mode_cache.hpp"
-#include "rubsweep/numerics/modal_form.hpp"
+#include "rubsweep/numerics/modal_form_cache.hpp"
 #include "rubsweep/response/spectrum/full_spectrum.hpp"
 
 namespace rubsweep::response::motion {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "rubsweep/integrate/run/scaled_system.hpp"
+#include "rubsweep/numerics/modal_form.hpp"
 #include "rubsweep/structure/stability.hpp"
 
 namespace rubsweep::response::proof {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/numerics/modal_form.hpp"
+#include "rubsweep/numerics/modal_form_cache.hpp"
 #include "rubsweep/scene/build_scene.hpp"
 
 namespace rubsweep::response::proof {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::integrate::exact::modes {

@@ -5,6 +5,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/integrate/exact/modes/joint_mode.hpp"
+#include "rubsweep/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/numerics/step_table.hpp"
 
 namespace rubsweep::integrate::exact::modes {

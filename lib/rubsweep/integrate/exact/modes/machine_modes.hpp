@@ -53,17 +53,6 @@ class MachineModes {
   std::map<std::pair<std::size_t, std::size_t>, ModeChange<N>> changes_;  ///< by the indices of both modes
 };
 
-/// Largest size of the flows of all modes of a machine, taken where none of them has a modal form.
-std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts);
-
-/// Stops whose joint contact modes can be numbered.
-inline constexpr std::size_t most_exact_contacts = 6;
-
-/// Whether the exact solver and Taylor pieces know the scene: walls that are flat or round, not more stops
-/// than joint modes are numbered for, nor more coordinates than a mode holds (all that a configuration can
-/// ask for).
-bool exact_applies(const scene::Scene& scene);
-
 extern template class MachineModes<2>;
 extern template class MachineModes<4>;
 extern template class MachineModes<6>;

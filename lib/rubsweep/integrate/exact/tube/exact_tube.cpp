@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "rubsweep/contact/friction_law.hpp"
+#include "rubsweep/integrate/exact/modes/machine_modes.hpp"
 #include "rubsweep/integrate/exact/tube/tube_reference.hpp"
 #include "rubsweep/integrate/exact/tube/tube_switch.hpp"
 #include "rubsweep/integrate/run/coordinates.hpp"
