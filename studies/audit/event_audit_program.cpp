@@ -1,4 +1,4 @@
-// event_audit CELLS SEED [KIND ...]: runs CELLS random machines of every kind or of the kinds named turn by
+// audit events CELLS SEED [KIND ...]: runs CELLS random machines of every kind or of the kinds named turn by
 // turn through the exact solver and through rkf78 at 1e-13, those with several dry contacts through time
 // stepping instead, prints what they share and writes a configuration for every cell in which the exact
 // solver is wrong. Exit code 1 when there is one, or one whose friction is not settled.
@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "audit/audit_programs.hpp"
 #include "audit/dry_audit.hpp"
 #include "audit/event_audit.hpp"
 #include "audit/written_cell.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 
+namespace rubsweep::audit {
 namespace {
-
-using namespace rubsweep;
 
 constexpr int turns_of_a_cell = 60, turns_of_dry_cell = 12;
 
@@ -26,7 +26,7 @@ struct Total {
   long cells = 0, turns = 0, touched = 0, exact_turns = 0, pieces = 0, grazes = 0, parted = 0,
        exact_failed = 0, other_failed = 0, other_wrong = 0, wrong = 0;
 
-  void add(const audit::EventAudit& cell) {
+  void add(const EventAudit& cell) {
     ++cells;
     turns += cell.turns;
     touched += cell.touched;
@@ -44,31 +44,31 @@ struct Total {
   }
 };
 
-audit::EventAudit audited(const audit::CellsAndSeed& asked, std::size_t i) {
-  const audit::RandomCell cell = audit::cell_of(asked, i);
-  return audit::several_dry(audit::kind_of(asked, i)) ? audit::audit_dry_contacts(cell, turns_of_dry_cell)
-                                                      : audit::audit_events(cell, turns_of_a_cell);
+EventAudit audited(const CellsAndSeed& asked, std::size_t i) {
+  const RandomCell cell = cell_of(asked, i);
+  return several_dry(kind_of(asked, i)) ? audit_dry_contacts(cell, turns_of_dry_cell)
+                                        : audit_events(cell, turns_of_a_cell);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const auto asked = audit::cells_and_seed(argc, argv);
+int events(int argc, char** argv) {
+  const auto asked = cells_and_seed(argc, argv);
   if (!asked) {
-    fmt::print(stderr, "usage: event_audit CELLS SEED [KIND ...]\n");
+    fmt::print(stderr, "usage: audit events CELLS SEED [KIND ...]\n");
     return 1;
   }
   const std::size_t count = asked->cells;
-  std::vector<audit::EventAudit> results(count);
+  std::vector<EventAudit> results(count);
   const std::atomic<bool> stop = false;
   batch::parallel_run(
       count, 0, [&](std::size_t i) { results[i] = audited(*asked, i); },
       [&](std::size_t i) {
         if (results[i].exact_failed)
-          audit::write_cell(audit::cell_of(*asked, i), fmt::format("failed-{}-{}.yaml", asked->seed, i));
+          write_cell(cell_of(*asked, i), fmt::format("failed-{}-{}.yaml", asked->seed, i));
         if (!results[i].difference) return;
         const std::string name = fmt::format("missed-event-{}-{}.yaml", asked->seed, i);
-        audit::write_cell(audit::cell_of(*asked, i), name);
+        write_cell(cell_of(*asked, i), name);
         const auto& d = *results[i].difference;
         fmt::print("{}: turn {}, exact off by {:.2e}, the other by {:.2e}, {}\n", name, d.turn, d.exact_error,
                    d.other_error, d.first_switch.empty() ? "same changes of mode" : d.first_switch);
@@ -86,9 +86,9 @@ int main(int argc, char** argv) {
     stuck += total.stuck;
     together += total.together;
     fmt::print("{:15} {:>7} {:>9} {:>9} {:>12} {:>7} {:>7} {:>7} {:>12} {:>13} {:>11} {:>6}\n",
-               audit::to_string(asked->kinds[kind]), total.cells, total.turns, total.touched,
-               total.exact_turns, total.pieces, total.grazes, total.parted, total.exact_failed,
-               total.other_failed, total.other_wrong, total.wrong);
+               to_string(asked->kinds[kind]), total.cells, total.turns, total.touched, total.exact_turns,
+               total.pieces, total.grazes, total.parted, total.exact_failed, total.other_failed,
+               total.other_wrong, total.wrong);
   }
   if (stuck > 0)
     fmt::print(
@@ -96,3 +96,5 @@ int main(int argc, char** argv) {
         stuck, together);
   return wrong > 0;
 }
+
+}  // namespace rubsweep::audit

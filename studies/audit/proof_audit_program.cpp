@@ -1,4 +1,4 @@
-// proof_audit CELLS SEED [KIND ...]: settles CELLS random machines of every kind or of the kinds named,
+// audit proofs CELLS SEED [KIND ...]: settles CELLS random machines of every kind or of the kinds named,
 // follows every orbit that a proof names on without any proof, and prints what became of them. Writes a
 // minimised configuration for every proof that the run does not bear out. Exit code 1 when there is one.
 
@@ -8,20 +8,20 @@
 #include <cstdio>
 #include <vector>
 
+#include "audit/audit_programs.hpp"
 #include "audit/proof_audit.hpp"
 #include "audit/written_cell.hpp"
 #include "rubsweep/batch/parallel_run.hpp"
 
+namespace rubsweep::audit {
 namespace {
-
-using namespace rubsweep;
 using response::motion::Proof;
 
 struct Total {
   long cells = 0, rest = 0, floquet = 0, floquet_observed = 0, observed = 0, followed_turns = 0,
        undecided = 0, wrong_floquet = 0, wrong_observed = 0;
 
-  void add(const audit::ProofAudit& cell) {
+  void add(const ProofAudit& cell) {
     cells += cell.simulated;
     rest += cell.proof == Proof::rest;
     floquet += cell.proof == Proof::floquet;
@@ -37,24 +37,24 @@ struct Total {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const auto asked = audit::cells_and_seed(argc, argv);
+int proofs(int argc, char** argv) {
+  const auto asked = cells_and_seed(argc, argv);
   if (!asked) {
-    fmt::print(stderr, "usage: proof_audit CELLS SEED [KIND ...]\n");
+    fmt::print(stderr, "usage: audit proofs CELLS SEED [KIND ...]\n");
     return 1;
   }
   const std::size_t count = asked->cells;
-  std::vector<audit::ProofAudit> results(count);
+  std::vector<ProofAudit> results(count);
   const std::atomic<bool> stop = false;
   batch::parallel_run(
-      count, 0, [&](std::size_t i) { results[i] = audit::audit_proof(audit::cell_of(*asked, i)); },
+      count, 0, [&](std::size_t i) { results[i] = audit_proof(cell_of(*asked, i)); },
       [&](std::size_t i) {
-        const audit::ProofAudit& cell = results[i];
+        const ProofAudit& cell = results[i];
         if (!cell.followed || cell.confirmed || cell.undecided) return;
         const std::string name = fmt::format("false-proof-{}-{}.yaml", asked->seed, i);
         fmt::print("{}: {} {} after {} turns\n", name, to_string(*cell.proof), cell.finding, cell.turns);
         std::fflush(stdout);
-        audit::write_cell(audit::minimised(audit::cell_of(*asked, i)), name);
+        write_cell(minimised(cell_of(*asked, i)), name);
       },
       stop);
   constexpr auto form = "{:15} {:>7} {:>7} {:>9} {:>17} {:>9} {:>15} {:>10} {:>14} {:>15}\n";
@@ -65,9 +65,11 @@ int main(int argc, char** argv) {
     Total total;
     for (std::size_t i = kind; i < count; i += asked->kinds.size()) total.add(results[i]);
     wrong += total.wrong_floquet + total.wrong_observed;
-    fmt::print(form, audit::to_string(asked->kinds[kind]), total.cells, total.rest, total.floquet,
+    fmt::print(form, to_string(asked->kinds[kind]), total.cells, total.rest, total.floquet,
                total.floquet_observed, total.observed, total.followed_turns, total.undecided,
                total.wrong_floquet, total.wrong_observed);
   }
   return wrong > 0;
 }
+
+}  // namespace rubsweep::audit
