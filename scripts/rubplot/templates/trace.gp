@@ -1,4 +1,4 @@
-# Draws the traces that trace.sh lays out, one row of panels per trace: time history, orbit, full spectrum.
+# Draws the traces that `rubplot trace` lays out, one row of panels per trace: time history, orbit, full spectrum.
 # Arguments: HEADING ROWS BYLINE
 # Files: rows.gp (assignments) and for each row ROW.history, .orbit, .section, .spectrum, .labels in SI units;
 # the lengths among the assignments are in the row's unit, of which there are per_metre[row] in a metre.
