@@ -1,9 +1,11 @@
 # Labels of `tests`, read by CTest: those of their suites (labels_of_SUITE), of all others `unit`. A test is SUITE.NAME or
 # PREFIX/SUITE.NAME/VALUE.
+set(all_suites)
 foreach(test IN LISTS tests)
   string(REGEX REPLACE "[.].*" "" suites "${test}")
   string(REPLACE "/" ";" suites "${suites}")
   set(labels)
+  list(APPEND all_suites ${suites})
   foreach(suite IN LISTS suites)
     list(APPEND labels ${labels_of_${suite}})
   endforeach()
@@ -11,4 +13,9 @@ foreach(test IN LISTS tests)
     set(labels unit)
   endif()
   set_tests_properties("${test}" PROPERTIES LABELS "${labels}")
+endforeach()
+# Another program may have suites of the same names.
+list(REMOVE_DUPLICATES all_suites)
+foreach(suite IN LISTS all_suites)
+  unset(labels_of_${suite})
 endforeach()

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "rubsweep/fit/machine_fit.hpp"
+#include "rubsweep/fit/ramp_phasor.hpp"
 #include "rubsweep/fit/rub/rub_orbits.hpp"
 #include "rubsweep/identify/linear_run.hpp"
 #include "rubsweep/integrate/start.hpp"
