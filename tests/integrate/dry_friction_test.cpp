@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "integrate/largest_difference.hpp"
+#include "rubsweep/contact/friction_law.hpp"
 #include "rubsweep/contact/wall.hpp"
 #include "rubsweep/integrate/start.hpp"
 #include "support/rolling_scene.hpp"
