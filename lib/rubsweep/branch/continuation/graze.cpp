@@ -90,7 +90,7 @@ class GrazeSearch {
     if (!(s > low_.s && s < high_.s)) return false;
     auto point = segment_.at(s);
     if (!point) return false;
-    Side& side = orbits::same_sequence(point->facts.switches, low_.point.facts.switches) ? low_ : high_;
+    Side& side = orbits::same_contact(point->facts, low_.point.facts) ? low_ : high_;
     side = {s, std::move(*point)};
     return true;
   }
@@ -123,7 +123,7 @@ std::optional<std::vector<BranchEvent>> grazes_between(const orbits::OrbitProble
                                                        const BranchPoint& from, const BranchPoint& to) {
   std::vector<BranchEvent> events;
   BranchPoint here = from;
-  while (events.size() < most_grazes && !orbits::same_sequence(here.facts.switches, to.facts.switches)) {
+  while (events.size() < most_grazes && !orbits::same_contact(here.facts, to.facts)) {
     const Segment segment(problem, here, to);
     if (!(segment.length() > width_wanted)) break;
     GrazeSearch search(segment, here, to, problem.order);

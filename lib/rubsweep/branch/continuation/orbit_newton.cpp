@@ -184,6 +184,18 @@ Correction correct_at(const orbits::OrbitProblem& problem, const VectorXd& state
   return correct(problem, position_of(problem, state, parameter), along_parameter);
 }
 
+VectorXd next_step(const orbits::OrbitProblem& problem, const BranchPoint& point, const VectorXd& direction,
+                   double difference_step) {
+  const VectorXd unknown = VectorXd::Constant(direction.size(), std::numeric_limits<double>::quiet_NaN());
+  VectorXd image = point.state, slope;
+  if (problem.returns(point.parameter, image, nullptr) != orbits::Evaluation::ok ||
+      !difference(problem, point.state, point.parameter, difference_step, slope))
+    return unknown;
+  VectorXd right(direction.size());
+  right << point.state - image, 0;
+  return numerics::dense::solve(bordered(point.monodromy, slope, direction), right);
+}
+
 bool complete(const orbits::OrbitProblem& problem, const VectorXd& direction, BranchPoint& point) {
   VectorXd slope;
   if (!best_difference(problem, point, slope)) return false;
