@@ -98,8 +98,7 @@ TEST_F(EvenGrazeOf, FullAnnularRubIsOneGrazeWithAnErrorThatHolds) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> share(0, 1);
   int ends = 0;
-  double worst = 0;
-  for (int machine = 0; machine < 12; ++machine) {
+  for (int machine = 0; machine < 8; ++machine) {
     Rotor rotor;
     rotor.zeta = 0.02 * std::pow(10, share(random));
     rotor.unbalance = 0.25 + 0.4 * share(random);
@@ -123,10 +122,10 @@ TEST_F(EvenGrazeOf, FullAnnularRubIsOneGrazeWithAnErrorThatHolds) {
       EXPECT_FALSE(graze.point.facts.touched);
       EXPECT_NEAR(graze.point.facts.amplitude_m, 1, 1e-9);
       ++ends;
-      worst = std::max(worst, graze.parameter_error / std::max(error, 1e-16));
+      EXPECT_LT(graze.parameter_error, 1e3 * std::max(error, 1e-15)) << machine;
     }
   }
-  EXPECT_GT(ends, 12);
+  EXPECT_GT(ends, 8);
 }
 
 /// From the quiet circle through the corner into the rub, through a fold and off the walls on the other side.
@@ -209,7 +208,7 @@ TEST_F(EvenGrazeOf, ACasingThatWhirlsAsWell) {
 /// hit, or everywhere at once where the offset is less than what tells the orbits apart. The error has to
 /// hold the former place as well.
 TEST_F(EvenGrazeOf, ARingJustOffTheCentre) {
-  for (const double offset : {1e-12, 1e-10, 5e-9, 1e-3}) {
+  for (const double offset : {1e-12, 1e-10, 5e-9, 1e-7, 1e-5, 1e-3}) {
     const Rotor rotor{.zeta = 0.1, .unbalance = 0.35, .ring = 0.3, .offset = offset};
     const orbits::OrbitProblem problem = problem_of([&](double at) { return rotor.scene(at); });
     const auto start = orbit_from(problem, Eigen::VectorXd::Zero(4), 0.5);
