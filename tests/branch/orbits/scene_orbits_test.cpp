@@ -95,9 +95,8 @@ TEST(SceneOrbits, FullAnnularRubWithItsFoldAndItsStability) {
 /// The rotor in a frictionless elastic ring of Zilli, Battelino and Rosero and of Shaw, Champneys and
 /// Friswell, with gyroscopic term: z'' + (2 zeta - i J W) z' + z + beta (r - 1)(z / r) = m eps W^2 e^{i W t}
 /// where r > 1. Its quiet circle comes to touch at W = 1.36128 on the upper side of the resonance, by AUTO
-/// and in closed form. It touches all along, where the map has no derivative and the branch turns back in a
-/// corner: it ends there.
-TEST(SceneOrbits, GyroscopicRotorInARingEndsWhereItTouchesAllAlong) {
+/// and in closed form. It touches all along, and the branch turns back in a corner there.
+TEST(SceneOrbits, GyroscopicRotorInARingTurnsBackWhereItTouchesAllAlong) {
   constexpr double damping = 0.01, polar = 0.143, drive = 0.9 * 0.353, beta = 10;
   integrate::exact::modes::ModeCache modes;
   OrbitProblem problem = scene_orbits(
@@ -113,12 +112,25 @@ TEST(SceneOrbits, GyroscopicRotorInARingEndsWhereItTouchesAllAlong) {
   const auto start = continuation::orbit_from(problem, Eigen::VectorXd::Zero(4), 2.5);
   ASSERT_TRUE(start);
   const continuation::HalfBranch half = continuation::follow(problem, turned_about(*start), {});
-  const continuation::BranchPoint& last = half.points.back();
-  EXPECT_EQ(half.ending, continuation::Ending::step_too_small);
-  const double w = last.parameter;
+  const auto graze =
+      std::ranges::find(half.events, continuation::EventKind::graze, &continuation::BranchEvent::kind);
+  ASSERT_NE(graze, half.events.end());
+  const double w = graze->point.parameter;
   EXPECT_NEAR(w, 1.36128, 5e-6);
-  EXPECT_NEAR(std::hypot(1 - w * w * (1 - polar), 2 * damping * w), drive * w * w, 1e-7);
-  EXPECT_FALSE(half.points[half.points.size() / 2].facts.touched);
+  EXPECT_NEAR(std::hypot(1 - w * w * (1 - polar), 2 * damping * w), drive * w * w, 1e-12);
+  EXPECT_LT(graze->parameter_error, 1e-11);
+  bool quiet = true;
+  for (const continuation::BranchPoint& point : half.points) {
+    EXPECT_GE(point.parameter, w - 1e-12);
+    EXPECT_EQ(point.facts.touched, point.arclength > graze->point.arclength);
+    if (!point.facts.touched) continue;
+    // ((1 + beta - W^2 (1 - J)) r - beta)^2 + (2 zeta W r)^2 = (m eps W^2)^2 of full annular rub
+    const double r = point.facts.amplitude_m, at = point.parameter;
+    EXPECT_NEAR(std::hypot((1 + beta - at * at * (1 - polar)) * r - beta, 2 * damping * at * r),
+                drive * at * at, 1e-8);
+    quiet = false;
+  }
+  EXPECT_FALSE(quiet);
 }
 
 TEST(SceneOrbits, ImpulsesThatDifferFromTurnToTurnHaveNoOrbits) {

@@ -170,6 +170,39 @@ double fold_defect(double r, double w) {
   return ((1 + stiffness - w * w) * r - stiffness) * (1 + stiffness - w * w) + 4 * zeta * zeta * w * w * r;
 }
 
+/// The quiet circle touches a ring about its centre all along where its radius is the clearance: |1 - W^2 +
+/// 2 i zeta W| = e W^2.
+TEST(ScenePlane, GrazesOfACircleThatTouchesAllAlong) {
+  integrate::exact::modes::ModeCache modes;
+  const auto plane = [](double speed, double unbalance) -> std::optional<scene::Scene> {
+    return test::annular_scene(1, zeta, speed, unbalance, 0, stiffness, 0.02);
+  };
+  OrbitProblem problem = scene_orbits([&](double speed) { return plane(speed, 0.4); }, 1, {}, modes);
+  problem.low = 0.3;
+  problem.high = 3;
+  const auto begin = continuation::orbit_from(problem, Eigen::VectorXd::Zero(4), 0.5);
+  ASSERT_TRUE(begin);
+  const continuation::HalfBranch branch = continuation::follow(problem, *begin, {});
+  PlaneOrbits orbits = scene_plane_orbits(plane, 1, {}, modes);
+  orbits.first = {0.3, 3};
+  orbits.second = {0.3, 0.9};
+  const auto graze =
+      std::ranges::find(branch.events, continuation::EventKind::graze, &continuation::BranchEvent::kind);
+  ASSERT_NE(graze, branch.events.end());
+  const auto start = curves::curve_start(orbits, *graze, {graze->point.parameter, 0.4, 0});
+  ASSERT_TRUE(start);
+  const curves::Curve curve = curves::follow_curve(start->system, start->point, {});
+  EXPECT_EQ(curve.forward, continuation::Ending::left_range);
+  EXPECT_EQ(curve.backward, continuation::Ending::left_range);
+  EXPECT_TRUE(curve.meetings.empty());
+  ASSERT_GT(curve.points.size(), 20u);
+  for (const curves::CurvePoint& point : curve.points) {
+    const double w = point.place.first;
+    EXPECT_NEAR(point.place.second * w * w / std::hypot(1 - w * w, 2 * zeta * w), 1, 1e-9) << w;
+    EXPECT_FALSE(point.facts.touched);
+  }
+}
+
 TEST(ScenePlane, FoldOfTheFullAnnularRub) {
   integrate::exact::modes::ModeCache modes;
   PlaneOrbits orbits = scene_plane_orbits(annular, 1, {}, modes);

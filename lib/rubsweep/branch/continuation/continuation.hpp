@@ -57,7 +57,9 @@ class StepControl {
 /// - events_between(here, next): by ascending arclength; empty where no continuous curve leads from one to
 ///   the other;
 /// - ending_at(start, event): why the curve ends at an event, if it does;
-/// - images(point): positions of the same solution, as seen from each turn of its period.
+/// - images(point): positions of the same solution, as seen from each turn of its period;
+/// - corner_ahead(here, step), which may be left out: a corner of the curve within about a step, as
+///   EvenGraze has it, if there is one.
 template <class Task>
 class Continuation {
  public:
@@ -104,6 +106,7 @@ class Continuation {
   }
 
   void make_step() {
+    if (turns_corner()) return;
     const Eigen::VectorXd guess = position(here()) + steps_.step() * here().tangent;
     const Correction found = correct_between(task_.problem(), guess, here(), here());
     if (found.evaluation == orbits::Evaluation::infeasible) return shorten(Ending::infeasible);
@@ -117,6 +120,22 @@ class Continuation {
     const double turn = next->tangent.dot(here().tangent);
     if (steps_.turns_sharply(turn)) return shorten(Ending::step_too_small);
     if (take(std::move(*next))) steps_.lengthen(turn, found.iterations <= Task::easy_iterations);
+  }
+
+  /// Goes around a corner within the step, or ends there. False where there is none.
+  bool turns_corner() {
+    if constexpr (requires { task_.corner_ahead(here(), steps_.step()); }) {
+      auto corner = task_.corner_ahead(here(), steps_.step());
+      if (!corner || is_closed_by(corner->before)) return ended_;
+      auto events = task_.events_between(here(), corner->before);
+      if (!events) return false;
+      std::ranges::move(corner->events, std::back_inserter(*events));
+      if (add_events(std::move(*events))) return true;
+      half_.points.push_back(std::move(corner->beyond ? *corner->beyond : corner->events.front().point));
+      if (!corner->beyond) end(Ending::singular);
+      return true;
+    }
+    return false;
   }
 
   void step_to_edge(const Correction& beyond) {
@@ -143,12 +162,18 @@ class Continuation {
       shorten(Ending::step_too_small);
       return false;
     }
-    for (auto& event : *events) {
+    if (!add_events(std::move(*events))) half_.points.push_back(std::move(next));
+    return true;
+  }
+
+  /// Whether the curve ends at one of them.
+  template <class Events>
+  bool add_events(Events events) {
+    for (auto& event : events) {
       half_.events.push_back(std::move(event));
       if (ends_at_last_event()) return true;
     }
-    half_.points.push_back(std::move(next));
-    return true;
+    return false;
   }
 
   /// The event's own point is then the last one.

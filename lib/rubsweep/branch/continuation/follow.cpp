@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rubsweep/branch/continuation/continuation.hpp"
+#include "rubsweep/branch/continuation/even_graze.hpp"
 #include "rubsweep/branch/continuation/locate.hpp"
 #include "rubsweep/branch/continuation/margins.hpp"
 #include "rubsweep/branch/continuation/multiplier_slopes.hpp"
@@ -68,7 +69,16 @@ class OrbitTask {
 
   std::optional<std::vector<BranchEvent>> events_between(const BranchPoint& from,
                                                          const BranchPoint& to) const {
+    if (even_contact_changes(from, to)) return std::nullopt;  // around a corner
     return continuation::events_between(problem_, from, to, options_.every_graze);
+  }
+
+  std::optional<EvenGraze> corner_ahead(const BranchPoint& here, double step) const {
+    auto corner = even_graze_ahead(problem_, here, step);
+    if (!corner) return std::nullopt;
+    for (BranchPoint* point : {&corner->before, corner->beyond ? &*corner->beyond : nullptr})
+      if (point != nullptr) prepare(*point);
+    return corner;
   }
 
   std::optional<Ending> ending_at(const BranchPoint& start, const BranchEvent& event) const {

@@ -36,13 +36,13 @@ class GrazeSearch {
         low_{0, from},
         high_{segment.length(), to} {}
 
-  BranchEvent find() {
+  BranchEvent find(const orbits::OrbitProblem& problem) {
     for (int look = 0; look < most_looks && width() > width_wanted; ++look) {
       const auto change = change_now();
       const double s = change ? next_by_root(*change) : (low_.s + high_.s) / 2;
       if (!look_at(s)) break;
     }
-    return result();
+    return result(problem);
   }
 
   bool enclosed(const orbits::OrbitProblem& problem) const {
@@ -90,18 +90,20 @@ class GrazeSearch {
     if (!(s > low_.s && s < high_.s)) return false;
     auto point = segment_.at(s);
     if (!point) return false;
-    Side& side = orbits::same_sequence(point->facts.switches, low_.point.facts.switches) ? low_ : high_;
+    Side& side = orbits::same_contact(point->facts, low_.point.facts) ? low_ : high_;
     side = {s, std::move(*point)};
     return true;
   }
 
-  BranchEvent result() const {
+  BranchEvent result(const orbits::OrbitProblem& problem) const {
     const auto change =
         orbits::sequence_change(richer().point.facts.switches, poorer().point.facts.switches, period_rad_);
-    BranchEvent event{change ? EventKind::graze : EventKind::sequence,
-                      high_.point,
-                      std::abs(high_.point.parameter - low_.point.parameter) / 2,
-                      {}};
+    BranchEvent event{
+        change ? EventKind::graze : EventKind::sequence,
+        high_.point,
+        std::abs(high_.point.parameter - low_.point.parameter) / 2 +
+            std::max(rounding_of_parameter(problem, low_.point), rounding_of_parameter(problem, high_.point)),
+        {}};
     if (change) {
       event.detail =
           fmt::format("{} {}", orbits::describe(*change), high_is_richer() ? "appears" : "disappears");
@@ -123,11 +125,11 @@ std::optional<std::vector<BranchEvent>> grazes_between(const orbits::OrbitProble
                                                        const BranchPoint& from, const BranchPoint& to) {
   std::vector<BranchEvent> events;
   BranchPoint here = from;
-  while (events.size() < most_grazes && !orbits::same_sequence(here.facts.switches, to.facts.switches)) {
+  while (events.size() < most_grazes && !orbits::same_contact(here.facts, to.facts)) {
     const Segment segment(problem, here, to);
     if (!(segment.length() > width_wanted)) break;
     GrazeSearch search(segment, here, to, problem.order);
-    events.push_back(search.find());
+    events.push_back(search.find(problem));
     if (!search.enclosed(problem)) return std::nullopt;
     if (!(events.back().point.arclength > here.arclength)) break;
     here = events.back().point;  // just beyond

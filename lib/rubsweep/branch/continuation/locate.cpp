@@ -34,7 +34,7 @@ double torus_test_of(const BranchPoint& point) { return orbits::torus_test(point
 BranchEvent event_between(const orbits::OrbitProblem& problem, EventKind kind, const BranchPoint& a,
                           const BranchPoint& b) {
   if (!continuous(problem, a, b)) throw NotContinuous{};
-  return {kind, b, std::abs(b.parameter - a.parameter) / 2, {}};
+  return {kind, b, std::abs(b.parameter - a.parameter) / 2 + rounding_of_parameter(problem, b), {}};
 }
 
 /// Difference of the states half a period apart.

@@ -108,7 +108,7 @@ class OrbitIteration {
     found.evaluation = problem_.returns(point.parameter, image, &point.monodromy);
     if (found.evaluation != orbits::Evaluation::ok) return std::nullopt;
     defect_ = image - point.state;
-    return largest(defect_) / std::max(1.0, largest(point.state));
+    return relative_defect();
   }
 
   static bool converged(int i, double error, double last) {
@@ -130,9 +130,33 @@ class OrbitIteration {
     return true;
   }
 
+  /// Goes on where the iteration stalled though it comes nearer: beside a graze the derivative is often that
+  /// of other contacts, and the error falls slowly.
+  void improve() {
+    constexpr int most_steps = 8;
+    constexpr double nearer = 0.7;
+    for (int i = 1; i <= most_steps && relative_defect() > closed; ++i) {
+      Correction kept = found;
+      const Position kept_at = at_;
+      const VectorXd kept_defect = defect_;
+      const double last = relative_defect();
+      const std::optional<double> now = step(i) ? error(i, last) : std::nullopt;
+      if (now && *now < nearer * last) {
+        found.iterations = kept.iterations;
+        continue;
+      }
+      found = std::move(kept);
+      at_ = kept_at;
+      defect_ = kept_defect;
+      return;
+    }
+  }
+
   Correction found;
 
  private:
+  double relative_defect() const { return largest(defect_) / std::max(1.0, largest(found.point.state)); }
+
   bool differentiate() {
     const Eigen::Index n = defect_.size();
     slope_ = VectorXd::Zero(n);
@@ -169,6 +193,7 @@ Correction correct(const orbits::OrbitProblem& problem, const Position& guess, c
                    double difference_step) {
   OrbitIteration iteration(problem, guess, direction, difference_step);
   const bool converged = numerics::newton(iteration, newton_limits);
+  if (converged) iteration.improve();
   iteration.found.converged = converged;
   return std::move(iteration.found);
 }
@@ -182,6 +207,23 @@ Correction correct_at(const orbits::OrbitProblem& problem, const VectorXd& state
   VectorXd along_parameter = VectorXd::Zero(state.size() + 1);
   along_parameter(state.size()) = 1;
   return correct(problem, position_of(problem, state, parameter), along_parameter);
+}
+
+VectorXd next_step(const orbits::OrbitProblem& problem, const BranchPoint& point, const VectorXd& direction,
+                   double difference_step) {
+  const VectorXd unknown = VectorXd::Constant(direction.size(), std::numeric_limits<double>::quiet_NaN());
+  VectorXd image = point.state, slope;
+  if (problem.returns(point.parameter, image, nullptr) != orbits::Evaluation::ok ||
+      !difference(problem, point.state, point.parameter, difference_step, slope))
+    return unknown;
+  VectorXd right(direction.size());
+  right << point.state - image, 0;
+  return numerics::dense::solve(bordered(point.monodromy, slope, direction), right);
+}
+
+double rounding_of_parameter(const orbits::OrbitProblem& problem, const BranchPoint& point) {
+  const double rounding = next_step(problem, point, point.tangent, point.difference_step).norm();
+  return std::isfinite(rounding) ? rounding * problem.parameter_scale : 0;
 }
 
 bool complete(const orbits::OrbitProblem& problem, const VectorXd& direction, BranchPoint& point) {

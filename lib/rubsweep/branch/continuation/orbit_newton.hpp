@@ -50,6 +50,14 @@ Correction correct_between(const orbits::OrbitProblem& problem, const Position& 
 /// The same at a fixed parameter.
 Correction correct_at(const orbits::OrbitProblem& problem, const Eigen::VectorXd& state, double parameter);
 
+/// The step that Newton's iteration would make next from an orbit found, across `direction`: in size the
+/// error of its position by rounding. Not finite where that cannot be told.
+Eigen::VectorXd next_step(const orbits::OrbitProblem& problem, const BranchPoint& point,
+                          const Eigen::VectorXd& direction, double difference_step = usual_difference_step);
+
+/// That error as a change of the parameter.
+double rounding_of_parameter(const orbits::OrbitProblem& problem, const BranchPoint& point);
+
 /// Fills what belongs to an orbit found: its tangent, on the side of `direction`, its multipliers and their
 /// counts. The derivative by the parameter is made at two step sizes; where they disagree, as beside a graze
 /// that one of them leads over, finer ones are tried, and those count that agree best. False where the

@@ -123,7 +123,7 @@ std::optional<CurvePoint> completed(const ExtendedSystem& system, const CurveCor
 continuation::Position nearest_image(const ExtendedSystem& system, continuation::Position position,
                                      const CurvePoint& near) {
   constexpr double turn = 2 * std::numbers::pi;
-  if (system.kind == continuation::EventKind::graze)
+  if (system.has_phase())
     position(system.states) += turn * std::round((near.at(system.states) - position(system.states)) / turn);
   return position;
 }

@@ -20,8 +20,12 @@ std::optional<CurveStart> curve_start(const orbits::PlaneOrbits& orbits,
   orbits::PlanePoint begin = place;
   Eigen::VectorXd state = event.point.state;
   if (event.kind == continuation::EventKind::graze) {
-    if (!event.change || !orbits.guard || !orbits.at_phase) return std::nullopt;
+    if (!event.change || !orbits.guard) return std::nullopt;
     start.system.guard = {event.change->contact, event.change->from, event.change->to};
+    start.system.even = event.change->kind == orbits::SequenceChange::Kind::even;
+  }
+  if (start.system.has_phase()) {
+    if (!orbits.at_phase) return std::nullopt;
     begin.phase_rad = std::max(0.0, event.change->middle_rad);
     const auto touching = orbits.at_phase(place, state, begin.phase_rad);
     if (!touching) return std::nullopt;

@@ -19,6 +19,8 @@ constexpr double usual_parameter_step = 1e-6, usual_state_step = 1e-5;
 /// A graze is an orbit that misses the guard by so much of the length scale: on the other side its
 /// derivative would have a square root of what rounding leaves.
 constexpr double miss = 4e-12;
+/// The same where it would touch everywhere at once, and all of the orbit has to stay clear.
+constexpr double even_miss = 4e-11;
 /// Least divisor of Newton's iteration at a branch point.
 constexpr double least_cubic = 1e-3;
 
@@ -169,8 +171,8 @@ class Extender {
       rate(k) = (high.rate - low.rate) / (2 * parameter_step_);
     }
     extended.critical.curvature = here.curvature;
-    append(extended, here.value + miss, value);
-    append(extended, here.rate, rate);
+    append(extended, here.value + (system_.even ? even_miss : miss), value);
+    if (system_.has_phase()) append(extended, here.rate, rate);
   }
 
   static void append(Extended& extended, double value, const VectorXd& row) {
@@ -203,7 +205,7 @@ continuation::Position position_of(const ExtendedSystem& system, const orbits::P
                                    const VectorXd& state) {
   continuation::Position at(system.unknowns());
   at.head(system.states) = state / root_of(system.states);
-  if (system.kind == continuation::EventKind::graze) at(system.states) = place.phase_rad;
+  if (system.has_phase()) at(system.states) = place.phase_rad;
   at.tail(2) << place.first / system.orbits->first.width(), place.second / system.orbits->second.width();
   return at;
 }
@@ -211,7 +213,7 @@ continuation::Position position_of(const ExtendedSystem& system, const orbits::P
 orbits::PlanePoint place_of(const ExtendedSystem& system, const continuation::Position& at) {
   const Index last = at.size() - 1;
   return {at(last - 1) * system.orbits->first.width(), at(last) * system.orbits->second.width(),
-          system.kind == continuation::EventKind::graze ? at(system.states) : 0};
+          system.has_phase() ? at(system.states) : 0};
 }
 
 VectorXd state_of(const ExtendedSystem& system, const continuation::Position& at) {

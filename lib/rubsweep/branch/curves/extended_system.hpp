@@ -20,13 +20,16 @@ namespace rubsweep::branch::curves {
 /// | torus | product of the two multipliers whose product is nearest to 1, less 1 |
 /// | branch point | as a fold, and a second derivative in place of the equation that says nothing there |
 /// | graze | at the start of the turn the guard is as good as zero, and so is its rate |
+/// | graze of an even contact | the guard alone |
 struct ExtendedSystem {
   const orbits::PlaneOrbits* orbits = nullptr;                   ///< never null
   continuation::EventKind kind = continuation::EventKind::fold;  ///< one that has_curve()
   Eigen::Index states = 0;
   orbits::ArmedGuard guard = {};  ///< guard that is grazed
+  bool even = false;  ///< grazed everywhere at once, so that no phase belongs to it (orbits::EvenContact)
 
-  Eigen::Index unknowns() const { return states + (kind == continuation::EventKind::graze ? 3 : 2); }
+  bool has_phase() const { return kind == continuation::EventKind::graze && !even; }
+  Eigen::Index unknowns() const { return states + (has_phase() ? 3 : 2); }
 };
 
 /// Whether a kind of event goes on as a curve in two parameters, and is followed as one.

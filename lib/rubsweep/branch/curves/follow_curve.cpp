@@ -18,7 +18,7 @@ constexpr double still_closed = 1e-8;  ///< defect of an orbit at a branch point
 
 /// The positions of a point as seen from each of its turns.
 std::vector<continuation::Position> all_turns(const ExtendedSystem& system, const CurvePoint& point) {
-  if (system.kind == continuation::EventKind::graze || point.facts.sections.empty()) return {point.at};
+  if (system.has_phase() || point.facts.sections.empty()) return {point.at};
   std::vector<continuation::Position> turns;
   for (const Eigen::VectorXd& section : point.facts.sections)
     turns.push_back(position_of(system, point.place, section));

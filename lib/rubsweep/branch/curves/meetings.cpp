@@ -105,8 +105,8 @@ std::vector<MeetingTest> tests_of_a_torus() {
            [](const CurvePoint& point) { return orbits::torus_test(without_pair(point)); }, without_pair}};
 }
 
-std::vector<MeetingTest> tests_of_a_graze() {
-  return {
+std::vector<MeetingTest> tests_of_a_graze(bool even) {
+  std::vector<MeetingTest> tests{
       {MeetingKind::graze_fold, [](const CurvePoint& point) { return orbits::unit_test(point.multipliers); }},
       {MeetingKind::graze_flip,
        [](const CurvePoint& point) { return orbits::doubling_test(point.multipliers); }},
@@ -114,10 +114,12 @@ std::vector<MeetingTest> tests_of_a_graze() {
        [](const CurvePoint& point) { return orbits::torus_test(point.multipliers); },
        [](const CurvePoint& point) { return point.multipliers; }},
       {MeetingKind::degenerate_graze, [](const CurvePoint& point) { return point.critical.curvature; }}};
+  if (even) tests.pop_back();  // nothing turns back
+  return tests;
 }
 
-std::vector<MeetingTest> tests_of(continuation::EventKind kind, const Critical& reference) {
-  switch (kind) {
+std::vector<MeetingTest> tests_of(const ExtendedSystem& system, const Critical& reference) {
+  switch (system.kind) {
     case continuation::EventKind::fold:
       return tests_of_a_fold(reference);
     case continuation::EventKind::branch_point:
@@ -127,7 +129,7 @@ std::vector<MeetingTest> tests_of(continuation::EventKind kind, const Critical& 
     case continuation::EventKind::neimark_sacker:
       return tests_of_a_torus();
     case continuation::EventKind::graze:
-      return tests_of_a_graze();
+      return tests_of_a_graze(system.even);
     default:
       return {};
   }
@@ -154,7 +156,7 @@ class MeetingFinder {
 
   std::vector<Meeting> all() {
     if (!(segment_.length() > 0)) throw continuation::NotContinuous{};
-    for (const MeetingTest& test : tests_of(system_.kind, from_.critical)) find(test);
+    for (const MeetingTest& test : tests_of(system_, from_.critical)) find(test);
     if (system_.orbits->facts) find_grazes();
     std::ranges::stable_sort(meetings_, {}, [](const Meeting& meeting) { return meeting.point.arclength; });
     return std::move(meetings_);
@@ -184,11 +186,10 @@ class MeetingFinder {
   void find_grazes() {
     double begin = 0;
     CurvePoint here = from_;
-    const auto& last = to_.facts.switches;
-    for (std::size_t i = 0; i < most_sequences && !orbits::same_sequence(here.facts.switches, last); ++i) {
-      const auto sequence = here.facts.switches;
+    for (std::size_t i = 0; i < most_sequences && !orbits::same_contact(here.facts, to_.facts); ++i) {
+      const orbits::OrbitFacts facts = here.facts;
       auto change = continuation::change_on(segment_, begin, std::move(here), [&](const CurvePoint& point) {
-        return !orbits::same_sequence(point.facts.switches, sequence);
+        return !orbits::same_contact(point.facts, facts);
       });
       begin = change.at.high;
       here = change.behind;

@@ -114,6 +114,10 @@ bool same_sequence(Switches a, Switches b) {
   return true;
 }
 
+bool same_contact(const OrbitFacts& a, const OrbitFacts& b) {
+  return a.unbroken == b.unbroken && same_sequence(a.switches, b.switches);
+}
+
 bool is_richer(Switches a, Switches b) {
   const long more = hits_of(a) - hits_of(b);
   return more != 0 ? more > 0 : a.size() > b.size();
@@ -139,6 +143,8 @@ std::string describe(const SequenceChange& change) {
       return fmt::format("{} interrupted at stop {}", contact::to_string(change.from), change.contact);
     case SequenceChange::Kind::parting:
       return fmt::format("flight within a hit at stop {}", change.contact);
+    case SequenceChange::Kind::even:
+      return fmt::format("contact all along at stop {}", change.contact);
   }
   return "";
 }

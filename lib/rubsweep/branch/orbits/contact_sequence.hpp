@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/branch/orbits/orbit_problem.hpp"
 #include "rubsweep/integrate/run/turn.hpp"
 
 namespace rubsweep::branch::orbits {
@@ -14,6 +15,9 @@ using Switches = std::span<const integrate::run::ModeSwitch>;
 /// Whether two closed orbits go through the same contact modes, contact by contact, wherever on the orbit its
 /// first turn begins.
 bool same_sequence(Switches a, Switches b);
+
+/// The same of two orbits, whose contacts that never change their mode are open or touch alike.
+bool same_contact(const OrbitFacts& a, const OrbitFacts& b);
 
 /// The sequence with more hits, and of two with as many the one with more changes.
 bool is_richer(Switches a, Switches b);
@@ -25,6 +29,7 @@ struct SequenceChange {
     hit,           ///< the stretch is a hit, without which the orbits agree
     interruption,  ///< the stretch leads from a touching mode back to it
     parting,       ///< the stretch is a flight that parts one hit of the other orbit into two
+    even,          ///< one orbit touches all along, the other one nowhere: no stretch, but all of it at once
   };
   Kind kind = Kind::hit;
   int contact = 0;

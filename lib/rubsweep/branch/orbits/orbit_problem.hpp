@@ -17,6 +17,15 @@ enum class Evaluation {
   failed,      ///< the solver could not make a turn
 };
 
+/// A contact whose penetration is the same all along an orbit, so that the orbit comes to touch everywhere at
+/// once: a circle in a ring about its centre, or a rotor at rest beside a wall.
+struct EvenContact {
+  int contact = 0;
+  double penetration = 0;  ///< in the middle of its range, scaled; below 0 the gap
+  double spread = 0;       ///< width of that range, from rounding or from a ring just off the centre
+  contact::Mode touching = contact::Mode::sprung;  ///< mode that it comes to from the open one
+};
+
 /// Facts of an orbit over its period.
 struct OrbitFacts {
   double period_turns = 0;      ///< turns of the shaft
@@ -34,6 +43,8 @@ struct OrbitFacts {
   /// States where the turns of the period begin; of an oval of one loop its own and, where there is one, that
   /// half a period on.
   std::vector<Eigen::VectorXd> sections;
+  std::vector<EvenContact> even;  ///< their changes of mode are not among the switches
+  std::vector<int> unbroken;      ///< contacts that touch all along, by ascending numbers
 };
 
 /// Where a guard of a contact comes nearest to what it guards, without reaching it.
@@ -66,6 +77,9 @@ struct OrbitProblem {
   /// Changes and approaches at its contacts. Without these a hit that comes and goes between two orbits is
   /// not looked for.
   std::function<std::optional<ContactPassages>(double parameter, const Eigen::VectorXd& state)> passages;
+  /// Penetration of a contact at a state, as that of EvenContact. Without it grazes of even contacts are not
+  /// looked for.
+  std::function<double(double parameter, const Eigen::VectorXd& state, int contact)> penetration;
   int order = 1;               ///< turns of the period
   double low = 0, high = 0;    ///< range of the parameter that is looked at
   double parameter_scale = 1;  ///< > 0: change of the parameter that counts as much as one unit of state

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rubsweep/branch/orbits/approaches.hpp"
+#include "rubsweep/branch/orbits/even_contacts.hpp"
 #include "rubsweep/branch/orbits/orbit_accuracy.hpp"
 #include "rubsweep/branch/orbits/whole_turns.hpp"
 #include "rubsweep/numerics/full_turn.hpp"
@@ -145,6 +146,9 @@ class OvalOrbits {
     facts.peak_contact_force_n = arc->peak_contact_force_n;
     facts.amplitude_m = arc->peak_displacement_m;  // about the axis, around which the oval turns
     facts.switches = arc->switches;
+    EvenContacts even(at->scene);
+    even.add(arc->samples);
+    even.settle(facts);
     // As every orbit has them: 2 pi for each turn of its order.
     for (integrate::run::ModeSwitch& change : facts.switches) change.phase_rad /= state(n);
     return facts;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <complex>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <span>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "rubsweep/branch/orbits/approaches.hpp"
+#include "rubsweep/branch/orbits/even_contacts.hpp"
 #include "rubsweep/branch/orbits/orbit_accuracy.hpp"
 #include "rubsweep/branch/orbits/whole_turns.hpp"
 #include "rubsweep/error.hpp"
@@ -69,6 +72,7 @@ class SceneOrbits {
     OrbitFacts facts;
     facts.period_turns = order_;
     std::vector<Eigen::Vector2d> places_m;
+    EvenContacts even(at->scene);
     for (int turn = 0; turn < order_; ++turn) {
       facts.sections.push_back(state);
       at->run.restart(numbers(state));
@@ -80,10 +84,12 @@ class SceneOrbits {
       for (Eigen::Index k = 0; k < samples.cols(); ++k) {
         places_m.emplace_back(at->scene.length_scale_m * (observed * samples.col(k).head(state.size() / 2)));
       }
+      if (has_modes()) even.add(samples);
       std::ranges::copy(report.section, state.begin());
     }
     facts.contact_fraction /= order_;
     facts.amplitude_m = amplitude_of(places_m);
+    if (has_modes()) even.settle(facts);
     return facts;
   }
 
@@ -110,7 +116,15 @@ class SceneOrbits {
     return passages;
   }
 
+  double penetration(double parameter, const Eigen::VectorXd& state, int contact) {
+    const SceneAt* at = scene_at(parameter);
+    return at == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                         : penetration_at(at->scene, state, contact);
+  }
+
  private:
+  bool has_modes() const { return solver_.contact == integrate::run::ContactHandling::located; }
+
   static void add_switches(const integrate::run::TurnReport& report, int turn,
                            std::vector<integrate::run::ModeSwitch>& switches) {
     for (integrate::run::ModeSwitch change : report.switches) {
@@ -159,8 +173,10 @@ class SceneOrbits {
 
 OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::SolverOptions& solver,
                           integrate::exact::modes::ModeCache& modes) {
-  return problem_of_whole_turns(std::make_shared<SceneOrbits>(std::move(family), order, solver, modes),
-                                order);
+  const auto orbits = std::make_shared<SceneOrbits>(std::move(family), order, solver, modes);
+  OrbitProblem problem = problem_of_whole_turns(orbits, order);
+  problem.penetration = std::bind_front(&SceneOrbits::penetration, orbits);
+  return problem;
 }
 
 }  // namespace rubsweep::branch::orbits
