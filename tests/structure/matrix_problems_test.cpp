@@ -88,5 +88,16 @@ TEST(MatrixProblems, FindWhereAMatrixIsNotSymmetric) {
   EXPECT_EQ(found.column, 0);
 }
 
+TEST(MatrixProblems, ShaftThatTurnsFromYToXHasGyroscopicNumbersOfTheOtherSign) {
+  model::ShaftMatrices rotor = book_rotor();
+  EXPECT_EQ(problem_of(rotor), "none");
+  rotor.gyroscopic = -rotor.gyroscopic.eval();
+  EXPECT_EQ(problem_of(rotor), "gyroscopic: has the sign of a shaft that turns from y to x");
+  // One disc alone, whose numbers stand in rows of angles.
+  rotor.gyroscopic.setZero();
+  rotor.gyroscopic(10, 11) = -0.3, rotor.gyroscopic(11, 10) = 0.3;
+  EXPECT_EQ(problem_of(rotor), "gyroscopic: has the sign of a shaft that turns from y to x");
+}
+
 }  // namespace
 }  // namespace rubsweep::structure

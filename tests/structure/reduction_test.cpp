@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
+#include "rubsweep/numerics/dense/lu.hpp"
 #include "structure/steel.hpp"
 
 namespace rubsweep::structure {
@@ -30,6 +32,29 @@ const std::vector<double> stops{0.33, 0.36}, sensors{0.15};
 PlaneBases identity(const BeamShaft& shaft) {
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(shaft.coordinates(), shaft.coordinates());
   return {one, one};
+}
+
+/// Displacements (rows) of `responses_m` by harmonic unit forces (columns) at `forces_m`, both in x and y, x
+/// first at each place: (stiffness + i w (damping + speed gyroscopic) - w^2 mass)^-1 between them, in m/N.
+Eigen::MatrixXcd receptance(const BeamShaft& shaft, const PlaneBases& bases, const LateralSystem& system,
+                            double rad_per_s, double speed_rad_per_s, const std::vector<double>& responses_m,
+                            const std::vector<double>& forces_m) {
+  const auto rows = [&](const std::vector<double>& places) {
+    Eigen::MatrixXd seen(static_cast<Eigen::Index>(2 * places.size()), system.coordinates());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::size_t plane = 0; plane < 2; ++plane) {
+        seen.row(static_cast<Eigen::Index>(2 * i + plane)) =
+            system.scatter(plane, bases[plane].row(shaft.deflection(places[i])).transpose()).transpose();
+      }
+    }
+    return seen;
+  };
+  const std::complex<double> i(0, 1);
+  Eigen::MatrixXcd dynamic =
+      (system.stiffness - rad_per_s * rad_per_s * system.mass).cast<std::complex<double>>();
+  dynamic += i * rad_per_s * (system.damping + speed_rad_per_s * system.gyroscopic);
+  const Eigen::MatrixXcd forces = rows(forces_m).transpose().cast<std::complex<double>>();
+  return rows(responses_m).cast<std::complex<double>>() * numerics::dense::solve(dynamic, forces);
 }
 
 TEST(Reduction, StaticComplianceBetweenStopsIsExactWithAnyNumberOfModes) {

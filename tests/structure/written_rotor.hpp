@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <vector>
 
 #include "rubsweep/model/rotor_kit.hpp"
 #include "rubsweep/numerics/dense/cholesky.hpp"
@@ -18,7 +19,11 @@ namespace rubsweep::structure {
 /// by node x, slope dx/dz, y, slope dy/dz, the nodes those of the mesh.
 class WrittenRotor {
  public:
-  WrittenRotor(const model::RotorKit& kit, const BeamShaft& shaft) : places_m_(shaft.node_position_m) {
+  WrittenRotor(const model::RotorKit& kit, const BeamShaft& shaft) : WrittenRotor(kit, shaft, kit) {}
+
+  /// `middle`: the kit whose modes the ratios of damping are those of.
+  WrittenRotor(const model::RotorKit& kit, const BeamShaft& shaft, const model::RotorKit& middle)
+      : places_m_(shaft.node_position_m) {
     const auto n = static_cast<Eigen::Index>(4 * places_m_.size());
     mass_ = stiffness_ = damping_ = gyroscopic_ = Eigen::MatrixXd::Zero(n, n);
     for (std::size_t i = 0; i + 1 < places_m_.size(); ++i) add_element(kit, i);
@@ -34,24 +39,21 @@ class WrittenRotor {
     Eigen::MatrixXd conservative = stiffness_;
     for (const model::Support& s : kit.supports) {
       const Eigen::Index x = at(s.position_m), y = x + 2;
-      for (Eigen::MatrixXd* matrix : {&stiffness_, &conservative}) {
-        (*matrix)(x, x) += s.stiffness_x_n_per_m, (*matrix)(y, y) += s.stiffness_y_n_per_m;
-        (*matrix)(x + 1, x + 1) += s.angular_stiffness_nm_per_rad;
-        (*matrix)(y + 1, y + 1) += s.angular_stiffness_nm_per_rad;
-      }
+      hold(stiffness_, s);
       stiffness_(x, y) += s.stiffness_xy_n_per_m, stiffness_(y, x) += s.stiffness_yx_n_per_m;
       damping_(x, x) += s.damping_x_ns_per_m, damping_(y, y) += s.damping_y_ns_per_m;
       damping_(x, y) += s.damping_xy_ns_per_m, damping_(y, x) += s.damping_yx_ns_per_m;
+      mass_(x, x) += s.mass_x_kg, mass_(y, y) += s.mass_y_kg;
     }
-    // 2 ratio (K M^-1)^(1/2) M: the same ratio for all modes.
-    const numerics::dense::CholeskyFactors factor(mass_);
-    const Eigen::MatrixXd half = factor.solve_lower(conservative), lower = factor.upper().transpose();
-    const Eigen::MatrixXd normal = factor.solve_lower(Eigen::MatrixXd(half.transpose()));
-    const auto modes =
-        numerics::dense::self_adjoint_modes(Eigen::MatrixXd((normal + normal.transpose()) / 2));
-    const Eigen::MatrixXd turned = lower * modes.vectors;
-    damping_ += 2 * kit.damping_ratio.front() * turned * modes.values.cwiseAbs().cwiseSqrt().asDiagonal() *
-                turned.transpose();
+    for (const model::Support& s : middle.supports) hold(conservative, s);
+    damping_ += of_all_modes(conservative, mass_, kit.damping_ratio.front());
+    // Damping that turns with the shaft is that of the modes of the x plane, in both planes.
+    circulatory_ = Eigen::MatrixXd::Zero(n, n);
+    const std::vector<Eigen::Index> x = plane(0), y = plane(2);
+    const Eigen::MatrixXd turning =
+        of_all_modes(conservative(x, x), mass_(x, x), kit.rotating_damping_ratio.front());
+    damping_(x, x) += turning, damping_(y, y) += turning;
+    circulatory_(x, y) += turning, circulatory_(y, x) -= turning;
   }
 
   /// Displacements in x and y at places by unit forces in x and y at others.
@@ -59,7 +61,8 @@ class WrittenRotor {
                               const std::vector<double>& responses_m,
                               const std::vector<double>& forces_m) const {
     const std::complex<double> i(0, 1);
-    Eigen::MatrixXcd dynamic = (stiffness_ - rad_per_s * rad_per_s * mass_).cast<std::complex<double>>();
+    Eigen::MatrixXcd dynamic = (stiffness_ + speed_rad_per_s * circulatory_ - rad_per_s * rad_per_s * mass_)
+                                   .cast<std::complex<double>>();
     dynamic += i * rad_per_s * (damping_ + speed_rad_per_s * gyroscopic_);
     const Eigen::MatrixXcd found = numerics::dense::solve(dynamic, Eigen::MatrixXcd(unit(forces_m)));
     return unit(responses_m).transpose() * found;
@@ -72,13 +75,40 @@ class WrittenRotor {
     constexpr double unit_rad_per_s = 1000;  // displacements as large as velocities
     Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     generator.topRightCorner(n, n).diagonal().setConstant(unit_rad_per_s);
-    generator.bottomLeftCorner(n, n) = -mass.solve(stiffness_) / unit_rad_per_s;
+    generator.bottomLeftCorner(n, n) =
+        -mass.solve(Eigen::MatrixXd(stiffness_ + speed_rad_per_s * circulatory_)) / unit_rad_per_s;
     generator.bottomRightCorner(n, n) =
         -mass.solve(Eigen::MatrixXd(damping_ + speed_rad_per_s * gyroscopic_));
     return numerics::dense::eigenvalues(generator);
   }
 
  private:
+  void hold(Eigen::MatrixXd& matrix, const model::Support& s) const {
+    const Eigen::Index x = at(s.position_m), y = x + 2;
+    matrix(x, x) += s.stiffness_x_n_per_m, matrix(y, y) += s.stiffness_y_n_per_m;
+    matrix(x + 1, x + 1) += s.angular_stiffness_nm_per_rad;
+    matrix(y + 1, y + 1) += s.angular_stiffness_nm_per_rad;
+  }
+
+  /// 2 ratio (K M^-1)^(1/2) M: the same ratio for all modes.
+  static Eigen::MatrixXd of_all_modes(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass,
+                                      double ratio) {
+    const numerics::dense::CholeskyFactors factor(mass);
+    const Eigen::MatrixXd half = factor.solve_lower(stiffness), lower = factor.upper().transpose();
+    const Eigen::MatrixXd normal = factor.solve_lower(Eigen::MatrixXd(half.transpose()));
+    const auto modes =
+        numerics::dense::self_adjoint_modes(Eigen::MatrixXd((normal + normal.transpose()) / 2));
+    const Eigen::MatrixXd turned = lower * modes.vectors;
+    return 2 * ratio * turned * modes.values.cwiseAbs().cwiseSqrt().asDiagonal() * turned.transpose();
+  }
+
+  /// Coordinates of one plane: `first` is 0 for x, 2 for y.
+  std::vector<Eigen::Index> plane(Eigen::Index first) const {
+    std::vector<Eigen::Index> all;
+    for (Eigen::Index i = first; i < mass_.rows(); i += 4) all.insert(all.end(), {i, i + 1});
+    return all;
+  }
+
   Eigen::Index at(double place_m) const {
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < places_m_.size(); ++i) {
@@ -136,7 +166,7 @@ class WrittenRotor {
   }
 
   std::vector<double> places_m_;
-  Eigen::MatrixXd mass_, stiffness_, damping_, gyroscopic_;
+  Eigen::MatrixXd mass_, stiffness_, damping_, gyroscopic_, circulatory_;
 };
 
 }  // namespace rubsweep::structure

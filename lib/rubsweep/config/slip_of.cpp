@@ -111,7 +111,7 @@ std::optional<double> lowest_frequency_hz(const model::Machine& machine) {
   if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor))
     return rotor->natural_frequency_hz;
   try {
-    const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+    const scene::PreparedMachine prepared = scene::prepare_with_modes(machine, 1);
     double lowest = infinite;
     for (const auto& plane : prepared.reduction->frequency_hz) {
       if (plane.size() > 0) lowest = std::min(lowest, plane.minCoeff());

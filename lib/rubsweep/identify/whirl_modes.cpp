@@ -66,6 +66,16 @@ std::vector<Complex> wanted_rates(const structure::SpeedMatrices& matrices, doub
   return wanted;
 }
 
+/// Speeds at which all rates are looked at, which takes the third power of the states: about a second in all.
+std::vector<std::size_t> looked_at(std::size_t speeds, Eigen::Index states) {
+  constexpr double a_second = 3e8;
+  const double affordable = a_second / std::pow(static_cast<double>(states), 3);
+  const std::size_t count = std::min(speeds, static_cast<std::size_t>(std::clamp(affordable, 3.0, 1e4)));
+  std::vector<std::size_t> places{0};
+  for (std::size_t i = 1; i < count; ++i) places.push_back(i * (speeds - 1) / (count - 1));
+  return places;
+}
+
 }  // namespace
 
 double WhirlMode::frequency_hz() const { return root_per_s.imag() / (2 * pi); }
@@ -83,15 +93,14 @@ WhirlProblem::WhirlProblem(const FreeRotor& rotor, std::span<const double> speed
   const double fastest = 2 * pi * up_to_hz;
   discs_ = {{0, 4 * fastest}};
   std::vector<Complex> wanted;
-  for (const double speed_hz : {speeds_hz.front(), speeds_hz[speeds_hz.size() / 2], speeds_hz.back()}) {
-    for (const Complex root : wanted_rates(matrices(speed_hz), fastest)) {
+  for (const std::size_t place : looked_at(speeds_hz.size(), 2 * full_.system.coordinates())) {
+    for (const Complex root : wanted_rates(matrices(speeds_hz[place]), fastest)) {
       if (std::abs(root) <= 2 * root.imag() || root.real() > 0) {
         discs_.front().radius = std::max(discs_.front().radius, 1.5 * std::abs(root));
       } else {
         wanted.push_back(root);
       }
     }
-    if (speeds_hz.size() == 1) break;
   }
   // Hardly any oscillation: far to the left of the others.
   for (const Complex root : wanted) {

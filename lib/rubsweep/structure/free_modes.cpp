@@ -211,7 +211,9 @@ double rate_rounding_per_s(const SpeedMatrices& matrices, Complex rate_per_s, co
                                  rate * (matrices.damping.cwiseAbs() * size) +
                                  matrices.stiffness.cwiseAbs() * size;
   const double change = std::abs((left.transpose() * by_rate(matrices, rate_per_s, shape)).value());
-  return static_cast<double>(2 * shape.size()) * epsilon * left.cwiseAbs().dot(forces) / change;
+  constexpr Index of_the_iteration = 16;  // its steps round too, also in a rotor of two coordinates
+  return static_cast<double>(std::max(2 * shape.size(), of_the_iteration)) * epsilon *
+         left.cwiseAbs().dot(forces) / change;
 }
 
 }  // namespace rubsweep::structure

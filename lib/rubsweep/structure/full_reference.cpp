@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/structure/free_modes.hpp"
 #include "rubsweep/structure/seen_modes.hpp"
+#include "rubsweep/structure/system_at.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -51,8 +53,29 @@ double distance(std::complex<double> rate, const Eigen::VectorXcd& others) {
   return least;
 }
 
-bool any_grows(const Eigen::VectorXcd& rates) {
-  return std::ranges::any_of(rates, [](const auto& rate) { return rate.real() > grows * std::abs(rate); });
+/// Largest distance from the diagonal at which one of the matrices has a number.
+Index band_of(std::initializer_list<const Eigen::MatrixXd*> matrices) {
+  Index band = 0;
+  for (const Eigen::MatrixXd* matrix : matrices) {
+    for (Index k = 0; k < matrix->cols(); ++k) {
+      for (Index i = 0; i < matrix->rows(); ++i)
+        if ((*matrix)(i, k) != 0) band = std::max(band, std::abs(i - k));
+    }
+  }
+  return band;
+}
+
+bool any_grows(const Eigen::VectorXcd& rates, double share) {
+  return std::ranges::any_of(rates, [=](const auto& rate) { return rate.real() > share * std::abs(rate); });
+}
+
+/// Whether some vibration surely grows by one and surely none by the other, which leaves room about the
+/// speed at which one begins to.
+bool contradict(const Eigen::VectorXcd& one, const Eigen::VectorXcd& other) {
+  const auto only_first = [](const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
+    return any_grows(a, grows) && !any_grows(b, grows / 4);
+  };
+  return only_first(one, other) || only_first(other, one);
 }
 
 }  // namespace
@@ -75,14 +98,22 @@ FullReference::FullReference(const BeamShaft& shaft, const model::RotorKit& kit,
   full_ = rotor_of({one, one}, full_system(shaft, kit));
   points_ = points_for(full_.matrices.system.coordinates());
   around_ = std::max(1, points_ / 25);
-  for (const Line& line : lines_) {
+  for (std::size_t line = 0; line < lines_.size(); ++line) {
     auto& values = exact_.emplace_back();
     for (int k = 0; k < points_; ++k) values.push_back(receptance(full_, line, rad_per_s(k)));
   }
   if (!may_feed_vibrations(shaft, kit)) return;
   const double highest = 2 * pi * kit.modes_up_to_hz;
-  std::vector<Line> speeds(lines_.begin() + 1, lines_.end());
-  for (const double share : {0.1, 1.0}) speeds.push_back({false, share * highest, {}});
+  std::vector<Line> speeds{lines_[1]};
+  for (const double share : {0.02, 0.05, 0.1, 0.2, 0.4, 1.0}) speeds.push_back({false, share * highest, {}});
+  if (model::has_tables(kit)) {
+    constexpr int parts = 6;
+    const double low = lines_[2].speed_rad_per_s, high = lines_[3].speed_rad_per_s;
+    for (int part = 0; part <= parts; ++part) {
+      const double speed = low + (high - low) * part / parts;
+      speeds.push_back({false, std::clamp(speed, low, high), std::clamp(speed, low, high)});
+    }
+  }
   for (const Line& at : speeds) {
     rates_.emplace_back(
         at, rates_within(matrices_at(full_.matrices, at.speed_rad_per_s, at.supports_rad_per_s), highest));
@@ -113,7 +144,14 @@ FullReference::Rotor FullReference::rotor_of(const PlaneBases& bases, FullSystem
     if (shaft_.unbalance_kg(i) != 0.0) forces.push_back(i);
   }
   Eigen::MatrixXd responses = rows(at_places(responses_m_)), columns = rows(forces).transpose();
-  return {std::move(matrices), std::move(responses), std::move(columns)};
+  Rotor rotor{std::move(matrices), std::move(responses), std::move(columns), {}};
+  rotor.band = band_of({&rotor.matrices.system.gyroscopic, &rotor.matrices.circulatory});
+  for (const Line& line : lines_) {
+    const SpeedMatrices& at = rotor.at_lines.emplace_back(
+        matrices_at(rotor.matrices, line.speed_rad_per_s, line.supports_rad_per_s));
+    rotor.band = std::max(rotor.band, band_of({&at.mass, &at.damping, &at.stiffness}));
+  }
+  return rotor;
 }
 
 FullReference::Rotor FullReference::reduced_rotor(const Reduction& reduction) const {
@@ -132,14 +170,18 @@ double FullReference::rad_per_s(double step) const {
   return 2 * pi * kit_.modes_up_to_hz * std::pow(10.0, -grid_decades * (1 - step / (points_ - 1)));
 }
 
-MatrixXcd FullReference::receptance(const Rotor& rotor, const Line& line, double w, double loss) const {
-  const SpeedMatrices at =
-      matrices_at(rotor.matrices, line.with_the_force ? w : line.speed_rad_per_s, line.supports_rad_per_s);
+MatrixXcd FullReference::receptance(const Rotor& rotor, std::size_t line, double w, double loss) const {
+  const SpeedMatrices& at = rotor.at_lines[line];
   MatrixXcd dynamic(at.mass.rows(), at.mass.cols());
   dynamic.real() = at.stiffness - w * w * at.mass;
   dynamic.imag() = w * at.damping + loss * at.stiffness;
+  if (lines_[line].with_the_force) {
+    dynamic.imag() += w * w * rotor.matrices.system.gyroscopic;
+    if (rotor.matrices.circulatory.size() > 0)
+      dynamic += std::complex<double>(w, loss * w) * rotor.matrices.circulatory;
+  }
   return rotor.responses.cast<std::complex<double>>() *
-         numerics::dense::solve(dynamic, MatrixXcd(rotor.forces.cast<std::complex<double>>()));
+         numerics::dense::solve_banded(dynamic, rotor.forces.cast<std::complex<double>>(), rotor.band);
 }
 
 Eigen::Vector2d FullReference::sizes(const MatrixXcd& value) const {
@@ -161,37 +203,39 @@ double FullReference::line_error(const Rotor& reduced, std::size_t line, double 
     Eigen::Vector2d size(0, 0);
     for (int j = std::max(0, k - around_); j <= std::min(points_ - 1, k + around_); ++j)
       size = size.cwiseMax(sizes(exact_[line][static_cast<std::size_t>(j)]));
-    const MatrixXcd found = receptance(reduced, lines_[line], rad_per_s(k));
+    const MatrixXcd found = receptance(reduced, line, rad_per_s(k));
     worst = std::max(worst, difference(found, exact_[line][static_cast<std::size_t>(k)], size));
   }
   return worst;
 }
 
 double FullReference::peak_error(const Rotor& reduced, std::size_t line, double enough) const {
-  constexpr int finer = 8, cuts = 25;
+  constexpr int finer = 8, cuts = 20;
   constexpr double loss = 0.004;  // without damping a peak has no height that could be compared
   const double step = 1.0 / finer;
-  const auto height = [&](double at) {
-    return receptance(reduced, lines_[line], rad_per_s(at), loss).norm();
-  };
+  const auto height = [&](double at) { return receptance(reduced, line, rad_per_s(at), loss).norm(); };
   double worst = 0, before = 0, here = height(0);
   for (int k = 0; k < finer * (points_ - 1) && worst <= enough; ++k) {
     const double after = height((k + 1) * step);
     const bool peak = k > 0 && here > before && here >= after;
     before = std::exchange(here, after);
     if (!peak) continue;
+    // Golden sections: each needs one height more.
+    constexpr double golden = std::numbers::phi - 1;
     double low = (k - 1) * step, high = (k + 1) * step;
+    double left = high - golden * (high - low), right = low + golden * (high - low);
+    double at_left = height(left), at_right = height(right);
     for (int cut = 0; cut < cuts; ++cut) {
-      const double third = (high - low) / 3;
-      if (height(low + third) < height(high - third)) {
-        low += third;
+      if (at_left < at_right) {
+        low = std::exchange(left, right), at_left = at_right;
+        right = low + golden * (high - low), at_right = height(right);
       } else {
-        high -= third;
+        high = std::exchange(right, left), at_right = at_left;
+        left = high - golden * (high - low), at_left = height(left);
       }
     }
     const double w = rad_per_s((low + high) / 2);
-    const MatrixXcd exact = receptance(full_, lines_[line], w, loss),
-                    found = receptance(reduced, lines_[line], w, loss);
+    const MatrixXcd exact = receptance(full_, line, w, loss), found = receptance(reduced, line, w, loss);
     Eigen::Vector2d size = sizes(exact).cwiseMax(sizes(found));
     const Eigen::Vector2d off = sizes(found - exact);
     worst = std::max(worst, share_beside * std::max(off(0) / size(0), size(1) > 0 ? off(1) / size(1) : 0));
@@ -219,7 +263,7 @@ FullReference::Growth FullReference::growth(const Reduction& reduction) const {
     const double highest = 2 * pi * kit_.modes_up_to_hz;
     const Eigen::VectorXcd found = rates_within(
         matrices_at(reduced.matrices, at.speed_rad_per_s, at.supports_rad_per_s), beyond * highest);
-    growth.mistaken = growth.mistaken || any_grows(found) != any_grows(exact);
+    growth.mistaken = growth.mistaken || contradict(found, exact);
     for (const std::complex<double>& rate : exact) {
       if (rate.real() > grows * std::abs(rate)) growth.error = std::max(growth.error, distance(rate, found));
     }
@@ -229,6 +273,21 @@ FullReference::Growth FullReference::growth(const Reduction& reduction) const {
     }
   }
   return growth;
+}
+
+bool growth_is_mistaken(const BeamShaft& shaft, const model::RotorKit& kit, const Assembly& reduced,
+                        double speed_rad_per_s) {
+  if (!may_feed_vibrations(shaft, kit)) return false;
+  const double highest = 2 * pi * kit.modes_up_to_hz;
+  const LinearSystem small = system_at(reduced, speed_rad_per_s);
+  const Eigen::VectorXcd found = rates_within({small.mass, small.damping, small.stiffness}, 10 * highest);
+  double furthest = highest;
+  for (const std::complex<double>& rate : found)
+    if (rate.real() > grows * std::abs(rate)) furthest = std::max(furthest, 1.5 * std::abs(rate));
+  const FullSystem full = full_system(shaft, kit);
+  const auto tables = full.tables.empty() ? std::nullopt : std::optional(speed_rad_per_s);
+  const Eigen::VectorXcd exact = rates_within(matrices_at(full, speed_rad_per_s, tables), furthest);
+  return exact.allFinite() && found.allFinite() && contradict(found, exact);
 }
 
 }  // namespace rubsweep::structure

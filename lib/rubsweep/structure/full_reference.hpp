@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/structure/assembly.hpp"
 #include "rubsweep/structure/full_system.hpp"
 #include "rubsweep/structure/reduction.hpp"
 
@@ -30,7 +31,7 @@ class FullReference {
   /// How vibrations that grow come out up to kit.modes_up_to_hz.
   struct Growth {
     double error = 0;       ///< worst difference of rate or frequency of one that grows in either
-    bool mistaken = false;  ///< at some speed only one of full matrices and reduced rotor has some
+    bool mistaken = false;  ///< at some speed it is but for one of full matrices and reduced rotor
   };
   Growth growth(const Reduction& reduction) const;
 
@@ -45,11 +46,13 @@ class FullReference {
   struct Rotor {
     FullSystem matrices;
     Eigen::MatrixXd responses, forces;
+    std::vector<SpeedMatrices> at_lines;  ///< without the force's speed
+    Eigen::Index band = 0;                ///< largest distance from the diagonal that a number stands at
   };
 
   Rotor rotor_of(const PlaneBases& bases, FullSystem matrices) const;
   Rotor reduced_rotor(const Reduction& reduction) const;
-  Eigen::MatrixXcd receptance(const Rotor& rotor, const Line& line, double rad_per_s, double loss = 0) const;
+  Eigen::MatrixXcd receptance(const Rotor& rotor, std::size_t line, double rad_per_s, double loss = 0) const;
   double rad_per_s(double step) const;
   double difference(const Eigen::MatrixXcd& found, const Eigen::MatrixXcd& exact,
                     const Eigen::Vector2d& size) const;
@@ -66,5 +69,11 @@ class FullReference {
   std::vector<std::vector<Eigen::MatrixXcd>> exact_;      ///< per line and point
   std::vector<std::pair<Line, Eigen::VectorXcd>> rates_;  ///< rates of free vibrations, where some may grow
 };
+
+/// Whether a vibration of a reduced rotor without its stops surely grows at a speed (which tables reach) and
+/// none does by the full matrices of its kit, or one up to kit.modes_up_to_hz by these and none of the
+/// reduced rotor. Stops must be nodes of the shaft.
+bool growth_is_mistaken(const BeamShaft& shaft, const model::RotorKit& kit, const Assembly& reduced,
+                        double speed_rad_per_s);
 
 }  // namespace rubsweep::structure

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <iterator>
 #include <limits>
 #include <numbers>
 #include <string>
 
 #include "rubsweep/error.hpp"
-#include "rubsweep/numerics/dense/lu.hpp"
 #include "rubsweep/structure/full_reference.hpp"
 #include "rubsweep/structure/reduce_to_modes.hpp"
 #include "rubsweep/structure/seen_modes.hpp"
@@ -95,11 +93,13 @@ class Reducer {
     same_planes_ = planes_[0].stiffness == planes_[1].stiffness && planes_[0].mass == planes_[1].mass;
   }
 
-  Reduction with_modes(int count) const {
+  Reduction with_modes(int count) const { return with_modes(count, stops_); }
+
+  Reduction with_modes(int count, const std::vector<double>& attached_m) const {
     Reduction reduction;
     reduction.modes = count;
     for (std::size_t index = 0; index < 2; ++index) {
-      fill_plane(shaft_, planes_[same_planes_ ? 0 : index], index, count, stops_, reduction);
+      fill_plane(shaft_, planes_[same_planes_ ? 0 : index], index, count, attached_m, reduction);
     }
     return reduction;
   }
@@ -108,14 +108,17 @@ class Reducer {
     const FullReference full = reference();
     if (kit_.modes) return as_asked(full);
     const auto most = static_cast<int>(std::max(planes_[0].seen.size(), planes_[1].seen.size()));
-    for (int count = 1; count <= most; ++count) {
-      Reduction reduction = with_modes(count);
-      reduction.receptance_error = full.receptance_error(reduction, receptance_tolerance);
-      if (reduction.receptance_error > receptance_tolerance) continue;
-      const FullReference::Growth growth = full.growth(reduction);
-      reduction.growth_error = growth.error;
-      reduction.automatic = true;
-      if (!growth.mistaken && growth.error <= receptance_tolerance) return reduction;
+    // Heavy dampers hold a shaft as pins do, which takes many modes, or one attachment mode more.
+    for (const std::vector<double>& attached : {stops_, stops_and_supports()}) {
+      for (int count = 1; count <= most; ++count) {
+        Reduction reduction = with_modes(count, attached);
+        reduction.receptance_error = full.receptance_error(reduction, receptance_tolerance);
+        if (reduction.receptance_error > receptance_tolerance) continue;
+        const FullReference::Growth growth = full.growth(reduction);
+        reduction.growth_error = growth.error;
+        reduction.automatic = true;
+        if (!growth.mistaken && growth.error <= receptance_tolerance) return reduction;
+      }
     }
     throw ConfigError("rotor.modes: auto does not answer as the full matrices do up to " +
                       std::to_string(kit_.modes_up_to_hz) + " Hz, with any number of modes up to " +
@@ -124,6 +127,13 @@ class Reducer {
   }
 
  private:
+  std::vector<double> stops_and_supports() const {
+    std::vector<double> places = stops_;
+    for (const auto& support : kit_.supports)
+      if (!support.at_housing) places.push_back(support.position_m);
+    return places;
+  }
+
   FullReference reference() const {
     std::vector<double> forces = stops_, loads;
     for (const auto& support : kit_.supports) {
@@ -232,27 +242,6 @@ RotatingDamping rotating_damping(const BeamShaft& shaft, const model::RotorKit& 
     }
   }
   return added;
-}
-
-Eigen::MatrixXcd receptance(const BeamShaft& shaft, const PlaneBases& bases, const LateralSystem& system,
-                            double rad_per_s, double speed_rad_per_s, const std::vector<double>& responses_m,
-                            const std::vector<double>& forces_m) {
-  const auto rows = [&](const std::vector<double>& places) {
-    Eigen::MatrixXd seen(static_cast<Eigen::Index>(2 * places.size()), system.coordinates());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      for (std::size_t plane = 0; plane < 2; ++plane) {
-        seen.row(static_cast<Eigen::Index>(2 * i + plane)) =
-            system.scatter(plane, bases[plane].row(shaft.deflection(places[i])).transpose()).transpose();
-      }
-    }
-    return seen;
-  };
-  const std::complex<double> i(0, 1);
-  Eigen::MatrixXcd dynamic =
-      (system.stiffness - rad_per_s * rad_per_s * system.mass).cast<std::complex<double>>();
-  dynamic += i * rad_per_s * (system.damping + speed_rad_per_s * system.gyroscopic);
-  const Eigen::MatrixXcd forces = rows(forces_m).transpose().cast<std::complex<double>>();
-  return rows(responses_m).cast<std::complex<double>>() * numerics::dense::solve(dynamic, forces);
 }
 
 double modal_mass_kg(const BeamShaft& shaft, const Reduction& reduction, std::size_t plane, Eigen::Index j,

@@ -56,12 +56,6 @@ struct RotatingDamping {
 RotatingDamping rotating_damping(const BeamShaft& shaft, const model::RotorKit& kit,
                                  const Reduction& reduction, const LateralSystem& system);
 
-/// Displacements (rows) of `responses_m` by harmonic unit forces (columns) at `forces_m`, both in x and y, x
-/// first at each place: (stiffness + i w (damping + speed gyroscopic) - w^2 mass)^-1 between them, in m/N.
-Eigen::MatrixXcd receptance(const BeamShaft& shaft, const PlaneBases& bases, const LateralSystem& system,
-                            double rad_per_s, double speed_rad_per_s, const std::vector<double>& responses_m,
-                            const std::vector<double>& forces_m);
-
 /// Modal mass of mode `j` of a plane for a force at a station: its kinetic energy is half this times the
 /// square of the station's velocity. Infinite at a node of the mode.
 double modal_mass_kg(const BeamShaft& shaft, const Reduction& reduction, std::size_t plane, Eigen::Index j,

@@ -15,6 +15,8 @@ inline constexpr const char* unstable_rotor = "unstable_rotor";
 /// vibration of the rotor without its stops grows (structure::grows), as by cross-coupled bearings or damping
 /// that turns with the shaft. Empty where none does. At most 400 speeds are looked at, and 16 of the machines
 /// that axes over keys make, spread evenly. `prepared` is that of study.machine.
+/// Throws ConfigError where the full matrices of a kit say otherwise at the first, a middle and the last
+/// speed, or where the growth is fastest.
 std::string where_rotor_is_unstable(const Study& study, const scene::PreparedMachine& prepared);
 
 }  // namespace rubsweep::sweep

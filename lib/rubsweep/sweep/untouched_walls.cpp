@@ -31,7 +31,7 @@ std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::P
 
 /// No modal amplitude can grow by more than its share of the whole impulse, however the pulse spreads it in
 /// time. Not applicable to several pulses, whose shares do not simply add up.
-bool never_touches(const scene::Cell& cell) {
+bool never_touches(const scene::Cell& cell, numerics::ModalFormCache& forms) {
   const scene::Scene& scene = cell.scene;
   if (scene.pulses.size() > 1) return false;
   std::vector<double> section = integrate::run::scaled_initial_state(scene);
@@ -42,12 +42,12 @@ bool never_touches(const scene::Cell& cell) {
     const auto n = static_cast<std::size_t>(jump.size());
     for (std::size_t i = 0; i < n; ++i) section[n + i] += jump(static_cast<Eigen::Index>(i));
   }
-  return response::proof::RestProof(cell).proves(section);
+  return response::proof::RestProof(cell, forms).proves(section);
 }
 
-}  // namespace
-
-std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMachine& prepared) {
+/// `forms`: known ones, which no kick changes.
+std::string why_untouched(const Study& study, const scene::PreparedMachine& prepared,
+                          numerics::ModalFormCache& forms) {
   if (!study.grid.axes.empty()) return "";  // the machine differs from cell to cell
   if (study.machine.start) return "";
   std::vector<double> descending = study.grid.unbalance;
@@ -59,7 +59,7 @@ std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMa
     const double speed_hz = speeds[i * speeds.size() / looked_at];
     const auto cell = nearest_quiet_cell(study, prepared, speed_hz, descending);
     if (!cell) continue;
-    if (!never_touches(*cell)) return "";
+    if (!never_touches(*cell, forms)) return "";
     any = true;
   }
   if (!any) return "";
@@ -76,13 +76,21 @@ std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMa
       kick->force_n, kick->duration_s);
 }
 
+}  // namespace
+
+std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMachine& prepared) {
+  numerics::ModalFormCache forms;
+  return why_untouched(study, prepared, forms);
+}
+
 std::optional<double> least_kick_force_n(const Study& study, const scene::PreparedMachine& prepared) {
   const auto& kick = prepared.machine.kick;
-  if (!kick || kick->force_n == 0 || why_walls_stay_untouched(study, prepared).empty()) return std::nullopt;
+  numerics::ModalFormCache forms(std::size_t{256} << 20);
+  if (!kick || kick->force_n == 0 || why_untouched(study, prepared, forms).empty()) return std::nullopt;
   const auto may_touch = [&](double force_n) {
     model::Machine machine = prepared.machine;
     machine.kick->force_n = force_n;
-    return why_walls_stay_untouched(study, scene::prepare_other_kick(prepared, machine)).empty();
+    return why_untouched(study, scene::prepare_other_kick(prepared, machine), forms).empty();
   };
   constexpr double most = 1e9, within = 1.01;
   double below_n = kick->force_n, above_n = 2 * below_n;
