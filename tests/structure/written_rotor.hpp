@@ -54,6 +54,20 @@ class WrittenRotor {
                 turned.transpose();
   }
 
+  /// mass q'' + (damping + speed gyroscopic) q' + stiffness q = forces.
+  const Eigen::MatrixXd& mass() const { return mass_; }
+  const Eigen::MatrixXd& stiffness() const { return stiffness_; }
+  const Eigen::MatrixXd& damping() const { return damping_; }
+  const Eigen::MatrixXd& gyroscopic() const { return gyroscopic_; }
+  /// Coordinate of the displacement in x at a place; that in y is the second one after it.
+  Eigen::Index at(double place_m) const {
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < places_m_.size(); ++i) {
+      if (std::abs(places_m_[i] - place_m) < std::abs(places_m_[nearest] - place_m)) nearest = i;
+    }
+    return static_cast<Eigen::Index>(4 * nearest);
+  }
+
   /// Displacements in x and y at places by unit forces in x and y at others.
   Eigen::MatrixXcd receptance(double rad_per_s, double speed_rad_per_s,
                               const std::vector<double>& responses_m,
@@ -79,14 +93,6 @@ class WrittenRotor {
   }
 
  private:
-  Eigen::Index at(double place_m) const {
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < places_m_.size(); ++i) {
-      if (std::abs(places_m_[i] - place_m) < std::abs(places_m_[nearest] - place_m)) nearest = i;
-    }
-    return static_cast<Eigen::Index>(4 * nearest);
-  }
-
   Eigen::MatrixXcd unit(const std::vector<double>& places_m) const {
     Eigen::MatrixXcd all =
         Eigen::MatrixXcd::Zero(mass_.rows(), static_cast<Eigen::Index>(2 * places_m.size()));
