@@ -89,10 +89,10 @@ std::vector<line::LinePoint> steady_motions(const ramp::SpeedRamp& ramp, const s
   return points;
 }
 
-/// Neither kick nor start: the unbalance alone brings the rotor to the wall.
+/// Neither kick nor start, but for one at rest: the unbalance alone brings the rotor to the wall.
 Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study, const model::ShownLengths& shown) {
   study.machine.kick.reset();
-  study.machine.start.reset();
+  if (!model::begins_at_rest(study.machine.start)) study.machine.start.reset();
   const scene::PreparedMachine machine = scene::prepare_machine(study.machine);
   ramp::RampRecord record(ramp);
   const integrate::run::Outcome run =

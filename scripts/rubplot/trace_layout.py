@@ -40,6 +40,7 @@ class Motion:
     whirl: str
     comb_spacing: str
     starts_at_rest: bool
+    starts_in_state: bool = False  # one that the configuration gives, with nothing before it
 
     @property
     def speed_hz(self):
@@ -64,6 +65,7 @@ def read_motion(path):
         comb_spacing=cell("comb_spacing", _NUMBER),
         # Where the quiet whirl itself reaches the wall, the rotor starts at rest and is not kicked.
         starts_at_rest=row.get("start") == "contact",
+        starts_in_state=row.get("start") == "state",
     )
 
 
@@ -200,6 +202,7 @@ def _of_motion(motion, config, places):
         "order": motion.order or 0,
         "comb_spacing": motion.comb_spacing or 0,
         "at_rest": int(motion.starts_at_rest),
+        "in_state": int(motion.starts_in_state),
     }
 
 

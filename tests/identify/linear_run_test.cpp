@@ -74,6 +74,18 @@ TEST(LinearRun, RunUpFeelsTheAngularAcceleration) {
               reference(run, start, Complex(0, w) * start), 2e-9);
 }
 
+TEST(LinearRun, FromRestTheUnbalanceBeginsAtOnce) {
+  model::Machine machine = scene::one_side_machine();
+  machine.kick.reset();
+  machine.start = {.at_rest = true};
+  LinearRun run{.from_hz = 20, .rate_hz_per_s = 40, .eccentricity_m = 1e-4, .samples = 500};
+  for (const Driven driven : {Driven::by_all, Driven::in_phase}) {
+    run.driven = driven;
+    const scene::PreparedMachine prepared = scene::prepare_machine(machine);
+    expect_same(run_linear(prepared, run, sensor_rows(prepared).rows), reference(run, 0, 0), 2e-9);
+  }
+}
+
 TEST(LinearRun, AtConstantSpeedAKitStaysOnItsQuietMotion) {
   model::Machine machine = scene::light_shaft_machine();
   model::kit_of(machine)->discs[0].position_m = 0.12;

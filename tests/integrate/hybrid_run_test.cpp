@@ -4,9 +4,10 @@
 
 #include <cmath>
 
+#include "integrate/expect_long_double.hpp"
+#include "integrate/largest_difference.hpp"
 #include "rubsweep/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/integrate/start.hpp"
-#include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
 #include "support/simple_scenes.hpp"
 
@@ -32,21 +33,11 @@ run::TurnReport run_adaptive(const scene::Scene& scene, int turns, double tolera
 }
 
 double difference(const run::TurnReport& a, const run::TurnReport& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.section.size(); ++i)
-    largest = std::max(largest, std::abs(a.section[i] - b.section[i]));
-  return largest;
+  return largest_difference(a.section, b.section);
 }
 
 void expect_reference(const test::OneSideRotor& rotor, int turns, int steps, double bound) {
-  const auto reference = test::long_double_sections(rotor, turns, steps);
-  exact::modes::ModeCache modes;
-  const auto run = start_hybrid(test::cell_of(rotor).scene, {}, modes);
-  run::TurnReport turn;
-  for (int k = 1; k <= turns; ++k) {
-    ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
-    EXPECT_LT(test::section_error(turn.section, reference[static_cast<std::size_t>(k)], rotor), bound) << k;
-  }
+  const run::TurnReport turn = expect_long_double(rotor, turns, steps, bound);
   EXPECT_GT(turn.effort.switches, 4);
   EXPECT_EQ(turn.effort.taylor_turns + turn.effort.adaptive_turns, 0);
 }

@@ -106,6 +106,16 @@ TEST(RampRun, FarFromTheStopsIsThatWithoutStops) {
   expect_as_without_stops(scene::one_side_machine(), {40, 20, -10, 5e-5});
 }
 
+TEST(RampRun, FromRestIsThatWithoutStops) {
+  model::Machine machine = scene::one_side_machine();
+  machine.start = {.at_rest = true};
+  machine.gravity_m_per_s2 = 9.81;
+  expect_as_without_stops(machine, {20, 40, 10, 5e-5});
+  machine = scene::table_machine();
+  machine.start = {.at_rest = true};
+  expect_as_without_stops(machine, {30, 110, 40, 4e-4});
+}
+
 TEST(RampRun, WithAMisalignedCouplingIsThatWithoutStops) {
   expect_as_without_stops(scene::MisalignedRotor{}.machine(), {12, 28, 8, 2e-5});
 }

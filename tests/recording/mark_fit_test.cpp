@@ -6,33 +6,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "recording/shaft_marks.hpp"
+
 namespace rubsweep::recording {
 namespace {
 
 using std::numbers::pi;
-
-/// Instants at which a shaft of f + r t revolutions a second has made whole turns.
-std::vector<double> turns_s(int count, double f, double r) {
-  std::vector<double> marks;
-  for (int n = 0; n < count; ++n) {
-    const double turns = n + 0.3;
-    marks.push_back(2 * turns / (f + std::sqrt(f * f + 2 * r * turns)));
-  }
-  return marks;
-}
 
 /// The sample after each instant, less half a step: what an edge shorter than a step becomes.
 std::vector<double> rounded(const std::vector<double>& marks, double step_s) {
   std::vector<double> rounded;
   for (const double t_s : marks) rounded.push_back((std::ceil(t_s / step_s) - 0.5) * step_s);
   return rounded;
-}
-
-double largest_error(const std::vector<double>& marks, const std::vector<double>& truth) {
-  double largest = 0;
-  for (std::size_t k = 0; k < truth.size(); ++k)
-    largest = std::max(largest, std::abs(marks.at(k) - truth[k]));
-  return largest;
 }
 
 TEST(MarkFit, RoundedMarksComeBackToTheirPlaces) {

@@ -6,25 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "recording/shaft_marks.hpp"
+
 namespace rubsweep::recording {
 namespace {
-
-/// Instants at which a shaft of f + r t revolutions a second has made whole turns.
-std::vector<double> turns_s(int count, double f, double r) {
-  std::vector<double> marks;
-  for (int n = 0; n < count; ++n) {
-    const double turns = n + 0.3;
-    marks.push_back(2 * turns / (f + std::sqrt(f * f + 2 * r * turns)));
-  }
-  return marks;
-}
-
-double largest_error(const std::vector<double>& marks, const std::vector<double>& truth) {
-  double largest = 0;
-  for (std::size_t k = 0; k < truth.size(); ++k)
-    largest = std::max(largest, std::abs(marks.at(k) - truth[k]));
-  return largest;
-}
 
 TEST(TurnMarks, MissingMarksAreFilledAndThoseTooManyDropped) {
   const auto truth = turns_s(60, 30, 2);

@@ -36,6 +36,12 @@ class Layout(FileTest):
     def test_a_meeting_of_two_curves_is_marked_once(self):
         self.assertEqual([line.split()[2] for line in self.curves().mark_lines()], ["graze_fold", "cusp"])
 
+    def test_names_of_meetings_do_not_stand_on_each_other(self):
+        self.curves()
+        self.write("meetings.csv", MEETINGS + "1,cusp,3.1,0.301\n1,fold,3.2,0.299\n1,cusp,3,0.35\n")
+        self.assertEqual([line.split(maxsplit=2)[2] for line in curves.Curves(self.directory).mark_lines()],
+                         ["graze_fold", "cusp,fold", '""', '""', "cusp"])
+
     def test_no_curves(self):
         with self.assertRaises(TableError):
             self.curves("curve,kind,parameter,curve_parameter\n")

@@ -49,6 +49,7 @@ class LayOut(FileTest):
                 "order": "2",
                 "kick_s": "0.005",
                 "at_rest": 0,
+                "in_state": 0,
                 "moving_walls": '"4 -1 "',
                 "elsewhere": '""',
                 "levels": '"-1 "',
@@ -93,6 +94,11 @@ class LayOut(FileTest):
         self.write("motion.csv", MOTION.replace(",kick", ",contact"))
         row = self.lay_out().assignments
         self.assertEqual((row["kick_s"], row["at_rest"]), ("0", 1))
+
+    def test_nothing_comes_before_a_given_state(self):
+        self.write("motion.csv", MOTION.replace(",kick", ",state"))
+        self.assertEqual(self.lay_out().assignments["in_state"], 1)
+        self.assertEqual(self.lay_out().assignments["at_rest"], 0)
 
     def test_text_that_would_be_code_is_refused(self):
         for name, text in (

@@ -81,6 +81,24 @@ TEST(GivenStart, OfARotorKitIsAStaticDeflectionAndAnImpulse) {
                map.row(0).transpose());
 }
 
+TEST(GivenStart, AtRestEverythingStandsAndTheMarkIsAlongX) {
+  model::Machine machine = both_sides_machine();
+  machine.kick.reset();
+  machine.gravity_m_per_s2 = 9.81;
+  machine.start = {.at_rest = true};
+  for (const double speed_hz : {20.0, 75.0}) {
+    for (const Unbalance& unbalance : {Unbalance(WhirlRatio{0.4}), Unbalance(WhirlRatio{1.7})}) {
+      const Cell cell = build_cell(machine, speed_hz, unbalance);
+      EXPECT_TRUE(cell.scene.displacement_m.isZero(0));
+      EXPECT_TRUE(cell.scene.velocity_m_per_s.isZero(0));
+      EXPECT_EQ(cell.scene.displacement_m.size(), 6);
+      EXPECT_EQ(cell.scene.harmonic_n(0).imag(), 0);
+      EXPECT_GT(cell.scene.harmonic_n(0).real(), 0);
+      EXPECT_LT(cell.scene.constant_n(1), 0);
+    }
+  }
+}
+
 TEST(GivenStart, ExcludesAKickAndARigidCasing) {
   model::Machine machine = one_side_machine();
   machine.start.emplace();

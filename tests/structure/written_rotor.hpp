@@ -56,6 +56,20 @@ class WrittenRotor {
     circulatory_(x, y) += turning, circulatory_(y, x) -= turning;
   }
 
+  /// mass q'' + (damping + speed gyroscopic) q' + stiffness q = forces.
+  const Eigen::MatrixXd& mass() const { return mass_; }
+  const Eigen::MatrixXd& stiffness() const { return stiffness_; }
+  const Eigen::MatrixXd& damping() const { return damping_; }
+  const Eigen::MatrixXd& gyroscopic() const { return gyroscopic_; }
+  /// Coordinate of the displacement in x at a place; that in y is the second one after it.
+  Eigen::Index at(double place_m) const {
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < places_m_.size(); ++i) {
+      if (std::abs(places_m_[i] - place_m) < std::abs(places_m_[nearest] - place_m)) nearest = i;
+    }
+    return static_cast<Eigen::Index>(4 * nearest);
+  }
+
   /// Displacements in x and y at places by unit forces in x and y at others.
   Eigen::MatrixXcd receptance(double rad_per_s, double speed_rad_per_s,
                               const std::vector<double>& responses_m,
@@ -107,14 +121,6 @@ class WrittenRotor {
     std::vector<Eigen::Index> all;
     for (Eigen::Index i = first; i < mass_.rows(); i += 4) all.insert(all.end(), {i, i + 1});
     return all;
-  }
-
-  Eigen::Index at(double place_m) const {
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < places_m_.size(); ++i) {
-      if (std::abs(places_m_[i] - place_m) < std::abs(places_m_[nearest] - place_m)) nearest = i;
-    }
-    return static_cast<Eigen::Index>(4 * nearest);
   }
 
   Eigen::MatrixXcd unit(const std::vector<double>& places_m) const {

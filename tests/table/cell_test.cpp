@@ -13,6 +13,23 @@ TEST(Cells, ArePartedAndFreedOfBlanksAndQuotes) {
   EXPECT_EQ(cells_of(" a ;\"b c\";;d\r", ';'), (std::vector<std::string_view>{"a", "b c", "", "d"}));
 }
 
+TEST(Cells, ArePartedByBlanksButForThoseOfAUnit) {
+  using Cells = std::vector<std::string_view>;
+  EXPECT_EQ(cells_of("  1.0   -2e3\t3 \r", ' '), (Cells{"1.0", "-2e3", "3"}));
+  EXPECT_EQ(cells_of("Speed [rpm]  Kxx [N / m] \"K yy\"(N)", ' '),
+            (Cells{"Speed [rpm]", "Kxx [N / m]", "\"K yy\"(N)"}));
+  EXPECT_EQ(cells_of("(rpm) (N/m)", ' '), (Cells{"(rpm)", "(N/m)"}));
+  EXPECT_EQ(cells_of("a (open", ' '), (Cells{"a (open"}));
+  EXPECT_EQ(cells_of(" ", ' '), (Cells{""}));
+}
+
+TEST(CellNumberIn, ReadsExponentsOfFortran) {
+  EXPECT_EQ(number_in("1.5D+03", point), 1500);
+  EXPECT_EQ(number_in("-1,5d-03", comma), -1.5e-3);
+  for (const char* wrong : {"1D3", "D+3", "1.0D+", "1.0D+1D+1"})
+    EXPECT_FALSE(number_in(wrong, point)) << wrong;
+}
+
 TEST(CellNumberIn, ReadsPointsAndCommas) {
   EXPECT_EQ(number_in("-1.5e-3", point), -1.5e-3);
   EXPECT_EQ(number_in("+2", point), 2);

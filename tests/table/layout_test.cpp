@@ -34,6 +34,21 @@ TEST(Layout, NamesAreWhatTheirCellsAre) {
   EXPECT_EQ(names_of("Volt,Volt\n0,1\n1,2\n"), "/Volt /Volt");
 }
 
+TEST(Layout, BlanksPartCellsWhereMostLinesHaveNumbersByThem) {
+  EXPECT_EQ(names_of("a run of today\n  t [s]   X [um]\n 0.0   1.5\n 1.0  -2.5\n 2.0 3\n"), "t/s X/um");
+  EXPECT_EQ(names_of("# t x\n0 1\n1 2\n"), "t x");
+  EXPECT_EQ(layout_of("Run 7 of 9\nX in um\n1.5\n2.5\n3.5\n").separator, '\t');
+}
+
+TEST(Layout, ANameMayStandAboveItsUnit) {
+  const auto known = [](const Heading& heading) { return heading.name != "stiffness"; };
+  const Layout two = layout_of("speed,stiffness\n[rpm],kxx [N/m]\n1,2\n", known);
+  EXPECT_EQ(two.columns[0].heading.name, "speed");
+  EXPECT_EQ(two.columns[0].heading.unit, "rpm");
+  EXPECT_EQ(two.columns[1].heading.name, "kxx");
+  EXPECT_EQ(two.numbers_line, 3u);
+}
+
 TEST(Layout, ColumnsOfWordsAreNoNumbers) {
   const Layout some = layout_of("t,x,Comment\n0,1,begin\n1,2\n2,3\n");
   ASSERT_EQ(some.columns.size(), 3u);

@@ -34,6 +34,12 @@ TEST(Rows, RefuseWhatOneNumberCannotBe) {
   // Points between thousands and decimal commas: 1.000 would be read as one.
   EXPECT_EQ(read("a;b\n1.000;2\n999,5;3\n"),
             "3:1: '999,5' has a decimal comma, and numbers before it have points");
+  EXPECT_EQ(read("a,b\n1,\"1,000\"\n2,\"2,000\"\n"),
+            "2:4: '1,000' may have a decimal comma, or commas between thousands");
+  EXPECT_EQ(read("a,b\n1,2.5\n2,\"-12,500,000.5\"\n3,4\n"),
+            "3:4: '-12,500,000.5' may have a decimal comma, or commas between thousands");
+  EXPECT_EQ(read("a;b\n1,000;2,125\n3;4\n"), "10 21 30 40 ");
+  EXPECT_EQ(read("a,b\n1,\"0,12\"\n2,\"1234,567\"\n"), "10 1 20 12346 ");
   EXPECT_EQ(read("a;b\n1;2\n3;4,x\n"), "3:3: '4,x' is no number");
   EXPECT_EQ(read("a,b\n1,2\n3\n4,5\n"), "3:1: has another number of cells, 1");
   EXPECT_EQ(read("a,b\n1,2\n3,4,5\n4,5\n"), "3:1: has another number of cells, 3");

@@ -121,11 +121,17 @@ class Structure {
 };
 
 /// On the quiet motion of the first speed, its unbalance at angle 0; at standstill where static forces leave
-/// it.
+/// it. Of a machine that starts at rest, in the unloaded position.
 State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run,
                     const Eigen::VectorXd& constant_n) {
   const double w = 2 * pi * run.from_hz;
   const structure::LinearSystem system = structure::system_at(prepared.assembly, w);
+  if (model::begins_at_rest(prepared.machine.start)) {
+    State state(static_cast<std::size_t>(2 * system.coordinates()));
+    if (run.driven == Driven::by_all)
+      std::ranges::copy(scene::unloaded_position_m(prepared, system), state.begin());
+    return state;
+  }
   Eigen::VectorXcd force = turned_back(run) * run.eccentricity_m * w * w * system.unbalance_kg;
   if (prepared.assembly.bow_n.size() > 0) force += turned_back(run) * prepared.assembly.bow_n;
   const scene::QuietMotion quiet =

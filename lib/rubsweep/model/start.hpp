@@ -26,6 +26,12 @@ struct BodyState {
 struct Start {
   BodyState rotor{};
   std::vector<std::optional<BodyState>> casings{};  ///< by their stops; those that are not there: none given
+  /// Everything stands where no force has moved it, whatever is given above. The mark of the shaft is along
+  /// +x at t = 0, and all forces act from then on.
+  bool at_rest = false;
 };
+
+/// Whether there is a start, and it is the one at rest.
+inline bool begins_at_rest(const std::optional<Start>& start) { return start && start->at_rest; }
 
 }  // namespace rubsweep::model

@@ -259,6 +259,10 @@ std::string explain_rotor(const scene::PreparedMachine& prepared, bool by_tables
 }
 
 std::string explain_kick(const model::Machine& machine) {
+  if (model::begins_at_rest(machine.start))
+    return "start: at rest in the unloaded position, not kicked, the shaft's mark along +x; unbalance and "
+           "weight "
+           "act from then on\n";
   if (machine.start)
     return "start: in a given state, not kicked; what is not given is that of the quiet whirl\n";
   if (!machine.kick) return "kick: none\n";

@@ -252,7 +252,10 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
     return cell;
   }
   if (bowed) bow.amplitude += cell.eccentricity_m * unit.amplitude;
-  const std::complex<double> phase = phase_to_smallest_gap(bowed ? bow : unit, scene.structure, first, wall);
+  const std::complex<double> phase =
+      model::begins_at_rest(prepared.machine.start)
+          ? 1
+          : phase_to_smallest_gap(bowed ? bow : unit, scene.structure, first, wall);
   if (bowed) {
     scene.harmonic_n = phase * (bow_n + cell.eccentricity_m * unit_force);
     scene.second_harmonic_n = phase * phase * assembly.second_n;

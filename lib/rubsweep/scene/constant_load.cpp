@@ -10,11 +10,25 @@ Eigen::VectorXd static_load_n(const PreparedMachine& prepared) {
   return load;
 }
 
+namespace {
+
+bool counts_from_sag(const model::Machine& machine) {
+  const model::RotorKit* kit = model::kit_of(machine);
+  return kit != nullptr && kit->clearances_from_sag;
+}
+
+}  // namespace
+
 Eigen::VectorXd constant_load_n(const PreparedMachine& prepared) {
-  const model::RotorKit* kit = model::kit_of(prepared.machine);
-  if (kit != nullptr && kit->clearances_from_sag)
-    return Eigen::VectorXd::Zero(prepared.assembly.system.coordinates());
+  if (counts_from_sag(prepared.machine)) return Eigen::VectorXd::Zero(prepared.assembly.system.coordinates());
   return static_load_n(prepared);
+}
+
+Eigen::VectorXd unloaded_position_m(const PreparedMachine& prepared,
+                                    const structure::LinearSystem& structure) {
+  const Eigen::VectorXd load = static_load_n(prepared);
+  if (!counts_from_sag(prepared.machine) || load.isZero(0)) return Eigen::VectorXd::Zero(load.size());
+  return -numerics::dense::solve(structure.stiffness, load);
 }
 
 Eigen::Vector2d sag_m(const PreparedMachine& prepared, std::size_t stop) {

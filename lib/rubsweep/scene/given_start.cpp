@@ -6,6 +6,7 @@
 
 #include "rubsweep/error.hpp"
 #include "rubsweep/numerics/dense/least_norm.hpp"
+#include "rubsweep/scene/constant_load.hpp"
 
 namespace rubsweep::scene {
 namespace {
@@ -48,6 +49,11 @@ Eigen::VectorXd brought_to(const Wanted& wanted, const Eigen::VectorXd& state,
 
 void start_in_given_state(Scene& scene, const PreparedMachine& prepared) {
   if (!prepared.machine.start) return;
+  if (prepared.machine.start->at_rest) {
+    scene.displacement_m = unloaded_position_m(prepared, scene.structure);
+    scene.velocity_m_per_s.setZero(scene.displacement_m.size());
+    return;
+  }
   const structure::Assembly& assembly = prepared.assembly;
   Wanted displacement, velocity;
   const auto add = [&](const model::BodyState& state, int point) {

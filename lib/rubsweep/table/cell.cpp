@@ -34,6 +34,32 @@ std::string_view trimmed(std::string_view cell) {
   return cell;
 }
 
+/// A unit in brackets belongs to the cell before it; blanks inside of brackets and quotes part nothing.
+std::vector<std::string_view> cells_between_blanks(std::string_view line) {
+  constexpr std::string_view blanks = " \t\r", opening = "([\"", closing = ")]\"";
+  std::vector<std::string_view> cells;
+  std::size_t end = 0;
+  while (true) {
+    const std::size_t begin = line.find_first_not_of(blanks, end);
+    if (begin == std::string_view::npos) break;
+    for (end = begin; end < line.size() && blanks.find(line[end]) == std::string_view::npos; ++end) {
+      const std::size_t kind = opening.find(line[end]);
+      if (kind == std::string_view::npos) continue;
+      const std::size_t closed = line.find(closing[kind], end + 1);
+      if (closed != std::string_view::npos) end = closed;
+    }
+    const bool unit = !cells.empty() && (line[begin] == '(' || line[begin] == '[') && !is_bracketed(cells[0]);
+    if (unit) {
+      const auto first = static_cast<std::size_t>(cells.back().data() - line.data());
+      cells.back() = line.substr(first, end - first);
+    } else {
+      cells.push_back(trimmed(line.substr(begin, end - begin)));
+    }
+  }
+  if (cells.empty()) cells.push_back(line.substr(line.size()));
+  return cells;
+}
+
 std::optional<double> whole_number(std::string_view digits) {
   int value = 0;
   if (digits.empty()) return std::nullopt;
@@ -76,6 +102,7 @@ std::optional<double> day_in(std::string_view date) {
 
 std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
+  if (separator == ' ') return cells_between_blanks(line);
   while (true) {
     // A separator inside of quotes parts nothing; quotes that do not end are part of the text.
     const std::size_t begin = line.find_first_not_of(" \t\r");
@@ -90,13 +117,15 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
 
 std::optional<double> number_in(std::string_view cell, const NumberStyle& style) {
   if (cell.empty() || cell == "NaN" || cell == "nan") return std::numeric_limits<double>::quiet_NaN();
-  std::string point;
+  std::string point(cell);
   if (style.decimal_comma) {
     if (cell.find('.') != std::string_view::npos) return std::nullopt;  // dots between thousands
-    point = cell;
     if (const std::size_t comma = point.find(','); comma != std::string::npos) point[comma] = '.';
-    cell = point;
   }
+  if (const std::size_t exponent = point.find_first_of("Dd");
+      exponent != std::string::npos && point.find_first_of("+-", exponent) == exponent + 1)
+    point[exponent] = 'e';  // of Fortran
+  cell = point;
   if (cell.front() == '+') cell.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);

@@ -20,11 +20,11 @@ struct Fault {
   std::string wrong, allowed;
 };
 
-/// The cells of a line, without blanks and quotes about them.
+/// The cells of a line, without blanks and quotes about them; of the separator ' ' any blanks part them.
 std::vector<std::string_view> cells_of(std::string_view line, char separator);
 
 /// The number in a cell, NaN for an empty one or one that says NaN; nothing where it is no number, infinity
-/// included.
+/// included. Exponents are written with e, or with d and a sign as in Fortran.
 std::optional<double> number_in(std::string_view cell, const NumberStyle& style);
 
 /// Seconds since midnight, or since an epoch where there is a date (year-month-day or day.month.year) before

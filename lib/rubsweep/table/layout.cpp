@@ -9,7 +9,7 @@ namespace {
 
 /// Lines that the layout is judged by.
 constexpr std::size_t most_lines = 1000;
-constexpr std::array<char, 3> separators{'\t', ';', ','};
+constexpr std::array<char, 4> separators{'\t', ';', ',', ' '};
 
 struct Line {
   std::string_view text;
@@ -46,7 +46,8 @@ std::vector<bool> numbers_in(const std::vector<std::string_view>& cells, char se
   return numbers;
 }
 
-/// The separator that most lines have two numbers by; a comma may also be that of decimals.
+/// The separator that most lines have two numbers by; a comma may also be that of decimals. Blanks stand in
+/// words, too: they part the cells where most lines have numbers by them.
 char separator_of(const std::vector<Line>& lines) {
   char best = '\t';
   long most = 0;
@@ -55,6 +56,7 @@ char separator_of(const std::vector<Line>& lines) {
       return !is_comment(line.text) &&
              std::ranges::count(numbers_in(cells_of(line.text, separator), separator), true) > 1;
     });
+    if (separator == ' ' && 2 * parts <= std::ssize(lines)) continue;
     if (parts > most) best = separator;
     most = std::max<long>(most, parts);
   }
@@ -247,12 +249,26 @@ Layout layout_of(std::string_view text, const std::function<bool(const Heading&)
   }
   const bool holds_cells =
       std::ranges::any_of(lines, [](const Line& line) { return !is_comment(line.text); });
-  if (most == 0 && holds_cells)
-    throw Fault{1, 1, "no line of the file has names of columns that are known",
+  if (most == 0 && holds_cells) {
+    const auto number = std::ranges::find_if(lines, [](const Line& line) {
+      return !is_comment(line.text) && is_number(cells_of(line.text, ' ')[0], 1, ' ');
+    });
+    const bool any = number != lines.end();
+    const std::string first(any ? cells_of(number->text, ' ')[0] : "");
+    const std::string wrong = "no line of the file has names of columns that are known";
+    throw Fault{any ? number->number : 1, 1,
+                any ? wrong + ", and numbers begin with '" + first + '\'' : wrong,
                 "a line of names as the keys are, perhaps with units, then lines of numbers"};
+  }
   if (most == 0) throw Fault{1, 1, "the file holds no table", "a line of names, then lines of numbers"};
   layout.columns.resize(cells_of(uncommented(lines[names].text), layout.separator).size());
   set_names(layout, lines[names], uncommented(lines[names].text));
+  if (names > 0) {
+    // A unit under a name, among names with their units behind them.
+    const auto above = cells_of(lines[names - 1].text, layout.separator);
+    for (std::size_t i = 0; i < std::min(above.size(), layout.columns.size()); ++i)
+      if (layout.columns[i].heading.name.empty()) layout.columns[i].heading.name = heading_of(above[i]).name;
+  }
   std::size_t next = names + 1;
   while (next < lines.size() && is_comment(lines[next].text)) ++next;
   if (next < lines.size()) {

@@ -6,6 +6,17 @@
 namespace rubsweep::table {
 namespace {
 
+/// Whether commas may part thousands: groups of three digits behind the first one, which is shorter.
+bool may_part_thousands(std::string_view cell) {
+  if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
+  cell = cell.substr(0, cell.find('.'));
+  std::size_t group = cell.find(',');
+  if (group == std::string_view::npos || group == 0 || group > 3) return false;
+  for (; group < cell.size(); group += 4)
+    if (cell[group] != ',' || cell.substr(group + 1, 3).size() < 3) return false;
+  return cell.find_first_not_of("0123456789,") == std::string_view::npos;
+}
+
 /// A cell fit for a message.
 std::string quoted(std::string_view cell) {
   std::string text(cell.substr(0, 40));
@@ -45,8 +56,8 @@ bool Rows::is_empty() const {
 
 bool Rows::is_number(std::size_t column) const {
   const std::string_view cell = cells_[column];
-  return !cell.empty() &&
-         (number_in(cell, style_) || number_in(cell, {style_.separator, true}) || number_in(cell, {}));
+  return !cell.empty() && (may_part_thousands(cell) || number_in(cell, style_) ||
+                           number_in(cell, {style_.separator, true}) || number_in(cell, {}));
 }
 
 std::size_t Rows::place_of(std::size_t column) const {
@@ -58,6 +69,9 @@ Fault Rows::fault(std::size_t column, const std::string& wrong, const std::strin
 }
 
 void Rows::look_at(std::string_view cell, std::size_t column) {
+  if (style_.separator == ',' && may_part_thousands(cell))
+    throw fault(column, "may have a decimal comma, or commas between thousands",
+                "numbers without signs between thousands");
   const bool comma = cell.find(',') != std::string_view::npos && !style_.decimal_comma;
   if (comma && point_line_ > 0)
     throw fault(column, "has a decimal comma, and numbers before it have points",

@@ -7,6 +7,8 @@ from rubplot.gnuplot import Picture
 from rubplot.subcommand import Subcommand
 
 COLUMNS = ("parameter", "curve_parameter")
+# Names of meetings that are nearer than these shares of the curves' extents would stand on each other.
+NAME_SIZE = (0.2, 0.05)
 # Kinds of curves, in the order of the legend.
 KINDS = ("fold", "period_doubling", "neimark_sacker", "branch_point", "graze")
 
@@ -45,13 +47,24 @@ class Curves:
         yield ""
 
     def mark_lines(self):
-        """Both parameters and the name of every meeting; one that lies on two curves once."""
-        seen = set()
+        """Both parameters and the name of every meeting; one that lies on two curves once. Of meetings whose names would
+        stand on each other the first one has all names, each once."""
+        sizes = [max(values) - min(values) or 1 for values in
+                 ([csv_table.number(row, name) for row in self._points] for name in COLUMNS)]
+        named = []  # place, lines, names
         for row in self._meetings:
-            key = (row["meeting"], *(f"{csv_table.number(row, name):.6g}" for name in COLUMNS))
-            if key not in seen:
-                seen.add(key)
-                yield f"{self._at(row)} {row['meeting']}"
+            place = [csv_table.number(row, name) / size for name, size in zip(COLUMNS, sizes)]
+            near = next((one for one in named if all(abs(a - b) < w for a, b, w in zip(one[0], place, NAME_SIZE))), None)
+            if near is None:
+                named.append((place, [self._at(row)], [row["meeting"]]))
+                continue
+            if self._at(row) not in near[1]:
+                near[1].append(self._at(row))
+            if row["meeting"] not in near[2]:
+                near[2].append(row["meeting"])
+        for _, lines, names in named:
+            yield f'{lines[0]} {",".join(names)}'
+            yield from (f'{line} ""' for line in lines[1:])
 
     def logarithmic(self):
         """Which axes are drawn logarithmically, as the axes of the sweep that they are."""

@@ -39,7 +39,7 @@ step(range, count) = power(1.0 * range / count) * round_up(1.0 * range / count /
 # The motion before: rest, or the quiet whirl before the kick, continued from the state at its start; only known where
 # nothing shifts its mean.
 angle(row, t) = 2 * pi * speed_hz[row] * t
-before_kick(row, t) = t > 0 || from[row] > 0 ? NaN : at_rest[row] ? start_y_m[row] : gravity[row] != 0 ? NaN : \
+before_kick(row, t) = t > 0 || from[row] > 0 || in_state[row] ? NaN : at_rest[row] ? start_y_m[row] : gravity[row] != 0 ? NaN : \
   start_y_m[row] * cos(angle(row, t)) + start_vy_m_per_s[row] / (2 * pi * speed_hz[row]) * sin(angle(row, t))
 
 # Where the rotor is at a stop elsewhere along the shaft: short of the wall by the gap.
@@ -148,7 +148,7 @@ do for [format in formats] {
     }
     period = 1.0 / speed_hz[row]
     origin = from[row] * period
-    begin = from[row] > 0 ? 0 : -4 * period
+    begin = from[row] > 0 || in_state[row] ? 0 : -4 * period
     end = to[row] * period - origin
     per_second = end > 2 ? 1 : 1e3
     reach = reach > 0 ? 1.15 * reach : 1

@@ -1,7 +1,6 @@
 #include "rubsweep/config/machine/matlab_matrix.hpp"
 
 #include <gtest/gtest.h>
-#include <matio.h>
 
 #include <array>
 #include <fstream>
@@ -10,6 +9,7 @@
 
 #include "batch/message_of.hpp"
 #include "batch/temporary_directory.hpp"
+#include "matlab/matio_file.hpp"
 #include "rubsweep/batch/input_file.hpp"
 #include "rubsweep/error.hpp"
 
@@ -17,53 +17,13 @@ namespace rubsweep::config::machine {
 namespace {
 
 /// A MATLAB file that a test writes variable by variable.
-class MatlabFile {
- public:
+struct MatlabFile : matlab::MatioFile {
   explicit MatlabFile(const std::filesystem::path& path, mat_ft version = MAT_FT_MAT5)
-      : file_(Mat_CreateVer(path.c_str(), nullptr, version)) {}
-  ~MatlabFile() { Mat_Close(file_); }
-  MatlabFile(const MatlabFile&) = delete;
-  MatlabFile& operator=(const MatlabFile&) = delete;
-
-  /// Column by column.
-  void full(const char* name, std::size_t rows, std::size_t columns, std::vector<double> values,
-            int options = 0) {
-    std::array<std::size_t, 2> size{rows, columns};
-    std::vector<double> imaginary(values.size(), 1);
-    mat_complex_split_t both{values.data(), imaginary.data()};
-    void* data = options == MAT_F_COMPLEX ? static_cast<void*>(&both) : values.data();
-    write(Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size.data(), data, options));
-  }
+      : MatioFile(path, version) {}
 
   void single(const char* name, std::vector<float> values) {
-    std::array<std::size_t, 2> size{2, 2};
-    write(Mat_VarCreate(name, MAT_C_SINGLE, MAT_T_SINGLE, 2, size.data(), values.data(), 0));
+    write(variable(name, MAT_C_SINGLE, MAT_T_SINGLE, 2, 2, std::move(values)));
   }
-
-  void text(const char* name, std::string letters) {
-    std::array<std::size_t, 2> size{1, letters.size()};
-    write(Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UINT8, 2, size.data(), letters.data(), 0));
-  }
-
-  /// {{1, -3}, {0, 4.5}}
-  void sparse(const char* name) {
-    std::array<std::size_t, 2> size{2, 2};
-    std::array<mat_uint32_t, 3> rows{0, 0, 1}, begins{0, 1, 3};
-    std::array<double, 3> values{1, -3, 4.5};
-    mat_sparse_t stored{};
-    stored.nzmax = stored.nir = stored.ndata = 3;
-    stored.ir = rows.data(), stored.njc = 3, stored.jc = begins.data(), stored.data = values.data();
-    write(Mat_VarCreate(name, MAT_C_SPARSE, MAT_T_DOUBLE, 2, size.data(), &stored, MAT_F_DONT_COPY_DATA));
-  }
-
- private:
-  void write(matvar_t* variable) {
-    ASSERT_NE(variable, nullptr);
-    ASSERT_EQ(Mat_VarWrite(file_, variable, MAT_COMPRESSION_NONE), 0);
-    Mat_VarFree(variable);
-  }
-
-  mat_t* file_;
 };
 
 struct Answer {
@@ -86,7 +46,7 @@ TEST(MatlabMatrix, ReadsFullSingleAndSparseOnes) {
   const auto path = directory.path() / "m.mat";
   {
     MatlabFile file(path);
-    file.full("K", 2, 2, {1, -3, 2, 1.0 / 3});
+    file.doubles("K", 2, 2, {1, -3, 2, 1.0 / 3});
     file.single("M", {0.5F, 0, 0, 0.25F});
     file.sparse("C");
   }
@@ -100,11 +60,11 @@ TEST(MatlabMatrix, SaysWhatIsNoMatrixOfIt) {
   const auto path = directory.path() / "m.mat";
   {
     MatlabFile file(path);
-    file.full("stiffness", 2, 2, {1, 0, 0, 1});
-    file.full("wide", 2, 3, {1, 2, 3, 4, 5, 6});
-    file.full("phasor", 1, 1, {1}, MAT_F_COMPLEX);
-    file.full("broken", 1, 1, {NAN});
-    file.text("note", "ab");
+    file.doubles("stiffness", 2, 2, {1, 0, 0, 1});
+    file.doubles("wide", 2, 3, {1, 2, 3, 4, 5, 6});
+    file.phasor("phasor");
+    file.doubles("broken", 1, 1, {NAN});
+    file.text("note");
   }
   const std::string at = "my.yaml:3:7: rotor.mass.variable: ",
                     allowed = ", allowed: a square matrix of real numbers, full or sparse";
@@ -114,7 +74,7 @@ TEST(MatlabMatrix, SaysWhatIsNoMatrixOfIt) {
   EXPECT_EQ(read(path, "wide").problem, at + "'wide' is 2 x 3" + allowed);
   EXPECT_EQ(read(path, "phasor").problem, at + "'phasor' is complex" + allowed);
   EXPECT_EQ(read(path, "broken").problem, at + "'broken' holds a number that is not finite" + allowed);
-  EXPECT_EQ(read(path, "note").problem, at + "'note' is 1 x 2" + allowed);
+  EXPECT_EQ(read(path, "note").problem, at + "'note' is 1 x 3" + allowed);
   std::ofstream(directory.path() / "no.mat") << "neither";
   EXPECT_EQ(read(directory.path() / "no.mat", "K").problem,
             at + "the file is no MATLAB file, or a damaged one, allowed: a file of version 4, 5 or 7.3");

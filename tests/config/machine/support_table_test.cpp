@@ -54,7 +54,7 @@ class SupportTableFile : public testing::Test {
     std::ofstream(directory_.path() / "film.csv", std::ios::binary) << bytes;
     return read_run_config_text(
         replaced(test_file("bad/table_missing.yaml"), "tables/no_such_table.csv", "film.csv"),
-        (directory_.path() / "my.yaml").string(), {});
+        (directory_.path() / "my.yaml").string(), {"rotor.elements=4"});
   }
   std::string problem_of(const std::string& bytes) const {
     const std::string message = ::message_of<ConfigError>([&] { config_of(bytes); });
@@ -95,6 +95,42 @@ TEST_F(SupportTableFile, AreReadAsPeopleHaveThem) {
   expect_table("speed_hz,kxx,kyy,cxx\n80,33500,32000,6\n20,30000,31000,5\n");
 }
 
+TEST_F(SupportTableFile, AreReadFromFurtherSuppliers) {
+  expect_table(
+      "  Speed [rpm]  Kxx [N/m]  Kyy [N/m]  Cxx [N s/m]\n 1200.0 3.0D+04 3.1D+04 5.0\n 4800.0 3.35D+04 "
+      "3.2D+04 6.0\n");
+  expect_table("# speed_hz kxx kyy cxx\n2.0e+01 3e4 3.1e4 5\n8.0e+01 33500 32000 6\n");
+  expect_table(
+      "Speed / rpm;K_xx / (N/m);K_yy / (N/m);C_xx / (N s/m);\n1200;3e4;3.1e4;5;\n4800;33500;32000;6;\n");
+  expect_table(
+      "\u03a9 [rad/s],Kxx [N/m],Kyy [N/m],Cxx [kN\u00b7s/m]\n125.66370614359172,3e4,3.1e4,0.005\n"
+      "502.6548245743669,33500,32000,0.006\n");
+  expect_table(
+      "Speed,Stiffness,Stiffness,Damping\n[rpm],Kxx [N/m],Kyy [N/m],Cxx [Ns/m]\n1200,3e4,3.1e4,5\n"
+      "4800,33500,32000,6\n");
+  expect_table("n [1/s],kxx,kyy,cxx\n20,3e4,3.1e4,5\n80,33500,32000,6\n");
+  // A row that repeats the one before it says nothing else.
+  expect_table(
+      "speed_hz,kxx,kyy,cxx\n20,3e4,3.1e4,5\n20,3e4,3.1e4,5\n80,33500,32000,6\n80,33500,32000,6\n,,,\n");
+  expect_table("speed_hz,kxx,kyy,cxx\n80,33500,32000,6\n80,33500,32000,6\n20,3e4,3.1e4,5\n");
+}
+
+TEST_F(SupportTableFile, WhatMayMeanTwoThingsIsRefusedAtItsCell) {
+  EXPECT_EQ(problem_of("Omega [1/s],kxx,kyy\n1,2,3\n2,2,3\n").substr(0, 70),
+            "film.csv:1:1: rotor.supports.1.table.file: the unit of 'Omega [1/s]' i");
+  EXPECT_EQ(problem_of("speed_rpm,kxx,kyy\n\"1,000\",2e4,3e4\n\"2,000\",2e4,3e4\n"),
+            "film.csv:2:2: rotor.supports.1.table.file: '1,000' may have a decimal comma, or commas between "
+            "thousands, allowed: numbers without signs between thousands");
+  EXPECT_EQ(problem_of("speed_rpm,kxx,kyy\n3,2,3\n4,2,3\n4,2,5\n5,2,3\n"),
+            "film.csv:4:1: rotor.supports.1.table.speed_rpm.2: 4 is not above the speed before it, allowed: "
+            "speeds that rise");
+  EXPECT_EQ(problem_of("speed_rpm,kxx,kyy\n3,2,3\n3,2,3\n4,2,5\n4,2,6\n"),
+            "film.csv:5:1: rotor.supports.1.table.speed_rpm.3: 4 is not above the speed before it, allowed: "
+            "speeds that rise");
+  EXPECT_EQ(problem_of("speed_rpm,kxx,kxy,kyy\n3,2,,3\n4,2,1,3\n"),
+            "film.csv:2:5: rotor.supports.1.table.kxy.0: '' is not a number, allowed: a finite number");
+}
+
 TEST_F(SupportTableFile, UnitsThatAreMissingOrContradictAreRefused) {
   EXPECT_EQ(problem_of("Omega,kxx,kyy\n1,2,3\n2,2,3\n"),
             "film.csv:1:1: rotor.supports.1.table.file: 'Omega' says no unit, allowed: rpm, Hz or rad/s "
@@ -115,8 +151,9 @@ TEST_F(SupportTableFile, UnitsThatAreMissingOrContradictAreRefused) {
             "that rise, or that fall");
   EXPECT_EQ(
       problem_of("Bearing DE\n 4 0 0\n 1 100.0\n 1e7 0 0 1e7\n"),
-      "film.csv:1:1: rotor.supports.1.table.file: no line of the file has names of columns that are known, "
-      "allowed: a line of names as the keys are, perhaps with units, then lines of numbers");
+      "film.csv:2:1: rotor.supports.1.table.file: no line of the file has names of columns that are known, "
+      "and numbers begin with '4', allowed: a line of names as the keys are, perhaps with units, then lines "
+      "of numbers");
 }
 
 TEST(SupportTable, ANumberOfItCanBeSetAndSwept) {

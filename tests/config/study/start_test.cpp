@@ -49,6 +49,28 @@ TEST(Start, AnEmptyOneReadsBackAndIsNotTheSameStudy) {
   EXPECT_NE(study_digest(empty.study), study_digest(with_two_stops({}).study));
 }
 
+TEST(Start, AtRestReadsBackAndIsAStudyOfItsOwn) {
+  const RunConfig rest = with_two_stops({"start=rest"});
+  EXPECT_TRUE(rest.study.machine.start.value().at_rest);
+  const std::string printed = print_config(rest);
+  EXPECT_NE(printed.find("\nstart: rest\n"), std::string::npos) << printed;
+  EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
+  EXPECT_NE(study_digest(rest.study), study_digest(with_two_stops({"start={}"}).study));
+}
+
+TEST(Start, AtRestHasNoNumbersAndNoOtherWord) {
+  EXPECT_EQ(start_problem("start=rst"),
+            "--set start=rst: start: 'rst' is unknown (did you mean 'rest'?), allowed: rest, or a map of "
+            "x_m, y_m, vx_m_per_s, vy_m_per_s, casings, each optional");
+  EXPECT_EQ(
+      start_problem("start=[rest]"),
+      "--set start=[rest]: start: is a list, allowed: rest, or a map of x_m, y_m, vx_m_per_s, vy_m_per_s, "
+      "casings, each optional");
+  const std::string text = test_file("minimal.yaml") + "start: rest\n";
+  EXPECT_EQ(message_of(text, {"start.x_m=1e-3"}),
+            "--set start.x_m=1e-3: start: is 'rest' and cannot hold 'x_m', allowed: a map or a list");
+}
+
 TEST(Start, TakesAKickBackAndAKickAStart) {
   const RunConfig started = with_two_stops({"kick={force_n: 200, duration_s: 0.005}", "start={}"});
   EXPECT_FALSE(started.study.machine.kick);
@@ -83,6 +105,9 @@ TEST(Start, RefusesWhatItCannotBe) {
 
 TEST(Start, RefusesAKickBesideIt) {
   const std::string text = test_file("minimal.yaml") + "kick: {force_n: 1, duration_s: 1e-3}\nstart: {}\n";
+  EXPECT_NE(message_of(test_file("minimal.yaml") + "kick: {force_n: 1, duration_s: 1e-3}\nstart: rest\n", {})
+                .find("start: is given beside a kick"),
+            std::string::npos);
   const std::string message = message_of(text, {});
   EXPECT_NE(message.find("start: is given beside a kick, allowed: one of the two"), std::string::npos)
       << message;

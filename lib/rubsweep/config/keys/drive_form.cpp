@@ -29,9 +29,11 @@ Form kick_form() {
 }
 
 Form start_form() {
-  return map_of(joined(
-      {body_state(), newer({may("casings", numbered(map_of(body_state()), machine::max_stops),
-                                "states of moving casings, by the number of their stop", "(none)")})}));
+  return any_of(
+      {word({"rest"}),
+       map_of(joined({body_state(),
+                      newer({may("casings", numbered(map_of(body_state()), machine::max_stops),
+                                 "states of moving casings, by the number of their stop", "(none)")})}))});
 }
 
 }  // namespace rubsweep::config::keys

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -75,29 +76,53 @@ std::vector<double> read_column(const yaml::Value& value, const model::Range& ra
   return numbers;
 }
 
-/// Speeds in Hz, as they stand: all rising or all falling.
-std::vector<double> read_speeds(yaml::Section& section) {
+/// The column of speeds in whatever unit it is given.
+std::optional<yaml::Value> find_speeds(yaml::Section& section) {
   constexpr std::string_view hz = "speed_hz", rpm = "speed_rpm", rad_per_s = "speed_rad_per_s";
   section.require_exactly_one({hz, rpm, rad_per_s});
-  const auto in_hz = section.find(hz), in_rpm = section.find(rpm), in_rad_per_s = section.find(rad_per_s);
-  const auto& given = in_hz ? in_hz : in_rpm ? in_rpm : in_rad_per_s;
-  if (!given) return {};
-  std::vector<double> speeds = read_column(*given, model::not_negative, 1);
+  std::optional<yaml::Value> found;
+  for (const std::string_view name : {hz, rpm, rad_per_s})
+    if (const auto value = section.find(name); value && !found) found.emplace(*value);
+  return found;
+}
+
+/// Speeds in Hz, as they stand.
+std::vector<double> read_speeds(const yaml::Value& given) {
+  std::vector<double> speeds = read_column(given, model::not_negative, 1);
   for (double& speed : speeds) {
-    if (in_rpm) speed /= model::rpm_per_hz;  // as the speeds of a sweep: knots meet to the last bit
-    if (in_rad_per_s) speed /= 2 * std::numbers::pi;
-  }
-  const bool falling = speeds.size() > 1 && speeds[1] < speeds[0];
-  for (std::size_t i = 1; i < speeds.size() && speeds.size() == given->node.items.size(); ++i) {
-    if (falling ? speeds[i] < speeds[i - 1] : speeds[i] > speeds[i - 1]) continue;
-    const yaml::Value item{given->node.items[i], fmt::format("{}.{}", given->path, i), given->diagnostics};
-    refuse(item,
-           fmt::format("{} is not {} the speed before it", yaml::shown(item.node.text),
-                       falling ? "below" : "above"),
-           falling ? "speeds that rise, or that fall" : "speeds that rise");
-    break;
+    if (given.path.ends_with("_rpm")) speed /= model::rpm_per_hz;  // as those of a sweep, to the last bit
+    if (given.path.ends_with("_rad_per_s")) speed /= 2 * std::numbers::pi;
   }
   return speeds;
+}
+
+/// Takes rows out that repeat the one before them; the others must rise or fall in speed.
+void order_rows(model::SupportTable& table, const yaml::Value& speeds) {
+  std::vector<double>& hz = table.speed_hz;
+  const auto differ = std::ranges::adjacent_find(hz, std::not_equal_to<>{});
+  const bool falling = differ != hz.end() && differ[1] < differ[0];
+  for (std::size_t i = 1; i < hz.size(); ++i) {
+    if (falling ? hz[i] < hz[i - 1] : hz[i] > hz[i - 1]) continue;
+    const bool repeats = hz[i] == hz[i - 1] && std::ranges::all_of(table.columns, [&](const auto& column) {
+                           return column[i] == column[i - 1];
+                         });
+    if (!repeats) {
+      const auto items = speeds.node.items.size();
+      const std::size_t place = i + items - hz.size();
+      const yaml::Value item{speeds.node.items[place], fmt::format("{}.{}", speeds.path, place),
+                             speeds.diagnostics};
+      return refuse(item,
+                    fmt::format("{} is not {} the speed before it", yaml::shown(item.node.text),
+                                falling ? "below" : "above"),
+                    falling ? "speeds that rise, or that fall" : "speeds that rise");
+    }
+    const auto row = static_cast<std::ptrdiff_t>(i--);
+    hz.erase(hz.begin() + row);
+    for (auto& column : table.columns) column.erase(column.begin() + row);
+  }
+  if (!falling) return;
+  std::ranges::reverse(hz);
+  for (auto& column : table.columns) std::ranges::reverse(column);
 }
 
 /// Column of a coefficient in whatever unit it is given; empty where it is not.
@@ -172,9 +197,19 @@ std::string_view ending_of(std::string_view unit) {
 
 /// Key of a column of a table of supports: "Kxx [N/mm]" is kxx_n_per_mm, "Speed (rpm)" speed_rpm.
 ColumnKey key_of_support(const table::Heading& heading) {
+  if (const std::size_t slash = heading.name.rfind('/'); slash != std::string::npos) {
+    // "Speed / rpm", "K_xx / (N/m)"
+    const std::size_t parted = heading.name.find('/');
+    const std::string behind = heading.name.substr(parted + 1);
+    if (heading.unit.empty() == (slash + 1 == heading.name.size())) return {};
+    return key_of_support({heading.name.substr(0, parted), heading.unit.empty() ? behind : heading.unit});
+  }
   std::string name = in_small_letters(heading.name);
   std::erase(name, ' ');
-  if (name == "omega" || name == "n" || name == "rotorspeed") name = "speed";
+  if (name.size() == 4 && name[1] == '_') name.erase(1, 1);  // K_xx
+  const bool turns = name == "n";
+  constexpr std::array<std::string_view, 5> speeds{"omega", "n", "rotorspeed", "\u03c9", "\u03a9"};
+  if (std::ranges::find(speeds, name) != speeds.end()) name = "speed";
   if (name == "rpm") name = "speed_rpm";
   std::string stem = name.substr(0, name.find('_'));
   const bool speed = stem == "speed";
@@ -188,7 +223,10 @@ ColumnKey key_of_support(const table::Heading& heading) {
   if (heading.unit.empty()) return {name};
   const bool stiffness = ending.starts_with("_n_per") || ending == "_lbf_per_in";
   const bool damping = ending.starts_with("_ns_per") || ending == "_lbf_s_per_in";
-  const bool fits = speed            ? ending == "_rpm" || ending == "_hz" || ending == "_rad_per_s"
+  // 1/s of a frequency is radians, of turns turns.
+  const bool unclear = !turns && ending == "_hz" && heading.unit.find('1') != std::string::npos;
+  const bool fits = unclear          ? false
+                    : speed          ? ending == "_rpm" || ending == "_hz" || ending == "_rad_per_s"
                     : stem[0] == 'k' ? stiffness
                     : stem[0] == 'c' ? damping
                                      : ending == "_kg";
@@ -215,9 +253,11 @@ std::optional<model::SupportTable> read_support_table(const yaml::Value& value) 
   if (!section.is_map() || section.find("file"))
     return std::nullopt;  // a file that could not be had was refused
   model::SupportTable table;
-  table.speed_hz = read_speeds(section);
+  const auto speeds = find_speeds(section);
+  if (speeds) table.speed_hz = read_speeds(*speeds);
+  const std::size_t rows = speeds ? speeds->node.items.size() : 0;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    auto column = find_column(section, c, table.speed_hz.size());
+    auto column = find_column(section, c, rows);
     const std::string_view name = model::support_coefficients[c];
     if (!column && (name == "kxx" || name == "kyy"))
       section.require(
@@ -227,10 +267,8 @@ std::optional<model::SupportTable> read_support_table(const yaml::Value& value) 
   }
   section.refuse_unknown_keys();
   if (!section.is_sound()) return std::nullopt;
-  if (table.speed_hz.size() > 1 && table.speed_hz[1] < table.speed_hz[0]) {
-    std::ranges::reverse(table.speed_hz);
-    for (std::vector<double>& column : table.columns) std::ranges::reverse(column);
-  }
+  order_rows(table, *speeds);
+  if (!section.is_sound()) return std::nullopt;
   return table;
 }
 

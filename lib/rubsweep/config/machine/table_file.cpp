@@ -66,8 +66,10 @@ class TableFile {
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
       std::string text(cells[i]);
       // A number whose decimals do not look as those before it is a fault.
-      if (!text.empty() && rows.is_number(i)) rows.number(i);
-      if (rows.is_number(i)) std::ranges::replace(text, ',', '.');
+      if (rows.is_number(i)) {
+        const double number = rows.number(i);
+        if (text.find_first_of(",Dd") != std::string::npos) text = fmt::format("{}", number);
+      }
       read.items[i].items.push_back(
           {yaml::Node::Kind::scalar, place_of(rows.line(), rows.place_of(i)), text});
     }

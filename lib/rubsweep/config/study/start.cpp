@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "rubsweep/config/yaml/section.hpp"
@@ -10,6 +11,9 @@
 namespace rubsweep::config::study {
 namespace {
 
+constexpr std::string_view at_rest = "rest";
+constexpr std::string_view start_forms =
+    "rest, or a map of x_m, y_m, vx_m_per_s, vy_m_per_s, casings, each optional";
 constexpr std::string_view forms = "a map from the number of a stop to x_m, y_m, vx_m_per_s, vy_m_per_s";
 
 std::vector<std::optional<model::BodyState>> read_casings(const yaml::Value& value,
@@ -68,8 +72,13 @@ void print_kick(yaml::Printer& printer, const model::Kick& kick) {
 }
 
 model::Start read_start(const yaml::Value& value, const std::vector<model::Stop>& stops) {
-  yaml::Section section(value);
   model::Start start;
+  if (value.node.kind == yaml::Node::Kind::scalar) {
+    constexpr std::array words{at_rest};
+    start.at_rest = read_word(value, words, start_forms).has_value();
+    return start;
+  }
+  yaml::Section section(value, start_forms);
   read_fields(section, start.rotor);
   if (const auto casings = section.find("casings")) start.casings = read_casings(*casings, stops);
   section.refuse_unknown_keys();
@@ -77,6 +86,7 @@ model::Start read_start(const yaml::Value& value, const std::vector<model::Stop>
 }
 
 void print_start(yaml::Printer& printer, const model::Start& start) {
+  if (start.at_rest) return printer.word("start", at_rest);
   const auto given = [](const std::optional<model::BodyState>& body) { return body && !is_empty(*body); };
   const bool casings = std::ranges::any_of(start.casings, given);
   if (is_empty(start.rotor) && !casings) {

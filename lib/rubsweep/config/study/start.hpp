@@ -18,7 +18,7 @@ void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, doub
 
 void print_kick(yaml::Printer& printer, const model::Kick& kick);
 
-/// `start`: {x_m, y_m, vx_m_per_s, vy_m_per_s, casings}, each optional; `casings` maps the number of a stop
+/// `start`: rest, or {x_m, y_m, vx_m_per_s, vy_m_per_s, casings}, each optional; `casings` maps the number of a stop
 /// whose casing moves to the same of that casing. `{}` starts on the quiet whirl, not kicked.
 model::Start read_start(const yaml::Value& value, const std::vector<model::Stop>& stops);
 void print_start(yaml::Printer& printer, const model::Start& start);
