@@ -16,9 +16,9 @@
 #include <string>
 #include <string_view>
 
-#include "rubsweep/model/machine.hpp"
-#include "rubsweep/response/settle.hpp"
-#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/core/model/machine.hpp"
+#include "rubsweep/core/response/settle.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # test_folder.sh FOLDER...: builds the tests of folders of the library, and of those below them, in the preset dev (each
 # source alone, with little optimisation), and runs them. A folder is named as below lib/rubsweep or tests: contact,
-# integrate/exact, tests/config/yaml. Everything else of the build stays as it is.
+# integrate/exact, tests/maps/config/yaml. Everything else of the build stays as it is.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/dev

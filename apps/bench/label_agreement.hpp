@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/response/settle.hpp"
-#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/core/response/settle.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
 
 namespace rubsweep::bench {
 

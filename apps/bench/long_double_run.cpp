@@ -9,10 +9,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "rubsweep/contact/friction_law.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/integrate/run/state_scale.hpp"
-#include "rubsweep/scene/quiet_motion.hpp"
+#include "rubsweep/core/contact/friction_law.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/integrate/run/state_scale.hpp"
+#include "rubsweep/core/scene/quiet_motion.hpp"
 
 namespace rubsweep::bench {
 namespace {

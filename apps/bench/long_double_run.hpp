@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/contact/contact_mode.hpp"
-#include "rubsweep/scene/scene.hpp"
+#include "rubsweep/core/contact/contact_mode.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::bench {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "bench/long_double_run.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/integrate/start.hpp"
 
 namespace rubsweep::bench {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/integrate/run/options.hpp"
-#include "rubsweep/scene/scene.hpp"
+#include "rubsweep/core/integrate/run/options.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::bench {
 

@@ -1,6 +1,6 @@
 #include "bench/variant.hpp"
 
-#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/core/integrate/start.hpp"
 
 namespace rubsweep::bench {
 namespace {

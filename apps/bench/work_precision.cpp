@@ -5,7 +5,7 @@
 
 #include "bench/processor_time.hpp"
 #include "bench/reference.hpp"
-#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/core/integrate/start.hpp"
 
 namespace rubsweep::bench {
 namespace {

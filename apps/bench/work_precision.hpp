@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bench/variant.hpp"
-#include "rubsweep/integrate/run/turn.hpp"
-#include "rubsweep/scene/scene.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::bench {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <variant>
 
-#include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/integrate/adaptive/stepper_table.hpp"
-#include "rubsweep/overloaded.hpp"
+#include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/batch/csv_table.hpp"
 
 namespace rubsweep::bench {
 namespace {

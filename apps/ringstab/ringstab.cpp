@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "ringstab_arguments.hpp"
-#include "rubsweep/batch/line_log.hpp"
-#include "rubsweep/batch/progress.hpp"
-#include "rubsweep/batch/result_files.hpp"
-#include "rubsweep/config/ring/ring_config.hpp"
+#include "rubsweep/maps/batch/line_log.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
+#include "rubsweep/maps/batch/result_files.hpp"
+#include "rubsweep/ring/read_ring_config.hpp"
 #include "rubsweep/ring/ring_csv.hpp"
 #include "rubsweep/ring/ring_summary.hpp"
 #include "shared/exit_code.hpp"

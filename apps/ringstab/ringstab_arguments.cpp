@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "rubsweep/config/keys/ring_form.hpp"
+#include "rubsweep/maps/config/keys/ring_form.hpp"
 #include "shared/command_line.hpp"
 #include "shared/key_questions.hpp"
 

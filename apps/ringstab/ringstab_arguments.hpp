@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "shared/action.hpp"
 
 namespace rubsweep::apps {

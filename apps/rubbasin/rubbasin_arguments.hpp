@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "shared/action.hpp"
 #include "shared/cell_argument.hpp"
 #include "shared/figure.hpp"

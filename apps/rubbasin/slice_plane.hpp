@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/config/run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::apps {
 

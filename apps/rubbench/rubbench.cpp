@@ -11,14 +11,14 @@
 #include <string_view>
 #include <vector>
 
-#include "rubbench_arguments.hpp"
-#include "rubsweep/batch/result_files.hpp"
 #include "bench/label_agreement.hpp"
 #include "bench/reference.hpp"
 #include "bench/work_precision_report.hpp"
-#include "rubsweep/config/cell_config.hpp"
-#include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/study_digest.hpp"
+#include "rubbench_arguments.hpp"
+#include "rubsweep/maps/batch/result_files.hpp"
+#include "rubsweep/maps/config/cell_config.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/study_digest.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"

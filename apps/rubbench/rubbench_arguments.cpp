@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "bench/reference.hpp"
-#include "rubsweep/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 

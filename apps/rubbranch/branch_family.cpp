@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
 #include "written_cell.hpp"
 
 namespace rubsweep::apps {

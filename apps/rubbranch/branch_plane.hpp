@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "rubbranch_arguments.hpp"
-#include "rubsweep/branch/orbits/scene_plane.hpp"
-#include "rubsweep/config/run_config.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_plane.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::apps {
 

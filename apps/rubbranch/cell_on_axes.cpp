@@ -6,9 +6,9 @@
 #include <array>
 #include <cstddef>
 
-#include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/config/line_keys.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/csv_table.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/sweep/grid.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
 #include "shared/cell_argument.hpp"
 
 namespace rubsweep::apps {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "rubsweep/branch/curves/curve_start.hpp"
-#include "rubsweep/branch/curves/follow_curve.hpp"
+#include "rubsweep/analysis/branch/curves/curve_start.hpp"
+#include "rubsweep/analysis/branch/curves/follow_curve.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

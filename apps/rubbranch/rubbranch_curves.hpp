@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "branch_plane.hpp"
-#include "rubsweep/branch/continuation/branch_point.hpp"
-#include "rubsweep/branch/curves/curves_csv.hpp"
-#include "rubsweep/response/motion/workspace.hpp"
-#include "rubsweep/sweep/study.hpp"
+#include "rubsweep/analysis/branch/continuation/branch_point.hpp"
+#include "rubsweep/analysis/branch/curves/curves_csv.hpp"
+#include "rubsweep/core/response/motion/workspace.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::apps {
 

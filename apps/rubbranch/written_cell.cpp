@@ -7,11 +7,11 @@
 #include <string_view>
 #include <utility>
 
-#include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/config/number_at.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/config/yaml/file_bytes.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/csv_table.hpp"
+#include "rubsweep/maps/config/number_at.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/yaml/file_bytes.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "rubbranch_arguments.hpp"
-#include "rubsweep/branch/orbits/plane_orbits.hpp"
-#include "rubsweep/config/run_config.hpp"
-#include "rubsweep/scene/build_scene.hpp"
-#include "rubsweep/scene/prepared_machine.hpp"
+#include "rubsweep/analysis/branch/orbits/plane_orbits.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::apps {
 

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "rubdata_arguments.hpp"
-#include "rubsweep/batch/file_lock.hpp"
-#include "rubsweep/batch/parallel_run.hpp"
-#include "rubsweep/batch/progress.hpp"
-#include "rubsweep/config/dataset/read_data_study.hpp"
-#include "rubsweep/config/yaml/file_bytes.hpp"
-#include "rubsweep/dataset/data_set.hpp"
+#include "rubsweep/maps/batch/file_lock.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
+#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/measurement/dataset/data_set.hpp"
+#include "rubsweep/measurement/dataset/read_data_study.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <utility>
 
-#include "rubsweep/config/number_at.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/config/yaml/file_bytes.hpp"
-#include "rubsweep/diagnose/draw_purpose.hpp"
-#include "rubsweep/diagnose/fitted_parameters.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/config/number_at.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/measurement/diagnose/draw_purpose.hpp"
+#include "rubsweep/measurement/diagnose/fitted_parameters.hpp"
 
 namespace rubsweep::apps {
 namespace {

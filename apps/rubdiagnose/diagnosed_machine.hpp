@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/diagnose/drawn_machine.hpp"
-#include "rubsweep/diagnose/spread.hpp"
+#include "rubsweep/measurement/diagnose/drawn_machine.hpp"
+#include "rubsweep/measurement/diagnose/spread.hpp"
 
 namespace rubsweep::apps {
 

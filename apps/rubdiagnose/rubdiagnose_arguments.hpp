@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/batch/progress_mode.hpp"
-#include "rubsweep/model/length_text.hpp"
+#include "rubsweep/core/model/length_text.hpp"
+#include "rubsweep/maps/batch/progress_mode.hpp"
 #include "shared/figure.hpp"
 #include "shared/recording_arguments.hpp"
 

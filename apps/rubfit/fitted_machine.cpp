@@ -10,14 +10,14 @@
 #include <string_view>
 #include <utility>
 
-#include "rubsweep/config/number_at.hpp"
-#include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/fit/fit_problem.hpp"
-#include "rubsweep/fit/rub/rub_orbits.hpp"
-#include "rubsweep/identify/linear_run.hpp"
-#include "rubsweep/numerics/recently_used.hpp"
+#include "rubsweep/analysis/linear/linear_run.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/numerics/recently_used.hpp"
+#include "rubsweep/maps/config/number_at.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/measurement/fit/fit_problem.hpp"
+#include "rubsweep/measurement/fit/rub/rub_orbits.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
@@ -187,7 +187,7 @@ FittedMachine fitted_machine_of(const RubfitArguments& arguments, const config::
       .first = std::make_shared<const scene::PreparedMachine>(scene::prepare_machine(config.study.machine))};
   fit::MachineFit& problem = fitted.problem;
   problem = {.parameters = {},
-             .data = data_of(arguments, identify::sensor_rows(*fitted.first).angle_deg),
+             .data = data_of(arguments, linear::sensor_rows(*fitted.first).angle_deg),
              .eccentricity_m = arguments.eccentricity_m,
              .mark_deg = arguments.mark_deg,
              .hit_s = arguments.hit_s,
@@ -217,7 +217,7 @@ FittedMachine fitted_machine_of(const RubfitArguments& arguments, const config::
 }
 
 void take_phases_as(fit::PhaseConvention other, fit::PhaseConvention read_as, FittedMachine& fitted) {
-  const std::vector<double> angle_deg = identify::sensor_rows(*fitted.first).angle_deg;
+  const std::vector<double> angle_deg = linear::sensor_rows(*fitted.first).angle_deg;
   for (fit::MeasuredData& data : fitted.problem.data) fit::take_phases_as(other, read_as, angle_deg, data);
 }
 

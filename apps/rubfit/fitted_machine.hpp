@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "rubfit_arguments.hpp"
-#include "rubsweep/config/run_config.hpp"
-#include "rubsweep/fit/machine_fit.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/measurement/fit/machine_fit.hpp"
 
 namespace rubsweep::apps {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/fit/measured_data.hpp"
+#include "rubsweep/measurement/fit/measured_data.hpp"
 #include "shared/action.hpp"
 #include "shared/figure.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "rubsweep/config/study/place_axes.hpp"
+#include "rubsweep/maps/config/study/place_axes.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/batch/progress.hpp"
-#include "rubsweep/line/follow_line.hpp"
+#include "rubsweep/analysis/line/follow_line.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "shared/action.hpp"
 #include "shared/figure.hpp"
 #include "shared/place_arguments.hpp"

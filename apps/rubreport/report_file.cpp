@@ -8,11 +8,11 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/batch/page_sum.hpp"
-#include "rubsweep/batch/parallel_run.hpp"
-#include "rubsweep/batch/progress.hpp"
-#include "rubsweep/batch/whole_file.hpp"
-#include "rubsweep/config/print_config.hpp"
+#include "rubsweep/maps/batch/page_sum.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
+#include "rubsweep/maps/batch/whole_file.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/map_of_study.hpp"

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string_view>
 
-#include "rubsweep/batch/progress_mode.hpp"
-#include "rubsweep/page/report_page.hpp"
-#include "rubsweep/sweep/study.hpp"
+#include "rubsweep/analysis/page/html_report.hpp"
+#include "rubsweep/maps/batch/progress_mode.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::apps {
 

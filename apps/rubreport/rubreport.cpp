@@ -7,9 +7,9 @@
 #include <system_error>
 
 #include "report_file.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/page/report_page.hpp"
-#include "rubsweep/report/require_plane.hpp"
+#include "rubsweep/analysis/page/html_report.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/report/require_plane.hpp"
 #include "shared/action.hpp"
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"

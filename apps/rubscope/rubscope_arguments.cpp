@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "rubsweep/scope/verdict.hpp"
+#include "rubsweep/measurement/scope/verdict.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 #include "shared/shown_lengths.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/model/length_text.hpp"
-#include "rubsweep/scope/verdict.hpp"
+#include "rubsweep/core/model/length_text.hpp"
+#include "rubsweep/measurement/scope/verdict.hpp"
 #include "shared/cell_argument.hpp"
 #include "shared/figure.hpp"
 #include "shared/recording_arguments.hpp"

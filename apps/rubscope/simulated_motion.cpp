@@ -4,11 +4,11 @@
 
 #include <optional>
 
-#include "rubsweep/error.hpp"
-#include "rubsweep/page/settled_orbit.hpp"
-#include "rubsweep/scene/prepared_machine.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
-#include "rubsweep/sweep/grid.hpp"
+#include "rubsweep/analysis/page/settled_orbit.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
 
 namespace rubsweep::apps {
 

@@ -3,7 +3,7 @@
 #include <complex>
 #include <vector>
 
-#include "rubsweep/config/run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "shared/cell_argument.hpp"
 
 namespace rubsweep::apps {

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "report_program.hpp"
-#include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/map/finished_map.hpp"
-#include "rubsweep/report/map_summary.hpp"
-#include "rubsweep/report/require_plane.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/csv_table.hpp"
+#include "rubsweep/maps/map/finished_map.hpp"
+#include "rubsweep/maps/report/map_summary.hpp"
+#include "rubsweep/maps/report/require_plane.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/program.hpp"
 #include "shared/run_summary.hpp"

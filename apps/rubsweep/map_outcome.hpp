@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <string_view>
 
-#include "rubsweep/config/run_config.hpp"
-#include "rubsweep/map/map_directory.hpp"
-#include "rubsweep/report/map_summary.hpp"
-#include "rubsweep/sweep/study.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/map/map_directory.hpp"
+#include "rubsweep/maps/report/map_summary.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 #include "rubsweep_arguments.hpp"
 
 namespace rubsweep::apps {

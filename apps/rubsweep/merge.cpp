@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/error.hpp"
-#include "rubsweep/map/unfinished_cells.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/map/unfinished_cells.hpp"
 #include "shell_word.hpp"
 
 namespace rubsweep::apps {

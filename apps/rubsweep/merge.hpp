@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rubsweep/config/run_config.hpp"
-#include "rubsweep/map/map_directory.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep_arguments.hpp"
 
 namespace rubsweep::apps {

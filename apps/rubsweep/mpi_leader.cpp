@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "mpi_messages.hpp"
-#include "rubsweep/batch/lap_time.hpp"
-#include "rubsweep/batch/parallel_run.hpp"
-#include "rubsweep/report/describe_footprint.hpp"
-#include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/sweep/run_cells.hpp"
+#include "rubsweep/maps/batch/lap_time.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
+#include "rubsweep/maps/report/describe_footprint.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 #include "shared/forecast.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/config/run_config.hpp"
-#include "rubsweep/map/cell_log.hpp"
-#include "rubsweep/map/chunk_rounds.hpp"
-#include "rubsweep/map/map_directory.hpp"
-#include "rubsweep/map/refined_cells.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/map/cell_log.hpp"
+#include "rubsweep/maps/map/chunk_rounds.hpp"
+#include "rubsweep/maps/map/map_directory.hpp"
+#include "rubsweep/maps/map/refined_cells.hpp"
 #include "rubsweep_arguments.hpp"
 
 namespace rubsweep::apps {

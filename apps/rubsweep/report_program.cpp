@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/batch/descriptor.hpp"
-#include "rubsweep/batch/input_file.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/descriptor.hpp"
+#include "rubsweep/maps/batch/input_file.hpp"
 #include "shared/child_process.hpp"
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"

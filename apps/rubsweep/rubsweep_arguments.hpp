@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/batch/progress_mode.hpp"
-#include "rubsweep/map/map_directory.hpp"
+#include "rubsweep/maps/batch/progress_mode.hpp"
+#include "rubsweep/maps/map/map_directory.hpp"
 #include "shared/action.hpp"
 #include "shared/figure.hpp"
 

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <variant>
 
-#include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/overloaded.hpp"
-#include "rubsweep/report/cells_of_rows.hpp"
-#include "rubsweep/report/terminal_map.hpp"
+#include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/batch/csv_table.hpp"
+#include "rubsweep/maps/report/cells_of_rows.hpp"
+#include "rubsweep/maps/report/terminal_map.hpp"
 #include "shell_word.hpp"
 
 namespace rubsweep::apps {

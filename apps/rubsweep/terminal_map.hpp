@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "rubsweep/sweep/grid.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
 
 namespace rubsweep::apps {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-#include "rubsweep/batch/finished_cells.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/map/map_status.hpp"
-#include "rubsweep/report/terminal_map.hpp"
-#include "rubsweep/sweep/grid.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/finished_cells.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/map/map_status.hpp"
+#include "rubsweep/maps/report/terminal_map.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
 #include "shared/program.hpp"
 #include "terminal_map.hpp"
 

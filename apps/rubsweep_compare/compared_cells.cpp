@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "rubsweep/batch/table_file.hpp"
+#include "rubsweep/maps/batch/table_file.hpp"
 
 namespace rubsweep::apps {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "rubsweep/report/compare_maps.hpp"
+#include "rubsweep/maps/report/compare_maps.hpp"
 
 namespace rubsweep::apps {
 

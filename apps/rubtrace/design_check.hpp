@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "rubsweep/config/run_config.hpp"
-#include "rubsweep/design/largest_over_speed.hpp"
-#include "rubsweep/sweep/study.hpp"
+#include "rubsweep/analysis/design/largest_over_speed.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 #include "rubtrace_arguments.hpp"
 
 namespace rubsweep::apps {

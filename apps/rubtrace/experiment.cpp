@@ -11,18 +11,18 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/batch/axis.hpp"
-#include "rubsweep/batch/result_files.hpp"
-#include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/study_digest.hpp"
-#include "rubsweep/identify/campbell.hpp"
-#include "rubsweep/identify/campbell_tables.hpp"
-#include "rubsweep/identify/experiment.hpp"
-#include "rubsweep/identify/experiment_tables.hpp"
-#include "rubsweep/line/follow_line.hpp"
-#include "rubsweep/ramp/ramp_record.hpp"
-#include "rubsweep/ramp/ramp_tables.hpp"
-#include "rubsweep/structure/tabled_support.hpp"
+#include "rubsweep/analysis/line/follow_line.hpp"
+#include "rubsweep/analysis/linear/campbell.hpp"
+#include "rubsweep/analysis/linear/campbell_tables.hpp"
+#include "rubsweep/analysis/linear/experiment.hpp"
+#include "rubsweep/analysis/linear/experiment_tables.hpp"
+#include "rubsweep/analysis/ramp/ramp_record.hpp"
+#include "rubsweep/analysis/ramp/ramp_tables.hpp"
+#include "rubsweep/core/structure/tabled_support.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
+#include "rubsweep/maps/batch/result_files.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/study_digest.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/premises.hpp"
@@ -52,7 +52,7 @@ struct Outcome {
   integrate::run::Outcome run = integrate::run::Outcome::ok;  ///< of a run-up with stops
 };
 
-Outcome outcome_of(identify::ExperimentTables tables) {
+Outcome outcome_of(linear::ExperimentTables tables) {
   return {{{"sensors.csv", std::move(tables.sensors_csv)},
            {"bode.csv", std::move(tables.bode_csv)},
            {"identification.csv", std::move(tables.identification_csv)}},
@@ -62,8 +62,8 @@ Outcome outcome_of(identify::ExperimentTables tables) {
 Outcome campbell_diagram(const CampbellSpeeds& asked, const model::Machine& machine) {
   structure::refuse_beyond_tables(machine, asked.from_hz, asked.to_hz);
   const std::vector<double> speeds_hz = batch::evenly_spaced(asked.from_hz, asked.to_hz, asked.count);
-  identify::CampbellTables tables =
-      identify::tables_of(identify::campbell(identify::free_rotor(machine), speeds_hz, 2 * asked.to_hz));
+  linear::CampbellTables tables =
+      linear::tables_of(linear::campbell(linear::free_rotor(machine), speeds_hz, 2 * asked.to_hz));
   return {{{"campbell.csv", std::move(tables.campbell_csv)},
            {"critical_speeds.csv", std::move(tables.critical_speeds_csv)},
            {"mode_shapes.csv", std::move(tables.mode_shapes_csv)},
@@ -121,21 +121,20 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   if (arguments.run_up && !arguments.quiet) warn_of_ramp(*arguments.run_up, study, machine);
   if (arguments.with_stops) return run_up_with_stops(*arguments.run_up, study, arguments.shown);
   if (arguments.campbell) return campbell_diagram(*arguments.campbell, described);
-  const identify::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
+  const linear::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
   if (const auto& ramp = arguments.run_up) {
-    return outcome_of(
-        identify::tables_of(identify::run_up(machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s,
-                                             ramp->eccentricity_m, sampling),
-                            arguments.shown));
+    return outcome_of(linear::tables_of(linear::run_up(machine, ramp->from_hz, ramp->to_hz,
+                                                       ramp->rate_hz_per_s, ramp->eccentricity_m, sampling),
+                                        arguments.shown));
   }
   if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
-  const double slowest_hz = identify::lowest_frequency_hz(machine);
+  const double slowest_hz = linear::lowest_frequency_hz(machine);
   if (!(2 * slowest_hz * sampling.sample_s < 1)) {
     throw UsageError(
         fmt::format("--sample-s: {} s are too long to see {:.4g} Hz, allowed: less than {:.4g} s",
                     sampling.sample_s, slowest_hz, 1 / (2 * slowest_hz)));
   }
-  return outcome_of(identify::tables_of(identify::free_response(machine, arguments.duration_s, sampling)));
+  return outcome_of(linear::tables_of(linear::free_response(machine, arguments.duration_s, sampling)));
 }
 
 /// Picture that rubplot draws of it, and its heading, for which rpm would be too long: they stand at the

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rubsweep/config/run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubtrace_arguments.hpp"
 
 namespace rubsweep::apps {

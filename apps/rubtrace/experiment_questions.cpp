@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "design_check.hpp"
-#include "rubsweep/batch/axis.hpp"
-#include "rubsweep/config/print_config.hpp"
-#include "rubsweep/model/speed_text.hpp"
-#include "rubsweep/report/explain_machine.hpp"
-#include "rubsweep/report/explain_tables.hpp"
-#include "rubsweep/scene/prepared_machine.hpp"
-#include "rubsweep/structure/tabled_support.hpp"
-#include "rubsweep/sweep/unstable_rotor.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/core/structure/tabled_support.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/report/explain_machine.hpp"
+#include "rubsweep/maps/report/explain_tables.hpp"
+#include "rubsweep/maps/sweep/unstable_rotor.hpp"
 #include "shared/premises.hpp"
 
 namespace rubsweep::apps {

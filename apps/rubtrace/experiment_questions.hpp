@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "rubsweep/config/run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubtrace_arguments.hpp"
 #include "shared/action.hpp"
 

@@ -13,24 +13,24 @@
 #include "design_check.hpp"
 #include "experiment.hpp"
 #include "experiment_questions.hpp"
-#include "rubsweep/batch/result_files.hpp"
-#include "rubsweep/config/cell_config.hpp"
-#include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/study_digest.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/identify/experiment.hpp"
-#include "rubsweep/identify/experiment_tables.hpp"
-#include "rubsweep/identify/linear_run.hpp"
-#include "rubsweep/integrate/start.hpp"
-#include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/report/motion_summary.hpp"
-#include "rubsweep/report/unit_columns.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
-#include "rubsweep/sweep/hertz_secant.hpp"
-#include "rubsweep/trace/probe_period.hpp"
-#include "rubsweep/trace/trace_csv.hpp"
-#include "rubsweep/trace/trace_run.hpp"
-#include "rubsweep/trace/trace_summary.hpp"
+#include "rubsweep/analysis/linear/experiment.hpp"
+#include "rubsweep/analysis/linear/experiment_tables.hpp"
+#include "rubsweep/analysis/linear/linear_run.hpp"
+#include "rubsweep/analysis/trace/probe_period.hpp"
+#include "rubsweep/analysis/trace/trace_csv.hpp"
+#include "rubsweep/analysis/trace/trace_run.hpp"
+#include "rubsweep/analysis/trace/trace_summary.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/maps/batch/result_files.hpp"
+#include "rubsweep/maps/config/cell_config.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/study_digest.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
+#include "rubsweep/maps/report/motion_summary.hpp"
+#include "rubsweep/maps/report/unit_columns.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
+#include "rubsweep/maps/sweep/hertz_secant.hpp"
 #include "rubtrace_arguments.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/forecast.hpp"
@@ -87,14 +87,14 @@ trace::Probes probes_of(const RubtraceArguments& arguments, const scene::Prepare
                         long revolutions) {
   const double readings =
       static_cast<double>(revolutions) / (arguments.place.speed_hz.value() * arguments.sample_s);
-  if (readings > identify::most_samples) {
+  if (readings > linear::most_samples) {
     throw UsageError(
-        fmt::format("--sample-s: allowed: long enough for {} samples or fewer", identify::most_samples));
+        fmt::format("--sample-s: allowed: long enough for {} samples or fewer", linear::most_samples));
   }
   if (readings < fewest_readings)
     throw UsageError(
         fmt::format("--sample-s: allowed: short enough for {} samples or more", fewest_readings));
-  const identify::SensorRows sensors = identify::sensor_rows(prepared);
+  const linear::SensorRows sensors = linear::sensor_rows(prepared);
   return {sensors.rows, sensors.angle_deg, arguments.sample_s, arguments.noise_m};
 }
 
@@ -110,10 +110,10 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
                            const sweep::Study& study, const model::ShownLengths& shown,
                            response::motion::Workspace& workspace, batch::ResultFiles& files) {
-  files["sensors.csv"] = identify::sensors_csv({.from_hz = speed_hz,
-                                                .sample_s = probes.sample_s,
-                                                .samples = static_cast<int>(trace.readings_m.rows())},
-                                               trace.readings_m);
+  files["sensors.csv"] = linear::sensors_csv({.from_hz = speed_hz,
+                                              .sample_s = probes.sample_s,
+                                              .samples = static_cast<int>(trace.readings_m.rows())},
+                                             trace.readings_m);
   const auto pair = trace::pair_of(probes.angle_deg, places_of_sensors(study.machine));
   if (!pair) return "probes    no two of them see one place from two directions\n";
   const auto z = trace::displacement_of(trace.readings_m, *pair, probes.angle_deg);

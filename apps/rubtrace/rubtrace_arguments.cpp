@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/identify/experiment.hpp"
-#include "rubsweep/model/rpm.hpp"
+#include "rubsweep/analysis/linear/experiment.hpp"
+#include "rubsweep/core/model/rpm.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 #include "shared/shown_lengths.hpp"
@@ -209,9 +209,9 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
     if (arguments.with_stops) return true;
     duration_s = (ramp->to_hz - ramp->from_hz) / ramp->rate_hz_per_s;
   }
-  if (duration_s / arguments.sample_s > identify::most_samples) {
+  if (duration_s / arguments.sample_s > linear::most_samples) {
     throw UsageError(
-        fmt::format("--sample-s: allowed: long enough for {} samples or fewer", identify::most_samples));
+        fmt::format("--sample-s: allowed: long enough for {} samples or fewer", linear::most_samples));
   }
   return true;
 }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/model/length_text.hpp"
+#include "rubsweep/core/model/length_text.hpp"
 #include "shared/action.hpp"
 #include "shared/figure.hpp"
 #include "shared/place_arguments.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "rubsweep/model/range.hpp"
+#include "rubsweep/core/model/range.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "rubsweep/design/largest_over_speed.hpp"
-#include "rubsweep/ramp/ramp_run.hpp"
+#include "rubsweep/analysis/design/largest_over_speed.hpp"
+#include "rubsweep/analysis/ramp/ramp_run.hpp"
 
 namespace rubsweep::apps {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string_view>
 
-#include "rubsweep/config/study/place_axes.hpp"
-#include "rubsweep/model/rpm.hpp"
+#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/maps/config/study/place_axes.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

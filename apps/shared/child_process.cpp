@@ -15,7 +15,7 @@
 #include <thread>
 #include <utility>
 
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
 
 namespace rubsweep::apps {
 

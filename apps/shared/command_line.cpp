@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "rubsweep/config/yaml/nearest.hpp"
-#include "rubsweep/model/magnitude.hpp"
+#include "rubsweep/core/model/magnitude.hpp"
+#include "rubsweep/maps/config/yaml/nearest.hpp"
 #include "shared/program.hpp"
 #include "shared/run_summary.hpp"
 

@@ -7,10 +7,10 @@
 #include <cstring>
 #include <system_error>
 
-#include "rubsweep/batch/directory.hpp"
-#include "rubsweep/batch/input_file.hpp"
-#include "rubsweep/batch/whole_file.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/directory.hpp"
+#include "rubsweep/maps/batch/input_file.hpp"
+#include "rubsweep/maps/batch/whole_file.hpp"
 #include "shared/child_process.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 
 namespace rubsweep::apps {
 

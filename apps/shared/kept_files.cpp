@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <system_error>
 
-#include "rubsweep/batch/result_files.hpp"
-#include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/config/yaml/file_bytes.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/result_files.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/yaml/file_bytes.hpp"
 
 namespace rubsweep::apps {
 namespace {

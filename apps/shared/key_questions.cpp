@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "rubsweep/config/keys/key_list.hpp"
-#include "rubsweep/config/keys/schema.hpp"
-#include "rubsweep/config/yaml/nearest.hpp"
+#include "rubsweep/maps/config/keys/key_list.hpp"
+#include "rubsweep/maps/config/keys/schema.hpp"
+#include "rubsweep/maps/config/yaml/nearest.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

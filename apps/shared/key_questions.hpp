@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "rubsweep/config/keys/form.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "shared/command_line.hpp"
 
 namespace rubsweep::apps {

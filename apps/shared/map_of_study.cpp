@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "rubsweep/batch/csv_table.hpp"
-#include "rubsweep/config/study_digest.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/map/finished_map.hpp"
-#include "rubsweep/report/map_cells.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/csv_table.hpp"
+#include "rubsweep/maps/config/study_digest.hpp"
+#include "rubsweep/maps/map/finished_map.hpp"
+#include "rubsweep/maps/report/map_cells.hpp"
 
 namespace rubsweep::apps {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "rubsweep/page/map_table.hpp"
-#include "rubsweep/sweep/study.hpp"
+#include "rubsweep/analysis/page/map_table.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::apps {
 

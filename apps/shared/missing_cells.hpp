@@ -7,11 +7,11 @@
 #include <span>
 #include <string>
 
-#include "rubsweep/batch/progress_mode.hpp"
-#include "rubsweep/map/cell_log.hpp"
-#include "rubsweep/map/map_directory.hpp"
-#include "rubsweep/sweep/row.hpp"
-#include "rubsweep/sweep/study.hpp"
+#include "rubsweep/maps/batch/progress_mode.hpp"
+#include "rubsweep/maps/map/cell_log.hpp"
+#include "rubsweep/maps/map/map_directory.hpp"
+#include "rubsweep/maps/sweep/row.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::apps {
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <variant>
 
-#include "rubsweep/config/slip_of.hpp"
-#include "rubsweep/config/study/place_axes.hpp"
-#include "rubsweep/model/balance.hpp"
-#include "rubsweep/model/physical_range.hpp"
-#include "rubsweep/model/rpm.hpp"
-#include "rubsweep/model/speed_text.hpp"
-#include "rubsweep/overloaded.hpp"
+#include "rubsweep/core/model/balance.hpp"
+#include "rubsweep/core/model/physical_range.hpp"
+#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
+#include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/config/slip_of.hpp"
+#include "rubsweep/maps/config/study/place_axes.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

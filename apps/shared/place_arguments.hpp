@@ -3,9 +3,9 @@
 #include <optional>
 #include <string_view>
 
-#include "rubsweep/model/machine.hpp"
-#include "rubsweep/scene/build_scene.hpp"
-#include "rubsweep/sweep/study.hpp"
+#include "rubsweep/core/model/machine.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 #include "shared/command_line.hpp"
 
 namespace rubsweep::apps {

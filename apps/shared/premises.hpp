@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/scene/prepared_machine.hpp"
-#include "rubsweep/sweep/study.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::apps {
 

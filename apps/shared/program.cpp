@@ -12,8 +12,8 @@
 #include <string>
 #include <system_error>
 
-#include "rubsweep/config/yaml/terminal_text.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/config/yaml/terminal_text.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/run_summary.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/config/yaml/terminal_text.hpp"
+#include "rubsweep/maps/config/yaml/terminal_text.hpp"
 
 namespace rubsweep::apps {
 

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "rubsweep/batch/directory.hpp"
+#include "rubsweep/maps/batch/directory.hpp"
 #include "shared/writable.hpp"
 
 namespace rubsweep::apps {

@@ -10,12 +10,12 @@
 #include <system_error>
 #include <vector>
 
-#include "rubsweep/batch/whole_file.hpp"
-#include "rubsweep/config/yaml/diagnostics.hpp"
-#include "rubsweep/config/yaml/document.hpp"
-#include "rubsweep/config/yaml/json_document.hpp"
-#include "rubsweep/config/yaml/json_string.hpp"
-#include "rubsweep/config/yaml/terminal_text.hpp"
+#include "rubsweep/maps/batch/whole_file.hpp"
+#include "rubsweep/maps/config/yaml/diagnostics.hpp"
+#include "rubsweep/maps/config/yaml/document.hpp"
+#include "rubsweep/maps/config/yaml/json_document.hpp"
+#include "rubsweep/maps/config/yaml/json_string.hpp"
+#include "rubsweep/maps/config/yaml/terminal_text.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/model/length_text.hpp"
+#include "rubsweep/core/model/length_text.hpp"
 #include "shared/command_line.hpp"
 
 namespace rubsweep::apps {

@@ -4,12 +4,12 @@
 
 #include <utility>
 
-#include "rubsweep/config/number_at.hpp"
-#include "rubsweep/config/print_config.hpp"
-#include "rubsweep/report/explain_study.hpp"
-#include "rubsweep/scene/prepared_machine.hpp"
-#include "rubsweep/sweep/grid.hpp"
-#include "rubsweep/sweep/untouched_walls.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/maps/config/number_at.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/report/explain_study.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
+#include "rubsweep/maps/sweep/untouched_walls.hpp"
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string_view>
 
-#include "rubsweep/config/run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "shared/action.hpp"
 
 namespace rubsweep::apps {

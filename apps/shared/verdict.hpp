@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "rubsweep/map/verified_directory.hpp"
+#include "rubsweep/maps/map/verified_directory.hpp"
 
 namespace rubsweep::apps {
 

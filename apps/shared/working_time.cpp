@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "rubsweep/batch/progress.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/open_line.hpp"
 

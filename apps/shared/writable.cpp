@@ -6,8 +6,8 @@
 #include <cerrno>
 #include <system_error>
 
-#include "rubsweep/batch/descriptor.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/descriptor.hpp"
 
 namespace rubsweep::apps {
 

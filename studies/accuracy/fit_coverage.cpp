@@ -22,15 +22,15 @@
 #include <variant>
 #include <vector>
 
-#include "rubsweep/fit/machine_fit.hpp"
-#include "rubsweep/fit/ramp_phasor.hpp"
-#include "rubsweep/fit/rub/rub_orbits.hpp"
-#include "rubsweep/identify/linear_run.hpp"
-#include "rubsweep/integrate/start.hpp"
-#include "rubsweep/recording/recording.hpp"
-#include "rubsweep/response/motion/workspace.hpp"
-#include "rubsweep/scope/order_history.hpp"
-#include "scene/kit_machine.hpp"
+#include "core/scene/kit_machine.hpp"
+#include "rubsweep/analysis/linear/linear_run.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/response/motion/workspace.hpp"
+#include "rubsweep/measurement/fit/machine_fit.hpp"
+#include "rubsweep/measurement/fit/ramp_phasor.hpp"
+#include "rubsweep/measurement/fit/rub/rub_orbits.hpp"
+#include "rubsweep/measurement/recording/recording.hpp"
+#include "rubsweep/measurement/scope/order_history.hpp"
 
 namespace {
 
@@ -71,8 +71,8 @@ scene::PreparedMachine jeffcott(double frequency_hz, double ratio) {
 
 void ring_down() {
   static const scene::PreparedMachine truth = jeffcott(31, 0.015);
-  static const Eigen::MatrixXd signal = identify::run_linear(
-      truth, {.kick = true, .sample_s = 1e-3, .samples = 1500}, identify::sensor_rows(truth).rows);
+  static const Eigen::MatrixXd signal = linear::run_linear(
+      truth, {.kick = true, .sample_s = 1e-3, .samples = 1500}, linear::sensor_rows(truth).rows);
   constexpr int first = 8;
   fit::RingDown data;
   for (int k = first; k < signal.rows(); ++k) data.t_s.push_back(k * 1e-3 + 0.0013);
@@ -113,13 +113,13 @@ constexpr double clock_rate = 1 + 20e-6;
 
 /// A recording of a run-up as an instrument has it: noise, run-out of this size, a keyphasor and a clock of
 /// its own.
-recording::Channels run_up_recording(const Eigen::MatrixXd& signal, const identify::LinearRun& run,
+recording::Channels run_up_recording(const Eigen::MatrixXd& signal, const linear::LinearRun& run,
                                      double mark_rad, double run_out_m) {
   recording::Channels table;
   table.channels = {{"X", "m", {}}, {"Y", "m", {}}, {"KP", "V", {}}};
   const Complex x(noise(run_out_m), noise(run_out_m)), y(noise(run_out_m), noise(run_out_m));
   for (Eigen::Index k = 0; k < signal.rows(); ++k) {
-    const double phi = identify::shaft_angle_rad(run, static_cast<double>(k) * run.sample_s);
+    const double phi = linear::shaft_angle_rad(run, static_cast<double>(k) * run.sample_s);
     const Complex turn = std::polar(1.0, phi);
     table.channels[0].values.push_back(signal(k, 0) + (x * turn).real() + noise(2e-6));
     table.channels[1].values.push_back(signal(k, 1) + (y * turn).real() + noise(2e-6));
@@ -146,15 +146,15 @@ void run_up(const std::string& name, bool known_run_out) {
   static const scene::PreparedMachine start = scene::prepare_machine(kit_machine());
   static const scene::PreparedMachine truth =
       scaled(start, stiffness, damping, std::polar(bow, bow_deg * pi / 180));
-  static const identify::LinearRun run{.from_hz = 24,
-                                       .rate_hz_per_s = 4,
-                                       .eccentricity_m = eccentricity_m,
-                                       .sample_s = 1 / (5000 * clock_rate),
-                                       .samples = 28000};
+  static const linear::LinearRun run{.from_hz = 24,
+                                     .rate_hz_per_s = 4,
+                                     .eccentricity_m = eccentricity_m,
+                                     .sample_s = 1 / (5000 * clock_rate),
+                                     .samples = 28000};
   static const Eigen::MatrixXd signal = [] {
-    identify::LinearRun driven = run;
-    driven.driven = identify::Driven::in_phase;
-    return identify::run_linear(truth, driven, identify::sensor_rows(truth).rows);
+    linear::LinearRun driven = run;
+    driven.driven = linear::Driven::in_phase;
+    return linear::run_linear(truth, driven, linear::sensor_rows(truth).rows);
   }();
   const recording::Instrument instrument{.sampling_rate_hz = 5000,
                                          .probes = {{"X", 0}, {"Y", 90}},
@@ -217,7 +217,7 @@ void two_discs() {
   const scene::PreparedMachine truth = with_unbalance(each, std::polar(2.0, 0.5), std::polar(1.2, -1.1));
   fit::Steady data{.speed_hz = {15, 32}, .phasor_m = {}};
   data.phasor_m.resize(2, 4);
-  const Eigen::MatrixXd rows = identify::sensor_rows(truth).rows;
+  const Eigen::MatrixXd rows = linear::sensor_rows(truth).rows;
   for (Eigen::Index k = 0; k < 2; ++k)
     data.phasor_m.row(k) = fit::steady_phasors(truth, rows, 1e-5, data.speed_hz[static_cast<std::size_t>(k)]);
   for (Complex& value : data.phasor_m.reshaped()) value += Complex(noise(3e-7), noise(3e-7));

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/core/integrate/start.hpp"
 #include "support/annular_scene.hpp"
 #include "support/rolling_scene.hpp"
 #include "support/simple_scenes.hpp"

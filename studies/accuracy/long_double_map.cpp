@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
 

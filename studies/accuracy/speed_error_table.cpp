@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/plain_dopri5.hpp"
 #include "support/set_a_cell.hpp"

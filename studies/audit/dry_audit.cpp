@@ -9,8 +9,8 @@
 
 #include "audit/section_distance.hpp"
 #include "audit/time_stepping_turn.hpp"
-#include "rubsweep/integrate/start.hpp"
-#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
 
 namespace rubsweep::audit {
 namespace {

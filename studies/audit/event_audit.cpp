@@ -8,9 +8,9 @@
 
 #include "audit/fixed_step_turn.hpp"
 #include "audit/section_distance.hpp"
-#include "rubsweep/integrate/start.hpp"
-#include "rubsweep/response/proof/section_map.hpp"
-#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/response/proof/section_map.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
 
 namespace rubsweep::audit {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "audit/random_machine.hpp"
-#include "rubsweep/integrate/run/outcome.hpp"
-#include "rubsweep/integrate/run/turn.hpp"
+#include "rubsweep/core/integrate/run/outcome.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
 
 namespace rubsweep::audit {
 

@@ -14,7 +14,7 @@
 #include "audit/dry_audit.hpp"
 #include "audit/event_audit.hpp"
 #include "audit/written_cell.hpp"
-#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
 
 namespace rubsweep::audit {
 namespace {

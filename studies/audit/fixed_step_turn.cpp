@@ -3,10 +3,10 @@
 #include <cmath>
 #include <complex>
 
-#include "rubsweep/contact/force_law.hpp"
-#include "rubsweep/contact/friction_law.hpp"
-#include "rubsweep/numerics/dense/lu.hpp"
-#include "rubsweep/scene/quiet_motion.hpp"
+#include "rubsweep/core/contact/force_law.hpp"
+#include "rubsweep/core/contact/friction_law.hpp"
+#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/scene/quiet_motion.hpp"
 
 namespace rubsweep::audit {
 namespace {

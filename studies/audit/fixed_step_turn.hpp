@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "rubsweep/scene/scene.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::audit {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "audit/section_distance.hpp"
-#include "rubsweep/integrate/start.hpp"
-#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
 
 namespace rubsweep::audit {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "audit/random_machine.hpp"
-#include "rubsweep/response/settle.hpp"
+#include "rubsweep/core/response/settle.hpp"
 
 namespace rubsweep::audit {
 

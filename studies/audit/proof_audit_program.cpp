@@ -11,7 +11,7 @@
 #include "audit/audit_programs.hpp"
 #include "audit/proof_audit.hpp"
 #include "audit/written_cell.hpp"
-#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
 
 namespace rubsweep::audit {
 namespace {

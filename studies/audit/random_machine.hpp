@@ -5,7 +5,7 @@
 #include <random>
 #include <string_view>
 
-#include "rubsweep/model/machine.hpp"
+#include "rubsweep/core/model/machine.hpp"
 
 namespace rubsweep::audit {
 

@@ -6,11 +6,11 @@
 #include <complex>
 #include <limits>
 
-#include "rubsweep/contact/force_law.hpp"
-#include "rubsweep/contact/friction_law.hpp"
-#include "rubsweep/numerics/dense/least_norm.hpp"
-#include "rubsweep/numerics/dense/lu.hpp"
-#include "rubsweep/scene/quiet_motion.hpp"
+#include "rubsweep/core/contact/force_law.hpp"
+#include "rubsweep/core/contact/friction_law.hpp"
+#include "rubsweep/core/numerics/dense/least_norm.hpp"
+#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/scene/quiet_motion.hpp"
 
 namespace rubsweep::audit {
 namespace {

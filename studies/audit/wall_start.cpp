@@ -15,12 +15,12 @@
 #include "audit/random_machine.hpp"
 #include "audit/section_distance.hpp"
 #include "audit/time_stepping_turn.hpp"
-#include "rubsweep/contact/friction_law.hpp"
-#include "rubsweep/integrate/run/state_scale.hpp"
-#include "rubsweep/integrate/start.hpp"
-#include "rubsweep/integrate/taylor/taylor_run.hpp"
-#include "rubsweep/scene/build_scene.hpp"
-#include "rubsweep/scene/quiet_motion.hpp"
+#include "rubsweep/core/contact/friction_law.hpp"
+#include "rubsweep/core/integrate/run/state_scale.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/integrate/taylor/taylor_run.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/core/scene/quiet_motion.hpp"
 
 namespace rubsweep::audit {
 namespace {

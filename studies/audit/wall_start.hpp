@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "rubsweep/scene/scene.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::audit {
 

@@ -10,7 +10,7 @@
 
 #include "audit/audit_programs.hpp"
 #include "audit/wall_start.hpp"
-#include "rubsweep/batch/parallel_run.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
 
 namespace rubsweep::audit {
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <string_view>
 
-#include "rubsweep/config/print_config.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
 
 namespace rubsweep::audit {
 

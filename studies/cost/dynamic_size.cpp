@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "bench/processor_time.hpp"
-#include "rubsweep/integrate/exact/exact_run.hpp"
-#include "rubsweep/scene/build_scene.hpp"
-#include "scene/one_side_machine.hpp"
+#include "core/scene/one_side_machine.hpp"
+#include "rubsweep/core/integrate/exact/exact_run.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
 
 namespace {
 

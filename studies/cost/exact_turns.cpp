@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/core/integrate/start.hpp"
 #include "support/set_a_cell.hpp"
 
 int main(int argc, char** argv) {

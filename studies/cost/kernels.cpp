@@ -6,11 +6,11 @@
 #include <numbers>
 #include <vector>
 
-#include "rubsweep/integrate/exact/exact_run.hpp"
-#include "rubsweep/integrate/start.hpp"
-#include "rubsweep/numerics/aligned_matrix.hpp"
-#include "rubsweep/numerics/matrix_vector.hpp"
-#include "rubsweep/response/spectrum/full_spectrum.hpp"
+#include "rubsweep/core/integrate/exact/exact_run.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/numerics/aligned_matrix.hpp"
+#include "rubsweep/core/numerics/matrix_vector.hpp"
+#include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace {

@@ -17,16 +17,16 @@
 #include <thread>
 #include <vector>
 
-#include "mpi_messages.hpp"
-#include "rubsweep/batch/finished_cells.hpp"
-#include "rubsweep/batch/journal.hpp"
-#include "rubsweep/batch/line_log.hpp"
-#include "rubsweep/batch/whole_file.hpp"
 #include "bench/processor_time.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/report/map_summary.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "mpi_messages.hpp"
+#include "rubsweep/maps/batch/finished_cells.hpp"
+#include "rubsweep/maps/batch/journal.hpp"
+#include "rubsweep/maps/batch/line_log.hpp"
+#include "rubsweep/maps/batch/whole_file.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
+#include "rubsweep/maps/report/map_summary.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace {
 

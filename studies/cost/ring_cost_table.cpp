@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ring/support.hpp"
-#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/ring/analysis.hpp"
 #include "rubsweep/ring/chart.hpp"
 

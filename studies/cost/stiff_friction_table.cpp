@@ -8,7 +8,7 @@
 #include <ctime>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
 #include "support/rolling_scene.hpp"
 
 namespace {

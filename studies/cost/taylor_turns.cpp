@@ -10,10 +10,10 @@
 #include "bench/processor_time.hpp"
 #include "bench/reference.hpp"
 #include "bench/work_precision.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/integrate/start.hpp"
-#include "rubsweep/response/growth.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/response/growth.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace {
 

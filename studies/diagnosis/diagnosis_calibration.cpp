@@ -21,11 +21,11 @@
 
 #include "foreign_motion.hpp"
 #include "nearest_candidate.hpp"
-#include "rubsweep/dataset/labelled_recording.hpp"
-#include "rubsweep/dataset/readings.hpp"
-#include "rubsweep/diagnose/inference/diagnosis.hpp"
-#include "rubsweep/diagnose/inference/quantity.hpp"
-#include "rubsweep/recording/recording.hpp"
+#include "rubsweep/measurement/dataset/labelled_recording.hpp"
+#include "rubsweep/measurement/dataset/readings.hpp"
+#include "rubsweep/measurement/diagnose/inference/diagnosis.hpp"
+#include "rubsweep/measurement/diagnose/inference/quantity.hpp"
+#include "rubsweep/measurement/recording/recording.hpp"
 #include "studied_machine.hpp"
 
 namespace {

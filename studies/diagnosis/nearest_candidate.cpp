@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "rubsweep/diagnose/inference/posterior.hpp"
+#include "rubsweep/measurement/diagnose/inference/posterior.hpp"
 
 namespace rubsweep::diagnose {
 

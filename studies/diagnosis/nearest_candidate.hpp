@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "rubsweep/diagnose/inference/diagnosis.hpp"
+#include "rubsweep/measurement/diagnose/inference/diagnosis.hpp"
 
 namespace rubsweep::diagnose {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <random>
 
-#include "rubsweep/dataset/data_study.hpp"
-#include "rubsweep/diagnose/inference/simulated_case.hpp"
+#include "rubsweep/measurement/dataset/data_study.hpp"
+#include "rubsweep/measurement/diagnose/inference/simulated_case.hpp"
 
 namespace rubsweep {
 

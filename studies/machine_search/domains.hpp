@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/sweep/row.hpp"
+#include "rubsweep/maps/sweep/row.hpp"
 
 namespace rubsweep::machine_search {
 

@@ -7,8 +7,8 @@
 #include <ctime>
 #include <numeric>
 
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/sweep/run_cells.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 
 namespace rubsweep::machine_search {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "rubsweep/response/motion/motion.hpp"
+#include "rubsweep/core/response/motion/motion.hpp"
 
 namespace rubsweep::machine_search {
 namespace {

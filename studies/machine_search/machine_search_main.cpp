@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "machine_search/evaluation.hpp"
-#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/maps/batch/csv_table.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/core/integrate/start.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
 

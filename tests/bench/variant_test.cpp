@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "rubsweep/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::bench {

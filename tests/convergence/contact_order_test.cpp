@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
-#include "rubsweep/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
 

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
-#include "rubsweep/integrate/adaptive/law_of_steps.hpp"
-#include "rubsweep/integrate/adaptive/start_adaptive.hpp"
-#include "rubsweep/integrate/adaptive/step_method.hpp"
-#include "rubsweep/integrate/law/dynamics.hpp"
+#include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
+#include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/core/integrate/adaptive/step_method.hpp"
+#include "rubsweep/core/integrate/law/dynamics.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::integrate {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "rubsweep/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
 
 namespace rubsweep::fuzz {
 namespace {

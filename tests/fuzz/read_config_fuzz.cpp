@@ -1,8 +1,8 @@
 // libFuzzer target for the configuration reader of rubsweep.
 #include "fuzz/reader_fuzz.hpp"
-#include "rubsweep/config/print_config.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/config/study_digest.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/study_digest.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace rubsweep;

@@ -1,6 +1,6 @@
 // libFuzzer target for the configuration reader of ringstab.
 #include "fuzz/reader_fuzz.hpp"
-#include "rubsweep/config/ring/ring_config.hpp"
+#include "rubsweep/ring/read_ring_config.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace rubsweep;

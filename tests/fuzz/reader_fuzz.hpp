@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/config/yaml/text.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::fuzz {
 

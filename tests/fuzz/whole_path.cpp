@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <string_view>
 
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/report/explain_study.hpp"
-#include "rubsweep/report/map_csv.hpp"
-#include "rubsweep/report/map_summary.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/report/explain_study.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
+#include "rubsweep/maps/report/map_summary.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::fuzz {
 namespace {

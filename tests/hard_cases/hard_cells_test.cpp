@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/sweep/evaluate_cell.hpp"
-#include "scene/one_side_machine.hpp"
+#include "core/scene/one_side_machine.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::sweep {
 namespace {

@@ -14,13 +14,13 @@
 #include "audit/event_audit.hpp"
 #include "audit/proof_audit.hpp"
 #include "audit/wall_start.hpp"
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/integrate/start.hpp"
-#include "rubsweep/response/proof/orbit_ball.hpp"
-#include "rubsweep/response/proof/periodic_orbit.hpp"
-#include "rubsweep/response/proof/section_map.hpp"
-#include "rubsweep/scene/build_scene.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/response/proof/orbit_ball.hpp"
+#include "rubsweep/core/response/proof/periodic_orbit.hpp"
+#include "rubsweep/core/response/proof/section_map.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace rubsweep {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/integrate/run/scaled_system.hpp"
-#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/core/integrate/run/scaled_system.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/rolling_scene.hpp"
 #include "support/set_a_cell.hpp"

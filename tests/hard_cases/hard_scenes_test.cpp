@@ -9,9 +9,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "integrate/largest_difference.hpp"
-#include "rubsweep/integrate/adaptive/stepper_table.hpp"
-#include "rubsweep/integrate/start.hpp"
+#include "core/integrate/largest_difference.hpp"
+#include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
+#include "rubsweep/core/integrate/start.hpp"
 
 namespace rubsweep::test {
 namespace {

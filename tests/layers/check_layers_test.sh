@@ -29,19 +29,19 @@ expect() {
 expect 'nothing to check' 1 'no directory rubsweep'
 
 source_file error.hpp '#include <stdexcept>'
-source_file model/kick.hpp '#include "rubsweep/error.hpp"'
-source_file scene/scene.cpp '#include "rubsweep/model/kick.hpp"' '#include <vector>  // not "rubsweep/report/map.hpp"'
-source_file config/yaml/reader.cpp '  #  include <yaml-cpp/yaml.h>' '#include "rubsweep/model/kick.hpp"'
+source_file model/kick.hpp '#include "rubsweep/core/error.hpp"'
+source_file scene/scene.cpp '#include "rubsweep/core/model/kick.hpp"' '#include <vector>  // not "rubsweep/maps/report/map.hpp"'
+source_file config/yaml/reader.cpp '  #  include <yaml-cpp/yaml.h>' '#include "rubsweep/core/model/kick.hpp"'
 expect 'clean tree, also over two layers' 0
 
-source_file model/range.hpp '#pragma once' '' '#include "rubsweep/scene/scene.cpp"'
-expect 'upwards' 1 'rubsweep/model/range.hpp:3: model may not include rubsweep/scene/scene.cpp'
-source_file model/range.hpp '#include <rubsweep/scene/scene.cpp>'
-expect 'upwards with angle brackets' 1 'rubsweep/model/range.hpp:1: model may not include rubsweep/scene/scene.cpp'
-source_file model/range.hpp '#include "rubsweep/model/gone.hpp"'
-expect 'absent file' 1 "rubsweep/model/range.hpp:1: there is no rubsweep/model/gone.hpp under $lib"
+source_file model/range.hpp '#pragma once' '' '#include "rubsweep/core/scene/scene.cpp"'
+expect 'upwards' 1 'rubsweep/core/model/range.hpp:3: model may not include rubsweep/core/scene/scene.cpp'
+source_file model/range.hpp '#include <rubsweep/core/scene/scene.cpp>'
+expect 'upwards with angle brackets' 1 'rubsweep/core/model/range.hpp:1: model may not include rubsweep/core/scene/scene.cpp'
+source_file model/range.hpp '#include "rubsweep/core/model/gone.hpp"'
+expect 'absent file' 1 "rubsweep/core/model/range.hpp:1: there is no rubsweep/core/model/gone.hpp under $lib"
 source_file model/range.hpp '#include <yaml-cpp/yaml.h>'
-expect 'YAML outside config' 1 'rubsweep/model/range.hpp:1: only config/yaml/ may include yaml-cpp/yaml.h'
+expect 'YAML outside config' 1 'rubsweep/core/model/range.hpp:1: only config/yaml/ may include yaml-cpp/yaml.h'
 source_file model/range.hpp ''
 source_file attic/old.hpp ''
 expect 'unknown folder' 1 'rubsweep/attic/old.hpp: folder attic has no place in the layers'

@@ -23,7 +23,7 @@ refuse "$program has symbols of other programs" \
 
 if [[ $# -gt 1 ]]; then
   objects=$("$2" -C "$3" -t inputs "$(realpath --relative-to "$3" "$program")" | grep '\.o$')
-  grep -q '^lib/rubsweep/sweep/' <<<"$objects" || { echo "$program: ninja shows none of its objects"; exit 1; }
+  grep -q '^lib/rubsweep/maps/sweep/' <<<"$objects" || { echo "$program: ninja shows none of its objects"; exit 1; }
   refuse "what $program is built from holds objects of other programs" \
     "$(grep -E "^lib/rubsweep/($any_of)/CMakeFiles/" <<<"$objects" || true)"
 fi

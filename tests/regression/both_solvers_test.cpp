@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "rubsweep/config/read_run_config.hpp"
-#include "rubsweep/integrate/start.hpp"
-#include "rubsweep/sweep/evaluate_cell.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "support/map_cell.hpp"
 #include "support/map_name.hpp"
 

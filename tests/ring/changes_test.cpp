@@ -7,7 +7,7 @@
 
 #include "ring/multiprecision.hpp"
 #include "ring/random_system.hpp"
-#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
 
 namespace rubsweep::ring {
 namespace {

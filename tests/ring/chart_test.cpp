@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 
 #include "ring/support.hpp"
-#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/ring/analysis.hpp"
 
 namespace rubsweep::ring {

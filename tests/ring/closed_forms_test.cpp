@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "ring/random_system.hpp"
-#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/ring/changes.hpp"
-#include "rubsweep/ring/critical_speeds.hpp"
+#include "rubsweep/ring/ring_critical_speeds.hpp"
 
 namespace rubsweep::ring {
 namespace {

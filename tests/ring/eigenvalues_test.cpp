@@ -8,8 +8,8 @@
 
 #include "ring/multiprecision.hpp"
 #include "ring/random_system.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/numerics/assignment.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/numerics/assignment.hpp"
 
 namespace rubsweep::ring {
 namespace {

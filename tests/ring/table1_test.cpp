@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "ring/support.hpp"
-#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/ring/changes.hpp"
 
 namespace rubsweep::ring {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ring/random_system.hpp"
-#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
 
 namespace rubsweep::ring {
 namespace {

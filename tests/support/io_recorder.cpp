@@ -1,5 +1,5 @@
 // A library to be preloaded. It records what a program does to the files below the directory IO_DIRECTORY,
-// one line for each call that succeeded, in the file IO_RECORD; tests/cli/power_loss.py puts together from
+// one line for each call that succeeded, in the file IO_RECORD; tests/apps/power_loss.py puts together from
 // that what a disk holds after a loss of power. Time passes quickly meanwhile: each look at the clock is six
 // seconds later, so that what is due after some seconds happens.
 

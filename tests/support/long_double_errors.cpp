@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bench/long_double_run.hpp"
-#include "rubsweep/integrate/start.hpp"
+#include "rubsweep/core/integrate/start.hpp"
 
 namespace rubsweep::test {
 namespace {

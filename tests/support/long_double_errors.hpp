@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rubsweep/integrate/run/options.hpp"
-#include "rubsweep/scene/scene.hpp"
+#include "rubsweep/core/integrate/run/options.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::test {
 

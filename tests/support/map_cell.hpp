@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "rubsweep/scene/build_scene.hpp"
-#include "rubsweep/sweep/grid.hpp"
-#include "rubsweep/sweep/study.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rubsweep/scene/build_scene.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
 #include "support/one_side_equations.hpp"
 
 namespace rubsweep::test {

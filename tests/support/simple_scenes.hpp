@@ -3,7 +3,7 @@
 #include <numbers>
 #include <optional>
 
-#include "rubsweep/scene/scene.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::test {
 

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "rubsweep/numerics/dense/lu.hpp"
-#include "rubsweep/ring/critical_speeds.hpp"
+#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/ring/ring_critical_speeds.hpp"
 
 namespace rubsweep::ring {
 namespace {

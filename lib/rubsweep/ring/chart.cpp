@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "rubsweep/batch/parallel_run.hpp"
-#include "rubsweep/error.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
 
 namespace rubsweep::ring {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/ring/onsets.hpp"
 #include "rubsweep/ring/system.hpp"
 

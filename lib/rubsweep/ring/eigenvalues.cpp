@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "rubsweep/error.hpp"
-#include "rubsweep/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/numerics/dense/lu.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/core/numerics/dense/lu.hpp"
 
 namespace rubsweep::ring {
 namespace {

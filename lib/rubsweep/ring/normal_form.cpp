@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "rubsweep/error.hpp"
-#include "rubsweep/numerics/dense/lu.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/numerics/dense/lu.hpp"
 
 namespace rubsweep::ring {
 

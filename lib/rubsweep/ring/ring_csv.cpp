@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "rubsweep/batch/csv_table.hpp"
+#include "rubsweep/maps/batch/csv_table.hpp"
 
 namespace rubsweep::ring {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "rubsweep/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/lu.hpp"
 #include "rubsweep/ring/assembly.hpp"
 
 namespace rubsweep::ring {

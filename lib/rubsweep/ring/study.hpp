@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/batch/axis.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/ring/chart.hpp"
 #include "rubsweep/ring/system.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/numerics/assignment.hpp"
+#include "rubsweep/core/numerics/assignment.hpp"
 #include "rubsweep/ring/eigenvalues.hpp"
 
 namespace rubsweep::ring {

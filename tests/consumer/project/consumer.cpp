@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "rubsweep/batch/axis.hpp"
-#include "rubsweep/batch/parallel_run.hpp"
-#include "rubsweep/error.hpp"
-#include "rubsweep/model/machine.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/model/machine.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
 
 int main() {
   rubsweep::model::Machine machine{

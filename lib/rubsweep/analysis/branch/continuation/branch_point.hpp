@@ -1,0 +1,170 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/analysis/branch/orbits/contact_sequence.hpp"
+#include "rubsweep/analysis/branch/orbits/orbit_problem.hpp"
+
+namespace rubsweep::branch::continuation {
+
+/// Smooth functions of the multipliers, which are zero where one of them is +1 or -1 or a pair has the
+/// product 1; or their slopes along a branch.
+struct MultiplierTests {
+  double unit = 0, doubling = 0, torus = 0;
+};
+
+/// A smooth function along a branch which is zero where the sequence of contact modes changes at one place of
+/// the orbit.
+struct Margin {
+  enum class Kind {
+    approach,  ///< distance of an Approach
+    stretch,   ///< squared duration, in shaft rotation, of a stretch between two changes at one contact
+  };
+  Kind kind = Kind::approach;
+  int contact = 0;
+  contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< change that begins it
+  double phase_rad = 0;
+  double value = 0;  ///< >= 0
+  double slope = 0;  ///< per unit of arclength
+
+  bool is_like(const Margin& other) const {
+    return kind == other.kind && contact == other.contact && from == other.from && to == other.to;
+  }
+};
+
+/// Step of central differences by the parameter, in its coordinate: the noise of a turn, 1e-13, and the error
+/// of the formula both stay near 1e-7. Beside a graze, which they must not lead over, they are finer.
+inline constexpr double usual_difference_step = 1e-6;
+
+/// An orbit on a branch. Continuation measures lengths in the coordinates (state / sqrt(states),
+/// parameter / parameter_scale).
+struct BranchPoint {
+  double parameter = 0;
+  double arclength = 0;  ///< along the branch from the start orbit, below 0 on the side of falling parameter
+  Eigen::VectorXd state;
+  Eigen::VectorXd tangent;  ///< unit vector along the branch in the coordinates above; parameter last
+  Eigen::MatrixXd monodromy;
+  Eigen::VectorXcd multipliers;  ///< largest modulus first
+  int unstable = 0;              ///< multipliers outside the unit circle
+  double branching = 0;  ///< determinant of the bordered derivative, which changes sign at branch points
+  double slope_difference = 0;  ///< relative, of the derivatives by the parameter at two step sizes
+  double difference_step = usual_difference_step;  ///< step of that derivative
+  std::optional<MultiplierTests> slopes;           ///< per unit of arclength, where they were needed
+  std::optional<std::vector<Margin>> margins;      ///< where they were needed
+  orbits::OrbitFacts facts;
+
+  bool stable() const { return unstable == 0; }
+};
+
+/// Kind of codimension-one point on a branch.
+enum class EventKind {
+  fold,             ///< the branch turns back in the parameter: a multiplier passes +1
+  period_doubling,  ///< a multiplier passes -1
+  neimark_sacker,   ///< a pair of complex multipliers leaves or enters the unit circle: a torus
+  branch_point,  ///< a multiplier passes +1 while the parameter goes on: a symmetry breaks, or branches cross
+  period_halving,  ///< the branch joins that of an orbit of half its period, and runs back as its own shift
+  graze,           ///< a hit or a pair of changes of contact mode appears or disappears
+  sequence,        ///< the sequence of contact modes changes otherwise
+  stability,       ///< multipliers leave or enter the unit circle in a way none of the above explains
+};
+
+constexpr std::string_view to_string(EventKind kind) {
+  switch (kind) {
+    case EventKind::fold:
+      return "fold";
+    case EventKind::period_doubling:
+      return "period_doubling";
+    case EventKind::neimark_sacker:
+      return "neimark_sacker";
+    case EventKind::branch_point:
+      return "branch_point";
+    case EventKind::period_halving:
+      return "period_halving";
+    case EventKind::graze:
+      return "graze";
+    case EventKind::sequence:
+      return "sequence";
+    case EventKind::stability:
+      return "stability";
+  }
+  return "";
+}
+
+struct BranchEvent {
+  EventKind kind = EventKind::fold;
+  BranchPoint point;
+  double parameter_error =
+      0;               ///< half-width of the interval in which the root was enclosed, in the parameter
+  std::string detail;  ///< graze: contact, and what appears or disappears as the arclength grows
+  std::optional<orbits::SequenceChange> change = {};  ///< change at a graze
+};
+
+/// Why a branch ends.
+enum class Ending {
+  left_range,     ///< the parameter reaches the end of its range; the last point is there
+  closed,         ///< back at the start: the branch is a closed curve
+  off_the_walls,  ///< behind a graze the orbit touches nothing any more: it is the quiet motion from there on
+  period_halving,  ///< it joins the branch of an orbit of half its period
+  infeasible,      ///< no machine or scene beyond
+  failed,          ///< the solver cannot make a turn
+  step_too_small,  ///< Newton's iteration finds no orbit however near the last one
+  singular,        ///< no direction of the branch can be told
+  point_limit,
+  resonance,     ///< curve of tori: beyond a 1:1 or 1:2 resonance its two multipliers are real
+  unfolds,       ///< curve of branch points: branches cross no longer when the second parameter changes
+  first_change,  ///< stability was lost or regained, where following was to stop there
+  target,        ///< the wanted parameter is reached
+};
+
+constexpr std::string_view to_string(Ending ending) {
+  switch (ending) {
+    case Ending::left_range:
+      return "left_range";
+    case Ending::closed:
+      return "closed";
+    case Ending::off_the_walls:
+      return "off_the_walls";
+    case Ending::period_halving:
+      return "period_halving";
+    case Ending::infeasible:
+      return "infeasible";
+    case Ending::failed:
+      return "failed";
+    case Ending::step_too_small:
+      return "step_too_small";
+    case Ending::singular:
+      return "singular";
+    case Ending::point_limit:
+      return "point_limit";
+    case Ending::resonance:
+      return "resonance";
+    case Ending::unfolds:
+      return "unfolds";
+    case Ending::first_change:
+      return "first_change";
+    case Ending::target:
+      return "target";
+  }
+  return "";
+}
+
+/// One side of a branch: from its start on.
+struct HalfBranch {
+  std::vector<BranchPoint> points;  ///< the start first
+  std::vector<BranchEvent> events;  ///< in the order in which they are met
+  Ending ending = Ending::left_range;
+};
+
+/// A branch both ways: points and events by ascending arclength.
+struct Branch {
+  int order = 1;
+  std::vector<BranchPoint> points;
+  std::vector<BranchEvent> events;
+  Ending falling = Ending::left_range, rising = Ending::left_range;  ///< at its first and its last point
+};
+
+}  // namespace rubsweep::branch::continuation

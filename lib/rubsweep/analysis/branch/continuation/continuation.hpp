@@ -1,0 +1,254 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/analysis/branch/continuation/branch_point.hpp"
+#include "rubsweep/analysis/branch/continuation/segment.hpp"
+
+namespace rubsweep::branch::continuation {
+
+/// Adaptive step length of pseudo-arclength continuation.
+class StepControl {
+ public:
+  /// `options`: first_step, longest_step and shortest_step.
+  template <class Options>
+  explicit StepControl(const Options& options)
+      : step_(options.first_step), longest_(options.longest_step), shortest_(options.shortest_step) {}
+
+  double step() const { return step_; }
+
+  /// Halves the step, as no point was found one step ahead; false where it becomes too short.
+  bool shorten() {
+    step_ /= 2;
+    return step_ >= shortest_;
+  }
+
+  /// A correction farther from its guess than this may have found another branch, or another part of this
+  /// one.
+  bool is_far(double from_guess) const { return from_guess > 0.2 * step_; }
+
+  /// `cosine`: of the angle between the tangents here and one step ahead.
+  bool turns_sharply(double cosine) const { return cosine < 0.94 && step_ > 100 * shortest_; }
+
+  /// Follows a step that Newton's iteration found as easily as this.
+  void lengthen(double cosine, bool easily) {
+    if (cosine > 0.985 && easily) step_ = std::min(longest_, 1.5 * step_);
+  }
+
+ private:
+  double step_, longest_, shortest_;
+};
+
+/// Pseudo-arclength continuation: predictor along the tangent, Newton's iteration across it as corrector,
+/// adaptive steps, events on every step. What is continued and when it ends says a `Task`:
+/// - Problem, Point, Event, Half (points, events, ending), Correction: its types;
+/// - problem(): see Segment;
+/// - easy_iterations: so many iterations or fewer let steps grow;
+/// - holds(correction): whether it lies in the range of the parameters;
+/// - correct_at_edge(here, correction): Newton's iteration on the edge of that range, which the step to
+///   `correction` has crossed; empty where `here` is on it already;
+/// - refuses(here, next): why `next` cannot be the point after `here`, if it cannot;
+/// - prepare(next): adds what the search for events needs;
+/// - events_between(here, next): by ascending arclength; empty where no continuous curve leads from one to
+///   the other;
+/// - ending_at(start, event): why the curve ends at an event, if it does;
+/// - images(point): positions of the same solution, as seen from each turn of its period;
+/// - corner_ahead(here, step), which may be left out: a corner of the curve within about a step, as
+///   EvenGraze has it, if there is one.
+template <class Task>
+class Continuation {
+ public:
+  using Point = typename Task::Point;
+  using Half = typename Task::Half;
+
+  template <class Options>
+  Continuation(const Task& task, const Point& start, const Options& options)
+      : task_(task),
+        steps_(options),
+        most_points_(static_cast<std::size_t>(options.most_points)),
+        images_of_start_(task.images(start)) {
+    half_.points.push_back(start);
+  }
+
+  Half run() {
+    while (!ended_) {
+      if (half_.points.size() >= most_points_) {
+        end(Ending::point_limit);
+      } else {
+        make_step();
+      }
+    }
+    return std::move(half_);
+  }
+
+ private:
+  using Correction = typename Task::Correction;
+
+  const Point& here() const { return half_.points.back(); }
+
+  template <class PointOrCorrection>
+  Eigen::VectorXd position(const PointOrCorrection& of) const {
+    return position_of(task_.problem(), of);
+  }
+
+  void end(Ending ending) {
+    half_.ending = ending;
+    ended_ = true;
+  }
+
+  void shorten(Ending otherwise) {
+    if (!steps_.shorten()) end(otherwise);
+  }
+
+  void make_step() {
+    if (turns_corner()) return;
+    const Eigen::VectorXd guess = position(here()) + steps_.step() * here().tangent;
+    const Correction found = correct_between(task_.problem(), guess, here(), here());
+    if (found.evaluation == orbits::Evaluation::infeasible) return shorten(Ending::infeasible);
+    if (found.evaluation == orbits::Evaluation::failed) return shorten(Ending::failed);
+    if (found.singular) return shorten(Ending::singular);
+    if (!found.converged || steps_.is_far((position(found) - guess).norm()))
+      return shorten(Ending::step_too_small);
+    if (!task_.holds(found)) return step_to_edge(found);
+    auto next = completed(task_.problem(), found, here().tangent, here().arclength + steps_.step());
+    if (!next) return shorten(Ending::singular);
+    const double turn = next->tangent.dot(here().tangent);
+    if (steps_.turns_sharply(turn)) return shorten(Ending::step_too_small);
+    if (take(std::move(*next))) steps_.lengthen(turn, found.iterations <= Task::easy_iterations);
+  }
+
+  /// Goes around a corner within the step, or ends there. False where there is none.
+  bool turns_corner() {
+    if constexpr (requires { task_.corner_ahead(here(), steps_.step()); }) {
+      auto corner = task_.corner_ahead(here(), steps_.step());
+      if (!corner || is_closed_by(corner->before)) return ended_;
+      auto events = task_.events_between(here(), corner->before);
+      if (!events) return false;
+      std::ranges::move(corner->events, std::back_inserter(*events));
+      if (add_events(std::move(*events))) return true;
+      half_.points.push_back(std::move(corner->beyond ? *corner->beyond : corner->events.front().point));
+      if (!corner->beyond) end(Ending::singular);
+      return true;
+    }
+    return false;
+  }
+
+  void step_to_edge(const Correction& beyond) {
+    const std::optional<Correction> found = task_.correct_at_edge(here(), beyond);
+    if (!found) return end(Ending::left_range);
+    if (!found->converged) return shorten(Ending::step_too_small);
+    const double length = here().tangent.dot(position(*found) - position(here()));
+    if (!(length > 0) || length > 2 * steps_.step()) return shorten(Ending::step_too_small);
+    auto last = completed(task_.problem(), *found, here().tangent, here().arclength + length);
+    if (!last) return shorten(Ending::step_too_small);
+    if (take(std::move(*last)) && !ended_) end(Ending::left_range);
+  }
+
+  /// False, with a shorter step, where `next` does not follow `here`.
+  bool take(Point next) {
+    if (const std::optional<Ending> refusal = task_.refuses(here(), next)) {
+      shorten(*refusal);
+      return false;
+    }
+    if (is_closed_by(next)) return true;
+    task_.prepare(next);
+    auto events = task_.events_between(here(), next);
+    if (!events) {
+      shorten(Ending::step_too_small);
+      return false;
+    }
+    if (!add_events(std::move(*events))) half_.points.push_back(std::move(next));
+    return true;
+  }
+
+  /// Whether the curve ends at one of them.
+  template <class Events>
+  bool add_events(Events events) {
+    for (auto& event : events) {
+      half_.events.push_back(std::move(event));
+      if (ends_at_last_event()) return true;
+    }
+    return false;
+  }
+
+  /// The event's own point is then the last one.
+  bool ends_at_last_event() {
+    const auto ending = task_.ending_at(half_.points.front(), half_.events.back());
+    if (!ending) return false;
+    half_.points.push_back(half_.events.back().point);
+    end(*ending);
+    return true;
+  }
+
+  /// Whether the start lies between here and `next`: the curve then ends there.
+  bool is_closed_by(const Point& next) {
+    if (half_.points.size() < 3) return false;
+    const Segment segment(task_.problem(), here(), next);
+    for (const Eigen::VectorXd& start : images_of_start_) {
+      auto there = segment.through(start);
+      if (!there) continue;
+      auto events = task_.events_between(here(), *there);
+      if (!events) continue;
+      std::ranges::move(*events, std::back_inserter(half_.events));
+      half_.points.push_back(std::move(*there));
+      end(Ending::closed);
+      return true;
+    }
+    return false;
+  }
+
+  const Task& task_;
+  StepControl steps_;
+  std::size_t most_points_;
+  std::vector<Eigen::VectorXd> images_of_start_;
+  Half half_;
+  bool ended_ = false;
+};
+
+/// A curve followed both ways: points and events by ascending arclength.
+template <class Half>
+struct BothWays {
+  Half all;  ///< `ending`: at its last point
+  Ending backward = Ending::left_range;
+};
+
+/// `half` seen from its end: arclengths are below 0, and the start, which is the first of the other half, is
+/// left out.
+template <class Half>
+Half reversed(Half half) {
+  half.points.erase(half.points.begin());
+  const auto reverse = [](auto& elements, const auto& point_in) {
+    for (auto& element : elements) {
+      auto& point = point_in(element);
+      point = turned_about(std::move(point));
+      point.arclength = -point.arclength;
+    }
+    std::ranges::reverse(elements);
+  };
+  reverse(
+      half.points, [](auto& point) -> auto& { return point; });
+  reverse(
+      half.events, [](auto& event) -> auto& { return event.point; });
+  return half;
+}
+
+/// Continues from `start` both ways; one that closes is followed one way. turned_about(point) is a point with
+/// its curve the other way round.
+template <class Task, class Options>
+BothWays<typename Task::Half> continue_both_ways(const Task& task, const typename Task::Point& start,
+                                                 const Options& options) {
+  auto forward = Continuation<Task>(task, start, options).run();
+  if (forward.ending == Ending::closed) return {std::move(forward), Ending::closed};
+  auto all = reversed(Continuation<Task>(task, turned_about(start), options).run());
+  const Ending backward = std::exchange(all.ending, forward.ending);
+  std::ranges::move(forward.points, std::back_inserter(all.points));
+  std::ranges::move(forward.events, std::back_inserter(all.events));
+  return {std::move(all), backward};
+}
+
+}  // namespace rubsweep::branch::continuation

@@ -1,0 +1,118 @@
+#include "rubsweep/analysis/branch/continuation/margins.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "rubsweep/analysis/branch/continuation/dip.hpp"
+#include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
+
+namespace rubsweep::branch::continuation {
+namespace {
+
+using contact::Mode;
+using integrate::run::ModeSwitch;
+
+double period_of(const orbits::OrbitProblem& problem) { return 2 * std::numbers::pi * problem.order; }
+
+/// From the change `begin` to the change `end` of the closed sequence, in which it comes next.
+Margin stretch_between(const ModeSwitch& begin, const ModeSwitch& end, double period_rad) {
+  double duration_rad = end.phase_rad - begin.phase_rad;
+  if (duration_rad <= 0) duration_rad += period_rad;
+  return {Margin::Kind::stretch,      begin.contact, begin.from, begin.to, begin.phase_rad,
+          duration_rad * duration_rad};
+}
+
+/// Hits, flights and stretches from one mode back to it, of one contact whose changes these are.
+void add_stretches(const std::vector<ModeSwitch>& changes, double period_rad, std::vector<Margin>& margins) {
+  const std::size_t count = changes.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const ModeSwitch &begin = changes[i], &next = changes[(i + 1) % count];
+    if (count > 1 && (begin.to == Mode::open || begin.from == next.to))
+      margins.push_back(stretch_between(begin, next, period_rad));
+    if (begin.from != Mode::open || begin.from == next.to) continue;
+    for (std::size_t k = 2; k <= count; ++k) {
+      if (changes[(i + k) % count].to != Mode::open) continue;
+      margins.push_back(stretch_between(begin, changes[(i + k) % count], period_rad));
+      break;
+    }
+  }
+}
+
+std::vector<Margin> margins_at(const std::vector<orbits::Approach>& approaches,
+                               const std::vector<ModeSwitch>& switches, double period_rad) {
+  std::vector<Margin> margins;
+  margins.reserve(approaches.size());
+  for (const orbits::Approach& approach : approaches)
+    margins.push_back({Margin::Kind::approach, approach.contact, approach.from, approach.to,
+                       approach.phase_rad, approach.distance});
+  int contacts = 0;
+  for (const ModeSwitch& change : switches) contacts = std::max(contacts, change.contact + 1);
+  for (int contact = 0; contact < contacts; ++contact) {
+    std::vector<ModeSwitch> changes;
+    std::ranges::copy_if(switches, std::back_inserter(changes),
+                         [&](const ModeSwitch& change) { return change.contact == contact; });
+    add_stretches(changes, period_rad, margins);
+  }
+  return margins;
+}
+
+double distance_of_phases(double a, double b, double period_rad) {
+  return std::abs(std::remainder(a - b, period_rad));
+}
+
+/// The one of the same kind that is nearest in phase; null where there is none.
+const Margin* partner(const Margin& one, const std::vector<Margin>& all, double period_rad) {
+  const Margin* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Margin& other : all) {
+    if (!one.is_like(other)) continue;
+    const double distance = distance_of_phases(one.phase_rad, other.phase_rad, period_rad);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &other;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<Margin> margins_of(const orbits::OrbitProblem& problem, const BranchPoint& point) {
+  constexpr double along = 1e-5;  ///< as that of the slopes of multipliers
+  if (!problem.passages) return {};
+  const double period_rad = period_of(problem);
+  const auto here = problem.passages(point.parameter, point.state);
+  if (!here) return {};
+  std::vector<Margin> margins = margins_at(here->approaches, here->switches, period_rad);
+  if (margins.empty()) return margins;
+  for (const double h : {along, -along}) {
+    const Position at = position_of(problem, point) + h * point.tangent;
+    const auto beside = problem.passages(parameter_of(problem, at), state_of(at));
+    if (!beside) continue;
+    const auto others = margins_at(beside->approaches, beside->switches, period_rad);
+    std::erase_if(margins, [&](Margin& margin) {
+      const Margin* other = partner(margin, others, period_rad);
+      if (other != nullptr) margin.slope = (other->value - margin.value) / h;
+      return other == nullptr;
+    });
+    return margins;
+  }
+  return {};
+}
+
+std::optional<double> share_of_dip(const std::vector<Margin>& from, const std::vector<Margin>& to,
+                                   double period_rad, double length, double cosine) {
+  for (const Margin& begin : from) {
+    const Margin* end = partner(begin, to, period_rad);
+    if (end == nullptr || partner(*end, from, period_rad) != &begin) continue;
+    if (const auto share = dip_of_cubic({begin.value, end->value, begin.slope, end->slope / cosine}, length))
+      return share;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rubsweep::branch::continuation

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/analysis/branch/continuation/branch_point.hpp"
+#include "rubsweep/analysis/branch/curves/extended_system.hpp"
+
+namespace rubsweep::branch::curves {
+
+/// An orbit on a curve in the plane of two parameters. Lengths are those of the coordinates of its system.
+struct CurvePoint {
+  orbits::PlanePoint place;
+  double arclength = 0;  ///< from the event that the curve starts from; below 0 on its other side
+  Eigen::VectorXd state;
+  continuation::Position at;       ///< place and state in the coordinates
+  continuation::Position tangent;  ///< unit vector along the curve
+  double error = 0;              ///< the last Newton correction of the parameters, in shares of their ranges
+  Eigen::VectorXcd multipliers;  ///< largest modulus first
+  Critical critical;
+  orbits::OrbitFacts facts;
+};
+
+/// Where a curve meets another one: two things happen at one place of the plane.
+enum class MeetingKind {
+  cusp,                  ///< two curves of folds end in each other
+  fold_flip,             ///< multipliers +1 and -1
+  fold_torus,            ///< +1 and a complex pair on the unit circle
+  flip_torus,            ///< -1 and such a pair
+  double_torus,          ///< two such pairs
+  resonance_1_1,         ///< +1 twice, where a curve of tori begins at one of folds
+  resonance_1_2,         ///< -1 twice, where one begins at a period doubling
+  resonance_1_3,         ///< a pair at 120 degrees
+  resonance_1_4,         ///< a pair at 90 degrees
+  generalised_flip,      ///< a period doubling changes from soft to hard
+  degenerate_branching,  ///< a break of symmetry changes from soft to hard
+  graze_fold,            ///< an orbit that grazes has a multiplier +1
+  graze_flip,            ///< -1
+  graze_torus,           ///< a complex pair on the unit circle
+  double_graze,          ///< two grazes at once
+  degenerate_graze,      ///< the grazing guard does not turn back: its second derivative is zero as well
+};
+
+constexpr std::string_view to_string(MeetingKind kind) {
+  switch (kind) {
+    case MeetingKind::cusp:
+      return "cusp";
+    case MeetingKind::fold_flip:
+      return "fold_flip";
+    case MeetingKind::fold_torus:
+      return "fold_torus";
+    case MeetingKind::flip_torus:
+      return "flip_torus";
+    case MeetingKind::double_torus:
+      return "double_torus";
+    case MeetingKind::resonance_1_1:
+      return "resonance_1_1";
+    case MeetingKind::resonance_1_2:
+      return "resonance_1_2";
+    case MeetingKind::resonance_1_3:
+      return "resonance_1_3";
+    case MeetingKind::resonance_1_4:
+      return "resonance_1_4";
+    case MeetingKind::generalised_flip:
+      return "generalised_flip";
+    case MeetingKind::degenerate_branching:
+      return "degenerate_branching";
+    case MeetingKind::graze_fold:
+      return "graze_fold";
+    case MeetingKind::graze_flip:
+      return "graze_flip";
+    case MeetingKind::graze_torus:
+      return "graze_torus";
+    case MeetingKind::double_graze:
+      return "double_graze";
+    case MeetingKind::degenerate_graze:
+      return "degenerate_graze";
+  }
+  return "";
+}
+
+struct Meeting {
+  MeetingKind kind = MeetingKind::cusp;
+  CurvePoint point;
+  double error = 0;  ///< half-width, along the curve, of the interval in which the root was enclosed
+};
+
+/// One side of a curve: from its start on.
+struct HalfCurve {
+  std::vector<CurvePoint> points;  ///< the start first
+  std::vector<Meeting> events;     ///< in the order in which they are met
+  continuation::Ending ending = continuation::Ending::left_range;
+};
+
+/// A curve both ways: points and meetings by ascending arclength.
+struct Curve {
+  continuation::EventKind kind = continuation::EventKind::fold;
+  int order = 1;
+  std::vector<CurvePoint> points;
+  std::vector<Meeting> meetings;
+  continuation::Ending backward = continuation::Ending::left_range,
+                       forward = continuation::Ending::left_range;  ///< at its first and its last point
+};
+
+}  // namespace rubsweep::branch::curves

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "rubsweep/analysis/branch/orbits/orbit_problem.hpp"
+#include "rubsweep/core/scene/scene.hpp"
+
+namespace rubsweep::branch::orbits {
+
+/// States of an orbit at equal steps of the phase: columns of 2n scaled numbers, in the fixed frame, the
+/// first one at the phase 0.
+struct SampledOrbit {
+  Eigen::MatrixXd states;
+  double step_rad = 0;
+  bool closes = true;  ///< one step behind the last state comes the first one
+};
+
+/// Where guards come nearest to what they guard and turn back: in flight the smallest gap between two hits,
+/// in contact the smallest penetration, and so on for every guard that a mode has armed (contact::guards_of).
+/// `switches`: all changes of contact mode of the orbit, by phase. Maxima are those of cubics through the
+/// guard and its rate at two neighbouring samples between which the contact does not change its mode. Of a
+/// scene with torsion none.
+std::vector<Approach> approaches_of(const scene::Scene& scene, const SampledOrbit& orbit,
+                                    std::span<const integrate::run::ModeSwitch> switches);
+
+}  // namespace rubsweep::branch::orbits

@@ -1,0 +1,120 @@
+#include "rubsweep/analysis/branch/orbits/scene_plane.hpp"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "rubsweep/analysis/branch/orbits/guard_motion.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/numerics/recently_used.hpp"
+#include "rubsweep/core/response/proof/section_map.hpp"
+
+namespace rubsweep::branch::orbits {
+namespace {
+
+constexpr double turn_rad = 2 * std::numbers::pi;
+/// So near to the phase asked for, a thousandth of a radian, Newton's iteration finds a touch.
+constexpr int section_samples_per_turn = 4096;
+
+std::span<const double> numbers(const Eigen::VectorXd& state) {
+  return {state.data(), static_cast<std::size_t>(state.size())};
+}
+
+class ScenePlaneOrbits {
+ public:
+  ScenePlaneOrbits(ScenePlane plane, int order, const integrate::run::SolverOptions& solver,
+                   integrate::exact::modes::ModeCache& modes)
+      : plane_(std::move(plane)), order_(order), solver_(solver), modes_(modes) {}
+
+  Evaluation returns(const PlanePoint& place, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy) {
+    return line_at(place).returns(place.first, state, monodromy);
+  }
+
+  std::optional<OrbitFacts> facts(const PlanePoint& place, const Eigen::VectorXd& state) {
+    return line_at(place).facts(place.first, state);
+  }
+
+  std::optional<GuardMotion> guard(const PlanePoint& place, const Eigen::VectorXd& state,
+                                   const ArmedGuard& armed) {
+    if (!guards_ || !(guards_at_ == place)) {
+      const auto scene = scene_at(place);
+      if (!scene) return std::nullopt;
+      guards_ = std::make_unique<SectionGuards>(*scene);
+      guards_at_ = place;
+    }
+    return guards_->at(numbers(state), armed);
+  }
+
+  std::optional<Eigen::VectorXd> at_phase(const PlanePoint& place, const Eigen::VectorXd& state,
+                                          double& phase_rad) {
+    const auto scene = scene_at(place);
+    // With torsion the unbalance turns with the twist, which `begun_at_phase` does not.
+    if (!scene || scene->twist) return std::nullopt;
+    const integrate::run::Run run = integrate::start(*scene, solver_, modes_);
+    const auto sample = std::llround(phase_rad / turn_rad * section_samples_per_turn);
+    integrate::run::TurnRequest request;
+    request.samples_per_revolution = section_samples_per_turn;
+    integrate::run::TurnReport report;
+    run.restart(numbers(state));
+    for (long long turn = 0; turn <= sample / section_samples_per_turn; ++turn)
+      if (run.advance(request, report) != integrate::run::Outcome::ok) return std::nullopt;
+    phase_rad = turn_rad * static_cast<double>(sample) / section_samples_per_turn;
+    const Eigen::Map<const Eigen::MatrixXd> samples(report.samples.data(), state.size(), report.sample_count);
+    return samples.col(sample % section_samples_per_turn);
+  }
+
+ private:
+  struct Line {
+    double second = 0, phase_rad = 0;
+    OrbitProblem orbits;
+  };
+
+  const OrbitProblem& line_at(const PlanePoint& place) {
+    const Line* known = recent_.find(
+        [&](const Line& line) { return line.second == place.second && line.phase_rad == place.phase_rad; });
+    if (known != nullptr) return known->orbits;
+    const auto family = [plane = plane_, second = place.second,
+                         phase = place.phase_rad](double first) -> std::optional<scene::Scene> {
+      auto scene = plane(first, second);
+      if (!scene || phase == 0) return scene;
+      return begun_at_phase(std::move(*scene), phase);
+    };
+    Line& line =
+        recent_.emplace(Line{place.second, place.phase_rad, scene_orbits(family, order_, solver_, modes_)});
+    recent_.trim();
+    return line.orbits;
+  }
+
+  std::optional<scene::Scene> scene_at(const PlanePoint& place) const {
+    auto scene = plane_(place.first, place.second);
+    if (!scene) return std::nullopt;
+    return begun_at_phase(response::proof::after_the_kick(std::move(*scene)), place.phase_rad);
+  }
+
+  ScenePlane plane_;
+  int order_;
+  integrate::run::SolverOptions solver_;
+  integrate::exact::modes::ModeCache& modes_;
+  numerics::RecentlyUsed<Line> recent_{3};  ///< a line and its neighbours for derivatives
+  std::unique_ptr<SectionGuards> guards_;
+  PlanePoint guards_at_;
+};
+
+}  // namespace
+
+PlaneOrbits scene_plane_orbits(ScenePlane plane, int order, const integrate::run::SolverOptions& solver,
+                               integrate::exact::modes::ModeCache& modes) {
+  const auto orbits = std::make_shared<ScenePlaneOrbits>(std::move(plane), order, solver, modes);
+  return {std::bind_front(&ScenePlaneOrbits::returns, orbits),
+          std::bind_front(&ScenePlaneOrbits::facts, orbits),
+          std::bind_front(&ScenePlaneOrbits::guard, orbits),
+          std::bind_front(&ScenePlaneOrbits::at_phase, orbits),
+          order,
+          {},
+          {}};
+}
+
+}  // namespace rubsweep::branch::orbits

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "rubsweep/analysis/line/settled_motion.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/maps/sweep/row.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
+
+namespace rubsweep::line {
+
+/// How the cells of a line start.
+enum class Pass {
+  kick,  ///< each from its kick, as in a map
+  up,    ///< each from what the one before it does, the first from its kick
+  down,  ///< the same from the last cell to the first
+};
+
+constexpr std::string_view to_string(Pass pass) {
+  return pass == Pass::kick ? "kick" : pass == Pass::up ? "up" : "down";
+}
+
+/// One cell: neighbours share what they have in common.
+struct LineCell {
+  double value = 0;  ///< of whatever changes along the line
+  std::shared_ptr<const sweep::Study> study;
+  std::shared_ptr<const scene::PreparedMachine> machine;  ///< of study->machine
+  scene::Place place;
+};
+
+/// One cell in one pass.
+struct LinePoint {
+  Pass pass = Pass::kick;
+  std::size_t cell = 0;
+  sweep::Row row;
+  std::optional<SettledMotion> motion;  ///< empty where there is none
+};
+
+/// Runs the cells of a line in every pass, and returns how many points that made. A cell of an upward or
+/// downward pass starts on what the one before it does after it has settled: the same displacements and the
+/// same velocities per radian of shaft rotation, at the phase of smallest quiet gap, without a kick. Behind a
+/// cell without motion the next one starts from its kick. Cells of Pass::kick run in parallel, and so do
+/// whole passes; what comes out does not depend on `threads` (0: all processors). `on_point` gets the points
+/// one at a time, in any order; no new cell starts once `stop` is true. Throws ConfigError where an upward or
+/// downward pass meets cells with different numbers of coordinates.
+std::size_t follow_line(std::span<const LineCell> cells, std::span<const Pass> passes, int threads,
+                        const std::function<void(LinePoint&&)>& on_point, const std::atomic<bool>& stop);
+
+}  // namespace rubsweep::line

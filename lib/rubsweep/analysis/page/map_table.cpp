@@ -1,0 +1,124 @@
+#include "rubsweep/analysis/page/map_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/response/motion/motion_class.hpp"
+#include "rubsweep/maps/batch/csv_table.hpp"
+#include "rubsweep/maps/report/cells_of_rows.hpp"
+#include "rubsweep/maps/report/map_cells.hpp"
+#include "rubsweep/maps/report/map_columns.hpp"
+
+namespace rubsweep::page {
+namespace {
+
+bool is_number(const batch::CsvReader& file, std::size_t column) {
+  try {
+    file.number(column);
+    return true;
+  } catch (const IoError&) {
+    return false;
+  }
+}
+
+/// Whether the column of this name holds nothing but numbers in every map.
+bool has_numbers(const std::string& name) {
+  using report::Comparison;
+  const auto columns = report::map_columns();
+  const auto known = std::ranges::find(columns, name, &report::MapColumn::name);
+  return known != columns.end() &&
+         (known->comparison == Comparison::key || known->comparison == Comparison::number);
+}
+
+void require_class(const batch::CsvReader& file, std::size_t column) {
+  const std::string& word = file.cells()[column];
+  if (response::motion::motion_class_of(word)) return;
+  throw IoError(
+      fmt::format("{}:{}: '{}' is no class of a motion", file.path().string(), file.place().line, word));
+}
+
+/// For each column, whether its cells are numbers or empty, and some of them numbers. Throws IoError where a
+/// column that every map has contains something else.
+std::vector<bool> columns_of_numbers(const std::filesystem::path& path) {
+  batch::CsvReader file(path);
+  const auto& names = file.header();
+  std::vector<bool> some(names.size(), false), all(names.size(), true), always;
+  for (const std::string& name : names) always.push_back(has_numbers(name));
+  while (file.next()) {
+    for (std::size_t column = 0; column < all.size(); ++column) {
+      if (names[column] == "class") require_class(file, column);
+      if (always[column]) file.number(column);
+      if (!all[column] || file.cells()[column].empty()) continue;
+      some[column] = all[column] = is_number(file, column);
+    }
+  }
+  return some;
+}
+
+template <class Value>
+std::vector<Value> in_order(const std::vector<Value>& rows,
+                            const std::vector<std::pair<std::size_t, std::size_t>>& cells) {
+  std::vector<Value> ordered;
+  for (const auto& [cell, row] : cells) ordered.push_back(rows[row]);
+  return ordered;
+}
+
+}  // namespace
+
+const MapColumn* MapTable::find(std::string_view name) const {
+  const auto found = std::find_if(columns.begin(), columns.end(),
+                                  [&](const MapColumn& column) { return column.name == name; });
+  return found == columns.end() ? nullptr : &*found;
+}
+
+std::optional<double> MapTable::number(std::string_view name, std::size_t row) const {
+  const MapColumn* column = find(name);
+  if (!column || column->numbers.empty() || std::isnan(column->numbers[row])) return std::nullopt;
+  return column->numbers[row];
+}
+
+std::string_view MapTable::word(std::string_view name, std::size_t row) const {
+  const MapColumn* column = find(name);
+  return column && !column->words.empty() ? std::string_view(column->words[row]) : std::string_view();
+}
+
+MapTable read_map_table(const std::filesystem::path& path) {
+  const std::vector<bool> numbers = columns_of_numbers(path);
+  batch::CsvReader file(path);
+  MapTable map;
+  for (const std::string& name : file.header()) map.columns.push_back({name, {}, {}});
+  for (; file.next(); ++map.rows) {
+    for (std::size_t column = 0; column < map.columns.size(); ++column) {
+      if (numbers[column]) {
+        map.columns[column].numbers.push_back(file.number(column));
+      } else {
+        map.columns[column].words.push_back(file.cells()[column]);
+      }
+    }
+  }
+  map.version = report::comment_after(file, "rubsweep ");
+  map.digest = report::comment_after(file, "digest ");
+  return map;
+}
+
+MapTable read_map_table(const std::filesystem::path& path, const sweep::Grid& grid) {
+  batch::CsvReader file(path);
+  report::CellsOfRows cells_of_rows(file, grid);
+  std::vector<std::pair<std::size_t, std::size_t>> cells;  // with the row of each
+  while (file.next()) cells.emplace_back(cells_of_rows.take(file), cells.size());
+  if (!grid.refinement) cells_of_rows.require_all();
+  MapTable map = read_map_table(path);
+  if (std::ranges::is_sorted(cells)) return map;
+  std::ranges::sort(cells);
+  for (MapColumn& column : map.columns) {
+    if (!column.numbers.empty()) column.numbers = in_order(column.numbers, cells);
+    if (!column.words.empty()) column.words = in_order(column.words, cells);
+  }
+  return map;
+}
+
+}  // namespace rubsweep::page

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/maps/sweep/grid.hpp"
+
+namespace rubsweep::page {
+
+/// One column of a map. A column whose cells are all numbers or empty, some of them numbers, has `numbers`
+/// (NaN where empty); any other has `words`.
+struct MapColumn {
+  std::string name;
+  std::vector<double> numbers;
+  std::vector<std::string> words;
+};
+
+/// A map.csv column by column, whatever columns it has.
+struct MapTable {
+  std::string version;  ///< of the program that wrote it; empty: it does not say
+  std::string digest;   ///< of its study; empty: it does not say
+  std::size_t rows = 0;
+  std::vector<MapColumn> columns;
+
+  const MapColumn* find(std::string_view name) const;  ///< null: there is none
+
+  /// A number of one row; empty where the cell is, or there is no such column of numbers.
+  std::optional<double> number(std::string_view name, std::size_t row) const;
+
+  /// A word of one row; empty where there is no such column of words.
+  std::string_view word(std::string_view name, std::size_t row) const;
+};
+
+/// Throws IoError, with file:line where the text is at fault.
+MapTable read_map_table(const std::filesystem::path& path);
+
+/// A map of this grid, its rows in the order of the cells whatever their order in the file. Throws IoError
+/// also where a row is no cell of the grid or one that is there twice, and where a cell is missing, which of
+/// a refined map it may.
+MapTable read_map_table(const std::filesystem::path& path, const sweep::Grid& grid);
+
+}  // namespace rubsweep::page

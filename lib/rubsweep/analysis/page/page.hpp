@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "rubsweep/analysis/page/boundaries.hpp"
+#include "rubsweep/analysis/page/map_table.hpp"
+#include "rubsweep/analysis/page/orbits.hpp"
+#include "rubsweep/analysis/page/walls.hpp"
+#include "rubsweep/maps/batch/captions.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
+#include "rubsweep/maps/sweep/written_axis.hpp"
+
+namespace rubsweep::page {
+
+/// A column of a map as the page reads it.
+struct EncodedColumn {
+  std::vector<std::string> words;  ///< the different words in the order of their first row; empty: numbers
+  std::string data;  ///< compressed byte planes: 8 bytes a number (IEEE 754, NaN where empty), or
+                     ///< 4 bytes a word, its place in `words`
+};
+
+EncodedColumn encode_column(const MapColumn& column);
+
+/// All that a page shows.
+struct PageContents {
+  std::string version;                          ///< of the program that makes the page
+  std::vector<std::string> findings;            ///< sentences
+  std::string model;                            ///< the simulation, in words
+  std::string configuration;                    ///< YAML
+  std::array<sweep::SweptAxis, 2> plane;        ///< axes of the drawn map: across, up
+  std::array<sweep::WrittenAxis, 2> written{};  ///< how a person wrote these two axes
+  batch::Captions captions{};
+  std::string unbalance_measure;  ///< the column that says the unbalance of a cell to rubtrace
+  std::vector<std::string> keys;  ///< columns of the axes over keys of the configuration
+  MapTable map;
+  Walls walls;
+  std::vector<Boundary> boundaries;
+  Orbits orbits;
+  ThinnedGrid kept;      ///< of which the orbits are
+  bool refined = false;  ///< the orbits are of some of the computed cells of a refined map instead
+};
+
+/// The page as one file of HTML without any other: style, script and data are in it, and its content security
+/// policy allows nothing else to be loaded or run. Equal contents give equal bytes. Characters of the
+/// contents that mean something in HTML are shown as they are.
+std::string page_text(const PageContents& contents);
+
+}  // namespace rubsweep::page

@@ -1,0 +1,160 @@
+#include "rubsweep/analysis/page/settled_orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "rubsweep/analysis/trace/trace_state.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/response/motion/motion.hpp"
+#include "rubsweep/core/response/motion/poincare_section.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/maps/sweep/hertz_secant.hpp"
+
+namespace rubsweep::page {
+namespace {
+
+using response::motion::MotionClass;
+
+/// How many of the last turns go where.
+struct Lengths {
+  int section = 1, spectrum = 1, drawn = 1;
+  int all() const { return std::max({section, spectrum, drawn}); }
+};
+
+bool is(const KnownMotion& known, MotionClass motion_class) {
+  return known.motion_class == to_string(motion_class);
+}
+
+/// A multiple of the map's own sampling, so that the spectrum is that of the map.
+int steps_of_turn(const response::motion::ResponseOptions& options) {
+  const int n = options.samples_per_revolution;
+  return n * ((fewest_steps_per_turn + n - 1) / n);
+}
+
+class Recorder {
+ public:
+  Recorder(const scene::Scene& scene, const sweep::Study& study, const Lengths& lengths, long begin)
+      : reader_(scene, study.solver),
+        lengths_(lengths),
+        samples_per_turn_(study.response.samples_per_revolution) {
+    orbit_.steps_per_turn = steps_of_turn(study.response);
+    orbit_.turns = lengths.drawn;
+    orbit_.first_revolution = begin + lengths.all() - lengths.drawn;
+    orbit_.signals.resize(2 + 3 * reader_.stops());
+  }
+
+  int steps_per_turn() const { return orbit_.steps_per_turn; }
+
+  /// A turn with steps_per_turn() samples, `left` of all turns to come, this one included.
+  void add(std::span<const double> samples, int left) {
+    const std::size_t stride = static_cast<std::size_t>(orbit_.steps_per_turn / samples_per_turn_);
+    for (std::size_t k = 0; k * reader_.size() < samples.size(); ++k) {
+      const trace::TraceState state =
+          reader_.read_motion(samples.subspan(k * reader_.size(), reader_.size()));
+      const std::complex<double> z(state.displacement_m.x(), state.displacement_m.y());
+      if (k == 0 && left <= lengths_.section) orbit_.section_m.push_back(z);
+      if (k % stride == 0 && left <= lengths_.spectrum) displacement_m_.push_back(z);
+      if (left <= lengths_.drawn) add_to_signals(state);
+    }
+  }
+
+  SettledOrbit finish(std::span<const double> end, response::spectrum::SpectrumWorkspace& workspace) {
+    add_to_signals(reader_.read_motion(end));
+    orbit_.spectrum = response::spectrum::full_spectrum(displacement_m_, lengths_.spectrum, workspace);
+    return std::move(orbit_);
+  }
+
+ private:
+  void add_to_signals(const trace::TraceState& state) {
+    auto signal = orbit_.signals.begin();
+    for (const double value : {state.displacement_m.x(), state.displacement_m.y()})
+      (signal++)->push_back(value);
+    for (const trace::StopState& stop : state.stops)
+      for (const double value : {stop.casing_m.x(), stop.casing_m.y(), stop.gap_m})
+        (signal++)->push_back(value);
+  }
+
+  trace::StateReader reader_;
+  Lengths lengths_;
+  int samples_per_turn_;
+  SettledOrbit orbit_;
+  std::vector<std::complex<double>> displacement_m_;
+};
+
+/// Quiet whirl of a rotor that touches nothing, which remains when the kick has died away.
+SettledOrbit quiet_orbit(const scene::Cell& cell, const sweep::Study& study, long revolutions,
+                         response::motion::Workspace& workspace) {
+  Recorder recorder(cell.scene, study, {}, revolutions);
+  const Eigen::Index n = cell.scene.structure.coordinates();
+  const auto state = [&](int step) {
+    const double phase_rad = 2 * std::numbers::pi * step / recorder.steps_per_turn();
+    Eigen::VectorXd scaled(2 * n);
+    scaled << cell.quiet.displacement(phase_rad), cell.quiet.velocity(phase_rad);
+    return Eigen::VectorXd(scaled / cell.scene.length_scale_m);
+  };
+  std::vector<double> samples;
+  for (int step = 0; step < recorder.steps_per_turn(); ++step) {
+    const Eigen::VectorXd scaled = state(step);
+    samples.insert(samples.end(), scaled.begin(), scaled.end());
+  }
+  recorder.add(samples, 1);
+  const Eigen::VectorXd end = state(recorder.steps_per_turn());
+  return recorder.finish({end.data(), static_cast<std::size_t>(end.size())}, workspace.spectrum);
+}
+
+/// Advances to the revolution from which on the motion is recorded; empty when the run fails.
+std::optional<long> settle(const integrate::run::Run& run, const KnownMotion& known,
+                           const response::motion::ResponseOptions& options, const Lengths& lengths,
+                           integrate::run::TurnReport& turn) {
+  long limit = options.max_revolutions, done = 0;
+  if (!known.order) limit = std::max<long>(0, limit - lengths.all());
+  if (!known.order && known.proven) limit = std::min(limit, known.revolutions + options.window_revolutions);
+  response::motion::SectionReturns returns(known.order.value_or(1));
+  for (; done < limit; ++done) {
+    if (run.advance({}, turn) != integrate::run::Outcome::ok) return std::nullopt;
+    if (known.order && returns.returned(turn.section) && done + 1 >= known.revolutions) return done + 1;
+  }
+  return done;
+}
+
+}  // namespace
+
+std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
+                                          std::size_t cell, const KnownMotion& known,
+                                          response::motion::Workspace& workspace) {
+  if (!study.grid.axes.empty()) {
+    if (is(known, MotionClass::failed)) return std::nullopt;
+    sweep::Study own = study.with_keys(sweep::key_values(study.grid, cell));
+    own.grid = sweep::grid_of(sweep::place_of(study.grid, cell));
+    return settled_orbit(own, scene::prepare_machine(own.machine), 0, known, workspace);
+  }
+  if (is(known, MotionClass::failed) || is(known, MotionClass::initial_contact)) return std::nullopt;
+  const auto [speed_hz, unbalance] = sweep::place_of(study.grid, cell);
+  const scene::PreparedMachine there = scene::prepared_at(prepared, speed_hz);
+  const scene::Cell start =
+      scene::build_cell(sweep::with_secant_of_row(there, known.hertz_force_n), speed_hz, unbalance);
+  if (!scene::can_run(start.start)) return std::nullopt;
+  if (is(known, MotionClass::non_contact) && start.scene.impulses.empty())
+    return quiet_orbit(start, study, known.revolutions, workspace);
+
+  const int window = study.response.window_revolutions;
+  Lengths lengths{2 * window, window, std::min(window, longest_aperiodic_history)};
+  if (known.order) lengths = {*known.order, *known.order, *known.order};
+  const integrate::run::Run run = integrate::start(start.scene, study.solver, workspace.modes);
+  integrate::run::TurnReport turn;
+  const std::optional<long> begin = settle(run, known, study.response, lengths, turn);
+  if (!begin) return std::nullopt;
+  Recorder recorder(start.scene, study, lengths, *begin);
+  integrate::run::TurnRequest request;
+  request.samples_per_revolution = recorder.steps_per_turn();
+  for (int left = lengths.all(); left > 0; --left) {
+    if (run.advance(request, turn) != integrate::run::Outcome::ok) return std::nullopt;
+    recorder.add(turn.samples, left);
+  }
+  return recorder.finish(turn.section, workspace.spectrum);
+}
+
+}  // namespace rubsweep::page

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "rubsweep/core/integrate/run/options.hpp"
+#include "rubsweep/core/integrate/run/outcome.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
+
+namespace rubsweep::ramp {
+
+/// A shaft speed that changes evenly, with an unbalance. The shaft's angle is phi = 2 pi (from t + rate t^2 /
+/// 2).
+struct SpeedRamp {
+  double from_hz = 0, to_hz = 0;  ///< > 0
+  double rate_hz_per_s = 0;       ///< with the sign of to - from, not 0
+  double eccentricity_m = 0;
+
+  double duration_s() const { return (to_hz - from_hz) / rate_hz_per_s; }
+  double fastest_hz() const { return std::max(from_hz, to_hz); }
+  double speed_hz(double t_s) const { return from_hz + rate_hz_per_s * t_s; }
+  double angle_rad(double t_s) const {
+    return 2 * std::numbers::pi * (from_hz * t_s + rate_hz_per_s * t_s * t_s / 2);
+  }
+  /// Time at which the shaft has made so many turns, at most as many as the ramp has.
+  double time_s(double turns) const {
+    return 2 * turns / (from_hz + std::sqrt(std::max(0.0, from_hz * from_hz + 2 * rate_hz_per_s * turns)));
+  }
+};
+
+/// The rotor at one instant of a ramp.
+struct RampSample {
+  double t_s = 0;
+  Eigen::Vector2d displacement_m{0, 0}, velocity_m_per_s{0, 0};
+};
+
+/// A stretch of a ramp as long as one turn at its fastest speed; the last one is shorter.
+struct RampStretch {
+  double begin_s = 0, end_s = 0;
+  std::vector<RampSample> samples;  ///< at equal distances from the begin on, the end left out
+  int hits = 0;                     ///< contacts that began
+  double touching_s = 0;            ///< time with at least one contact touching
+  bool touched = false;
+  double peak_displacement_m = 0;
+  double peak_contact_force_n = 0;
+};
+
+/// Runs a machine with its stops while its shaft speed changes, by dopri5 with every change of contact mode
+/// located, and hands on stretch by stretch with `samples` samples each. The unbalance forces e Re(U (phi'^2
+/// - i phi'') e^{i phi}), the gyroscopic moment, damping that turns with the shaft and the speed of the
+/// rubbing surfaces follow phi'. It starts on the quiet motion of the first speed with the mark of the shaft
+/// along +x; at rest in the static position where that motion touches. The machine's kick is left out.
+/// Returns how the run ended; after a failure no stretch follows. Throws ConfigError for what no ramp is made
+/// of: faulty bearings, static forces that press the rotor through a wall, a speed without quiet motion.
+integrate::run::Outcome run_ramp(const scene::PreparedMachine& machine, const SpeedRamp& ramp,
+                                 const integrate::run::SolverOptions& solver, int samples,
+                                 const std::function<void(const RampStretch&)>& on_stretch);
+
+}  // namespace rubsweep::ramp

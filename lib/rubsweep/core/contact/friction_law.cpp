@@ -1,0 +1,149 @@
+#include "rubsweep/core/contact/friction_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rubsweep/core/overloaded.hpp"
+
+namespace rubsweep::contact {
+namespace {
+
+using model::ConstantFriction;
+using model::NoFriction;
+using model::OneWayFriction;
+using model::StribeckFriction;
+
+constexpr double everywhere = -std::numeric_limits<double>::infinity();
+
+/// tanh(x), skipping the library call where the result is 1 to the last bit.
+double saturating_tanh(double x) {
+  constexpr double saturated_above = 20;  // 1 - tanh(20) = 8.5e-18 < epsilon/2
+  return std::abs(x) > saturated_above ? std::copysign(1.0, x) : std::tanh(x);
+}
+
+/// Derivative of tanh(g v) by v: g sech^2(g v).
+double tanh_slope(double g, double v) {
+  const double t = saturating_tanh(g * v);
+  return g * (1 - t * t);
+}
+
+double coefficient_of(const StribeckFriction& stribeck, double v) {
+  const auto& g = stribeck.gamma;
+  double mu = g[3] * saturating_tanh(g[4] * v) + g[5] * v;
+  if (g[0] != 0) mu += g[0] * (saturating_tanh(g[1] * v) - saturating_tanh(g[2] * v));
+  return mu;
+}
+
+double slope_of(const StribeckFriction& stribeck, double v) {
+  const auto& g = stribeck.gamma;
+  double slope = g[3] * tanh_slope(g[4], v) + g[5];
+  if (g[0] != 0) slope += g[0] * (tanh_slope(g[1], v) - tanh_slope(g[2], v));
+  return slope;
+}
+
+std::optional<SaturatedFriction> saturated(const StribeckFriction& stribeck) {
+  constexpr double saturated_argument = 14;  // 1 - tanh(14) = 1.4e-12
+  const auto& g = stribeck.gamma;
+  if (g[5] != 0) return std::nullopt;
+  double steepness = std::numeric_limits<double>::infinity();
+  if (g[0] != 0) steepness = std::min(g[1], g[2]);
+  if (g[3] != 0) steepness = std::min(steepness, g[4]);
+  if (!(steepness > 0)) return std::nullopt;
+  return SaturatedFriction{g[3], saturated_argument / steepness};
+}
+
+void add(FrictionTerms& terms, double height, double steepness_s_per_m) {
+  if (height == 0 || steepness_s_per_m == 0) return;
+  for (std::size_t i = 0; i < terms.count; ++i) {
+    if (terms.tanh[i].steepness_s_per_m != steepness_s_per_m) continue;
+    terms.tanh[i].height += height;
+    return;
+  }
+  terms.tanh[terms.count++] = {height, steepness_s_per_m};
+}
+
+FrictionTerms terms_of(const StribeckFriction& stribeck) {
+  const auto& g = stribeck.gamma;
+  FrictionTerms terms;
+  terms.viscous_s_per_m = g[5];
+  add(terms, g[3], g[4]);
+  add(terms, g[0], g[1]);
+  add(terms, -g[0], g[2]);
+  return terms;
+}
+
+}  // namespace
+
+double friction_coefficient(const model::Friction& friction, double slip_m_per_s) {
+  return std::visit(
+      overloaded{[](const NoFriction&) { return 0.0; },
+                 [&](const ConstantFriction& constant) {
+                   return slip_m_per_s == 0 ? 0.0 : std::copysign(constant.coefficient, slip_m_per_s);
+                 },
+                 [](const OneWayFriction& one_way) { return one_way.coefficient; },
+                 [&](const StribeckFriction& stribeck) { return coefficient_of(stribeck, slip_m_per_s); }},
+      friction);
+}
+
+double friction_slope(const model::Friction& friction, double slip_m_per_s) {
+  return std::visit(
+      overloaded{[](const NoFriction&) { return 0.0; }, [](const ConstantFriction&) { return 0.0; },
+                 [](const OneWayFriction&) { return 0.0; },
+                 [&](const StribeckFriction& stribeck) { return slope_of(stribeck, slip_m_per_s); }},
+      friction);
+}
+
+std::optional<SaturatedFriction> saturated_friction(const model::Friction& friction) {
+  using Result = std::optional<SaturatedFriction>;
+  return std::visit(
+      overloaded{[](const NoFriction&) -> Result {
+                   return SaturatedFriction{0, everywhere};
+                 },
+                 [](const ConstantFriction& constant) -> Result {
+                   return SaturatedFriction{constant.coefficient, constant.coefficient == 0 ? everywhere : 0};
+                 },
+                 [](const OneWayFriction& one_way) -> Result {
+                   return SaturatedFriction{one_way.coefficient, everywhere};
+                 },
+                 [](const StribeckFriction& stribeck) -> Result { return saturated(stribeck); }},
+      friction);
+}
+
+FrictionTerms friction_terms(const model::Friction& friction) {
+  return std::visit(overloaded{[](const NoFriction&) { return FrictionTerms{}; },
+                               [](const ConstantFriction& constant) {
+                                 FrictionTerms terms;
+                                 terms.dry = constant.coefficient;
+                                 return terms;
+                               },
+                               [](const OneWayFriction& one_way) {
+                                 FrictionTerms terms;
+                                 terms.constant = one_way.coefficient;
+                                 return terms;
+                               },
+                               [](const StribeckFriction& stribeck) { return terms_of(stribeck); }},
+                    friction);
+}
+
+bool acts(const model::Friction& friction) { return !std::holds_alternative<NoFriction>(friction); }
+
+bool depends_on_slip(const model::Friction& friction) {
+  return std::holds_alternative<StribeckFriction>(friction);
+}
+
+bool keeps_its_direction(const model::Friction& friction) {
+  const auto* one_way = std::get_if<OneWayFriction>(&friction);
+  return one_way && one_way->coefficient != 0;
+}
+
+double dry_coefficient(const model::Friction& friction) {
+  const auto* constant = std::get_if<ConstantFriction>(&friction);
+  return constant == nullptr ? 0 : constant->coefficient;
+}
+
+std::string_view name_of(const model::Friction& friction) {
+  return std::visit([](const auto& law) { return law.name; }, friction);
+}
+
+}  // namespace rubsweep::contact

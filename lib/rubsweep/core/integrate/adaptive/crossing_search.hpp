@@ -1,0 +1,232 @@
+#pragma once
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/core/contact/contact_mode.hpp"
+#include "rubsweep/core/contact/dry_friction.hpp"
+#include "rubsweep/core/integrate/adaptive/step_method.hpp"
+#include "rubsweep/core/integrate/law/settle_slips.hpp"
+#include "rubsweep/core/numerics/bernstein_root.hpp"
+
+namespace rubsweep::integrate::adaptive {
+
+/// First event inside a step, which ends it.
+struct Crossing {
+  /// A guard of a contact mode, a slip that comes to zero, a sticking contact that is let go.
+  enum class Event { mode, stop, release };
+  double phase = 0;
+  std::size_t contact = 0;
+  contact::Mode next = contact::Mode::open;
+  Event event = Event::mode;
+  contact::Slip slip = contact::Slip::forward;  ///< after a release
+};
+
+/// Looks in a step that was taken for the first event. The step's states are known by the method's dense
+/// output; a guard is followed between them by the quartic through its values and rates at both ends and its
+/// value in the middle. All members belong to the run that looks.
+template <class Law>
+struct CrossingSearch {
+  Law& dynamics;
+  RightHandSide& right_hand_side;  ///< the same
+  StepMethod& method;
+  const Step& step;
+  const std::vector<contact::Kinematics>&start_kinematics, &end_kinematics;
+  const std::vector<bool>& just_moved;  ///< slips that start at zero and leave it
+  State &probe, &probe_rate;            ///< room for a state inside the step
+
+  std::optional<Crossing> first() {
+    std::optional<Crossing> earliest;
+    for (std::size_t i = 0; i < dynamics.system().contacts.size(); ++i) {
+      const contact::Guards at_start = guards(i, start_kinematics[i]);
+      const contact::Guards at_end = guards(i, end_kinematics[i]);
+      for (int e = 0; e < at_start.count; ++e) {
+        const auto k = static_cast<std::size_t>(e);
+        const auto candidate = locate(i, e, at_start.list[k], at_end.list[k]);
+        if (candidate && (!earliest || candidate->phase < earliest->phase)) earliest = candidate;
+      }
+      if (!dynamics.touches_dry(i)) continue;
+      const auto candidate =
+          dynamics.slips()[i] == contact::Slip::sticking ? locate_release(i) : locate_stop(i);
+      if (candidate && (!earliest || candidate->phase < earliest->phase)) earliest = candidate;
+    }
+    return earliest;
+  }
+
+ private:
+  /// Share of the height of a slip's interpolant over a step from which its largest value is refined.
+  static constexpr double near_zero = 0.1;
+  static constexpr double shortest_share = 1e-12;  ///< of a step, that an event takes at least
+
+  /// Friction that a sticking contact needs, and the most that it can have.
+  struct Friction {
+    double holds_n = 0, largest_n = 0;
+    /// Excess over that in the direction of `sign`.
+    double over(double sign) const { return sign * holds_n - largest_n; }
+  };
+
+  contact::Guards guards(std::size_t i, const contact::Kinematics& kinematics) const {
+    const auto& c = dynamics.system().contacts[i];
+    return contact::guards_of(dynamics.modes()[i], c.stiffness, c.damping, kinematics);
+  }
+
+  /// Value of one guard function of contact `i` inside the step.
+  double guard_value(std::size_t i, int guard, double phase) {
+    method.state_at(right_hand_side, step, phase, probe);
+    // Values need no acceleration, so any rate will do for the third number.
+    return guards(i, dynamics.kinematics(i, probe, step.end_rate))
+        .list[static_cast<std::size_t>(guard)]
+        .value;
+  }
+
+  const State& state_inside(double phase) {
+    if (phase <= step.start_phase) return step.start;
+    if (phase >= step.end_phase) return step.end;
+    method.state_at(right_hand_side, step, phase, probe);
+    return probe;
+  }
+
+  /// Zero of the slip of contact `i`, which slips. A slip that starts at zero starts away from it; that of a
+  /// poised contact stops past the edge of its zero band.
+  std::optional<Crossing> locate_stop(std::size_t i) {
+    const double h = step.end_phase - step.start_phase;
+    const double sign = -contact::sign_of(dynamics.slips()[i]);
+    const auto slip = [&](double x) {
+      return sign * dynamics.slip(i, state_inside(step.start_phase + x * h));
+    };
+    const double edge = dynamics.poised(i) ? std::max(0.0, slip(0) + poised_edge(i)) : 0;
+    const auto value = [&](double x) { return slip(x) - edge; };
+    const bool moved = just_moved[i];
+    const double at_start = moved ? 0 : value(0), at_end = value(1);
+    const double rate = moved ? 0 : sign * h * dynamics.slip_rate(i, step.start, step.start_rate);
+    const double end_rate = sign * h * dynamics.slip_rate(i, step.end, step.end_rate);
+    if (!moved && numerics::clearly_below_zero(at_start, rate, at_end, end_rate)) return std::nullopt;
+    const numerics::Quartic quartic = numerics::quartic_through(at_start, rate, value(0.5), at_end, end_rate);
+    const auto rise = numerics::bernstein_root(quartic);
+    auto phase = rise ? refine(value, *rise) : std::nullopt;
+    if (!phase && at_end >= 0) phase = hidden_rise(value);
+    if (!phase && !moved && comes_near_zero(quartic)) phase = shallow_rise(value);
+    if (!phase) return std::nullopt;
+    return Crossing{*phase, i, {}, Crossing::Event::stop, {}};
+  }
+
+  double poised_edge(std::size_t i) const {
+    const auto& c = dynamics.system().contacts[i];
+    return law::poised_slip * std::max(1.0, std::abs(c.surface_speed_m_per_s / c.slip_scale_m_per_s));
+  }
+
+  /// Rise of a function that is at or above zero at the end of the step, and not at its start but for a slip
+  /// that left zero there. It may have come back before any place that the interpolant knows of.
+  template <class Value>
+  std::optional<double> hidden_rise(const Value& value) {
+    double x = 1;
+    while (x > shortest_share) {
+      x /= 2;
+      if (value(x) < 0) return rise_between(value, x, 2 * x);
+    }
+    return step.start_phase + x * (step.end_phase - step.start_phase);
+  }
+
+  static bool comes_near_zero(const numerics::Quartic& quartic) {
+    const auto [low, high] = std::ranges::minmax(quartic);
+    return high > -near_zero * (high - low);
+  }
+
+  /// First zero of a function that is negative at the start of the step, searched about its largest value. A
+  /// slip that only just comes to zero stops: unlike a shallow graze it changes the motion.
+  template <class Value>
+  std::optional<double> shallow_rise(const Value& value) {
+    constexpr int places = 16;
+    int best = 1;
+    double largest = value(1.0 / places);
+    for (int k = 2; k <= places; ++k) {
+      const double here = value(static_cast<double>(k) / places);
+      if (here > largest) largest = here, best = k;
+    }
+    std::uintmax_t iterations = 60;
+    const auto top = boost::math::tools::brent_find_minima(
+        [&](double x) { return -value(x); }, static_cast<double>(best - 1) / places,
+        std::min(1.0, static_cast<double>(best + 1) / places), std::numeric_limits<double>::digits / 2,
+        iterations);
+    return top.second <= 0 ? rise_between(value, 0, top.first) : std::nullopt;
+  }
+
+  /// Release of contact `i`, which sticks: friction no longer holds it. The holding friction has no
+  /// derivative at hand; a parabola through three places approximates it.
+  std::optional<Crossing> locate_release(std::size_t i) {
+    const double h = step.end_phase - step.start_phase;
+    const auto friction_at = [&](double x) {
+      const double phase = step.start_phase + x * h;
+      const State& state = state_inside(phase);
+      dynamics.loose(state, probe_rate, phase);
+      return Friction{dynamics.hold(state, probe_rate).force_n(i), dynamics.largest_friction_n(i, state)};
+    };
+    const Friction first = friction_at(0), middle = friction_at(0.5), last = friction_at(1);
+    std::optional<Crossing> earliest;
+    for (const contact::Slip slip : {contact::Slip::forward, contact::Slip::backward}) {
+      const double sign = contact::sign_of(slip);
+      const double a = first.over(sign), b = middle.over(sign), c = last.over(sign);
+      const auto rise =
+          numerics::bernstein_root(numerics::quartic_through(a, 4 * b - 3 * a - c, b, c, a - 4 * b + 3 * c));
+      const auto value = [&](double x) { return friction_at(x).over(sign); };
+      auto phase = rise ? refine(value, *rise) : std::nullopt;
+      if (!phase && c > 0) phase = hidden_rise(value);
+      if (phase && (!earliest || *phase < earliest->phase))
+        earliest = Crossing{*phase, i, {}, Crossing::Event::release, slip};
+    }
+    return earliest;
+  }
+
+  std::optional<Crossing> locate(std::size_t i, int guard, const contact::Guard& at_start,
+                                 const contact::Guard& at_end) {
+    const double h = step.end_phase - step.start_phase;
+    if (numerics::clearly_below_zero(at_start.value, h * at_start.rate, at_end.value, h * at_end.rate))
+      return std::nullopt;
+    const double middle = guard_value(i, guard, step.start_phase + h / 2);
+    const auto rise = numerics::bernstein_root(
+        numerics::quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
+    const auto value = [&](double x) { return guard_value(i, guard, step.start_phase + x * h); };
+    auto phase = rise ? refine(value, *rise) : std::nullopt;
+    // Not a return from a graze: from zero a guard may rise by any of its derivatives.
+    if (!phase && at_end.value >= 0 && (at_start.value <= 0 || at_start.rate >= 0))
+      phase = hidden_rise(value);
+    if (!phase) return std::nullopt;
+    return Crossing{*phase, i, at_start.next};
+  }
+
+  /// Root of the true guard function `value` near the root of its interpolant; both in units of the step.
+  /// Empty when the function stays on one side: a graze shallower than the interpolation error, which no
+  /// tolerance sees.
+  template <class Value>
+  std::optional<double> refine(const Value& value, double rise) {
+    for (double reach = 1e-7; reach < 30; reach *= 30) {
+      const double low = std::max(0.0, rise - reach), high = std::min(1.0, rise + reach);
+      const double at_low = value(low), at_high = value(high);
+      if (at_low < 0 && at_high >= 0) return rise_between(value, low, high);
+    }
+    return std::nullopt;
+  }
+
+  /// The same where `low` and `high` are known to lie on either side of it; empty where they do not.
+  template <class Value>
+  std::optional<double> rise_between(const Value& value, double low, double high) {
+    const double h = step.end_phase - step.start_phase;
+    const double at_low = value(low), at_high = value(high);
+    if (!(at_low < 0 && at_high >= 0)) return std::nullopt;
+    if (at_high == 0) return step.start_phase + high * h;
+    std::uintmax_t iterations =
+        400;  // four halve the bracket at least (Alefeld, Potra & Shi): it ends before
+    const auto close_enough = [](double a, double b) { return std::abs(b - a) < 1e-15; };
+    const auto bracket =
+        boost::math::tools::toms748_solve(value, low, high, at_low, at_high, close_enough, iterations);
+    return step.start_phase + bracket.second * h;  // the side that is past zero
+  }
+};
+
+}  // namespace rubsweep::integrate::adaptive

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "rubsweep/core/integrate/run/options.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/scene/scene.hpp"
+
+namespace rubsweep::integrate::adaptive {
+
+/// As start_adaptive, for a scene with torsion.
+run::Cursor start_twisted(const scene::Scene& scene, const run::SolverOptions& options);
+
+}  // namespace rubsweep::integrate::adaptive

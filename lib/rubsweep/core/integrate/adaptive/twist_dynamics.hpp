@@ -1,0 +1,170 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "rubsweep/core/integrate/law/dynamics.hpp"
+#include "rubsweep/core/integrate/law/own_system.hpp"
+#include "rubsweep/core/scene/scene.hpp"
+
+namespace rubsweep::integrate::adaptive {
+
+/// Terms that torsion adds to the right-hand side of a scene, scaled: lengths by L, time in radians of the
+/// drive's rotation, the angle coordinate by L like all others. phi is the angle of the rotor, phi' its rate
+/// (1 where it keeps up with the drive).
+struct TwistLaw {
+  Eigen::Index coordinate = 0;
+  double length_m = 0;            ///< L: angle = L times the coordinate
+  Eigen::VectorXcd unbalance;     ///< M^-1 U / L: accelerations Re(unbalance (phi'^2 - i phi'') e^{i phi})
+  Eigen::VectorXcd lever;         ///< L U / J: phi'' loses Re(i lever e^{i phi}) . (u'' - weight)
+  Eigen::VectorXcd bow;           ///< M^-1 b / (L speed^2): accelerations Re(bow e^{i phi}); empty: none
+  Eigen::VectorXcd bow_lever;     ///< L b / (J speed^2): phi'' gains Re(i bow_lever e^{i phi}) . u
+  Eigen::MatrixXd gyroscopic;     ///< M^-1 G: accelerations -(phi' - 1) gyroscopic u'; empty: none
+  Eigen::MatrixXd circulatory;    ///< M^-1 C / speed: accelerations -(phi' - 1) circulatory u; empty: none
+  double inertia_share = 1;       ///< polar inertia without the eccentric masses / J, which has them
+  double angle_per_nm = 0;        ///< 1 / (J speed^2): phi'' per newton metre
+  double drive_stiffness_nm = 0;  ///< torque per radian of twist
+  double drive_damping_nm = 0;    ///< torque per unit of the twist's rate
+  std::vector<double> contact_radius_m;
+};
+
+/// Law of a scene that has torsion.
+TwistLaw twist_law(const scene::Scene& scene);
+
+/// The scene without the forces that turn with the shaft, which the law of torsion has.
+scene::Scene without_turning(scene::Scene scene);
+
+/// Twist and torque in the drive at one state, with their rates per radian of the drive's rotation. A
+/// positive angle is a rotor ahead of its drive, a positive torque that of such a rotor on the drive.
+struct TwistState {
+  double angle_rad = 0, angle_rate = 0, torque_nm = 0, torque_rate = 0;
+};
+
+/// Right-hand side of a scene with torsion, for AdaptiveRun; the scene of its system has no force that turns
+/// with the shaft. From the energies, with U the unbalance and R = Re(i U e^{i phi}),
+///
+///     M q'' = ... + Re(U (phi'^2 - i phi'') e^{i phi}) + Re(bow e^{i phi}),
+///     J phi'' = -k angle - c angle' - R . (q'' - g) + Re(i bow e^{i phi}) . q - sum of radius * friction,
+///
+/// J with the eccentric masses, g the acceleration that constant forces give. Both equations have both
+/// accelerations; what couples them has rank one, so that phi'' follows in closed form. The slip of the
+/// rubbing surfaces, gyroscopic moments and damping that turns with the shaft go by phi'. The torque of that
+/// damping on the shaft, which is of second order in the deflection, is left out.
+template <bool Smoothed>
+class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynamics<Eigen::Dynamic, Smoothed> {
+  using Base = law::Dynamics<Eigen::Dynamic, Smoothed>;
+
+ public:
+  TwistDynamics(const run::ScaledSystem<Eigen::Dynamic>& system, double smoothing_width, const TwistLaw& law)
+      : OwnSystem(system), Base(OwnSystem::own, smoothing_width), law_(law) {
+    for (const auto& contact : system.contacts) surface_m_per_s_.push_back(contact.surface_speed_m_per_s);
+  }
+
+  template <class State>
+  void operator()(const State& state, State& rate, double phase) {
+    set_surface_speeds(state);
+    Base::operator()(state, rate, phase);
+    const Eigen::Index n = OwnSystem::own.coordinates();
+    const typename Base::ConstMap u(&state[0], n), v(&state[0] + n, n);
+    typename Base::Map acceleration(&rate[0] + n, n);
+    const double speed = shaft_speed(state), angle = phase + law_.length_m * u(law_.coordinate);
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    acceleration += (speed * speed) * turned(law_.unbalance, cosine, sine);
+    if (law_.bow.size() > 0) acceleration += turned(law_.bow, cosine, sine);
+    if (law_.gyroscopic.size() > 0) acceleration.noalias() -= (speed - 1) * (law_.gyroscopic * v);
+    if (law_.circulatory.size() > 0) acceleration.noalias() -= (speed - 1) * (law_.circulatory * u);
+
+    // i e^{i phi} is e^{i phi} a quarter turn on.
+    const Eigen::VectorXd lever = turned(law_.lever, -sine, cosine),
+                          push = turned(law_.unbalance, -sine, cosine);
+    double torsional = law_.inertia_share * law_.length_m * acceleration(law_.coordinate) -
+                       lever.dot(acceleration - OwnSystem::own.constant) + contact_torque(state);
+    if (law_.bow.size() > 0) torsional += turned(law_.bow_lever, -sine, cosine).dot(u);
+    torsional /= 1 - lever.dot(push);
+    acceleration -= torsional * push;
+    acceleration(law_.coordinate) = torsional / law_.length_m;
+  }
+
+  template <class State>
+  double slip_m_per_s(std::size_t i, const State& state) const {
+    return Base::slip_m_per_s(i, state) - OwnSystem::own.contacts[i].surface_speed_m_per_s +
+           shaft_speed(state) * surface_m_per_s_[i];
+  }
+
+  template <class State>
+  double friction_ratio(const State& state) {
+    set_surface_speeds(state);
+    return Base::friction_ratio(state);
+  }
+
+  /// Jacobian as that of Dynamics, by central differences, which are exact to rounding but for the rotation
+  /// and the friction.
+  template <class State, class Jacobian>
+  void jacobian(const State& state, Jacobian&& j, double phase, State& phase_rate) {
+    constexpr double nudge = 1e-6;
+    const std::size_t size = 2 * static_cast<std::size_t>(OwnSystem::own.coordinates());
+    State moved = state, ahead = state, behind = state;
+    for (std::size_t column = 0; column < size; ++column) {
+      const double step = nudge * std::max(1.0, std::abs(state[column]));
+      moved[column] = state[column] + step;
+      (*this)(moved, ahead, phase);
+      moved[column] = state[column] - step;
+      (*this)(moved, behind, phase);
+      moved[column] = state[column];
+      for (std::size_t row = 0; row < size; ++row) j(row, column) = (ahead[row] - behind[row]) / (2 * step);
+    }
+    (*this)(state, ahead, phase + nudge);
+    (*this)(state, behind, phase - nudge);
+    for (std::size_t row = 0; row < size; ++row) phase_rate[row] = (ahead[row] - behind[row]) / (2 * nudge);
+  }
+
+  /// At a state and its rate.
+  template <class State>
+  TwistState twist(const State& state, const State& rate) const {
+    const auto c = static_cast<std::size_t>(law_.coordinate),
+               n = static_cast<std::size_t>(OwnSystem::own.coordinates());
+    TwistState twist;
+    twist.angle_rad = law_.length_m * state[c];
+    twist.angle_rate = law_.length_m * state[n + c];
+    const double bend = law_.length_m * rate[n + c];
+    twist.torque_nm = law_.drive_stiffness_nm * twist.angle_rad + law_.drive_damping_nm * twist.angle_rate;
+    twist.torque_rate = law_.drive_stiffness_nm * twist.angle_rate + law_.drive_damping_nm * bend;
+    return twist;
+  }
+
+ private:
+  /// Re(load e^{i phi}).
+  static Eigen::VectorXd turned(const Eigen::VectorXcd& load, double cosine, double sine) {
+    return load.real() * cosine - load.imag() * sine;
+  }
+
+  /// phi'.
+  template <class State>
+  double shaft_speed(const State& state) const {
+    const Eigen::Index n = OwnSystem::own.coordinates();
+    return 1 + law_.length_m * state[static_cast<std::size_t>(n + law_.coordinate)];
+  }
+
+  template <class State>
+  void set_surface_speeds(const State& state) {
+    const double speed = shaft_speed(state);
+    for (std::size_t i = 0; i < surface_m_per_s_.size(); ++i)
+      OwnSystem::own.contacts[i].surface_speed_m_per_s = speed * surface_m_per_s_[i];
+  }
+
+  /// Contribution of friction at the surfaces to phi''.
+  template <class State>
+  double contact_torque(const State& state) const {
+    double torque_nm = 0;
+    for (std::size_t i = 0; i < surface_m_per_s_.size(); ++i)
+      torque_nm -= law_.contact_radius_m[i] * Base::friction_n(i, state);
+    return law_.angle_per_nm * torque_nm;
+  }
+
+  TwistLaw law_;
+  std::vector<double> surface_m_per_s_;  ///< of a rotor that keeps up with its drive
+};
+
+}  // namespace rubsweep::integrate::adaptive

@@ -1,0 +1,306 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "rubsweep/core/integrate/exact/drives.hpp"
+#include "rubsweep/core/integrate/exact/modes/harmonic_response.hpp"
+#include "rubsweep/core/integrate/exact/modes/machine_modes.hpp"
+#include "rubsweep/core/integrate/exact/modes/mode_change.hpp"
+#include "rubsweep/core/integrate/exact/modes/mode_flow.hpp"
+#include "rubsweep/core/integrate/exact/tangent_vectors.hpp"
+#include "rubsweep/core/integrate/run/pulse_times.hpp"
+#include "rubsweep/core/numerics/exponential_series.hpp"
+#include "rubsweep/core/numerics/step_table.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// State of an exact run: the free vibration in the present contact mode and the phasors of the forces.
+/// Propagation has no truncation error; the ends of modes are not its business. Time in seconds, lengths
+/// scaled.
+template <int N>
+class ExactMotion {
+ public:
+  using State = typename modes::ExactTypes<N>::State;
+
+  /// A guard function (or its smooth substitute), its rate, and a bound on its second derivative within the
+  /// mode's longest step.
+  struct GuardValue {
+    double value = 0, rate = 0, curvature = 0;
+  };
+
+  ExactMotion(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes);
+
+  /// Puts a state (u, u') into a joint mode. False where the mode has no closed form here: no equilibrium, or
+  /// a harmonic force at an undamped resonance.
+  bool enter(std::size_t joint, const State& physical);
+  /// Changes to another joint mode at the present state, without a detour over displacements where no pulse
+  /// acts and the compiler knows N (ModeChange). False as for `enter`.
+  bool change(std::size_t joint);
+  /// Number of times that a mode was entered.
+  long visits() const { return visits_; }
+
+  /// As Drives::start.
+  void set_phases(double phase_rad) { drives_.start(phase_rad, now_.phasors); }
+  void set_phases(double phase_rad, const run::PulseTimes& pulses, double time_s) {
+    drives_.start(phase_rad, pulses, time_s, now_.phasors);
+  }
+
+  /// Variables within a mode: the free vibration and the phasors of the forces.
+  struct Instant {
+    State free;
+    Phasors phasors;
+  };
+  const Instant& here() const { return now_; }
+  /// Moves an instant of the present mode, which must have a modal form; the motion stays where it is.
+  void ahead(Instant& instant, double duration_s) const;
+  /// The same by a step of the mode's table.
+  void ahead_by_table(Instant& instant, int k) const;
+  /// The same over one interval, whose flow is kept.
+  void ahead_by_interval(Instant& instant, double interval_s);
+
+  State physical() const { return physical(here()); }
+  State physical(const Instant& instant) const {
+    return forced(*mode_, *cell_, instant) + mode_->from_free(instant.free);
+  }
+  State rate_of(const State& physical) const;
+  /// p'' of flat contact `i`, by the law of the present mode.
+  double closing_acceleration(std::size_t i, const State& physical) const;
+
+  /// Factors of the bounds: with a modal form the length of every pair of the free vibration (n numbers, then
+  /// n zeros), else the size of each of its 2n components.
+  State sizes() const;
+  GuardValue guard(std::size_t e) const {
+    const modes::LinearGuard<N>& guard = mode_->guards[e];
+    return whole_guard(guard,
+                       guard.terms.slow_count > 0 ? with_fast(guard, slow_sum(guard)) : fast_sum(guard),
+                       forced_guard(e));
+  }
+
+  // A guard is the sum of three parts: the terms of slow pairs of the free vibration, those of fast pairs,
+  // and the part that unbalance and pulses force. Most steps can be certified from some of them, so that they
+  // can be had one by one.
+
+  /// The forced part.
+  struct Forced {
+    GuardValue shaft, pulses;
+    bool pulsed = false;
+
+    GuardValue with(double value, const modes::ModalSum& free) const {
+      GuardValue guard{value, free.rate(), free.curvature()};
+      add(shaft, guard);
+      if (pulsed) add(pulses, guard);
+      return guard;
+    }
+
+    static void add(const GuardValue& part, GuardValue& guard) {
+      guard.value += part.value;
+      guard.rate += part.rate;
+      guard.curvature += part.curvature;
+    }
+  };
+  Forced forced_guard(std::size_t e) const;
+  /// The terms of slow pairs alone; those of slow and fast pairs, from the former; those of fast pairs alone.
+  /// The first two are for guards that have slow pairs (`guard.terms.slow_count` > 0); in all others every
+  /// pair counts as fast. Only a mode with a modal form tells slow from fast.
+  modes::ModalSum slow_sum(const modes::LinearGuard<N>& guard) const {
+    return modes::sum_of(guard.terms.slow(), now_.free.data(), true);
+  }
+  modes::ModalSum with_fast(const modes::LinearGuard<N>& guard, modes::ModalSum slow) const;
+  modes::ModalSum fast_sum(const modes::LinearGuard<N>& guard) const {
+    return modes::sum_of(guard.terms.fast(), now_.free.data(), mode_->paired);
+  }
+  /// The guard with every fast pair at the top of its envelope instead of at its present value: never below
+  /// the guard itself, and it moves as slowly as the slow pairs do. A step over which this stays negative is
+  /// certified without a look at the fast pairs, however often they oscillate in it.
+  GuardValue slow_guard(const modes::LinearGuard<N>& guard, const modes::ModalSum& slow,
+                        const Forced& forced) const;
+  GuardValue whole_guard(const modes::LinearGuard<N>& guard, const modes::ModalSum& all,
+                         const Forced& forced) const {
+    return forced.with(guard.constant + all.value(), all);
+  }
+
+  /// Smooth guard of an open annular stop: (|d|^2 - C^2) / (2 C), with d the offset of the rotor and C the
+  /// clearance. It passes through zero with |d| - C and is smooth in the centre, where |d| is not.
+  GuardValue annular(std::size_t r, const State& sizes) const;
+
+  /// Normal force in newtons of the touching contact `t`, one that pushes, at an instant of the present mode.
+  GuardValue force(std::size_t t, const Instant& instant) const;
+
+  /// Displacement and velocity of casing `c`, as `physical` has them.
+  struct CasingMotion {
+    Eigen::Vector2d displacement, velocity;
+  };
+  CasingMotion casing(std::size_t c, const Instant& instant) const;
+
+  /// Rate of the sliding speed of the touching contact `t`, scaled length per second squared, and a bound of
+  /// its second derivative within the mode's longest step.
+  struct SlidingRate {
+    double rate = 0, curvature = 0;
+  };
+  SlidingRate sliding_rate(std::size_t t) const;
+
+  void step_by_table(int k);
+  /// Any duration up to the mode's longest step.
+  void step_by(double duration_s);
+
+  /// Longest duration that `land` reaches over.
+  double reach_s() const { return numerics::longest_series / fastest_rad_per_s(); }
+  /// Moves to where guard `e`, monotone up to there, rises through zero, at most `within_s` <= reach_s()
+  /// ahead. Returns the duration.
+  double land(std::size_t e, double within_s);
+
+  /// Bound on |d slip / dt| / length scale of a touching contact that has a `friction_rate`, within the
+  /// mode's longest step from `physical`, the present state, without the contribution of friction.
+  double sliding_rate_bound(const modes::TouchWatch<N>& touch, const State& physical) const;
+
+  void carry_no_tangents() { tangents_.clear(); }
+  /// Carries tangent vectors of the state along from here on.
+  void carry_tangents(const Eigen::MatrixXd& vectors) { tangents_.begin(*mode_, scale_, vectors); }
+  /// Puts out the tangent vectors where they are now: as many of the first ones as `vectors` has columns.
+  void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, scale_, vectors); }
+
+  /// Carries one more tangent vector, given as a change of (u, u').
+  void carry_tangent_too(const State& vector) { tangents_.add(*mode_, vector); }
+  /// Tangent vectors where they are now, in the coordinates of `free()`.
+  std::vector<State> tangents() { return tangents_.now(*mode_); }
+  /// Products of each tangent vector with a linear function of the free vibration, times `unit`.
+  void put_tangent_sums(const modes::ModalTerms& terms, double unit, modes::ModalSums& sums) {
+    tangents_.put_sums(*mode_, terms, unit, sums);
+  }
+
+  const modes::LinearMode<N>& mode() const { return *mode_; }
+  std::size_t joint() const { return joint_; }
+  modes::MachineModes<N>& machine() const { return *machine_; }
+  const State& free() const { return now_.free; }
+
+ private:
+  using Complex = std::complex<double>;
+
+  /// Flow of a mode of pairs over some duration, and how far the phasors turn.
+  struct PairFlow {
+    double duration_s = -1;
+    typename modes::ExactTypes<N>::Pairs pairs;
+    Phasors turns;
+  };
+
+  struct ModeResponse {
+    bool made = false, usable = false;
+    modes::HarmonicResponse<N> response;
+  };
+
+  /// Precomputed transition from one mode to another.
+  struct Transition {
+    const modes::ModeChange<N>* change = nullptr;  ///< null: not yet made
+    modes::HarmonicChange<N> unbalance;
+  };
+
+  struct ModeCell {
+    ModeResponse shaft;
+    std::vector<ModeResponse> pulses{};  ///< each made where it meets the mode
+    PairFlow interval;
+  };
+
+  /// Highest angular frequency of the free vibration and of the forces that act now.
+  double fastest_rad_per_s() const { return drives_.fastest_rad_per_s(mode_->fastest_rad_per_s); }
+  bool prepare(const modes::LinearMode<N>& mode, ModeCell& cell) const;
+  /// From the present mode to one whose cell is prepared.
+  const Transition& transition(const modes::LinearMode<N>& to);
+  /// Visits the response of `cell` to every force that acts, and its phasor.
+  template <class Visit>
+  void for_each_response(const ModeCell& cell, const Instant& instant, const Visit& visit) const {
+    const auto& acting = drives_.acting();
+    visit(cell.shaft.response, instant.phasors.shaft);
+    for (std::size_t k = 0; k < acting.size(); ++k)
+      visit(cell.pulses[acting[k]].response, instant.phasors.pulses[k]);
+  }
+  State forced(const modes::LinearMode<N>& mode, const ModeCell& cell, const Instant& instant) const;
+  void turn_by_table(Phasors& phasors, std::size_t table_step) const;
+  void step_by_series(double duration_s);
+
+  std::shared_ptr<modes::MachineModes<N>> machine_;
+  run::StateScale scale_;  ///< of sections
+  Drives drives_;
+  std::vector<ModeCell> cells_;
+  std::vector<std::vector<Transition>> transitions_;  ///< by the indices of both modes
+  const modes::LinearMode<N>* mode_ = nullptr;
+  ModeCell* cell_ = nullptr;
+  std::size_t joint_ = 0;
+  long visits_ = 0;
+  Instant now_;
+  TangentVectors<N> tangents_;
+};
+
+template <int N>
+inline typename ExactMotion<N>::State ExactMotion<N>::sizes() const {
+  if (!mode_->paired) return now_.free.cwiseAbs();
+  const Eigen::Index n = mode_->rest.size();
+  State sizes = State::Zero(2 * n);
+  for (Eigen::Index j = 0; j < n; ++j) sizes(j) = modes::pair_size(now_.free(j), now_.free(n + j));
+  return sizes;
+}
+
+template <int N>
+inline typename ExactMotion<N>::Forced ExactMotion<N>::forced_guard(std::size_t e) const {
+  const auto of = [e](const modes::HarmonicResponse<N>& response, Complex phasor) -> GuardValue {
+    const Complex z = modes::product(response.at_guard[e], phasor);
+    return {z.real(), -response.rate * z.imag(), response.curvature[e]};
+  };
+  const auto& acting = drives_.acting();
+  Forced forced{
+      .shaft = of(cell_->shaft.response, now_.phasors.shaft), .pulses = {}, .pulsed = !acting.empty()};
+  for (std::size_t k = 0; k < acting.size(); ++k)
+    Forced::add(of(cell_->pulses[acting[k]].response, now_.phasors.pulses[k]), forced.pulses);
+  return forced;
+}
+
+template <int N>
+inline modes::ModalSum ExactMotion<N>::with_fast(const modes::LinearGuard<N>& guard,
+                                                 modes::ModalSum slow) const {
+  for (const modes::ModalTerm& pair : guard.terms.fast())
+    slow += modes::ModalSum(pair, now_.free.data(), true);
+  return slow;
+}
+
+template <int N>
+inline typename ExactMotion<N>::GuardValue ExactMotion<N>::slow_guard(const modes::LinearGuard<N>& guard,
+                                                                      const modes::ModalSum& slow,
+                                                                      const Forced& forced) const {
+  double value = guard.constant + slow.value();
+  for (const modes::ModalTerm& pair : guard.terms.fast())
+    value += pair.envelope * modes::pair_size(now_.free(pair.u), now_.free(pair.v));
+  return forced.with(value, slow);
+}
+
+template <int N>
+inline void ExactMotion<N>::turn_by_table(Phasors& phasors, std::size_t table_step) const {
+  const auto turn = [&](ModeResponse& of, Complex& phasor) {
+    phasor = modes::product(phasor, of.response.turned_by(table_step, mode_->longest_step_s));
+  };
+  turn(cell_->shaft, phasors.shaft);
+  const auto& acting = drives_.acting();
+  for (std::size_t k = 0; k < acting.size(); ++k) turn(cell_->pulses[acting[k]], phasors.pulses[k]);
+}
+
+template <int N>
+inline void ExactMotion<N>::step_by_table(int k) {
+  const auto index = static_cast<std::size_t>(k);
+  if (mode_->paired) {
+    modes::move_pairs(mode_->pair_steps[index], now_.free);
+  } else {
+    now_.free = numerics::product_of<State>(mode_->steps.of(k), now_.free);
+  }
+  tangents_.pass(mode_->longest_step_s * numerics::exact_step_sizes[index]);
+  turn_by_table(now_.phasors, index);
+}
+
+extern template class ExactMotion<2>;
+extern template class ExactMotion<4>;
+extern template class ExactMotion<6>;
+extern template class ExactMotion<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::exact

@@ -1,0 +1,318 @@
+#include "rubsweep/core/integrate/exact/exact_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rubsweep/core/integrate/exact/joint_switch.hpp"
+#include "rubsweep/core/integrate/exact/modes/joint_mode.hpp"
+#include "rubsweep/core/integrate/exact/step_choice.hpp"
+#include "rubsweep/core/numerics/step_table.hpp"
+
+namespace rubsweep::integrate::exact {
+namespace {
+
+using contact::Mode;
+
+constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
+constexpr double same_instant = 1e-13;   ///< of a turn: crossings nearer to each other happen at once
+constexpr int longest_standstill = 16;   ///< mode switches without progress before a graze is stepped over
+/// Shortest step towards an annular stop, as a share of a turn; after a shorter one it counts as touched.
+constexpr double shortest_to_annular = 1e-7;
+/// More steps in a turn than this show bounds that do not fit the motion, as with a friction so strong that
+/// closed forms are small differences of large numbers: the adaptive solver makes such a turn.
+constexpr long most_steps = 100'000;
+/// Shortest stretch of certain saturation, as a share of a mode's longest step, for a turn to come back from
+/// another solver. Longer than what ends an exact piece, so that the two do not alternate.
+constexpr double stretch_to_join = 16 * SlipWatch<2>::shortest_stretch;
+
+}  // namespace
+
+template <int N>
+ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes,
+                      long max_steps)
+    : motion_(scene, modes),
+      scale_(run::state_scale(scene)),
+      clock_(run::TurnClock::in_seconds(scene, scale_)),
+      slip_(scene, modes->friction()),
+      watch_(*modes, scene, clock_.period()),
+      max_steps_(max_steps) {
+  const std::vector<double> start = scale_.in_seconds().state(scene.displacement_m, scene.velocity_m_per_s);
+  turn_start_ = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
+}
+
+template <int N>
+std::vector<double> ExactRun<N>::section() const {
+  std::vector<double> section;
+  put_section(section);
+  return section;
+}
+
+template <int N>
+void ExactRun<N>::put_section(std::vector<double>& section) const {
+  put_scaled(turn_start_, section);
+}
+
+template <int N>
+void ExactRun<N>::put_scaled(const State& physical, std::vector<double>& scaled) const {
+  scaled.assign(physical.data(), physical.data() + physical.size());
+  scale_.from_seconds(Eigen::Map<Eigen::VectorXd>(scaled.data(), physical.size()));
+}
+
+template <int N>
+typename ExactRun<N>::State ExactRun<N>::physical_of(std::span<const double> scaled) const {
+  State physical = Eigen::Map<const Eigen::VectorXd>(scaled.data(), turn_start_.size());
+  scale_.to_seconds(physical);
+  return physical;
+}
+
+template <int N>
+void ExactRun<N>::resume(std::span<const double> section) {
+  turn_start_ = physical_of(section);
+  ++revolution_;
+  goes_on_ = false;
+}
+
+template <int N>
+run::Outcome ExactRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report) {
+  if (!begin_turn(request, report)) return without_closed_form();
+  return run_to_end(report);
+}
+
+template <int N>
+run::Outcome ExactRun<N>::run_to_end(run::TurnReport& report) {
+  step_limit_ = effort_.steps + std::min(max_steps_, most_steps);
+  run::Outcome ending = run::Outcome::ok;
+  while (ending == run::Outcome::ok && !clock_.turn_is_over()) {
+    ending = effort_.steps < step_limit_ ? go_on(report)
+             : max_steps_ > most_steps   ? run::Outcome::no_closed_form
+                                         : run::Outcome::step_limit;
+  }
+  if (ending == run::Outcome::ok) ending = end_turn(report);
+  report.effort = effort_;
+  return ending;
+}
+
+template <int N>
+const typename ExactRun<N>::Handover& ExactRun<N>::handover() {
+  handover_.phase_rad = clock_.phase_rad();
+  put_scaled(here_, handover_.state);
+  handover_.modes = motion_.mode().modes;
+  handover_.tangent_vectors.resize(here_.size(), tangents_);
+  motion_.put_tangents(handover_.tangent_vectors);
+  return handover_;
+}
+
+template <int N>
+bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const std::vector<Mode>& modes,
+                       const run::TurnReport& report) {
+  const State physical = physical_of(state);
+  const auto saturated = slip_.saturated_mode(motion_.machine(), modes::joint_mode_of(modes), physical);
+  if (!saturated) return false;
+  clock_.go_to_phase(phase_rad);
+  clock_.change_pulses();
+  motion_.carry_no_tangents();
+  motion_.set_phases(phase_rad, clock_.pulses(), clock_.time());
+  if (!motion_.enter(*saturated, physical) || !slip_.begin(motion_, physical, stretch_to_join)) return false;
+  unsaturated_ = false;
+  standstill_ = 0;
+  watch_.resume(report);
+  watch_.begin_motion(motion_);
+  return true;
+}
+
+template <int N>
+run::Outcome ExactRun<N>::go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report) {
+  motion_.carry_tangents(tangent_vectors);
+  return run_to_end(report);
+}
+
+template <int N>
+bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& report) {
+  report.clear();
+  watch_.begin_turn(request, report, turn_start_.size());
+  standstill_ = 0;
+  motion_.carry_no_tangents();
+  const bool pulses_changed = clock_.begin_turn(revolution_);
+  unsaturated_ = false;
+  tangents_ = request.tangent_vectors.cols();
+  switches_wanted_ = request.switches;
+  if (!start_motion(pulses_changed)) return false;
+  motion_.carry_tangents(request.tangent_vectors);
+  if (!begin_motion(turn_start_)) return false;
+  return !clock_.impulse_is_due() || apply_impulses(report);
+}
+
+/// At the start of a turn only the phase starts again, from exactly zero; the motion continues.
+template <int N>
+bool ExactRun<N>::start_motion(bool pulses_changed) {
+  const bool stands = std::exchange(goes_on_, false);
+  motion_.set_phases(0, clock_.pulses(), 0);
+  if (!stands) return enter_by_state(turn_start_);
+  return !pulses_changed || motion_.enter(motion_.joint(), turn_start_);
+}
+
+template <int N>
+bool ExactRun<N>::enter_by_state(const State& physical) {
+  if (!motion_.enter(0, physical)) return false;
+  const std::size_t modes =
+      modes::joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));
+  return modes == 0 || motion_.enter(slip_.with_ways(motion_.machine(), modes, physical), physical);
+}
+
+template <int N>
+run::Outcome ExactRun<N>::end_turn(run::TurnReport& report) {
+  const State end = motion_.physical();
+  if (!end.allFinite()) return run::Outcome::non_finite;
+  turn_start_ = end;
+  ++revolution_;
+  goes_on_ = true;
+  put_section(report.section);
+  // A landing may go back by rounding.
+  report.contact_fraction = std::clamp(report.contact_fraction, 0.0, 1.0);
+  report.touching_at_end = motion_.joint() != 0;
+  if (tangents_ > 0) motion_.put_tangents(report.tangent_vectors.fill(turn_start_.size(), tangents_));
+  return run::Outcome::ok;
+}
+
+/// Steps one after the other, only one where something is watched, and the events that end them.
+template <int N>
+run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
+  watch_.start_step(motion_, clock_.time(), report);
+  const bool watched = watch_.wanted();
+  const double boundary = std::min(clock_.next_boundary(), watch_.boundary_s(motion_)),
+               reach = watch_.reach_s(motion_), longest_step = watch_.longest_step_s(motion_);
+  for (;;) {
+    const double until = boundary - clock_.time();
+    StepChoice choice = choose_step(motion_, {.until_s = until,
+                                              .reach_s = reach,
+                                              .shortest_to_annular_s = shortest_to_annular * clock_.period(),
+                                              .same_instant_s = same_instant * clock_.period()});
+    ++effort_.steps;
+    if (choice.annular) return run::Outcome::no_closed_form;
+    if (!renew_slip_watch(choice)) return run::Outcome::unsaturated;
+    if (choice.crossing != StepChoice::none && standstill_ < longest_standstill) {
+      land(report, choice.crossing, choice.step_s);
+      return switch_mode(report, choice.crossing) ? run::Outcome::ok : without_closed_form();
+    }
+    const double step = std::max(std::min(choice.step_s, longest_step), shortest_step * clock_.period());
+    if (!(step < until)) return reach_boundary(report, boundary);
+    const int k = numerics::exact_step_below(step * motion_.mode().longest_steps_per_s);
+    if (k < numerics::exact_step_count) {
+      motion_.step_by_table(k);
+      passed(report, motion_.mode().longest_step_s * numerics::exact_step_size(k));
+    } else {
+      motion_.step_by(step);
+      passed(report, step);
+    }
+    standstill_ = 0;
+    if (!std::isfinite(motion_.free()(0))) return run::Outcome::non_finite;
+    if (watched || effort_.steps >= step_limit_ || !(clock_.time() < boundary)) return run::Outcome::ok;
+  }
+}
+
+template <int N>
+run::Outcome ExactRun<N>::reach_boundary(run::TurnReport& report, double boundary_s) {
+  const double until = boundary_s - clock_.time();
+  motion_.step_by(until);
+  passed(report, until);
+  clock_.go_to(boundary_s);
+  if (!clock_.turn_is_over() && !pass_boundary(report)) return without_closed_form();
+  return std::isfinite(motion_.free()(0)) ? run::Outcome::ok : run::Outcome::non_finite;
+}
+
+/// Instants that a turn steers for: pulses begin or end, impulses act. A pulse is zero at both ends, so that
+/// the state and its rate are continuous; but its phasor appears or disappears, and with it changes the free
+/// vibration that the bounds on the slips were made from.
+template <int N>
+bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
+  if (clock_.change_pulses()) {
+    const State here = motion_.physical();
+    motion_.set_phases(clock_.phase_rad(), clock_.pulses(), clock_.time());
+    if (!motion_.enter(motion_.joint(), here) || !begin_motion(here)) return false;
+  }
+  return !clock_.impulse_is_due() || apply_impulses(report);
+}
+
+/// Applies all impulses of this instant. They shift the state by constants: tangent vectors do not change.
+template <int N>
+bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
+  State here = motion_.physical();
+  const std::size_t from = motion_.joint();
+  while (clock_.impulse_is_due())
+    here.tail(here.size() / 2) += clock_.take_impulse() / scale_.in_seconds().unit_velocity_m_per_s();
+  if (!enter_by_state(here)) return false;
+  note_switches(report, from, motion_.joint());
+  return begin_motion(here);
+}
+
+template <int N>
+void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
+  clock_.go_on(duration_s);
+  if (motion_.joint() != 0) {
+    report.touched = true;
+    slip_.advance(duration_s);
+    if (slip_.may_reverse())
+      report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
+    report.contact_fraction += clock_.turns(duration_s);
+  }
+  watch_.end_step(motion_, clock_.time(), duration_s, report);
+}
+
+template <int N>
+void ExactRun<N>::land(run::TurnReport& report, std::size_t e, double latest_s) {
+  const double duration_s = motion_.land(e, latest_s);
+  passed(report, duration_s);
+  standstill_ = duration_s > shortest_step * clock_.period() ? 0 : standstill_ + 1;
+}
+
+template <int N>
+bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
+  const State here = motion_.physical();
+  const std::size_t joint = joint_mode_behind(motion_, slip_, e, here);
+  note_switches(report, motion_.joint(), joint);
+  return motion_.change(joint) && begin_motion(here);
+}
+
+template <int N>
+void ExactRun<N>::note_switches(run::TurnReport& report, std::size_t from, std::size_t to) {
+  for (std::size_t i = 0; i < motion_.mode().modes.size(); ++i) {
+    const Mode before = modes::mode_in_joint_mode(from, i), after = modes::mode_in_joint_mode(to, i);
+    if (after == before) continue;
+    ++effort_.switches;
+    report.add({clock_.phase_rad(), static_cast<int>(i), before, after}, switches_wanted_);
+  }
+}
+
+/// Begins the motion in the mode that was entered at `here`; false as for `begin_slip`.
+template <int N>
+bool ExactRun<N>::begin_motion(const State& here) {
+  if (!begin_slip(here)) return false;
+  watch_.begin_motion(motion_);
+  return true;
+}
+
+/// Begins the slip watch. False where friction is not saturated, and the run ends at `here`.
+template <int N>
+bool ExactRun<N>::begin_slip(const State& here) {
+  if (slip_.begin(motion_, here)) return true;
+  unsaturated_ = true;
+  here_ = here;
+  return false;
+}
+
+/// Renews the slip watch, whose bounds hold over one longest stretch.
+template <int N>
+bool ExactRun<N>::renew_slip_watch(StepChoice& choice) {
+  if (motion_.joint() == 0 || slip_.duration_s() + choice.step_s <= slip_.longest_s()) return true;
+  if (!begin_slip(motion_.physical())) return false;
+  if (choice.step_s > slip_.longest_s()) choice = {.step_s = slip_.longest_s()};
+  return true;
+}
+
+template class ExactRun<2>;
+template class ExactRun<4>;
+template class ExactRun<6>;
+template class ExactRun<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::exact

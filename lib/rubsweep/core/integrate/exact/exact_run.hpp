@@ -1,0 +1,120 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "rubsweep/core/integrate/exact/exact_motion.hpp"
+#include "rubsweep/core/integrate/exact/slip_watch.hpp"
+#include "rubsweep/core/integrate/exact/step_choice.hpp"
+#include "rubsweep/core/integrate/exact/turn_watch.hpp"
+#include "rubsweep/core/integrate/run/outcome.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/integrate/run/turn_clock.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// A run between flat stops with saturated friction, without truncation error: inside a contact mode the
+/// state follows the mode's exact flow, and mode switches are found by certified steps: a bound M on the
+/// second derivative of every guard function g keeps g + g' t + M t^2 / 2 negative over the whole step, so
+/// that no guard is missed, graze or not; a crossing is accepted where M proves g monotone up to it. Rings
+/// are taken as far as they are not touched.
+template <int N>
+class ExactRun {
+ public:
+  /// `modes` must fit the scene.
+  ExactRun(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes,
+           long max_steps_per_revolution);
+
+  /// Integrates the next revolution. After `no_closed_form` the run stands where the revolution
+  /// began, and the report means nothing. After `unsaturated` the turn is made up to `handover()`, and so is
+  /// the report.
+  run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report);
+
+  /// State in the middle of a turn, for another solver to take over.
+  struct Handover {
+    double phase_rad = 0;
+    std::vector<double> state;         ///< as TurnReport::section
+    std::vector<contact::Mode> modes;  ///< per contact
+    Eigen::MatrixXd tangent_vectors;   ///< as TurnRequest::tangent_vectors
+  };
+  /// The state after `unsaturated`. Its memory is kept from piece to piece.
+  const Handover& handover();
+
+  /// Takes the turn over from another solver, which made `report` up to here. False, with nothing changed,
+  /// where friction is not saturated there, or only for a moment.
+  bool join(double phase_rad, std::span<const double> state, const std::vector<contact::Mode>& modes,
+            const run::TurnReport& report);
+  /// The rest of the turn, behind `join`, as `advance`.
+  run::Outcome go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report);
+
+  /// The next revolution starts from `section` (as TurnReport::section): another solver made the turns before
+  /// it.
+  void resume(std::span<const double> section);
+
+  /// Back to the start of revolution 0, at another section.
+  void restart(std::span<const double> section) {
+    resume(section);
+    revolution_ = 0;
+  }
+
+  /// Scaled state where the next revolution begins, as TurnReport::section.
+  std::vector<double> section() const;
+  /// The same without an allocation, once `section` is large enough.
+  void put_section(std::vector<double>& section) const;
+  long revolution() const { return revolution_; }
+  const run::Effort& effort() const { return effort_; }
+
+ private:
+  using Motion = ExactMotion<N>;
+  using State = typename Motion::State;
+
+  void put_scaled(const State& physical, std::vector<double>& scaled) const;
+  State physical_of(std::span<const double> scaled) const;
+  bool begin_turn(const run::TurnRequest& request, run::TurnReport& report);
+  run::Outcome run_to_end(run::TurnReport& report);
+  bool start_motion(bool pulses_changed);
+  run::Outcome end_turn(run::TurnReport& report);
+  bool enter_by_state(const State& physical);
+  run::Outcome go_on(run::TurnReport& report);
+  run::Outcome reach_boundary(run::TurnReport& report, double boundary_s);
+  bool pass_boundary(run::TurnReport& report);
+  bool apply_impulses(run::TurnReport& report);
+  void passed(run::TurnReport& report, double duration_s);
+  void land(run::TurnReport& report, std::size_t guard, double latest_s);
+  bool switch_mode(run::TurnReport& report, std::size_t guard);
+  /// Reports the mode switches of all contacts between two joint modes.
+  void note_switches(run::TurnReport& report, std::size_t from, std::size_t to);
+  bool begin_motion(const State& here);
+  bool begin_slip(const State& here);
+  bool renew_slip_watch(StepChoice& choice);
+  run::Outcome without_closed_form() const {
+    return unsaturated_ ? run::Outcome::unsaturated : run::Outcome::no_closed_form;
+  }
+
+  Motion motion_;
+  run::StateScale scale_;  ///< of sections
+  run::TurnClock clock_;   ///< in seconds
+  SlipWatch<N> slip_;
+  TurnWatch<N> watch_;
+  long max_steps_ = 0;   ///< of a turn
+  long step_limit_ = 0;  ///< of effort_.steps in this turn
+
+  State turn_start_;  ///< physical
+  long revolution_ = 0;
+  bool goes_on_ = false;  ///< the motion stands where the last turn ended
+  bool switches_wanted_ = false;
+  Eigen::Index tangents_ = 0;  ///< asked for in this turn
+  int standstill_ = 0;
+  bool unsaturated_ = false;  ///< the turn has come to where friction leaves saturation
+  State here_;                ///< physical, where it did
+  Handover handover_;
+  run::Effort effort_;
+};
+
+extern template class ExactRun<2>;
+extern template class ExactRun<4>;
+extern template class ExactRun<6>;
+extern template class ExactRun<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::exact

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "rubsweep/core/integrate/exact/modes/linear_mode.hpp"
+#include "rubsweep/core/numerics/exponential_series.hpp"
+#include "rubsweep/core/numerics/step_table.hpp"
+
+namespace rubsweep::integrate::exact::modes {
+
+inline double real_product(const std::complex<double>& a, const std::complex<double>& b) {
+  return a.real() * b.real() - a.imag() * b.imag();
+}
+
+/// std::complex's own operator looks for infinities.
+inline std::complex<double> product(const std::complex<double>& a, const std::complex<double>& b) {
+  return {real_product(a, b), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+/// Response of one contact mode to one harmonic force (unbalance, or the half-sine of a kick): u =
+/// Re(amplitude e^{i rate t}), with the phasor e^{i rate t} kept by the caller. The other members are its
+/// contributions to the guards, forces and sliding speeds of the mode, so that none of these is computed from
+/// u in the time loop.
+template <int N>
+struct HarmonicResponse {
+  using Complex = std::complex<double>;
+  using State = typename ExactTypes<N>::State;
+
+  double rate = 0;  ///< rad/s
+  Eigen::Matrix<Complex, N, 1> amplitude;
+  Eigen::Matrix<std::complex<long double>, N, 1> unrounded_amplitude;  ///< only where the compiler knows N
+  std::vector<Complex> at_guard;
+  std::vector<double> curvature;  ///< per guard: |at_guard| rate^2
+  /// Per guard: Taylor coefficients as of Guard, of the real and of the imaginary part of the phasor.
+  std::vector<numerics::SeriesTable<2>> taylor;
+  std::vector<std::array<Complex, 2>> at_annular_guard;
+  std::vector<double> annular_length;     ///< per annular stop: bound on |at_annular_guard e^{i rate t}|
+  std::vector<Complex> at_force;          ///< per touch
+  std::vector<double> force_curvature;    ///< per touch: |at_force| rate^2
+  std::vector<Complex> at_sliding;        ///< per touch
+  std::vector<double> sliding_curvature;  ///< per touch: |at_sliding| rate^2
+  std::vector<std::array<Complex, 2>> at_casing;
+  std::array<Complex, numerics::exact_step_count>
+      steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked
+
+  /// Adds the forced (u, u').
+  void add_to(State& state, const Complex& phasor) const {
+    const Eigen::Index n = amplitude.size();
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Complex z = product(amplitude(j), phasor);
+      state(j) += z.real();
+      state(n + j) -= rate * z.imag();
+    }
+  }
+
+  /// e^{i rate h} of a step of the mode's table.
+  Complex turned_by(std::size_t table_step, double longest_step_s) {
+    Complex& turn = steps[table_step];
+    if (turn == Complex{})
+      turn = std::polar(1.0, rate * longest_step_s * numerics::exact_step_sizes[table_step]);
+    return turn;
+  }
+
+  /// Adds an even number of Taylor coefficients of its part of guard `e`, time in units of
+  /// 1 / fastest_rad_per_s of the mode.
+  void expand(std::size_t e, const Complex& phasor, std::span<double> terms) const {
+    numerics::add_terms(terms, numerics::SeriesColumn{taylor[e].col(0).data(), phasor.real()},
+                        numerics::SeriesColumn{taylor[e].col(1).data(), phasor.imag()});
+  }
+};
+
+/// HarmonicResponse of u'' = -K u - C u' + Re(force e^{i rate t}) in the mode. False at an undamped
+/// resonance.
+template <int N>
+bool make_harmonic_response(const LinearMode<N>& mode, const Eigen::VectorXcd& force, double rate_rad_per_s,
+                            HarmonicResponse<N>& response);
+
+extern template bool make_harmonic_response<2>(const LinearMode<2>&, const Eigen::VectorXcd&, double,
+                                               HarmonicResponse<2>&);
+extern template bool make_harmonic_response<4>(const LinearMode<4>&, const Eigen::VectorXcd&, double,
+                                               HarmonicResponse<4>&);
+extern template bool make_harmonic_response<6>(const LinearMode<6>&, const Eigen::VectorXcd&, double,
+                                               HarmonicResponse<6>&);
+extern template bool make_harmonic_response<Eigen::Dynamic>(const LinearMode<Eigen::Dynamic>&,
+                                                            const Eigen::VectorXcd&, double,
+                                                            HarmonicResponse<Eigen::Dynamic>&);
+
+}  // namespace rubsweep::integrate::exact::modes

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/core/integrate/exact/modes/linear_mode.hpp"
+#include "rubsweep/core/integrate/exact/modes/mode_change.hpp"
+
+namespace rubsweep::integrate::exact::modes {
+
+/// Quantities of a structure and its stops that no speed, unbalance or kick changes: the exact flows of
+/// its contact modes, with friction saturated. Modes are made when first met; one thread uses them at a
+/// time.
+template <int N>
+class MachineModes {
+ public:
+  explicit MachineModes(const scene::Scene& scene);
+
+  /// Whether these were made for the same structure, stops and constant forces.
+  bool fits(const scene::Scene& scene) const;
+
+  /// Approximate size of the flows of all modes made so far.
+  std::size_t bytes() const;
+
+  /// Linear mode of a joint contact mode, numbered as by `in_joint_mode`. Null where the mode has no
+  /// equilibrium, as in a structure without springs, and once the largest number of modes with a backward
+  /// slip are kept.
+  const LinearMode<N>* mode(std::size_t joint);
+
+  /// The change between two of its modes.
+  const ModeChange<N>& change(const LinearMode<N>& from, const LinearMode<N>& to);
+
+  /// Scaled with time in seconds.
+  const run::ScaledSystem<Eigen::Dynamic>& system() const { return common_.system; }
+  const Eigen::MatrixXd& inverse_mass() const { return inverse_mass_; }
+  const std::vector<contact::SaturatedFriction>& friction() const { return common_.friction; }
+
+ private:
+  std::unique_ptr<LinearMode<N>> make(std::size_t joint);
+
+  scene::Scene scene_;
+  CommonToModes common_;
+  Eigen::MatrixXd inverse_mass_;
+  std::vector<std::unique_ptr<LinearMode<N>>> modes_;  ///< by number, those without a slip that goes backward
+  std::vector<bool> made_;
+  std::unordered_map<std::size_t, std::unique_ptr<LinearMode<N>>> backward_modes_;
+  std::size_t count_ = 0;
+  std::map<std::pair<std::size_t, std::size_t>, ModeChange<N>> changes_;  ///< by the indices of both modes
+};
+
+extern template class MachineModes<2>;
+extern template class MachineModes<4>;
+extern template class MachineModes<6>;
+extern template class MachineModes<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::exact::modes

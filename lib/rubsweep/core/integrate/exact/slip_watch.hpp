@@ -1,0 +1,209 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/core/integrate/exact/exact_motion.hpp"
+#include "rubsweep/core/integrate/exact/modes/joint_mode.hpp"
+#include "rubsweep/core/integrate/exact/modes/machine_modes.hpp"
+#include "rubsweep/core/integrate/exact/modes/mode_cache.hpp"
+#include "rubsweep/core/numerics/certified_step.hpp"
+#include "rubsweep/core/numerics/cubic_maximum.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// Event function for friction that must stay saturated and keep its direction, so that its coefficient is
+/// the constant of the linear mode, over stretches of contact no longer than the mode's longest step. The
+/// slip margin is a guard like any other: its value, its rate and a bound of its second derivative give a
+/// stretch over which it cannot come to zero. So the premise of a stretch holds all along it, and a motion
+/// whose next stretch would be too short to be worth a step is still at a point of saturated friction.
+template <int N>
+class SlipWatch {
+ public:
+  using State = typename modes::ExactTypes<N>::State;
+  using Guard = typename ExactMotion<N>::GuardValue;
+
+  SlipWatch(const scene::Scene& scene, const std::vector<contact::SaturatedFriction>& friction)
+      : length_m_(scene.length_scale_m) {
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+      const bool saturates = contact::saturated_friction(scene.contacts[i].friction).has_value();
+      contacts_.push_back(
+          {.above_m_per_s = saturates ? friction[i].above_m_per_s : std::numeric_limits<double>::infinity(),
+           .surface_speed_m_per_s = scene.contacts[i].surface_speed_m_per_s,
+           .one_way =
+               contact::keeps_its_direction(scene.contacts[i].friction) && friction[i].coefficient != 0});
+    }
+  }
+
+  /// Joint mode of these contact modes with the direction that every slip has at `physical`. Empty where the
+  /// friction of a touching contact is not saturated there.
+  std::optional<std::size_t> saturated_mode(const modes::MachineModes<N>& machine, std::size_t modes,
+                                            const State& physical) const {
+    const std::size_t joint = with_ways(machine, modes, physical);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (modes::mode_in_joint_mode(modes, i) == contact::Mode::open || contacts_[i].always()) continue;
+      if (!(std::abs(slip(machine, i, physical)) > contacts_[i].above_m_per_s)) return std::nullopt;
+    }
+    return joint;
+  }
+
+  /// The same whether or not friction is saturated.
+  std::size_t with_ways(const modes::MachineModes<N>& machine, std::size_t modes,
+                        const State& physical) const {
+    std::size_t joint = modes;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (modes::mode_in_joint_mode(modes, i) == contact::Mode::open) continue;
+      if (goes_backward(machine, i, physical)) joint += modes::backward_in_joint_mode(i, contacts_.size());
+    }
+    return joint;
+  }
+
+  /// Whether the slip of contact `i`, and its friction with it, goes backward at `physical`.
+  bool goes_backward(const modes::MachineModes<N>& machine, std::size_t i, const State& physical) const {
+    return !contacts_[i].always() && slip(machine, i, physical) < 0;
+  }
+
+  /// Starts a stretch at `physical`, the motion's state; false when friction is not saturated here, or so
+  /// little beyond it, with a slip that goes back, that it is certain to stay so over no stretch of
+  /// `least_share` of the mode's longest step.
+  bool begin(const ExactMotion<N>& motion, const State& physical, double least_share = shortest_stretch) {
+    duration_s_ = 0;
+    longest_s_ = motion.mode().longest_step_s;
+    may_reverse_ = false;
+    for (std::size_t t = 0; t < motion.mode().touches.size(); ++t) {
+      const modes::TouchWatch<N>& touch = motion.mode().touches[t];
+      Contact& c = contacts_[touch.contact];
+      if (c.always()) {
+        if (c.one_way) look_at_one_way(motion, t, physical);
+        continue;
+      }
+      const Guard left = guard(motion, t, physical);
+      if (!(left.value < 0)) return false;
+      if (numerics::stays_below(left.value, left.rate, left.curvature, longest_s_)) continue;
+      longest_s_ = std::min(longest_s_, numerics::safe_step(left.value, left.rate, left.curvature));
+    }
+    if (may_reverse_) note(motion, physical);
+    return longest_s_ >= least_share * motion.mode().longest_step_s;
+  }
+
+  /// Slip margin of touch `t` at `physical`, the motion's state, as a guard, m/s: negative while friction is
+  /// saturated, zero where it leaves saturation, with a bound of its second derivative within the mode's
+  /// longest step. Where the touch has a `friction_rate` the bound is one of the first derivative, which
+  /// stands as the rate. For contacts that are not `always` saturated.
+  Guard guard(const ExactMotion<N>& motion, std::size_t t, const State& physical) const {
+    const modes::TouchWatch<N>& touch = motion.mode().touches[t];
+    const Contact& c = contacts_[touch.contact];
+    const double value = c.above_m_per_s - touch.way * slip(touch, physical);
+    if (!touch.friction_rate.empty()) return {value, rate_bound(motion, touch, physical), 0};
+    const auto sliding = motion.sliding_rate(t);
+    return {value, -touch.way * length_m_ * sliding.rate, length_m_ * sliding.curvature};
+  }
+
+  /// Whether the friction of touch `t` holds at every slip.
+  bool always(const ExactMotion<N>& motion, std::size_t t) const {
+    return contacts_[motion.mode().touches[t].contact].always();
+  }
+
+  /// Whether the slip of a one-way friction, which holds at every speed and so never ends a stretch, may come
+  /// to zero in this one.
+  bool may_reverse() const { return may_reverse_; }
+
+  /// At the end of a step of `duration_s` inside the stretch: whether such a slip came to zero in it, by the
+  /// cubic through its values and rates at both ends.
+  bool reversed_in(const ExactMotion<N>& motion, const State& physical, double duration_s) {
+    bool reversed = false;
+    const auto before = [this](const modes::TouchWatch<N>& touch) { return contacts_[touch.contact].last; };
+    std::array<ValueAndRate, modes::most_exact_contacts> starts{};
+    std::size_t count = 0;
+    for (const modes::TouchWatch<N>& touch : motion.mode().touches) starts[count++] = before(touch);
+    note(motion, physical);
+    count = 0;
+    for (const modes::TouchWatch<N>& touch : motion.mode().touches) {
+      const ValueAndRate start = starts[count++], end = before(touch);
+      const double largest =
+          numerics::cubic_maximum(-start.value, -duration_s * start.rate, -end.value, -duration_s * end.rate);
+      reversed = reversed || (contacts_[touch.contact].one_way && largest >= 0);
+    }
+    return reversed;
+  }
+
+  void advance(double duration_s) { duration_s_ += duration_s; }
+  double duration_s() const { return duration_s_; }
+  /// Longest stretch from where the present one began.
+  double longest_s() const { return longest_s_; }
+
+  /// Shortest stretch that is worth a step, as a share of the mode's longest step.
+  static constexpr double shortest_stretch = 1.0 / 256;
+
+ private:
+  struct ValueAndRate {
+    double value = 0, rate = 0;  ///< m/s, m/s^2
+  };
+
+  struct Contact {
+    double above_m_per_s = 0;  ///< saturated from here on
+    double surface_speed_m_per_s = 0;
+    bool one_way = false;  ///< friction that does not depend on the slip, nor on its sign
+    ValueAndRate last{};   ///< slip at the end of the last step
+
+    bool always() const { return above_m_per_s < 0; }
+  };
+
+  void look_at_one_way(const ExactMotion<N>& motion, std::size_t t, const State& physical) {
+    const modes::TouchWatch<N>& touch = motion.mode().touches[t];
+    const double now = slip(touch, physical), longest_s = motion.mode().longest_step_s;
+    may_reverse_ = may_reverse_ ||
+                   (touch.friction_rate.empty() ? !stays_forward(now, motion.sliding_rate(t), longest_s)
+                                                : now <= rate_bound(motion, touch, physical) * longest_s);
+  }
+
+  bool stays_forward(double slip_m_per_s, const typename ExactMotion<N>::SlidingRate& sliding,
+                     double duration_s) const {
+    return numerics::stays_below(-slip_m_per_s, -length_m_ * sliding.rate, length_m_ * sliding.curvature,
+                                 duration_s);
+  }
+
+  /// Bound on the rate of a slip within the mode's longest step, m/s^2.
+  double rate_bound(const ExactMotion<N>& motion, const modes::TouchWatch<N>& touch,
+                    const State& physical) const {
+    double rate = motion.sliding_rate_bound(touch, physical), swing = 0;
+    for (std::size_t k = 0; k < touch.friction_rate.size(); ++k) {
+      const auto& other = motion.machine().system().contacts[k];
+      const double penetration = std::max(
+          0.0, other.first_row.dot(physical.head(other.first_row.size()).transpose()) - other.clearance);
+      rate += touch.friction_rate[k] * penetration;
+      swing += touch.friction_swing[k] * penetration;
+    }
+    return length_m_ * (rate + swing * motion.mode().longest_step_s);
+  }
+
+  void note(const ExactMotion<N>& motion, const State& physical) {
+    const State rate = motion.rate_of(physical);
+    for (const modes::TouchWatch<N>& touch : motion.mode().touches)
+      contacts_[touch.contact].last = {slip(touch, physical),
+                                       length_m_ * touch.sliding.dot(rate.transpose())};
+  }
+
+  double slip(const modes::MachineModes<N>& machine, std::size_t i, const State& physical) const {
+    const Eigen::RowVectorXd& row = machine.system().contacts[i].second_row;
+    double sliding = 0;
+    for (Eigen::Index j = 0; j < row.size(); ++j) sliding += row(j) * physical(row.size() + j);
+    return contacts_[i].surface_speed_m_per_s + length_m_ * sliding;
+  }
+
+  double slip(const modes::TouchWatch<N>& touch, const State& physical) const {
+    return contacts_[touch.contact].surface_speed_m_per_s +
+           length_m_ * touch.sliding.dot(physical.transpose());
+  }
+
+  double length_m_;
+  double duration_s_ = 0, longest_s_ = 0;
+  bool may_reverse_ = false;
+  std::vector<Contact> contacts_;
+};
+
+}  // namespace rubsweep::integrate::exact

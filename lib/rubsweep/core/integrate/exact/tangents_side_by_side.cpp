@@ -1,0 +1,137 @@
+#include "rubsweep/core/integrate/exact/tangents_side_by_side.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "rubsweep/core/numerics/exponential_series.hpp"
+#include "rubsweep/core/numerics/lanes.hpp"
+
+namespace rubsweep::integrate::exact {
+
+using numerics::AlignedMatrix;
+using numerics::SideBySide;
+
+namespace {
+
+/// ModalSum of a lane of states, those from `z` on: what comes from z_u and from z_v apart.
+template <std::size_t bytes>
+struct LaneSum {
+  using Lane = typename numerics::Lanes<bytes>::Type;
+  // NOLINTNEXTLINE(modernize-use-using): an attribute that depends on a parameter
+  typedef long long Bits __attribute__((vector_size(bytes)));
+
+  // The sum of nothing, which leaves even the sign of a zero as it is.
+  Lane value_u = -Lane{}, value_v = -Lane{}, rate_u = -Lane{}, rate_v = -Lane{}, bound_u = -Lane{},
+       bound_v = -Lane{};
+
+  [[gnu::always_inline]] void add(const modes::ModalTerm& term, const double* z, std::ptrdiff_t stride,
+                                  bool paired) {
+    Lane u, v;
+    std::memcpy(&u, z + term.u * stride, bytes);
+    std::memcpy(&v, z + term.v * stride, bytes);
+    value_u += term.value[0] * u;
+    value_v += term.value[1] * v;
+    rate_u += term.rate[0] * u;
+    rate_v += term.rate[1] * v;
+    const Bits all_but_sign = ~__builtin_bit_cast(Bits, -Lane{});
+    Lane size_u = __builtin_bit_cast(Lane, __builtin_bit_cast(Bits, u) & all_but_sign);
+    Lane size_v = __builtin_bit_cast(Lane, __builtin_bit_cast(Bits, v) & all_but_sign);
+    if (paired) {  // pair_size
+      const Lane larger = size_u < size_v ? size_v : size_u, smaller = size_v < size_u ? size_v : size_u;
+      size_u = size_v = larger + 0.5 * smaller;
+    }
+    bound_u += term.bound[0] * size_u;
+    bound_v += term.bound[1] * size_v;
+  }
+};
+
+}  // namespace
+
+void TangentsSideBySide::resize(Eigen::Index numbers, std::size_t count) {
+  count_ = count;
+  const auto rows = static_cast<Eigen::Index>(count);
+  if (rows <= list_.rows() && numbers == list_.cols()) return;
+  const Eigen::Index capacity = std::max(rows, 2 * list_.rows());
+  AlignedMatrix larger(capacity, numbers);
+  if (numbers == list_.cols()) {
+    for (Eigen::Index j = 0; j < numbers; ++j)
+      std::copy_n(list_.data() + j * list_.stride(), list_.rows(), larger.data() + j * larger.stride());
+  }
+  list_ = std::move(larger);
+  moved_ = AlignedMatrix(capacity, numbers);
+  forces_ = AlignedMatrix(capacity, numbers);
+}
+
+SideBySide TangentsSideBySide::view(AlignedMatrix& of) const {
+  return {of.data(), of.stride(), static_cast<std::ptrdiff_t>(count_)};
+}
+
+void TangentsSideBySide::set(std::size_t i, const State& z) {
+  for (Eigen::Index j = 0; j < z.size(); ++j)
+    list_.data()[j * list_.stride() + static_cast<Eigen::Index>(i)] = z(j);
+}
+
+TangentsSideBySide::State TangentsSideBySide::get(std::size_t i) const {
+  State z(list_.cols());
+  for (Eigen::Index j = 0; j < z.size(); ++j)
+    z(j) = list_.data()[j * list_.stride() + static_cast<Eigen::Index>(i)];
+  return z;
+}
+
+void TangentsSideBySide::move(const Types::Pairs& flow) {
+  numerics::move_pairs_of_each(flow.rows(), flow.data(), view(list_));
+}
+
+void TangentsSideBySide::move(const Types::Factor& flow) {
+  numerics::multiply_each(flow.rows(), flow.cols(), flow.data(), flow.stride(), view(list_), view(moved_));
+  std::swap(list_, moved_);
+}
+
+/// As the series of one state by full matrices.
+void TangentsSideBySide::move_by_series(const Linear& mode, double duration_s) {
+  const Eigen::Index n = mode.rest.size();
+  const int terms = numerics::series_terms(std::abs(duration_s) * mode.fastest_rad_per_s);
+  std::copy_n(list_.data(), list_.cols() * list_.stride(), moved_.data());
+  const SideBySide u = view(moved_), v = u.from(n), spring = view(forces_), damper = spring.from(n);
+  for (int k = 1; k <= terms; ++k) {
+    numerics::multiply_each(n, n, mode.stiffness.data(), mode.stiffness.outerStride(), u, spring);
+    numerics::multiply_each(n, n, mode.damping.data(), mode.damping.outerStride(), v, damper);
+    numerics::add_term_to_each(n, duration_s * numerics::reciprocals[static_cast<std::size_t>(k)], spring,
+                               damper, u, v, view(list_));
+  }
+}
+
+void TangentsSideBySide::change_by(const Types::Factor& matrix, bool diagonal) {
+  if (!diagonal) return move(matrix);
+  numerics::scale_each(matrix.rows(), matrix.data(), matrix.stride() + 1, view(list_));
+}
+
+void TangentsSideBySide::change(const Linear& from, const Linear& to) {
+  change_by(from.basis, from.diagonal_basis);
+  change_by(to.inverse, to.diagonal_basis);
+}
+
+void TangentsSideBySide::see(const modes::ModalTerms& terms, bool paired, double unit,
+                             modes::ModalSums& sums) const {
+  sums.resize(count_);
+  const std::ptrdiff_t lanes = SideBySide::lanes(static_cast<std::ptrdiff_t>(count_));
+  numerics::in_widest_lanes(
+      lanes, [&]<std::size_t bytes>() __attribute__((always_inline)) {
+        constexpr std::size_t width = bytes / sizeof(double);
+        for (std::size_t i = 0; i < count_; i += width) {
+          LaneSum<bytes> sum;
+          for (const modes::ModalTerm& term : terms.list)
+            sum.add(term, list_.data() + i, list_.stride(), paired);
+          const std::size_t some = std::min(width, count_ - i) * sizeof(double);
+          const auto value = unit * (sum.value_u + sum.value_v), rate = unit * (sum.rate_u + sum.rate_v),
+                     curvature = unit * (sum.bound_u + sum.bound_v);
+          std::memcpy(&sums.value[i], &value, some);
+          std::memcpy(&sums.rate[i], &rate, some);
+          std::memcpy(&sums.curvature[i], &curvature, some);
+        }
+      });
+}
+
+}  // namespace rubsweep::integrate::exact

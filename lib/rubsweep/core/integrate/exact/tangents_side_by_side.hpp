@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+#include "rubsweep/core/integrate/exact/modes/linear_mode.hpp"
+#include "rubsweep/core/numerics/aligned_matrix.hpp"
+#include "rubsweep/core/numerics/side_by_side.hpp"
+
+namespace rubsweep::integrate::exact {
+
+/// The same as TangentsOneByOne, with the same bits, for many long vectors: several of them are processed at
+/// once.
+class TangentsSideBySide {
+ public:
+  using Types = modes::ExactTypes<Eigen::Dynamic>;
+  using State = Types::State;
+  using Linear = modes::LinearMode<Eigen::Dynamic>;
+
+  std::size_t size() const { return count_; }
+  void clear() { count_ = 0; }
+  void resize(Eigen::Index numbers, std::size_t count);
+  void set(std::size_t i, const State& z);
+  State get(std::size_t i) const;
+
+  void move(const Types::Pairs& flow);
+  void move(const Types::Factor& flow);
+  void move_by_series(const Linear& mode, double duration_s);
+  void change(const Linear& from, const Linear& to);
+  void see(const modes::ModalTerms& terms, bool paired, double unit, modes::ModalSums& sums) const;
+
+ private:
+  numerics::SideBySide view(numerics::AlignedMatrix& of) const;
+  void change_by(const Types::Factor& matrix, bool diagonal);
+
+  std::size_t count_ = 0;
+  numerics::AlignedMatrix list_;            ///< number j of vector i at (i, j)
+  numerics::AlignedMatrix moved_, forces_;  ///< of the same size, what is made on the way
+};
+
+}  // namespace rubsweep::integrate::exact

@@ -1,0 +1,264 @@
+#include "rubsweep/core/integrate/hybrid_run.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+#include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/core/integrate/exact/exact_run.hpp"
+#include "rubsweep/core/integrate/exact/modes/machine_modes.hpp"
+#include "rubsweep/core/integrate/exact/sticking_stretch.hpp"
+#include "rubsweep/core/integrate/run/coordinates.hpp"
+#include "rubsweep/core/integrate/run/state_scale.hpp"
+#include "rubsweep/core/integrate/run/work_bound.hpp"
+#include "rubsweep/core/integrate/taylor/taylor_run.hpp"
+#include "rubsweep/core/numerics/full_turn.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+constexpr int longest_absence = 64;  ///< turns by other means before closed forms are tried again
+/// Latest phase at which closed forms take over again: nearer to the end of a turn they would have no time
+/// left for it.
+constexpr double last_join = 2 * std::numbers::pi - 1e-9;
+/// Distance from the end of its turn at which a sticking stretch ends: a piece ends the turn.
+constexpr double before_the_end = 1e-6;
+/// Largest number of pieces before the next search for such a stretch, where there was none.
+constexpr int longest_wait = 64;
+
+/// Work of a turn that several methods make together.
+double most_work_of_a_turn(const run::SolverOptions& options) {
+  return run::work_of_an_expansion * static_cast<double>(run::most_pieces_of_a_turn(options));
+}
+
+/// End of the last pulse, radians from the start of revolution 0.
+double end_of_pulses_rad(const scene::Scene& scene) {
+  double end_s = 0;
+  for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
+  return end_s * scene.speed_rad_per_s;
+}
+
+/// Whether turns are handed on in the middle: between flat stops, by Taylor's series.
+bool may_be_in_pieces(const scene::Scene& scene, const run::SolverOptions& options) {
+  return scene.impulses.empty() && options.stepper == run::Stepper::automatic &&
+         options.contact == run::ContactHandling::located &&
+         std::ranges::all_of(scene.contacts, [](const scene::Contact& c) { return contact::linear(c.wall); });
+}
+
+/// Exact turns; Taylor pieces where there is no closed form; a stepper's where one
+/// was asked for by name.
+template <int N>
+class HybridRun {
+ public:
+  HybridRun(const scene::Scene& scene, const run::SolverOptions& options,
+            std::shared_ptr<exact::modes::MachineModes<N>> modes)
+      : scene_(scene),
+        options_(options),
+        run_(scene, std::move(modes), options.max_steps_per_revolution),
+        in_pieces_(may_be_in_pieces(scene, options)),
+        end_of_pulses_rad_(end_of_pulses_rad(scene)) {}
+
+  run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
+    if (!away_) {
+      const run::Outcome outcome = run_.advance(request, report);
+      const bool unsaturated = outcome == run::Outcome::unsaturated;
+      if (unsaturated && in_pieces_) return go_on_in_pieces(request, report);
+      if (!unsaturated && outcome != run::Outcome::no_closed_form) return finish(report, outcome);
+      leave();
+    }
+    return adaptive_ ? advance_adaptively(request, report) : advance_by_series(request, report);
+  }
+
+  void restart(std::span<const double> section) {
+    run_.restart(section);
+    come_back();
+    absence_ = 1;
+  }
+
+ private:
+  using TaylorRun = taylor::TaylorRun<N>;
+
+  /// Makes a turn in which friction leaves saturation: Taylor pieces until it is saturated again, and closed
+  /// forms in between. The run stands where the first of these pieces begins.
+  run::Outcome go_on_in_pieces(const run::TurnRequest& request, run::TurnReport& report) {
+    if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
+    pieces_to_wait_ = wait_ = 0;
+    const double before = work_so_far();
+    for (;;) {
+      if (work_so_far() - before > most_work_of_a_turn(options_))
+        return finish(report, run::Outcome::step_limit);
+      const auto& place = run_.handover();
+      taylor_->join(request, run_.revolution(), place.phase_rad, place.state, place.modes,
+                    place.tangent_vectors);
+      const run::Outcome piece = make_piece(request, report, before);
+      if (piece != run::Outcome::ok) return finish(report, piece);
+      if (taylor_->at_end_of_turn()) {
+        taylor_->finish(report);
+        run_.resume(report.section);
+        ++taylor_turns_;
+        return finish(report, run::Outcome::ok);
+      }
+      const run::Outcome rest = run_.go_to_end(taylor_->tangents(), report);
+      if (rest == run::Outcome::no_closed_form) {
+        leave();
+        return advance_by_series(request, report);
+      }
+      if (rest == run::Outcome::ok) ++taylor_turns_;
+      if (rest != run::Outcome::unsaturated) return finish(report, rest);
+    }
+  }
+
+  /// To where closed forms take over again, or to the end of the turn; `before`: the work before the turn.
+  run::Outcome make_piece(const run::TurnRequest& request, run::TurnReport& report, double before) {
+    for (;;) {
+      const run::Outcome ending = taylor_->go_on(report);
+      if (ending != run::Outcome::ok || taylor_->at_end_of_turn()) return ending;
+      if (taylor_->sticks() && stick(request, report) &&
+          work_so_far() - before > most_work_of_a_turn(options_))
+        return run::Outcome::step_limit;
+      const bool may_join = !taylor_->sticks() && taylor_->phase_rad() < last_join;
+      if (may_join && run_.join(taylor_->phase_rad(), taylor_->section(), taylor_->modes(), report))
+        return ending;
+    }
+  }
+
+  /// Takes closed forms as long as friction holds the touching contacts. False, with nothing changed, where
+  /// there is no such stretch, or where so many short ones were met that pieces continue for a while.
+  bool stick(const run::TurnRequest& request, run::TurnReport& report) {
+    const double phase = taylor_->phase_rad();
+    if (static_cast<double>(run_.revolution()) * numerics::full_turn + phase < end_of_pulses_rad_)
+      return false;
+    if (pieces_to_wait_ > 0) return --pieces_to_wait_, false;
+    if (!sticking_) sticking_ = std::make_unique<exact::StickingStretch>(scene_);
+    held_.phase_rad = phase;
+    held_.state = taylor_->section();
+    held_.tangent_vectors = taylor_->tangents();
+    if (!sticking_->go_on(request, taylor_->modes(), taylor_->slips(), numerics::full_turn - before_the_end,
+                          options_.max_steps_per_revolution, held_, report)) {
+      pieces_to_wait_ = wait_ = std::clamp(2 * wait_, 1, longest_wait);
+      return false;
+    }
+    wait_ = 0;
+    taylor_->join(request, run_.revolution(), held_.phase_rad, held_.state, taylor_->modes(),
+                  held_.tangent_vectors);
+    return true;
+  }
+
+  /// Work of this run without that of its stepper.
+  double work_so_far() const {
+    run::Effort effort = run_.effort();
+    if (taylor_) effort = sum(effort, taylor_->effort());
+    if (taylor_) {
+      effort.taylor_pieces = taylor_->effort().steps;
+      effort.taylor_work = taylor_->effort().taylor_work;
+    }
+    return run::work(effort) +
+           run::work_of_a_step * (sticking_ ? static_cast<double>(sticking_->steps()) : 0);
+  }
+
+  void begin_absence() {
+    away_ = true;
+    absent_ = 0;
+    absence_ = std::min(2 * absence_, longest_absence);
+  }
+
+  void leave() {
+    begin_absence();
+    if (options_.stepper != run::Stepper::automatic || options_.contact != run::ContactHandling::located)
+      return start_stepper();
+    if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
+    run_.put_section(section_);
+    taylor_->resume(section_, run_.revolution());
+  }
+
+  void start_stepper() {
+    adaptive_ = adaptive::start_adaptive(run::scene_at(scene_, run_.section(), run_.revolution()), options_);
+    adaptive_effort_ = {};
+  }
+
+  run::Outcome advance_by_series(const run::TurnRequest& request, run::TurnReport& report) {
+    const run::Outcome outcome = taylor_->advance(request, report);
+    if (outcome != run::Outcome::ok) return finish(report, outcome);
+    ++taylor_turns_;
+    finish(report, run::Outcome::ok);
+    return made_away(report);
+  }
+
+  run::Outcome advance_adaptively(const run::TurnRequest& request, run::TurnReport& report) {
+    const run::Outcome outcome = adaptive_(request, report);
+    adaptive_effort_ = report.effort;
+    ++adaptive_turns_;
+    finish(report, outcome);
+    return outcome == run::Outcome::ok ? made_away(report) : outcome;
+  }
+
+  run::Outcome made_away(const run::TurnReport& report) {
+    run_.resume(report.section);
+    ++absent_;
+    if (!report.touched || absent_ >= absence_) {
+      if (!report.touched) absence_ = 1;
+      come_back();
+    }
+    return run::Outcome::ok;
+  }
+
+  void come_back() {
+    past_ = sum(past_, adaptive_effort_);
+    adaptive_effort_ = {};
+    adaptive_ = nullptr;
+    away_ = false;
+  }
+
+  static run::Effort sum(run::Effort a, const run::Effort& b) {
+    a.rhs_calls += b.rhs_calls;
+    a.steps += b.steps;
+    a.refused += b.refused;
+    a.switches += b.switches;
+    a.implicit_steps += b.implicit_steps;
+    return a;
+  }
+
+  run::Outcome finish(run::TurnReport& report, run::Outcome outcome) {
+    report.effort = sum(sum(past_, adaptive_effort_), run_.effort());
+    if (taylor_) {
+      report.effort = sum(report.effort, taylor_->effort());
+      report.effort.taylor_pieces = taylor_->effort().steps;
+      report.effort.creep_pieces = taylor_->effort().creep_pieces;
+      report.effort.taylor_work = taylor_->effort().taylor_work;
+    }
+    if (sticking_) report.effort.steps += sticking_->steps();
+    report.effort.taylor_turns = taylor_turns_;
+    report.effort.adaptive_turns = adaptive_turns_;
+    return outcome;
+  }
+
+  scene::Scene scene_;
+  run::SolverOptions options_;
+  exact::ExactRun<N> run_;
+  bool in_pieces_ = false;                            ///< turns whose friction leaves saturation are
+  std::unique_ptr<TaylorRun> taylor_;                 ///< made when first needed
+  std::unique_ptr<exact::StickingStretch> sticking_;  ///< made when first needed
+  exact::StickingStretch::StretchState held_;
+  double end_of_pulses_rad_ = 0;
+  int pieces_to_wait_ = 0, wait_ = 0;  ///< before the next look for a stretch that sticks
+  run::Cursor adaptive_;               ///< empty while no stepper is at work
+  bool away_ = false;                  ///< from closed forms
+  std::vector<double> section_;        ///< where the run left them
+  int absence_ = 1, absent_ = 0;
+  long taylor_turns_ = 0, adaptive_turns_ = 0;
+  run::Effort past_, adaptive_effort_;
+};
+
+}  // namespace
+
+run::Run start_hybrid(const scene::Scene& scene, const run::SolverOptions& options,
+                      exact::modes::ModeCache& modes) {
+  return run::with_coordinates(scene.structure.coordinates(), [&](auto n) -> run::Run {
+    auto run = std::make_shared<HybridRun<n()>>(scene, options, modes.modes_of<n()>(scene));
+    return {
+        [run](const run::TurnRequest& request, run::TurnReport& report) { return (*run)(request, report); },
+        [run](std::span<const double> section) { run->restart(section); }};
+  });
+}
+
+}  // namespace rubsweep::integrate

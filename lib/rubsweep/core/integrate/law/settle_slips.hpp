@@ -1,0 +1,142 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "rubsweep/core/contact/dry_friction.hpp"
+#include "rubsweep/core/integrate/law/dynamics.hpp"
+
+namespace rubsweep::integrate::law {
+
+/// Zero band of a slip, as a share of the surface's own speed (or of one clearance a radian): rounding stays
+/// below it, and friction would stop a smaller slip within as many radians.
+inline constexpr double no_slip = 1e-12;
+
+/// A poised contact whose slip is within this (as `no_slip`) of zero stands. Where it leaves that against its
+/// friction, it is settled anew.
+inline constexpr double poised_slip = 1e-11;
+
+template <class Law, class State>
+bool stands(const Law& law, std::size_t i, const State& state) {
+  const auto& c = law.system().contacts[i];
+  const double surface = c.surface_speed_m_per_s / c.slip_scale_m_per_s;
+  // A contact that is settled anew may be past the edge, and poised again.
+  const double near = law.poised(i) ? 2 * poised_slip : no_slip;
+  return std::abs(law.slip(i, state)) <= near * std::max(1.0, std::abs(surface));
+}
+
+/// Lists the contacts with zero slip: those that stick, or whose slip is zero, and those selected by
+/// `besides`, but for those excluded by `never`. None is poised from here on. False where they are too many.
+template <class Law, class State, class Besides, class Never>
+bool find_standing(Law& law, const State& state, const Besides& besides, const Never& never,
+                   typename Law::Stuck& standing) {
+  for (std::size_t i = 0; i < law.slips().size(); ++i) {
+    const bool takes_part =
+        law.touches_dry(i) && !never(i) &&
+        (law.slips()[i] == contact::Slip::sticking || besides(i) || stands(law, i, state));
+    law.poise(i, false);
+    if (!takes_part) continue;
+    if (standing.count == standing.list.size()) return false;
+    standing.list[standing.count++] = i;
+  }
+  return true;
+}
+
+/// Decides stick or slip for these contacts from here on. `more` is the acceleration of their slips beside
+/// that by the forces of all others.
+template <class Law, class State>
+void settle_standing(Law& law, const typename Law::Stuck& standing, const State& state, State& rate,
+                     double phase, const contact::StickVector& more) {
+  if (standing.count == 0) return;
+  for (std::size_t k = 0; k < standing.count; ++k) law.slips()[standing.list[k]] = contact::Slip::sticking;
+  law.loose(state, rate, phase);
+  contact::StickVector limit(static_cast<Eigen::Index>(standing.count));
+  for (std::size_t k = 0; k < standing.count; ++k)
+    limit(static_cast<Eigen::Index>(k)) = std::max(0.0, law.largest_friction_n(standing.list[k], state));
+  const contact::StickVector acceleration = law.accelerations(standing, state, rate) + more;
+  const contact::SettledSlips settled =
+      contact::settle_slips(law.mobility(standing, state), acceleration, limit);
+  if (!settled.obeys_law) law.leave_unsettled(true);
+  for (std::size_t k = 0; k < standing.count; ++k) {
+    law.slips()[standing.list[k]] = settled.slips[k];
+    law.poise(standing.list[k], settled.poised[k]);
+  }
+}
+
+/// Decides stick or slip for every contact with zero slip velocity: those that stick, those that stand, and
+/// those selected by `besides`. `rate` is scratch for a rate of the state.
+template <class Law, class State, class Besides>
+void settle_slips(Law& law, const State& state, State& rate, double phase, const Besides& besides) {
+  typename Law::Stuck standing;
+  const auto none = [](std::size_t) { return false; };
+  if (!find_standing(law, state, besides, none, standing)) return law.leave_unsettled(true);
+  const auto count = static_cast<Eigen::Index>(standing.count);
+  settle_standing(law, standing, state, rate, phase, contact::StickVector::Zero(count));
+}
+
+/// Releases contact `i`, which sticks and whose friction has come to its limit in the direction of `slip`.
+/// Poised contacts may have to hold it from here on, and are settled again for a slightly larger load: the
+/// part of its load that `i` can no longer take. The friction of all is continuous. True where there was
+/// something to settle. `rate` is scratch.
+template <class Law, class State>
+bool let_go(Law& law, std::size_t i, contact::Slip slip, const State& state, State& rate, double phase) {
+  constexpr double little = 1e-9;  // of the limit: above rounding of the forces
+  law.slips()[i] = slip;
+  if (!law.any_poised()) return false;
+  typename Law::Stuck standing;
+  const auto none = [](std::size_t) { return false; };
+  const auto only_i = [i](std::size_t j) { return j == i; };
+  if (!find_standing(law, state, none, only_i, standing) || standing.count == standing.list.size()) {
+    law.leave_unsettled(true);
+    return true;
+  }
+  typename Law::Stuck with_i = standing;
+  with_i.list[with_i.count++] = i;
+  const double asked_n = contact::sign_of(slip) * little * law.largest_friction_n(i, state);
+  const auto count = static_cast<Eigen::Index>(standing.count);
+  const contact::StickVector more = law.mobility(with_i, state).col(count).head(count) * asked_n;
+  settle_standing(law, standing, state, rate, phase, more);
+  law.poise(i, law.stuck_contacts().count > 0);
+  return true;
+}
+
+/// Direction in which contact `i` slips, from the state alone; zero slips are left to `settle_slips`.
+template <class Law, class State>
+void take_slip_of_state(Law& law, std::size_t i, const State& state) {
+  law.slips()[i] = stands(law, i, state)    ? contact::Slip::sticking
+                   : law.slip(i, state) > 0 ? contact::Slip::forward
+                                            : contact::Slip::backward;
+}
+
+/// All of them.
+template <class Law, class State>
+void enter_slips_by_state(Law& law, const State& state, State& rate, double phase) {
+  if (!law.any_dry()) return;
+  law.leave_unsettled(false);
+  for (std::size_t i = 0; i < law.slips().size(); ++i) {
+    law.poise(i, false);
+    if (law.touches_dry(i)) take_slip_of_state(law, i, state);
+  }
+  settle_slips(law, state, rate, phase, [](std::size_t) { return false; });
+}
+
+/// A small change of a state, one a column, across the instant at which `rate` becomes another one because
+/// the slip of contact `i` has come to zero (Leine & Nijmeijer, Dynamics and Bifurcations of Non-Smooth
+/// Mechanical Systems, eq. 7.46: the saltation matrix). Where it sticks, no change lets it slip.
+template <class Law, class State, class Changes>
+void cross_slip(const Law& law, std::size_t i, const State& state, const State& rate_before,
+                const State& rate_after, Changes&& changes) {
+  const Eigen::RowVectorXd gradient = law.slip_gradient(i, state);
+  const Eigen::Map<const Eigen::VectorXd> before(&rate_before[0], gradient.size()),
+      after(&rate_after[0], gradient.size());
+  const double way = law.slip_rate(i, state, rate_before);
+  if (way == 0) return;
+  for (Eigen::Index column = 0; column < changes.cols(); ++column) {
+    const double share = gradient.dot(changes.col(column)) / way;
+    changes.col(column) += (after - before) * share;
+  }
+}
+
+}  // namespace rubsweep::integrate::law

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cmath>
+#include <string_view>
+
+#include "rubsweep/core/model/range.hpp"
+
+namespace rubsweep::integrate::run {
+
+enum class Method { automatic, exact, adaptive };
+
+/// Method of the adaptive solver. Words, descriptions and what starts each: adaptive/stepper_table.
+enum class Stepper {
+  automatic,  ///< dopri5, and rosenbrock4 for the steps that start in stiff friction
+  dopri5,
+  cash_karp54,
+  rkf78,
+  bulirsch_stoer,
+  rosenbrock4,
+};
+
+/// Treatment of a change of contact mode by a stepper.
+enum class ContactHandling {
+  located,   ///< stops at every mode switch, found to rounding
+  smoothed,  ///< integrates through, with a C1 blend of the law over `smoothing_m`
+};
+
+/// Words of the configuration and of tables.
+constexpr std::string_view to_string(Method method) {
+  switch (method) {
+    case Method::automatic:
+      return "auto";
+    case Method::exact:
+      return "exact";
+    case Method::adaptive:
+      return "adaptive";
+  }
+  return "";
+}
+
+constexpr std::string_view to_string(ContactHandling contact) {
+  switch (contact) {
+    case ContactHandling::located:
+      return "located";
+    case ContactHandling::smoothed:
+      return "smoothed";
+  }
+  return "";
+}
+
+struct SolverOptions {
+  Method method = Method::automatic;
+  Stepper stepper = Stepper::automatic;
+  ContactHandling contact = ContactHandling::located;
+  double relative_tolerance = 1e-8;  ///< absolute tolerance is this times (clearance, clearance omega)
+  double smoothing_m = 1e-7;         ///< penetration width of the blend, `smoothed` only
+  long max_steps_per_revolution = 1'000'000;  ///< accepted and refused steps; more ends the run as step_limit
+
+  static constexpr model::Range relative_tolerance_range{.low = 1e-14, .high = 1e-2};
+  static constexpr model::Range smoothing_range = model::positive;
+  static constexpr long max_steps_low = 1000;
+};
+
+/// `automatic` takes the implicit stepper where friction alone would change the slip faster than this many
+/// times the contact's own angular frequency: 4 tolerance^(-1/4). Below it dopri5 needs less time although
+/// its steps are limited by stability (h rate < 3.3), because it is five times cheaper per step and accuracy
+/// makes rosenbrock4, of order 4, take steps of about 8 tolerance^(1/4) / frequency. Measured by
+/// studies/cost/stiff_friction_table.
+inline double stiff_friction_ratio(double relative_tolerance) {
+  return 4 / std::pow(relative_tolerance, 0.25);
+}
+
+}  // namespace rubsweep::integrate::run

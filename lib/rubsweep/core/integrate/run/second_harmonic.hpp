@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "rubsweep/core/scene/scene.hpp"
+
+namespace rubsweep::integrate::run {
+
+/// A part of a force that repeats twice per revolution: top_n sin(4 pi (turns + turns_ahead)). To the solvers
+/// it is a half-sine pulse that does not end, its time counted anew in every revolution.
+struct HarmonicPart {
+  Eigen::VectorXd top_n;   ///< n: generalised forces
+  double turns_ahead = 0;  ///< of the shaft, from the start of its sine to that of a revolution
+};
+
+/// The second harmonic of a scene: its cosine and its sine, or nothing.
+std::vector<HarmonicPart> second_harmonic(const scene::Scene& scene);
+
+}  // namespace rubsweep::integrate::run

@@ -1,0 +1,46 @@
+#include "rubsweep/core/integrate/start.hpp"
+
+#include <memory>
+
+#include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/core/integrate/hybrid_run.hpp"
+#include "rubsweep/core/integrate/run/state_scale.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+struct Restarting {
+  scene::Scene scene;
+  run::SolverOptions options;
+  run::Cursor cursor;
+};
+
+run::Run start_restarting(const scene::Scene& scene, const run::SolverOptions& options) {
+  auto run =
+      std::make_shared<Restarting>(Restarting{scene, options, adaptive::start_adaptive(scene, options)});
+  return {[run](const run::TurnRequest& request, run::TurnReport& report) {
+            return run->cursor(request, report);
+          },
+          [run](std::span<const double> section) {
+            run::set_initial_state(run->scene, section);
+            run->cursor = adaptive::start_adaptive(run->scene, run->options);
+          }};
+}
+
+}  // namespace
+
+Solver solver_of(const scene::Scene& scene, const run::SolverOptions& options) {
+  // Only the steppers know of torsion.
+  if (scene.twist || options.method == run::Method::adaptive) return Solver::adaptive;
+  if (options.method == run::Method::exact) return Solver::exact;
+  return options.contact == run::ContactHandling::located && exact::modes::exact_applies(scene)
+             ? Solver::exact
+             : Solver::adaptive;
+}
+
+run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::modes::ModeCache& modes) {
+  return solver_of(scene, options) == Solver::exact ? start_hybrid(scene, options, modes)
+                                                    : start_restarting(scene, options);
+}
+
+}  // namespace rubsweep::integrate

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+
+#include "rubsweep/core/integrate/taylor/contact_law.hpp"
+#include "rubsweep/core/numerics/taylor_series.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+class ContactSeries;
+
+inline constexpr int most_creep_sweeps = 24;
+
+/// Slip of a contact in friction so steep that the slip's own transient has died out: it creeps, with the
+/// slip at which friction balances the rest of the motion. As a power series it is found by fixed-point
+/// sweeps. One takes the slip as given, which then is a constraint like that of a contact that sticks; the
+/// friction that keeps it gives the slip with which the next sweep begins. Each sweep is nearer by the ratio
+/// of the motion's rate to that at which friction changes the slip.
+class Creep {
+ public:
+  /// The slip keeps the value it has where the expansion starts.
+  void begin(const ContactLaw& law, double slip_m_per_s);
+
+  /// Sets the slip to that of the friction that keeps `contact` at the slip so far, whose expansion goes up
+  /// to `order`; false where no slip nearby has that friction.
+  bool sweep(const ContactSeries& contact, int order);
+
+  double slip_m_per_s() const { return slip_[0]; }
+  /// Series of the sliding speed d' . t.
+  const numerics::Series& sliding() const { return sliding_; }
+  /// Change of coefficient k < order of the sliding speed in the last sweep.
+  double change(int k) const { return change_[static_cast<std::size_t>(k)]; }
+
+  // After a sweep: the spring force, friction over spring force, and its derivative by the sliding speed.
+  const numerics::Series& load() const { return load_; }
+  const numerics::Series& coefficient() const { return coefficient_; }
+  const numerics::Series& slope() const { return slope_; }
+
+ private:
+  bool find_start(double coefficient);
+  void set_slip(int k, double slip_m_per_s);
+
+  const ContactLaw* law_ = nullptr;
+  numerics::Series slip_, sliding_, load_, coefficient_, slope_;
+  std::array<numerics::TanhSeries, 3> tanh_;
+  std::array<double, numerics::most_taylor_order + 1> change_{};
+};
+
+}  // namespace rubsweep::integrate::taylor

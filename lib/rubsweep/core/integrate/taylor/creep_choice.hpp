@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "rubsweep/core/contact/contact_mode.hpp"
+#include "rubsweep/core/contact/dry_friction.hpp"
+#include "rubsweep/core/integrate/law/dynamics.hpp"
+#include "rubsweep/core/integrate/taylor/creep_sweeps.hpp"
+#include "rubsweep/core/integrate/taylor/expansion.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// Largest `Dynamics::friction_ratio` of the contacts that touch and neither creep nor stick.
+template <int N>
+double friction_ratio(const Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
+                      const std::vector<double>& state) {
+  double largest = 0;
+  for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
+    if (dynamics.modes()[i] != contact::Mode::open && motion.contact(i).friction_varies())
+      largest = std::max(largest, dynamics.friction_ratio(i, state));
+  }
+  return largest;
+}
+
+/// Choice of the pieces of a run that are expanded with creeping contacts: those where friction is steep, the
+/// slip's own transient has died out, and a piece is worth its sweeps.
+template <int N>
+class CreepChoice {
+ public:
+  /// Contacts creep where `Dynamics::friction_ratio` is above `creep_above`.
+  explicit CreepChoice(double creep_above) : creep_above_(creep_above) {}
+
+  void begin_turn() { pieces_to_wait_ = 0; }
+  /// None of the next pieces creeps.
+  void wait() { pieces_to_wait_ = pieces_until_creep; }
+  /// Whether the next piece may creep, at this largest ratio of its contacts. Counts the pieces that wait.
+  bool due(double ratio) {
+    if (!(ratio > creep_above_)) return false;
+    if (pieces_to_wait_ == 0) return true;
+    --pieces_to_wait_;
+    return false;
+  }
+
+  /// Expands anew, by `expand(state)`, with all contacts creeping that friction holds. False, and the
+  /// expansion as it was, where that is not known to last. `longest_rad` is the longest piece without regard
+  /// to friction, `usual_rad` that of a piece without creep; `state` and `settled` as in `settle_creep`.
+  template <class Expand>
+  bool begin(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics, const Expand& expand,
+             std::vector<double>& state, std::vector<double>& settled, double longest_rad, double usual_rad) {
+    start_creep(motion, dynamics, state);
+    known_rad_ = settle_creep(motion, expand, state, settled, longest_rad, least_gain * usual_rad);
+    if (known_rad_ > 0) return true;
+    wait();
+    stop_creep(motion, dynamics);
+    expand(state);
+    return false;
+  }
+  /// Duration over which the creeping contacts are known.
+  double known_rad() const { return known_rad_; }
+  /// From the next expansion on none does.
+  void end(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics) {
+    if (known_rad_ > 0) stop_creep(motion, dynamics);
+    known_rad_ = 0;
+  }
+
+ private:
+  /// The remainder of a slip's own transient falls by a factor of a hundred or more in each usual piece.
+  static constexpr int pieces_until_creep = 6;
+  static constexpr double least_gain = 12;  ///< usual pieces that one of creep has to be worth
+
+  void start_creep(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
+                   const std::vector<double>& state) const {
+    std::size_t held = motion.sticking();
+    for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
+      if (dynamics.modes()[i] == contact::Mode::open || !motion.contact(i).friction_varies()) continue;
+      const bool creeps = held < contact::most_sticking && dynamics.friction_ratio(i, state) > creep_above_;
+      motion.set_creeping(i, creeps);
+      if (creeps) ++held;
+    }
+  }
+  static void stop_creep(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics) {
+    for (std::size_t i = 0; i < dynamics.modes().size(); ++i) motion.set_creeping(i, false);
+  }
+
+  double creep_above_;
+  double known_rad_ = 0;
+  int pieces_to_wait_ = 0;
+};
+
+}  // namespace rubsweep::integrate::taylor

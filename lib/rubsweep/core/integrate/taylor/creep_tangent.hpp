@@ -1,0 +1,56 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "rubsweep/core/integrate/taylor/creep.hpp"
+#include "rubsweep/core/numerics/taylor_series.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// Variation of the sliding speed of a contact that creeps, found by sweeps as the sliding speed itself.
+class CreepTangent {
+ public:
+  /// The variation keeps the value that it has where the expansion starts.
+  void begin(double sliding) {
+    for (int k = 0; k <= numerics::most_taylor_order + 1; ++k) sliding_.set(k, k == 0 ? sliding : 0);
+  }
+
+  /// Sets the variation to that of the friction, up to `order` terms, which keeps the variation so far.
+  /// `holding(k)` and `load(k)` are coefficients of the variations of that friction and of the spring force
+  /// S: friction = mu S and mu' sliding = the variation of mu.
+  template <class Holding, class Load>
+  void sweep(const Creep& creep, int order, const Holding& holding, const Load& load) {
+    for (int k = 0; k < order; ++k) {
+      load_.set(k, load(k));
+      double rest = holding(k) - creep.coefficient()[0] * load_[k];
+      if (k > 0) {
+        rest -= creep.coefficient()[k] * load_[0] + inner_sum(creep.coefficient(), load_, k) +
+                creep.load()[k] * coefficient_[0] + inner_sum(creep.load(), coefficient_, k);
+      }
+      coefficient_.set(k, rest / creep.load()[0]);
+      rest = coefficient_[k];
+      if (k > 0) rest -= creep.slope()[k] * sliding_[0] + inner_sum(creep.slope(), sliding_, k);
+      const double sliding = rest / creep.slope()[0];
+      change_[k] = sliding - sliding_[k];
+      sliding_.set(k, sliding);
+    }
+    order_ = order;
+  }
+
+  const numerics::Series& sliding() const { return sliding_; }
+  /// Largest term of the change by the last sweep, anywhere within `duration_rad`.
+  double change(double duration_rad) const {
+    double largest = 0, power = 1;
+    for (int k = 0; k < order_; ++k, power *= duration_rad)
+      largest = std::max(largest, power * std::abs(change_[k]));
+    return largest;
+  }
+
+ private:
+  int order_ = 0;
+  numerics::Series sliding_, load_, coefficient_;
+  double change_[numerics::most_taylor_order + 1];
+};
+
+}  // namespace rubsweep::integrate::taylor

@@ -1,0 +1,261 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "rubsweep/core/contact/dry_friction.hpp"
+#include "rubsweep/core/integrate/run/pulse_times.hpp"
+#include "rubsweep/core/integrate/run/scaled_system.hpp"
+#include "rubsweep/core/integrate/taylor/contact_directions.hpp"
+#include "rubsweep/core/integrate/taylor/contact_jacobian.hpp"
+#include "rubsweep/core/integrate/taylor/contact_law.hpp"
+#include "rubsweep/core/integrate/taylor/contact_series.hpp"
+#include "rubsweep/core/integrate/taylor/creep.hpp"
+#include "rubsweep/core/integrate/taylor/diagonal_structure.hpp"
+#include "rubsweep/core/integrate/taylor/expand_in_registers.hpp"
+#include "rubsweep/core/integrate/taylor/state_series.hpp"
+#include "rubsweep/core/numerics/taylor_series.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// Motion of a scaled system from one instant on as a power series of the phase, within one joint contact
+/// mode: u'' = linear structure + unbalance + pulses + forces of the contacts that touch.
+template <int N>
+class Expansion {
+ public:
+  using Vector = Eigen::Matrix<double, N, 1>;
+
+  explicit Expansion(const run::ScaledSystem<N>& system, const SeriesOptions& options = {})
+      : system_(system),
+        structure_(system),
+        series_(system.coordinates(), options),
+        acceleration_(system.coordinates()),
+        contacts_(system.contacts.size()),
+        jacobians_(system.contacts.size()),
+        creeps_(system.contacts.size()),
+        creeping_(system.contacts.size(), false) {
+    for (const auto& contact : system.contacts) laws_.emplace_back(contact);
+    pulses_.reserve(system.pulses.size());
+    touching_.reserve(contacts_.size());
+    for (const auto& contact : system.contacts) directions_.push_back(directions_of(contact));
+  }
+
+  /// Expands from `state` (u then u') at `phase_rad` into the revolution, with the pulses that act there.
+  /// `modes` per contact, and `slips` of those with dry friction.
+  void expand(const double* state, double phase_rad, const run::PulseTimes& pulses,
+              const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
+    series_.begin(state);
+    begin_contacts(modes, slips);
+    start_drives(phase_rad, pulses);
+    if constexpr (N != Eigen::Dynamic) {
+      if (expanded_in_registers()) return complete_contacts();
+    }
+    for (int k = 0; k < order(); ++k) {
+      accelerate(k);
+      series_.v(k + 1) = acceleration_ * numerics::one_over(k + 1);
+      series_.u(k + 2) = series_.v(k + 1) * numerics::one_over(k + 2);
+    }
+    complete_contacts();
+  }
+
+  /// Makes contact `i` creep from the next expansion on, or end it; it starts with the slip that it has where
+  /// the expansion is now.
+  void set_creeping(std::size_t i, bool creeps) {
+    creeping_[i] = creeps;
+    if (creeps) creeps_[i].begin(laws_[i], slip(i));
+  }
+  Creep& creep(std::size_t i) { return creeps_[i]; }
+  /// Whether some contact creeps in the present expansion.
+  bool any_creeps() const {
+    for (std::size_t j = 0; j < sticking_; ++j) {
+      if (contacts_[stuck_[j]].creep()) return true;
+    }
+    return false;
+  }
+  /// Slip of contact `i` where the expansion starts.
+  double slip(std::size_t i) const {
+    const ContactSeries& c = contacts_[i];
+    const numerics::Twin d = c.distance()[0], v = c.velocity()[0];
+    const double sliding =
+        laws_[i].annular ? (d[0] * v[1] - d[1] * v[0]) / std::sqrt(d[0] * d[0] + d[1] * d[1]) : v[1];
+    return laws_[i].slip_scale_m_per_s * sliding + laws_[i].surface_speed_m_per_s;
+  }
+
+  /// The one contact that touches, and slips, where the structure is diagonal; else empty.
+  std::optional<std::size_t> only_slip() const {
+    if (!system_.diagonal || touching_.size() != 1 || sticking_ > 0) return std::nullopt;
+    return touching_[0];
+  }
+  /// Whether nothing touches a diagonal structure.
+  bool flies() const { return system_.diagonal && touching_.empty(); }
+  const DiagonalStructure<N>& structure() const { return structure_; }
+  const ContactDirections<N>& directions(std::size_t i) const { return directions_[i]; }
+
+  // Contacts that stick or creep.
+  std::size_t sticking() const { return sticking_; }
+  std::size_t stuck(Eigen::Index k) const { return stuck_[static_cast<std::size_t>(k)]; }
+  const contact::StickMobility& mobility() const { return mobility_; }
+  /// Row of the tangential velocity where the expansion starts.
+  Eigen::Matrix<double, 1, N> tangential_row(std::size_t i) const {
+    const auto& c = system_.contacts[i];
+    return contacts_[i].cosine() * c.second_row - contacts_[i].sine() * c.first_row;
+  }
+  Vector tangential_push(std::size_t i) const {
+    const auto& c = system_.contacts[i];
+    return contacts_[i].cosine() * c.second_push - contacts_[i].sine() * c.first_push;
+  }
+
+  /// Changes the velocities of `state` by an impulse of friction at contacts that stick or creep, so that
+  /// their sliding speeds change by `by`.
+  void change_slips(const contact::StickVector& by, double* state) const {
+    const contact::StickVector impulse = contact::holding_forces(mobility_, by);
+    Eigen::Map<Vector> v(state + system_.coordinates(), system_.coordinates());
+    for (Eigen::Index j = 0; j < by.size(); ++j) v -= impulse(j) * tangential_push(stuck(j));
+  }
+
+  const StateSeries<N>& series() const { return series_; }
+  int order() const { return series_.order(); }
+  double accuracy() const { return series_.accuracy(); }
+  void set_accuracy(double accuracy) { series_.set_accuracy(accuracy); }
+  const ContactLaw& law(std::size_t i) const { return laws_[i]; }
+  ContactSeries& contact(std::size_t i) { return contacts_[i]; }
+  const ContactSeries& contact(std::size_t i) const { return contacts_[i]; }
+  ContactJacobian& jacobian(std::size_t i) { return jacobians_[i]; }
+
+ private:
+  void begin_contacts(const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
+    sticking_ = 0;
+    touching_.clear();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const auto& offset = system_.contacts[i].offset;
+      contacts_[i].set_distance(at_contact(system_.contacts[i], series_.u(0)) +
+                                numerics::Twin{offset[0], offset[1]});
+      contacts_[i].set_velocity(0, at_contact(system_.contacts[i], series_.v(0)));
+      const bool open = modes[i] == contact::Mode::open;
+      contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i), slips[i]);
+      if (!open) touching_.push_back(i);
+      if (!open && creeping_[i]) contacts_[i].follow(creeps_[i]);
+      if (contacts_[i].sticks()) stuck_[sticking_++] = i;
+      jacobians_[i].follow(contacts_[i]);
+    }
+  }
+
+  /// A half-sine that acts, by sine and cosine of its angle.
+  struct ActingPulse {
+    std::size_t index = 0;
+    double sine = 0, cosine = 1;
+  };
+
+  /// cos and sin of the phase are 1 and i^k / k! times each other; a pulse's by its own rate.
+  void start_drives(double phase_rad, const run::PulseTimes& pulses) {
+    cosine_ = std::cos(phase_rad);
+    sine_ = std::sin(phase_rad);
+    pulses_.clear();
+    for (const std::size_t i : pulses.acting()) {
+      const double angle = system_.pulses[i].rate * (pulses.elapsed(i) + phase_rad);
+      pulses_.push_back({i, std::sin(angle), std::cos(angle)});
+    }
+  }
+
+  /// False, and nothing done, unless no pulse acts on a diagonal structure and one contact at most touches,
+  /// and slips.
+  bool expanded_in_registers() {
+    if (!pulses_.empty()) return false;
+    const DriveTerms drives{numerics::both(cosine_), numerics::both(sine_)};
+    if (const auto i = only_slip()) {
+      std::visit(
+          [&](const auto& directions) {
+            expand_in_registers(structure_, directions, drives, contacts_[*i], series_);
+          },
+          directions_[*i]);
+      return true;
+    }
+    if (!flies()) return false;
+    NoContact none;
+    expand_in_registers(structure_, none, drives, none, series_);
+    return true;
+  }
+
+  /// Coefficient k of the acceleration; drives and contacts go on to the next.
+  void accelerate(int k) {
+    Vector& a = acceleration_;
+    if (system_.diagonal) {
+      a = -system_.stiffness_diagonal.cwiseProduct(series_.u(k)) -
+          system_.damping_diagonal.cwiseProduct(series_.v(k));
+    } else {
+      a.noalias() = system_.stiffness * series_.u(k);
+      a.noalias() += system_.damping * series_.v(k);
+      a = -a;
+    }
+    if (k == 0) a += system_.constant;
+    a += system_.cosine * cosine_ + system_.sine * sine_;
+    const double next = numerics::one_over(k + 1), cosine = cosine_;
+    cosine_ = -next * sine_;
+    sine_ = next * cosine;
+    for (ActingPulse& pulse : pulses_) {
+      a += system_.pulses[pulse.index].top * pulse.sine;
+      const double rate = system_.pulses[pulse.index].rate * next, sine = pulse.sine;
+      pulse.sine = rate * pulse.cosine;
+      pulse.cosine = -rate * sine;
+    }
+    for (const std::size_t i : touching_) {
+      const numerics::Twin force = contacts_[i].force_term(k);
+      a += system_.contacts[i].first_push * force[0];
+      a += system_.contacts[i].second_push * force[1];
+    }
+    if (sticking_ > 0) hold(k);
+    for (const std::size_t i : touching_)
+      contacts_[i].set_velocity(k + 1, at_contact(system_.contacts[i], acceleration_) * numerics::both(next));
+  }
+
+  /// Adds coefficient k of the holding forces of the contacts that stick.
+  void hold(int k) {
+    const auto count = static_cast<Eigen::Index>(sticking_);
+    if (k == 0) {
+      mobility_.resize(count, count);
+      for (Eigen::Index j = 0; j < count; ++j) {
+        for (Eigen::Index i = 0; i < count; ++i)
+          mobility_(i, j) = -tangential_row(stuck(i)).dot(tangential_push(stuck(j)).transpose());
+      }
+    }
+    contact::StickVector rest(count);
+    for (Eigen::Index j = 0; j < count; ++j)
+      rest(j) = tangential_row(stuck(j)).dot(acceleration_.transpose()) - contacts_[stuck(j)].keeping_term(k);
+    const contact::StickVector force = contact::holding_forces(mobility_, rest);
+    for (Eigen::Index j = 0; j < count; ++j) acceleration_ += force(j) * tangential_push(stuck(j));
+    for (Eigen::Index j = 0; j < count; ++j)
+      contacts_[stuck(j)].hold(k, force(j), at_contact(system_.contacts[stuck(j)], acceleration_));
+  }
+
+  /// Completes the velocities of open contacts, which their guards need.
+  void complete_contacts() {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      if (contacts_[i].mode() != contact::Mode::open) continue;
+      for (int k = 1; k < order(); ++k)
+        contacts_[i].set_velocity(k, at_contact(system_.contacts[i], series_.v(k)));
+    }
+  }
+
+  const run::ScaledSystem<N>& system_;
+  DiagonalStructure<N> structure_;
+  StateSeries<N> series_;
+  Vector acceleration_;
+  std::vector<ContactLaw> laws_;
+  std::vector<ContactSeries> contacts_;
+  std::vector<ContactJacobian> jacobians_;
+  std::vector<Creep> creeps_;
+  std::vector<char> creeping_;
+  std::vector<ContactDirections<N>> directions_;  ///< per contact
+  std::vector<std::size_t> touching_;
+  std::array<std::size_t, contact::most_sticking> stuck_{};
+  std::size_t sticking_ = 0;
+  contact::StickMobility mobility_;
+  double cosine_ = 1, sine_ = 0;
+  std::vector<ActingPulse> pulses_;
+};
+
+}  // namespace rubsweep::integrate::taylor

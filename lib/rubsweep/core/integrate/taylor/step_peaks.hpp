@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "rubsweep/core/contact/contact_mode.hpp"
+#include "rubsweep/core/integrate/run/scaled_system.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/integrate/taylor/contact_series.hpp"
+#include "rubsweep/core/integrate/taylor/expansion.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// Largest distances of points from their unloaded places, scaled.
+struct LargestDisplacements {
+  double observed = 0;  ///< of the observed point
+  double casing = 0;    ///< of any casing
+};
+
+/// Largest number of states that are looked at in a step, its ends among them.
+inline constexpr int most_peak_states = 65;
+
+/// Peaks over the first `duration_rad` of an expanded motion. `fastest` is the fastest rate of the motion per
+/// radian; `states` is scratch, which grows to most_peak_states of them.
+template <int N>
+LargestDisplacements largest_displacements(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
+                                           double fastest, double duration_rad, std::vector<double>& states);
+
+/// Largest normal force of a touching contact over the same, newtons.
+double largest_force(const ContactSeries& contact, int order, double fastest, double duration_rad);
+
+/// Takes both into the peaks of `report`; `modes` per contact.
+template <int N>
+void note_peaks(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
+                const std::vector<contact::Mode>& modes, double fastest, double duration_rad,
+                std::vector<double>& states, run::TurnReport& report) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (modes[i] == contact::Mode::open) continue;
+    report.peak_contact_force_n = std::max(
+        report.peak_contact_force_n, largest_force(motion.contact(i), motion.order(), fastest, duration_rad));
+  }
+  const auto [observed, casing] = largest_displacements(motion, system, fastest, duration_rad, states);
+  const double length_m = system.scale.length_m;
+  report.peak_displacement_m = std::max(report.peak_displacement_m, observed * length_m);
+  report.peak_casing_displacement_m = std::max(report.peak_casing_displacement_m, casing * length_m);
+}
+
+extern template LargestDisplacements largest_displacements<2>(const Expansion<2>&,
+                                                              const run::ScaledSystem<2>&, double, double,
+                                                              std::vector<double>&);
+extern template LargestDisplacements largest_displacements<4>(const Expansion<4>&,
+                                                              const run::ScaledSystem<4>&, double, double,
+                                                              std::vector<double>&);
+extern template LargestDisplacements largest_displacements<6>(const Expansion<6>&,
+                                                              const run::ScaledSystem<6>&, double, double,
+                                                              std::vector<double>&);
+extern template LargestDisplacements largest_displacements<Eigen::Dynamic>(
+    const Expansion<Eigen::Dynamic>&, const run::ScaledSystem<Eigen::Dynamic>&, double, double,
+    std::vector<double>&);
+
+}  // namespace rubsweep::integrate::taylor

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "rubsweep/core/integrate/taylor/expansion.hpp"
+#include "rubsweep/core/integrate/taylor/tangent_bundle.hpp"
+
+namespace rubsweep::integrate::taylor {
+
+/// Tangent vectors of a motion, small changes of its state, moved along its expansions. At a change of mode
+/// they go on without a jump, as the force does.
+template <int N>
+class TangentExpansion {
+ public:
+  /// Highest order: one less than the motion's, which has to be known one further.
+  static constexpr int order = TangentBundle<N, 1>::order;
+
+  explicit TangentExpansion(const run::ScaledSystem<N>& system) : together_(system), alone_(system) {}
+
+  /// One per column, as TurnRequest::tangent_vectors.
+  void begin(const Eigen::MatrixXd& tangents) { tangents_ = tangents; }
+  Eigen::Index count() const { return tangents_.cols(); }
+
+  /// Moves them over `duration_rad` of the motion as it was expanded. Each is expanded until its last two
+  /// terms are `accuracy` of its largest ones, in displacements and in rates. False, and nothing moved, where
+  /// contacts creep and the slips of a vector still have a transient of their own.
+  bool pass(Expansion<N>& motion, double duration_rad, double accuracy);
+
+  /// Sweeps for creep since the last call.
+  long take_sweeps() { return alone_.take_sweeps(); }
+
+  /// Where they are now, to be read or changed between two pieces.
+  Eigen::MatrixXd& vectors() { return tangents_; }
+  const Eigen::MatrixXd& vectors() const { return tangents_; }
+
+ private:
+  bool pass_creeping(Expansion<N>& motion, double duration_rad, double accuracy);
+
+  Eigen::MatrixXd tangents_, before_;
+  TangentBundle<N, tangents_together> together_;
+  TangentBundle<N, 1> alone_;
+};
+
+extern template class TangentExpansion<2>;
+extern template class TangentExpansion<4>;
+extern template class TangentExpansion<6>;
+extern template class TangentExpansion<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::taylor

@@ -1,0 +1,319 @@
+#include "rubsweep/core/integrate/taylor/taylor_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rubsweep/core/integrate/law/settle_slips.hpp"
+#include "rubsweep/core/integrate/run/work_bound.hpp"
+#include "rubsweep/core/integrate/taylor/joint_event.hpp"
+#include "rubsweep/core/integrate/taylor/step_length.hpp"
+#include "rubsweep/core/integrate/taylor/step_peaks.hpp"
+#include "rubsweep/core/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/core/numerics/matrix_flow.hpp"
+
+namespace rubsweep::integrate::taylor {
+namespace {
+
+using contact::Mode;
+
+constexpr double same_instant = 1e-13;  ///< radians: landings nearer than that make no progress
+constexpr int most_expansions = 4;      ///< of each piece that a turn may have
+constexpr int longest_standstill = 16;  ///< landings without progress before one is stepped over
+
+}  // namespace
+
+template <int N>
+TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& options,
+                        const SeriesOptions& series)
+    : system_(run::scale<N>(scene)),
+      dynamics_(system_, 0),
+      motion_(system_, series),
+      tangents_(system_),
+      clock_(run::TurnClock::in_radians(scene, system_.scale)),
+      structure_rate_(
+          numerics::dense::spectral_radius(numerics::generator_of(system_.stiffness, system_.damping))),
+      creep_(series.creep_above),
+      max_steps_(run::most_pieces_of_a_turn(options)),
+      state_(run::scaled_initial_state(scene)),
+      rate_(state_.size()),
+      probe_(state_.size()),
+      states_(static_cast<std::size_t>(most_peak_states) * state_.size()),
+      zeros_(system_.contacts.size()) {
+  dynamics_.follow(clock_.pulses());
+}
+
+template <int N>
+void TaylorRun<N>::resume(std::span<const double> section, long revolution) {
+  std::copy(section.begin(), section.end(), state_.begin());
+  revolution_ = revolution;
+  entered_ = false;
+}
+
+template <int N>
+run::Outcome TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report,
+                                   double end_phase) {
+  report.clear();
+  ask(request);
+  if (samples_wanted_ > 0) report.samples.resize(static_cast<std::size_t>(samples_wanted_) * state_.size());
+  clock_.begin_turn(revolution_, end_phase);
+  if (!entered_) enter_by_state();
+  entered_ = true;
+  begin_tangents(request.tangent_vectors, request.tangent_accuracy);
+  run::Outcome ending = run::Outcome::ok;
+  while (ending == run::Outcome::ok && !clock_.turn_is_over()) {
+    if (clock_.impulse_is_due()) apply_impulses(report);
+    ending = go_on(report);
+  }
+  return end(report, ending);
+}
+
+template <int N>
+void TaylorRun<N>::ask(const run::TurnRequest& request) {
+  samples_wanted_ = request.samples_per_revolution;
+  peaks_wanted_ = request.peaks;
+  switches_wanted_ = request.switches;
+  standstill_ = 0;
+  creep_.begin_turn();
+  step_limit_ = effort_.steps + max_steps_;
+  expansion_limit_ = expansions_ + most_expansions * max_steps_;
+}
+
+template <int N>
+void TaylorRun<N>::begin_tangents(const Eigen::MatrixXd& vectors, double accuracy) {
+  tangents_.begin(vectors);
+  if (tangents_.count() == 0) return;
+  project_tangents();
+  tangent_accuracy_ = accuracy;
+  longest_of_tangents_ = longest_times_fastest_of_tangents(accuracy);
+}
+
+template <int N>
+void TaylorRun<N>::join(const run::TurnRequest& request, long revolution, double phase_rad,
+                        std::span<const double> state, const std::vector<contact::Mode>& modes,
+                        const Eigen::MatrixXd& tangent_vectors) {
+  ask(request);
+  revolution_ = revolution;
+  clock_.begin_turn(revolution_);
+  clock_.go_to(phase_rad);
+  clock_.change_pulses();
+  std::copy(state.begin(), state.end(), state_.begin());
+  dynamics_.modes() = modes;
+  zeros_.clear();
+  law::enter_slips_by_state(dynamics_, state_, rate_, clock_.time());
+  entered_ = true;
+  begin_tangents(tangent_vectors, request.tangent_accuracy);
+}
+
+template <int N>
+run::Outcome TaylorRun<N>::end(run::TurnReport& report, run::Outcome ending) {
+  report.effort = effort_;
+  if (ending != run::Outcome::ok) return ending;
+  ++revolution_;
+  report.section = state_;
+  // The steps of a turn add up to it but for rounding.
+  report.contact_fraction = std::min(1.0, report.contact_fraction);
+  report.touching_at_end =
+      std::ranges::any_of(dynamics_.modes(), [](Mode mode) { return mode != Mode::open; });
+  if (tangents_.count() > 0)
+    report.tangent_vectors.fill(static_cast<Eigen::Index>(state_.size()), tangents_.count()) =
+        tangents_.vectors();
+  return ending;
+}
+
+/// Modes by the state alone.
+template <int N>
+void TaylorRun<N>::enter_by_state() {
+  clock_.change_pulses();
+  const double phase = clock_.time();
+  std::ranges::fill(dynamics_.modes(), Mode::open);
+  zeros_.clear();
+  dynamics_(state_, rate_, phase);
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) dynamics_.enter_by_state(i, state_, rate_);
+  law::enter_slips_by_state(dynamics_, state_, rate_, phase);
+}
+
+/// Projects tangent vectors onto the sticking constraint: friction undoes any slip at once.
+template <int N>
+void TaylorRun<N>::project_tangents() {
+  if (tangents_.count() > 0 && sticks()) dynamics_.keep_sticking(state_, tangents_.vectors());
+}
+
+template <int N>
+double TaylorRun<N>::longest_step(double fastest) const {
+  if (tangents_.count() == 0) return longest_times_fastest / fastest;
+  return longest_of_tangents_ / (fastest + 2 * fastest_normal(motion_, dynamics_.modes()));
+}
+
+template <int N>
+run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
+  if (dynamics_.unsettled()) return run::Outcome::friction_unsettled;
+  clock_.change_pulses();
+  creep_.end(motion_, dynamics_);
+  expand(state_);
+  ++effort_.steps;
+  const double fastest = fastest_rate(structure_rate_, motion_, dynamics_.modes());
+  const double boundary = clock_.next_boundary(), left = boundary - clock_.time();
+  double ratio = friction_ratio(motion_, dynamics_, state_);
+  const bool creeps = try_creep(fastest, ratio);
+  if (creeps) ratio = friction_ratio(motion_, dynamics_, state_);
+  double wanted = motion_.series().converged_rad(longest_step(fastest * std::max(1.0, ratio)));
+  if (creeps) wanted = std::min(wanted, creep_.known_rad());
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+    wanted = guards_converged_rad(motion_.contact(i), motion_.order(), motion_.accuracy(), wanted);
+  if (!(wanted > 0)) return run::Outcome::non_finite;
+  if (standstill_ >= longest_standstill) {
+    // Without progress a landing is not repeated: its instant is stepped over.
+    const double instant = std::min(same_instant, left);
+    take(report, fastest, instant, instant < left ? clock_.time() + instant : boundary);
+    switch_modes(report, {});
+    standstill_ = 0;
+    return run::Outcome::ok;
+  }
+  const bool limited = wanted >= left;
+  double duration = limited ? left : wanted;
+  const JointEvent event = first_event(motion_, dynamics_, zeros_.terms(), duration);
+  const bool cut = event.share < 1 || event.contact;
+  duration *= event.share;
+  if (!take(report, fastest, duration,
+            cut       ? clock_.time() + duration
+            : limited ? boundary
+                      : clock_.time() + duration)) {
+    creep_.wait();
+    --effort_.steps;
+    return step(report);
+  }
+  if (creeps) ++effort_.creep_pieces;
+  if (!std::isfinite(state_[0])) return run::Outcome::non_finite;
+  standstill_ = duration > same_instant ? 0 : standstill_ + 1;
+  if (event.contact) switch_modes(report, event);
+  return run::Outcome::ok;
+}
+
+template <int N>
+void TaylorRun<N>::expand(const std::vector<double>& state) {
+  ++expansions_;
+  ++effort_.taylor_work;
+  motion_.expand(state.data(), clock_.time(), clock_.pulses(), dynamics_.modes(), dynamics_.slips());
+}
+
+/// Expands anew with contacts that creep, or leaves the expansion as it is.
+template <int N>
+bool TaylorRun<N>::try_creep(double fastest, double ratio) {
+  if (standstill_ > 0 || !creep_.due(ratio)) return false;
+  return creep_.begin(
+      motion_, dynamics_, [this](const std::vector<double>& state) { expand(state); }, state_, probe_,
+      longest_step(fastest), longest_step(fastest * ratio));
+}
+
+/// Moves on by `duration` within the modes of the expansion, and takes the peaks and samples asked for.
+/// False, and nothing done, where contacts creep and tangent vectors do not yet.
+template <int N>
+bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
+  const bool moved = tangents_.pass(motion_, duration, tangent_accuracy_);
+  effort_.taylor_work +=
+      run::share_of_a_tangent * static_cast<double>(tangents_.count() + tangents_.take_sweeps());
+  if (!moved) return false;
+  put_samples(report, end_phase);
+  watch(report, fastest, duration);
+  motion_.series().put_state(duration, state_.data());
+  clock_.go_to(end_phase);
+  zeros_.clear();
+  return true;
+}
+
+template <int N>
+void TaylorRun<N>::put_samples(run::TurnReport& report, double end_phase) {
+  const auto due = [this](int k) { return numerics::full_turn * k / samples_wanted_; };
+  const int first = report.sample_count;
+  int& next = report.sample_count;
+  while (next < samples_wanted_ && due(next) < end_phase) ++next;
+  motion_.series().put_states(
+      next - first, [&](int i) { return due(first + i) - clock_.time(); },
+      report.samples.data() + static_cast<std::size_t>(first) * state_.size());
+}
+
+template <int N>
+void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duration) {
+  bool touching = false;
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    if (dynamics_.modes()[i] == Mode::open) continue;
+    touching = true;
+    if (motion_.law(i).friction.constant != 0 && !report.slip_reversed)
+      report.slip_reversed = slip_reverses(motion_.contact(i), motion_.order(), duration);
+  }
+  if (touching) {
+    report.touched = true;
+    report.contact_fraction += duration / numerics::full_turn;
+  }
+  if (peaks_wanted_) note_peaks(motion_, system_, dynamics_.modes(), fastest, duration, states_, report);
+}
+
+template <int N>
+void TaylorRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from) {
+  ++effort_.switches;
+  report.add({clock_.time(), static_cast<int>(i), from, dynamics_.modes()[i]}, switches_wanted_);
+}
+
+/// The force is continuous across the switch of a mode: one rate holds on both sides of it.
+template <int N>
+void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event) {
+  clock_.change_pulses();
+  dynamics_(state_, rate_, clock_.time());
+  if (event.slip) {
+    ++effort_.switches;
+    if (*event.slip == contact::Slip::sticking) {
+      stop_slip(*event.contact);
+    } else {
+      zeros_.let_go(dynamics_, *event.contact, *event.slip, state_, probe_, clock_.time());
+    }
+  }
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    const auto& c = system_.contacts[i];
+    Mode& mode = dynamics_.modes()[i];
+    const Mode from = mode;
+    const contact::Kinematics kinematics = dynamics_.kinematics(i, state_, rate_);
+    if (event.contact == i && !event.slip) mode = contact::mode_through(from, event.next, kinematics);
+    mode = contact::mode_after(mode, c.stiffness, c.damping, kinematics);
+    if (mode == from) continue;
+    note_switch(report, i, from);
+    if (mode == Mode::open && dynamics_.any_poised()) settle_poised();
+    if (from != Mode::open || !dynamics_.touches_dry(i)) continue;
+    law::take_slip_of_state(dynamics_, i, state_);
+    if (dynamics_.slips()[i] == contact::Slip::sticking) stop_slip(i);
+  }
+}
+
+/// Handles the zero of the slip of contact `i`; `rate_` is that before it was.
+template <int N>
+void TaylorRun<N>::stop_slip(std::size_t i) {
+  zeros_.stop(dynamics_, i, state_, probe_, clock_.time());
+  dynamics_(state_, probe_, clock_.time());
+  if (tangents_.count() > 0) law::cross_slip(dynamics_, i, state_, rate_, probe_, tangents_.vectors());
+  std::swap(rate_, probe_);
+}
+
+/// A contact that may have kept others standing is open.
+template <int N>
+void TaylorRun<N>::settle_poised() {
+  law::settle_slips(dynamics_, state_, probe_, clock_.time(), [](std::size_t) { return false; });
+  dynamics_(state_, rate_, clock_.time());
+}
+
+/// Applies all impulses of this instant. They shift the state by constants: tangent vectors do not change.
+template <int N>
+void TaylorRun<N>::apply_impulses(run::TurnReport& report) {
+  while (clock_.impulse_is_due()) run::add_impulse(clock_.take_impulse(), system_.scale, state_);
+  modes_before_ = dynamics_.modes();
+  enter_by_state();
+  project_tangents();
+  for (std::size_t i = 0; i < modes_before_.size(); ++i) {
+    if (dynamics_.modes()[i] != modes_before_[i]) note_switch(report, i, modes_before_[i]);
+  }
+}
+
+template class TaylorRun<2>;
+template class TaylorRun<4>;
+template class TaylorRun<6>;
+template class TaylorRun<Eigen::Dynamic>;
+
+}  // namespace rubsweep::integrate::taylor

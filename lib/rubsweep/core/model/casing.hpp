@@ -1,0 +1,21 @@
+#pragma once
+
+#include "rubsweep/core/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Casing of one stop, free to move in x and y on an isotropic mount. A stop without one is rigid and has no
+/// state.
+struct Casing {
+  double mass_kg = required;
+  double stiffness_n_per_m = required;  ///< mount stiffness, the same in x and y
+  double damping_ratio = required;      ///< of the mount: c / (2 sqrt(k m))
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("mass_kg", self.mass_kg, positive);
+    visit("stiffness_n_per_m", self.stiffness_n_per_m, positive);
+    visit("damping_ratio", self.damping_ratio, not_negative);
+  }
+};
+
+}  // namespace rubsweep::model

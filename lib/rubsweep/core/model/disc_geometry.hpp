@@ -1,0 +1,36 @@
+#pragma once
+
+#include <numbers>
+
+#include "rubsweep/core/model/physical_range.hpp"
+#include "rubsweep/core/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Cylinder with a bore, of one material: what a disc may be given by.
+struct DiscGeometry {
+  double outer_diameter_m = required;
+  double inner_diameter_m = 0;
+  double width_m = required;
+  double density_kg_per_m3 = required;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("outer_diameter_m", self.outer_diameter_m, physical::diameter_m);
+    visit("inner_diameter_m", self.inner_diameter_m, physical::hole_m);
+    visit("width_m", self.width_m, physical::length_m);
+    visit("density_kg_per_m3", self.density_kg_per_m3, physical::density_kg_per_m3);
+  }
+
+  double mass_kg() const {
+    return density_kg_per_m3 * width_m * std::numbers::pi / 4 *
+           (outer_diameter_m * outer_diameter_m - inner_diameter_m * inner_diameter_m);
+  }
+  double polar_inertia_kg_m2() const {
+    return mass_kg() / 8 * (outer_diameter_m * outer_diameter_m + inner_diameter_m * inner_diameter_m);
+  }
+  double diametral_inertia_kg_m2() const {
+    return polar_inertia_kg_m2() / 2 + mass_kg() * width_m * width_m / 12;
+  }
+};
+
+}  // namespace rubsweep::model

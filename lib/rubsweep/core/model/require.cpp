@@ -1,0 +1,18 @@
+#include "rubsweep/core/model/require.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/model/magnitude.hpp"
+
+namespace rubsweep::model {
+
+void require(const std::string& path, double value, const Range& range) {
+  if (contains(range, value)) return;
+  if (std::isnan(value)) throw ConfigError(fmt::format("{}: missing, allowed: {}", path, describe(range)));
+  throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range, value)));
+}
+
+}  // namespace rubsweep::model

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "rubsweep/core/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Problem of the numbers of one part together, each of which is in its range.
+struct PartProblem {
+  const char* key = nullptr;      ///< the one to blame
+  const char* wrong = nullptr;    ///< finishes a sentence about it
+  const char* allowed = nullptr;  ///< finishes "allowed: "
+};
+
+/// Throws ConfigError that names the key `path` where `value` is missing (NaN) or outside of the range.
+void require(const std::string& path, double value, const Range& range);
+
+}  // namespace rubsweep::model

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "rubsweep/core/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Part of a rolling bearing that is damaged.
+enum class BearingDefect { outer_race, inner_race, ball, cage };
+
+/// Rolling bearing whose outer race stands still while the inner one turns with the shaft.
+struct RollingBearing {
+  double pitch_diameter_m = required;
+  double ball_diameter_m = required;
+  double balls = required;
+  double contact_angle_deg = 0;
+
+  static constexpr double most_balls = 1000;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("pitch_diameter_m", self.pitch_diameter_m, positive);
+    visit("ball_diameter_m", self.ball_diameter_m, positive);
+    visit("balls", self.balls, Range{.low = 1, .high = most_balls});
+    visit("contact_angle_deg", self.contact_angle_deg, Range{.low = 0, .high = 90, .high_open = true});
+  }
+};
+
+/// How often a defect is rolled over per revolution of the shaft, from rolling without slip; with g the share
+/// of the ball in the pitch diameter times the cosine of the contact angle: of n balls n (1 - g) / 2 on the
+/// outer race and n (1 + g) / 2 on the inner one; twice for each turn of the ball about itself, once for each
+/// of the cage, (1 - g) / 2 (Harris, Rolling Bearing Analysis, 4th edition, 2001, section 25). Needs
+/// ball_diameter_m < pitch_diameter_m.
+double strikes_per_revolution(const RollingBearing& bearing, BearingDefect defect);
+
+}  // namespace rubsweep::model

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "rubsweep/core/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Jeffcott rotor: one disc in the middle of a massless isotropic shaft, with the displacement z = x + iy and
+/// m z'' + c z' + k z = forces. (Ishibashi & Kawai, section 3; the lowest bending frequency is their
+/// epsilon_L.)
+struct JeffcottRotor {
+  double mass_kg = required;
+  double natural_frequency_hz = required;  ///< undamped, sqrt(k/m)/(2 pi)
+  double damping_ratio = required;         ///< c / (2 sqrt(k m)); 0 and values above 1 are allowed
+  /// The same of the damping that turns with the shaft, in its material and its joints: with c_r = this
+  /// 2 sqrt(k m) it forces -c_r (z' - i w z). Above the speed sqrt(k/m) (1 + damping_ratio / this) the shaft
+  /// whirls up by itself.
+  double rotating_damping_ratio = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("mass_kg", self.mass_kg, positive);
+    visit("natural_frequency_hz", self.natural_frequency_hz, positive);
+    visit("damping_ratio", self.damping_ratio, not_negative);
+    visit("rotating_damping_ratio", self.rotating_damping_ratio, not_negative);
+  }
+};
+
+}  // namespace rubsweep::model

@@ -1,0 +1,228 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "rubsweep/core/model/physical_range.hpp"
+#include "rubsweep/core/model/range.hpp"
+#include "rubsweep/core/model/shaft_segment.hpp"
+#include "rubsweep/core/model/support.hpp"
+
+namespace rubsweep::model {
+
+struct ShaftMatrices;
+
+/// Rigid disc on the shaft. Its unbalance is given per metre of the cell's eccentricity e: the centre of mass
+/// stands eccentricity_ratio * e off the shaft's axis, the axis of inertia leans by skew_rad_per_m * e.
+/// Phases count from the mark on the shaft that every disc and the bow share, in the direction of rotation.
+struct Disc {
+  double position_m = required;
+  double mass_kg = required;
+  double polar_inertia_kg_m2 = required;
+  double diametral_inertia_kg_m2 = required;
+  double eccentricity_ratio = 1;
+  double eccentricity_phase_deg = 0;
+  double skew_rad_per_m = 0;
+  double skew_phase_deg = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, not_negative);
+    visit("mass_kg", self.mass_kg, physical::mass_kg);
+    visit("polar_inertia_kg_m2", self.polar_inertia_kg_m2, physical::inertia_kg_m2);
+    visit("diametral_inertia_kg_m2", self.diametral_inertia_kg_m2, physical::inertia_kg_m2);
+    visit("eccentricity_ratio", self.eccentricity_ratio, physical::per_eccentricity);
+    visit("eccentricity_phase_deg", self.eccentricity_phase_deg, any_finite);
+    visit("skew_rad_per_m", self.skew_rad_per_m, physical::per_eccentricity);
+    visit("skew_phase_deg", self.skew_phase_deg, any_finite);
+  }
+};
+
+/// Mass on the shaft that is small enough to have no inertia against tilting.
+struct PointMass {
+  double position_m = required;
+  double mass_kg = required;
+  std::optional<double> mass_y_kg = std::nullopt;  ///< of the motion in y, where it is another than in x
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, not_negative);
+    visit("mass_kg", self.mass_kg, physical::mass_kg);
+    visit("mass_y_kg", self.mass_y_kg, physical::mass_kg);
+  }
+};
+
+/// Body beside the shaft that moves in x and y, held by supports alone.
+struct Housing {
+  double mass_kg = required;
+  std::optional<double> mass_y_kg = std::nullopt;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("mass_kg", self.mass_kg, physical::moving_mass_kg);
+    visit("mass_y_kg", self.mass_y_kg, physical::moving_mass_kg);
+  }
+};
+
+/// Elastic joint that cuts the shaft at an inner station into two ends. Its halves may be bored off their
+/// centres: without load, the axis of the end behind it stands parallel_offset_m beside that of the end
+/// before it and leans by angular_offset_rad. Both turn with the shaft, their phases count from its mark. The
+/// machine behind it may stand out of line: the axis of its bearings stands parallel_misalignment_m beside
+/// that of the machine before it, and leans by angular_misalignment_rad, in a direction that does not turn.
+/// Displacements on either side count from the axis of that side. A coupling whose stiffness is k (1 + ratio)
+/// along the stiff axis, which turns with the shaft, and k (1 - ratio) across it then forces twice per
+/// revolution.
+struct Coupling {
+  static constexpr Range asymmetry_range{.low = 0, .high = 0.3};  ///< the force is one to first order
+
+  double position_m = required;
+  double lateral_stiffness_n_per_m = required;
+  double angular_stiffness_nm_per_rad = required;
+  double parallel_offset_m = 0;
+  double parallel_phase_deg = 0;
+  double angular_offset_rad = 0;
+  double angular_phase_deg = 0;
+  double parallel_misalignment_m = 0;
+  double parallel_misalignment_angle_deg = 0;  ///< from +x towards +y
+  double angular_misalignment_rad = 0;
+  double angular_misalignment_angle_deg = 0;
+  double lateral_asymmetry_ratio = 0;
+  double angular_asymmetry_ratio = 0;
+  double stiff_axis_phase_deg = 0;  ///< from the mark on the shaft
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, positive);
+    visit("lateral_stiffness_n_per_m", self.lateral_stiffness_n_per_m, physical::holding_stiffness);
+    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, physical::holding_stiffness);
+    visit("parallel_offset_m", self.parallel_offset_m, physical::amplitude_m);
+    visit("parallel_phase_deg", self.parallel_phase_deg, any_finite);
+    visit("angular_offset_rad", self.angular_offset_rad, physical::tilt_rad);
+    visit("angular_phase_deg", self.angular_phase_deg, any_finite);
+    visit("parallel_misalignment_m", self.parallel_misalignment_m, physical::amplitude_m);
+    visit("parallel_misalignment_angle_deg", self.parallel_misalignment_angle_deg, any_finite);
+    visit("angular_misalignment_rad", self.angular_misalignment_rad, physical::tilt_rad);
+    visit("angular_misalignment_angle_deg", self.angular_misalignment_angle_deg, any_finite);
+    visit("lateral_asymmetry_ratio", self.lateral_asymmetry_ratio, asymmetry_range);
+    visit("angular_asymmetry_ratio", self.angular_asymmetry_ratio, asymmetry_range);
+    visit("stiff_axis_phase_deg", self.stiff_axis_phase_deg, any_finite);
+  }
+};
+
+/// Force on the shaft that does not change.
+struct StaticLoad {
+  double position_m = required;
+  double force_x_n = 0;
+  double force_y_n = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, not_negative);
+    visit("force_x_n", self.force_x_n, physical::force_n);
+    visit("force_y_n", self.force_y_n, physical::force_n);
+  }
+};
+
+/// Residual bow: deviation of the shaft's axis from a straight line without any load, turning with the shaft.
+/// The cell's unbalance is scaled, the bow is not.
+struct BowPoints {  ///< the least bent line through these points
+  std::vector<double> position_m;
+  std::vector<double> deflection_m;
+};
+struct BowMode {  ///< the shape of a mode of the shaft on its supports, 1 the lowest
+  int mode = 1;
+  double amplitude_m = required;  ///< its largest deflection
+};
+struct Bow {
+  std::variant<BowPoints, BowMode> shape;
+  double phase_deg = 0;
+};
+
+/// One degree of freedom of torsion: the whole rotor against a drive that turns at constant speed.
+struct Torsion {
+  double drive_stiffness_nm_per_rad = required;
+  double drive_damping_nms_per_rad = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("drive_stiffness_nm_per_rad", self.drive_stiffness_nm_per_rad, physical::holding_stiffness);
+    visit("drive_damping_nms_per_rad", self.drive_damping_nms_per_rad, physical::damping);
+  }
+};
+
+/// Proximity probe: displacement of the shaft at `position_m` along the direction `angle_deg`.
+struct Sensor {
+  double position_m = required;
+  double angle_deg = 0;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("position_m", self.position_m, not_negative);
+    visit("angle_deg", self.angle_deg, any_finite);
+  }
+};
+
+/// Shaft line made of stations: Timoshenko beam segments with discs, supports and couplings. Or matrices of
+/// another program in place of shaft, discs, point masses, housings and couplings, and of what supports they
+/// hold; these exclude a bow and torsion, and stops, sensors, loads and supports stand at their nodes.
+struct RotorKit {
+  std::shared_ptr<const ShaftMatrices> matrices;
+  std::vector<ShaftSegment> shaft;
+  std::vector<Disc> discs;
+  std::vector<Support> supports;
+  std::vector<PointMass> point_masses;
+  std::vector<Housing> housings;
+  std::vector<Coupling> couplings;
+  std::vector<StaticLoad> static_loads;
+  std::optional<Bow> bow;
+  std::optional<Torsion> torsion;
+  std::vector<Sensor> sensors;
+  std::vector<double> damping_ratio{0};  ///< structural, of mode 1, 2, ...; the last one goes on
+  /// The same for the damping that turns with the shaft; without pedestals, which do not.
+  std::vector<double> rotating_damping_ratio{0};
+  double mass_damping_per_s = 0;  ///< damping of shaft, discs and point masses: so many times their mass
+  /// Whether clearances and displacements count from where weight and static loads leave the shaft, and not
+  /// from its axis without load.
+  bool clearances_from_sag = false;
+  std::optional<int> modes;      ///< bending modes kept in each plane; empty: as many as it takes
+  double modes_up_to_hz = 2000;  ///< up to where the reduced rotor answers as the full one
+  int elements = 24;             ///< least number of beam elements along the whole shaft
+
+  static constexpr Range damping_ratio_range{.low = 0, .high = 1};
+  static constexpr int most_modes = 40;
+  static constexpr int most_elements = 400;
+  static constexpr int most_parts = 400;  ///< of each list
+};
+
+/// True when the supports leave the shaft, taken as rigid, and the housings no free motion in the plane of x
+/// (0) or y (1).
+bool supports_hold(const RotorKit& kit, int plane);
+
+/// Sum of the lengths of the segments, or the place of the last node of the matrices.
+double shaft_length_m(const RotorKit& kit);
+
+/// Whether some damping turns with the shaft.
+bool has_rotating_damping(const RotorKit& kit);
+
+/// Whether some coupling joins its two ends out of line, as they turn.
+bool has_misalignment(const RotorKit& kit);
+
+/// Whether some coupling joins machines that stand out of line.
+bool has_standing_misalignment(const RotorKit& kit);
+
+/// Whether a coupling is not equally stiff all around.
+bool is_asymmetric(const Coupling& coupling);
+
+/// Whether the coefficients of some support follow a table.
+bool has_tables(const RotorKit& kit);
+
+/// Speeds that the tables of all supports have in common; low above high where they have none.
+Range table_speeds_hz(const RotorKit& kit);
+
+/// Whether some support has a housing with a mass of its own.
+bool has_pedestals(const RotorKit& kit);
+
+/// Allowed places of a coupling: off both ends, so that there is shaft on either side of it.
+Range coupling_places(const RotorKit& kit);
+
+/// Throws ConfigError naming the first number that is missing or out of range, or a part that is not on the
+/// shaft. `path` opens every message, e.g. "rotor.".
+void validate(const RotorKit& kit, const std::string& path);
+
+}  // namespace rubsweep::model

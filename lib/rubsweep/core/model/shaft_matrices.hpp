@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/core/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Direction of a degree of freedom: displacement along x or y in metres, angle about x or y in radians by
+/// the right hand, so that a shaft along z that bends as x(z) turns its cross-section by dx/dz about y, and
+/// by -dy/dz about x.
+enum class Direction { x, y, rx, ry };
+
+constexpr std::string_view to_string(Direction direction) {
+  constexpr std::array<std::string_view, 4> words{"x", "y", "rx", "ry"};
+  return words[static_cast<std::size_t>(direction)];
+}
+
+/// One row and column of a rotor's matrices.
+struct DegreeOfFreedom {
+  std::string node;
+  Direction direction = Direction::x;
+  std::optional<double> position_m;  ///< along the shaft; empty: of a body beside it
+  /// Gravity g along -y forces -g times this; of a direction rx in kg m. Empty: what the mass matrix says.
+  std::optional<double> weight_kg;
+};
+
+/// Mass at a node whose centre stands eccentricity_ratio times the cell's eccentricity off the shaft's axis.
+struct NodeUnbalance {
+  std::string node;
+  double mass_kg = required;
+  double eccentricity_ratio = 1;
+  double phase_deg = 0;  ///< from the mark on the shaft, in the direction of rotation
+};
+
+/// Matrices of a rotor by another program: mass q'' + (damping + w gyroscopic) q' + stiffness q = forces at
+/// the speed w in rad/s, each n x n in SI units. At least one of the n degrees of freedom is on the shaft.
+struct ShaftMatrices {
+  std::vector<DegreeOfFreedom> degrees_of_freedom;  ///< n
+  Eigen::MatrixXd mass, damping, gyroscopic, stiffness;
+  /// n, kg per metre of eccentricity e: forces Re(e w^2 unbalance_kg e^{i w t}). NaN where the other plane
+  /// says it.
+  Eigen::VectorXcd unbalance_kg;
+  std::vector<NodeUnbalance> unbalance;  ///< beside unbalance_kg
+
+  static constexpr std::size_t most_degrees_of_freedom = 2000;
+};
+
+/// Place of the last node on the shaft.
+double shaft_length_m(const ShaftMatrices& matrices);
+
+/// Masses times the eccentricities of their centres per eccentricity of a cell, summed up without their
+/// phases.
+double unbalanced_mass_kg(const ShaftMatrices& matrices);
+
+/// Mass of the nodes on the shaft: what gravity pulls along y.
+double rotor_mass_kg(const ShaftMatrices& matrices);
+
+/// Weight along each degree of freedom: as given, else the force by which the mass matrix resists a common
+/// acceleration along y.
+Eigen::VectorXd weight_kg(const ShaftMatrices& matrices);
+
+/// Throws ConfigError where a length does not fit the number of degrees of freedom, a number is not finite or
+/// out of range, two degrees of freedom are the same, or none is on the shaft. `path` opens every message.
+void validate(const ShaftMatrices& matrices, const std::string& path);
+
+}  // namespace rubsweep::model

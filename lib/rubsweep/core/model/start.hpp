@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rubsweep/core/model/range.hpp"
+
+namespace rubsweep::model {
+
+/// Position and velocity of a body. A number that is not given stays as on the quiet whirl, or as at rest
+/// where that reaches a wall.
+struct BodyState {
+  std::optional<double> x_m{}, y_m{};  ///< from the unloaded position
+  std::optional<double> vx_m_per_s{}, vy_m_per_s{};
+
+  static void visit_fields(auto& self, auto&& visit) {
+    constexpr Range displacement{.low = -1e2, .high = 1e2}, velocity{.low = -1e6, .high = 1e6};
+    visit("x_m", self.x_m, displacement);
+    visit("y_m", self.y_m, displacement);
+    visit("vx_m_per_s", self.vx_m_per_s, velocity);
+    visit("vy_m_per_s", self.vy_m_per_s, velocity);
+  }
+};
+
+/// The state in which runs begin, t = 0 being the instant of smallest gap at the first stop.
+struct Start {
+  BodyState rotor{};
+  std::vector<std::optional<BodyState>> casings{};  ///< by their stops; those that are not there: none given
+  /// Everything stands where no force has moved it, whatever is given above. The mark of the shaft is along
+  /// +x at t = 0, and all forces act from then on.
+  bool at_rest = false;
+};
+
+/// Whether there is a start, and it is the one at rest.
+inline bool begins_at_rest(const std::optional<Start>& start) { return start && start->at_rest; }
+
+}  // namespace rubsweep::model

@@ -1,0 +1,208 @@
+#include "rubsweep/core/numerics/polynomial_root.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "rubsweep/core/numerics/twin.hpp"
+
+namespace rubsweep::numerics {
+namespace {
+
+constexpr std::size_t most = most_degree + 1;
+constexpr double resolution = 0x1p-44;
+/// Terms tried first: in a long power series the last ones are small, and the first decide nearly always.
+constexpr std::size_t first_terms = 13, worth_while = 20;
+
+/// Bernstein coefficients over an interval; the first `count` are in use.
+struct Hull {
+  std::array<double, most> b;
+  std::size_t count = 0;
+};
+
+/// 1 / binomial(n, k), row by row.
+constexpr auto inverse_binomials = [] {
+  std::array<std::array<double, most>, most> table{};
+  for (std::size_t n = 0; n < most; ++n) {
+    double binomial = 1;
+    for (std::size_t k = 0; k <= n; ++k) {
+      table[n][k] = 1 / binomial;
+      binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
+    }
+  }
+  return table;
+}();
+
+/// b_i = sum_k binomial(i, k) / binomial(n, k) c_k: all weights lie between 0 and 1.
+Hull hull_of(std::span<const double> c) {
+  Hull hull;
+  hull.count = c.size();
+  const auto& weights = inverse_binomials[c.size() - 1];
+  for (std::size_t k = 0; k < c.size(); ++k) hull.b[k] = c[k] * weights[k];
+  for (std::size_t level = 1; level < c.size(); ++level) {
+    for (std::size_t i = c.size() - 1; i >= level; --i) hull.b[i] += hull.b[i - 1];
+  }
+  return hull;
+}
+
+/// De Casteljau at the middle.
+std::pair<Hull, Hull> halves(const Hull& hull) {
+  Hull left, right, row = hull;
+  left.count = right.count = hull.count;
+  for (std::size_t level = 0; level < hull.count; ++level) {
+    left.b[level] = row.b[0];
+    right.b[hull.count - 1 - level] = row.b[hull.count - 1 - level];
+    for (std::size_t i = 0; i + 1 < hull.count - level; ++i) row.b[i] = (row.b[i] + row.b[i + 1]) / 2;
+  }
+  return {left, right};
+}
+
+/// Changes between below zero and not below it, counted up to two.
+int sign_changes(const Hull& hull) {
+  int changes = 0;
+  for (std::size_t i = 1; i < hull.count && changes < 2; ++i)
+    changes += (hull.b[i - 1] < 0) != (hull.b[i] < 0);
+  return changes;
+}
+
+/// The parabola that fits a polynomial at one place: its value, its derivative and half of the second one.
+struct Parabola {
+  double value = 0, slope = 0, bend = 0;
+};
+
+Parabola parabola_at(std::span<const double> c, double x) {
+  Parabola at;
+  for (std::size_t k = c.size(); k-- > 0;) {
+    at.bend = at.bend * x + at.slope;
+    at.slope = at.slope * x + at.value;
+    at.value = at.value * x + c[k];
+  }
+  return at;
+}
+
+double halley_step(const Parabola& at) {
+  return -at.value * at.slope / (at.slope * at.slope - at.value * at.bend);
+}
+
+/// Start near the one root between `low` and `high`: zero of the chord between their values by the first
+/// terms, which cost half as much as all of them.
+double near_root(std::span<const double> c, double low, double high, double at_low, double at_high) {
+  double x = low + (high - low) * (at_low / (at_low - at_high));
+  for (int i = 0; i < 2 && c.size() >= worth_while; ++i)
+    x += halley_step(parabola_at(c.first(first_terms), x));
+  return x > low && x < high ? x : (low + high) / 2;
+}
+
+/// The one root between `low`, where the polynomial is below zero, and `high`, by Halley's iteration.
+double refine(std::span<const double> c, double low, double high, double at_low, double at_high) {
+  constexpr int most_iterations = 80;
+  // Size of a step, relative to the root and the change of the slope, below which only rounding is left.
+  constexpr double small = 0x1p-20;
+  double x = near_root(c, low, high, at_low, at_high);
+  for (int i = 0; i < most_iterations; ++i) {
+    const Parabola at = parabola_at(c, x);
+    (at.value < 0 ? low : high) = x;
+    const double halley = x + halley_step(at);
+    const double next = halley > low && halley < high ? halley : (low + high) / 2;
+    const double step = std::abs(next - x);
+    if (step <= 0x1p-53 * x || !(low < high)) return next;
+    if (next == halley && step <= small * x && step * std::abs(at.bend) <= small * std::abs(at.slope))
+      return next;
+    x = next;
+  }
+  return x;
+}
+
+/// First rise in [low, low + width]. An interval begins with the very number that the one before ended with,
+/// so that no rise is lost between two of them.
+std::optional<double> search(std::span<const double> c, const Hull& hull, double low, double width) {
+  const bool starts_below = hull.b[0] < 0, ends_below = hull.b[hull.count - 1] < 0;
+  const int changes = sign_changes(hull);
+  if (changes == 0) return std::nullopt;
+  if (changes == 1) {
+    if (!starts_below) return std::nullopt;
+    return refine(c, low, low + width, hull.b[0], hull.b[hull.count - 1]);
+  }
+  if (width < resolution) return starts_below && !ends_below ? std::optional(low + width) : std::nullopt;
+  const auto [left, right] = halves(hull);
+  if (const auto found = search(c, left, low, width / 2)) return found;
+  return search(c, right, low + width / 2, width / 2);
+}
+
+/// Sum of the positive terms. No sum of two waits for another one.
+double sum_of_positive(std::span<const double> c) {
+  const Twin zero{};
+  Twin sums[2]{};
+  std::size_t k = 0;
+  for (; k + 4 <= c.size(); k += 4) {
+    sums[0] += larger(zero, load(&c[k]));
+    sums[1] += larger(zero, load(&c[k + 2]));
+  }
+  sums[0] += sums[1];
+  double sum = sums[0][0] + sums[0][1];
+  for (; k < c.size(); ++k) sum += std::max(0.0, c[k]);
+  return sum;
+}
+
+/// Whether the polynomial is below zero by the Bernstein form of its first terms and a bound of the others: a
+/// hull costs the square of the degree.
+bool low_part_negative(std::span<const double> c) {
+  if (c.size() < worth_while) return false;
+  const double rest = sum_of_positive(c.subspan(first_terms));
+  const Hull hull = hull_of(c.first(first_terms));
+  return *std::max_element(hull.b.begin(), hull.b.begin() + first_terms) + rest < 0;
+}
+
+/// p(1), even and odd terms apart.
+double value_at_one(std::span<const double> c) {
+  double even = 0, odd = 0;
+  std::size_t k = 0;
+  for (; k + 1 < c.size(); k += 2) {
+    even += c[k];
+    odd += c[k + 1];
+  }
+  return (k < c.size() ? even + c[k] : even) + odd;
+}
+
+/// For a polynomial that starts below zero and ends above it: whether it has one root for a reason that is
+/// found at once, because it rises all the way, or bends one way only.
+bool clearly_one_root(std::span<const double> c) {
+  std::array<double, most> falls, bends;  // -p', then p'' or -p''
+  const std::size_t slopes = c.size() - 1;
+  for (std::size_t k = 0; k < slopes; ++k) falls[k] = -static_cast<double>(k + 1) * c[k + 1];
+  if (clearly_negative(std::span(falls).first(slopes))) return true;
+  if (slopes < 2) return false;
+  const double sign = falls[1] < 0 ? -1 : 1;
+  for (std::size_t k = 0; k + 1 < slopes; ++k) bends[k] = -sign * static_cast<double>(k + 1) * falls[k + 1];
+  return clearly_negative(std::span(bends).first(slopes - 1));
+}
+
+}  // namespace
+
+bool clearly_negative(std::span<const double> c) {
+  if (!(c[0] < 0)) return false;
+  const double rest = c.size() > 4 ? sum_of_positive(c.subspan(4)) : 0;
+  const auto coefficient = [&](std::size_t k) { return k < c.size() ? c[k] : 0.0; };
+  const double c1 = coefficient(1), c2 = coefficient(2), c3 = coefficient(3);
+  // The cubic part lies below the largest of its control ordinates, and no power of x is above one.
+  const double highest = std::max({c[0], c[0] + c1 / 3, c[0] + 2 * c1 / 3 + c2 / 3, c[0] + c1 + c2 + c3});
+  return highest + rest < 0;
+}
+
+std::optional<double> first_rise_of(std::span<const double> c, double noise) {
+  if (c.empty() || clearly_negative(c)) return std::nullopt;
+  if (c.size() > 1 && std::abs(c[0]) <= noise && c[1] < 0) {
+    if (clearly_negative(c.subspan(1))) return std::nullopt;
+    c = c.subspan(1);
+  }
+  const double end = value_at_one(c);
+  if (c[0] < 0 && end > 0) {
+    if (clearly_one_root(c)) return refine(c, 0, 1, c[0], end);
+  } else if (low_part_negative(c)) {
+    return std::nullopt;
+  }
+  return search(c, hull_of(c), 0, 1);
+}
+
+}  // namespace rubsweep::numerics

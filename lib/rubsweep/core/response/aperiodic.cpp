@@ -1,0 +1,96 @@
+#include "rubsweep/core/response/aperiodic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "rubsweep/core/response/lyapunov_exponent.hpp"
+#include "rubsweep/core/response/motion/poincare_section.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+/// First look: decides five of six undecided cells of the one-side, two-sides and annular maps; all three
+/// looks decide nineteen of twenty. A transient that outlasts them may last for ever.
+constexpr std::size_t first_look = 640, second_look = 1280, last_look = 2560;
+constexpr std::size_t shortest_chaos = 1280;
+
+/// Period of the section in the last two fifths of the turns.
+std::optional<motion::SectionPeriod> period_of(const Followed& motion) {
+  const std::size_t half = 2 * motion.turns() / 5;
+  return motion::period_of_section(motion.last_rows(half), static_cast<int>(motion.states),
+                                   static_cast<int>(half) / 2);
+}
+
+bool chaotic(const motion::Exponent& exponent) {
+  return exponent.per_revolution > std::max(exponent.error_bar, chaos_floor);
+}
+
+/// Whether it was chaotic in the first half of the turns that are not its last window.
+bool was_chaotic(const Followed& motion, int window) {
+  constexpr std::size_t fewest = 80;
+  const std::size_t turns = motion.turns() - std::min(motion.turns(), static_cast<std::size_t>(window));
+  return turns / 2 >= fewest && chaotic(exponent_of(std::span(motion.contributions).first(turns / 2)));
+}
+
+/// Fills class and evidence; false when the turns so far do not decide.
+bool decide(const Followed& motion, std::size_t turns_before,
+            const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
+            spectrum::SpectrumWorkspace& workspace, Aperiodic& result) {
+  result.exponent = exponent_of(motion.contributions);
+  if (const auto period = period_of(motion)) {
+    result.returns_after = period->order;
+    result.left_chaos = was_chaotic(motion, window);
+    return true;
+  }
+  const auto [exponent, bar] = *result.exponent;
+  if (exponent < -std::max(bar, chaos_floor)) return true;
+  if (chaotic(*result.exponent) && turns_before + motion.turns() >= shortest_chaos) {
+    result.motion_class = motion::MotionClass::chaotic;
+    return true;
+  }
+  const bool zero =
+      std::abs(exponent) <= std::max(bar, zero_exponent) && std::abs(exponent) + bar <= chaos_floor;
+  if (!zero || !returns_like_a_torus(motion, observed, window, known_rate, workspace)) return false;
+  result.motion_class = motion::MotionClass::quasi_periodic;
+  return true;
+}
+
+}  // namespace
+
+std::optional<motion::Exponent> lasting_chaos(const Followed& motion) {
+  if (motion.turns() < shortest_chaos) return std::nullopt;
+  const motion::Exponent exponent = exponent_of(motion.contributions);
+  const BumpMeans means = bump_means(motion.contributions);
+  if (!chaotic(exponent) || std::min(means.first, means.last) <= chaos_floor || period_of(motion))
+    return std::nullopt;
+  return exponent;
+}
+
+Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
+                             std::vector<double> section, std::size_t turns_before,
+                             const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
+                             spectrum::SpectrumWorkspace& workspace) {
+  Aperiodic result;
+  Followed& motion = result.motion;
+  motion.states = section.size();
+  const std::size_t chaos_from = turns_before < shortest_chaos ? shortest_chaos - turns_before : 0;
+  for (const std::size_t look : {first_look, std::max(first_look, chaos_from), second_look, last_look}) {
+    if (look <= motion.turns()) continue;
+    while (motion.turns() < look) {
+      const auto growth = turn(section);
+      if (!growth) return {};
+      motion.add(section, *growth, touched());
+      if (motion.turns_without_contact >= window) {
+        Aperiodic lost;
+        lost.left_chaos = was_chaotic(motion, window);
+        return lost;
+      }
+    }
+    if (decide(motion, turns_before, observed, window, workspace, result)) return result;
+  }
+  return result;
+}
+
+}  // namespace rubsweep::response

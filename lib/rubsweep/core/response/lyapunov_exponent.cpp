@@ -1,0 +1,70 @@
+#include "rubsweep/core/response/lyapunov_exponent.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+constexpr std::size_t blocks = 8;
+constexpr std::size_t fewest = 40;  ///< four per block
+
+double hann_mean(std::span<const double> block) {
+  double sum = 0, weights = 0;
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(block.size());
+    const double weight = 1 - std::cos(2 * std::numbers::pi * place);
+    sum += weight * block[i];
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+}  // namespace
+
+double bump_mean(std::span<const double> contributions) {
+  double sum = 0, weights = 0;
+  for (std::size_t i = 0; i < contributions.size(); ++i) {
+    const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(contributions.size());
+    const double weight = std::exp(-1 / (x * (1 - x)));
+    sum += weight * contributions[i];
+    weights += weight;
+  }
+  return weights > 0 ? sum / weights : 0;
+}
+
+BumpMeans bump_means(std::span<const double> contributions) {
+  const auto kept = contributions.subspan(contributions.size() / 5);
+  return {bump_mean(kept), bump_mean(kept.first(kept.size() / 2)), bump_mean(kept.last(kept.size() / 2))};
+}
+
+motion::Exponent exponent_of(std::span<const double> contributions) {
+  if (contributions.size() < fewest) {
+    throw SolverError(
+        fmt::format("an exponent takes {} iterations or more, got {}", fewest, contributions.size()));
+  }
+  const std::size_t length = (contributions.size() - contributions.size() / 5) / blocks;
+  const auto kept = contributions.last(blocks * length);
+  std::array<double, blocks> means{};
+  double mean = 0;
+  // Summed here and not by Boost.Math's mean, which rounds otherwise: the maps print this number.
+  for (std::size_t b = 0; b < blocks; ++b) {
+    means[b] = hann_mean(kept.subspan(b * length, length));
+    mean += means[b] / blocks;
+  }
+  double variance = 0;
+  for (const double m : means) variance += (m - mean) * (m - mean) / (blocks - 1);
+  return {.per_revolution = mean, .error_bar = student_quantile(blocks - 1) * std::sqrt(variance / blocks)};
+}
+
+double student_quantile(std::size_t degrees_of_freedom) {
+  return boost::math::quantile(boost::math::students_t(static_cast<double>(degrees_of_freedom)), 0.995);
+}
+
+}  // namespace rubsweep::response

@@ -1,0 +1,106 @@
+#include "rubsweep/core/response/motion/poincare_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::response::motion {
+namespace {
+
+// Largest return error after `lag` numbers; empty as soon as one is beyond the tolerance or not a number.
+std::optional<double> return_error(std::span<const double> rows, std::size_t lag) {
+  double largest = 0;
+  for (std::size_t i = 0; i + lag < rows.size(); ++i) {
+    const double error = std::abs(rows[i + lag] - rows[i]);
+    if (!(error <= section_tolerance)) return std::nullopt;
+    largest = std::max(largest, error);
+  }
+  return largest;
+}
+
+/// Limit of the return error of a motion after a number of turns, as the turns go by.
+enum class ReturnLimit { apart, nothing, undecided };
+
+/// Root mean square of the return error after `lag` numbers in three successive stretches at the end of the
+/// rows, of as many whole periods as fit, `period` numbers each: returns that differ along a period then do
+/// not tell the stretches apart. Zeros where none fits.
+std::array<double, 3> returns_by_thirds(std::span<const double> rows, std::size_t lag, std::size_t period) {
+  std::array<double, 3> means{};
+  const std::size_t third = (rows.size() - lag) / period / 3 * period;
+  if (third == 0) return means;
+  for (std::size_t part = 0; part < 3; ++part) {
+    const auto kept = rows.last(lag + (3 - part) * third).first(lag + third);
+    double square = 0;
+    for (std::size_t i = 0; i < third; ++i) square += (kept[i + lag] - kept[i]) * (kept[i + lag] - kept[i]);
+    means[part] = std::sqrt(square / static_cast<double>(third));
+  }
+  return means;
+}
+
+/// Limit of the returns, as if the decaying part shrank by one factor per turn (Aitken's extrapolation).
+ReturnLimit return_limit(std::span<const double> rows, std::size_t lag, std::size_t period) {
+  constexpr double shrinks = 0.999;  ///< from the first third to the last
+  constexpr double enough = 0.95;    ///< of a decay to be extrapolated to nothing
+  constexpr double of_last = 0.5;    ///< a limit above this share of the last third is one
+  constexpr double nothing = 0.05;   ///< and below this share is none
+  const auto [first, middle, last] = returns_by_thirds(rows, lag, period);
+  if (!(last < shrinks * first)) return ReturnLimit::apart;
+  const double slowing = (first - middle) - (middle - last);
+  const double limit = slowing > 0 ? last - (middle - last) * (middle - last) / slowing : 0;
+  if (limit > of_last * last) return ReturnLimit::apart;
+  if (last < enough * first && std::abs(limit) < nothing * last) return ReturnLimit::nothing;
+  return ReturnLimit::undecided;
+}
+
+/// Largest return error after `lag` numbers over the last of these returns.
+double last_return_error(std::span<const double> rows, std::size_t lag) {
+  double largest = 0;
+  for (std::size_t i = rows.size() - lag; i < rows.size(); ++i)
+    largest = std::max(largest, std::abs(rows[i] - rows[i - lag]));
+  return largest;
+}
+
+}  // namespace
+
+std::optional<SectionPeriod> period_of_section(std::span<const double> rows, int states, int max_order) {
+  if (states < 1 || rows.empty() || rows.size() % static_cast<std::size_t>(states) != 0) {
+    throw SolverError(fmt::format("a section of {} numbers has no rows of {} states", rows.size(), states));
+  }
+  const auto width = static_cast<std::size_t>(states);
+  const int turns = static_cast<int>(rows.size() / width) - 1;
+  const auto lag = [width](int order) { return static_cast<std::size_t>(order) * width; };
+
+  for (int n = 1; n <= std::min(max_order, turns / 2); ++n) {
+    const auto window = rows.last(lag(window_turns(turns, n) + 1));
+    const std::optional<double> residual = return_error(window, lag(n));
+    if (!residual) continue;
+    for (int smaller = 1; smaller < n; ++smaller) {
+      if (return_error(window, lag(smaller))) return std::nullopt;
+    }
+    for (int part = 1; part < n; ++part) {
+      if (n % part != 0) continue;
+      const ReturnLimit limit = return_limit(window, lag(part), lag(n));
+      if (limit == ReturnLimit::undecided) return std::nullopt;
+      if (limit == ReturnLimit::nothing)
+        return SectionPeriod{.order = part, .residual = last_return_error(window, lag(part))};
+    }
+    return SectionPeriod{.order = n, .residual = *residual};
+  }
+  return std::nullopt;
+}
+
+bool SectionReturns::returned(const std::vector<double>& section) {
+  sections_.push_back(section);
+  if (sections_.size() <= order_) return false;
+  double error = 0;
+  for (std::size_t i = 0; i < section.size(); ++i)
+    error = std::max(error, std::abs(section[i] - sections_.front()[i]));
+  sections_.pop_front();
+  return error <= section_tolerance;
+}
+
+}  // namespace rubsweep::response::motion

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rubsweep/core/integrate/run/options.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/integrate/run/work_bound.hpp"
+#include "rubsweep/core/response/motion/options.hpp"
+#include "rubsweep/core/response/motion/proof.hpp"
+#include "rubsweep/core/response/motion/workspace.hpp"
+#include "rubsweep/core/response/proof/period_search.hpp"
+#include "rubsweep/core/response/proof/periodic_orbit.hpp"
+#include "rubsweep/core/response/proof/section_map.hpp"
+#include "rubsweep/core/scene/scene.hpp"
+
+namespace rubsweep::response::proof {
+
+/// Search for a stable orbit of up to twice max_order turns that a transient converges to: proven (`floquet`)
+/// once the transient, followed on, is inside a ball about the orbit from which every motion converges to it;
+/// where there is no such ball, observed (`floquet_observed`) once it has come down to a ten-thousandth of
+/// its distance in the adapted norm, or to 1e-6 clearances.
+class OrbitProof {
+ public:
+  /// All looks together take no more work than `budget`, which as `options` and `workspace` must outlive the
+  /// proof.
+  OrbitProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+             const motion::ResponseOptions& options, motion::Workspace& workspace,
+             integrate::run::WorkBudget& budget);
+
+  /// Takes one more turn. Empty most of the time; an orbit that touches nothing is not reported.
+  std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn);
+
+ private:
+  std::optional<motion::ProvenMotion> prove(std::span<const double> section, int order);
+  std::optional<motion::Proof> converges(std::span<const double> section, const StableOrbit& orbit);
+  bool enters_split_ball(std::span<const double> section, const StableOrbit& orbit);
+  TurnMap at_tight_tolerance(double tangent_accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
+  TurnMap as_it_runs();
+  std::optional<motion::Measures> measure(const std::vector<double>& section, int order);
+
+  scene::Scene scene_;
+  scene::Scene distinct_;  ///< equal stops as one, so that no two guards are one and the same
+  integrate::run::SolverOptions run_solver_, solver_;
+  const motion::ResponseOptions& options_;
+  motion::Workspace& workspace_;
+  integrate::run::WorkBudget& budget_;
+  PeriodSearch search_;
+  std::optional<SceneMap> map_, run_map_;
+};
+
+/// The scene with equal stops made one: contacts of the same place of the rotor with the same wall at the
+/// same clearance on rigid casings, whose dampers are the same share of their stiffness and whose friction is
+/// the same. Their guards are one function of the state, so that they change mode together, and the sum of
+/// their forces is that of one stop with the sum of their stiffnesses and dampings: no motion differs but for
+/// rounding. Stops with a casing each are two bodies and stay two.
+scene::Scene with_equal_stops_as_one(scene::Scene scene);
+
+}  // namespace rubsweep::response::proof

@@ -1,0 +1,84 @@
+#include "rubsweep/core/response/proof/section_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/response/proof/periodic_orbit.hpp"
+
+namespace rubsweep::response::proof {
+namespace {
+
+/// Differences of this width: their own error (its square) and that of a solver at 1e-11 both stay near 1e-6.
+constexpr double difference_step = 1e-5;
+
+}  // namespace
+
+scene::Scene after_the_kick(scene::Scene scene) {
+  scene.pulses.clear();
+  return scene;
+}
+
+SceneMap::SceneMap(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                   integrate::exact::modes::ModeCache& modes, integrate::run::WorkBudget* budget)
+    : states_(2 * static_cast<std::size_t>(scene.structure.coordinates())),
+      exact_(integrate::solver_of(scene, solver) == integrate::Solver::exact),
+      run_(integrate::start(after_the_kick(scene), solver, modes)),
+      budget_(budget) {}
+
+bool SceneMap::advance(std::span<double> section) {
+  if (section.size() != states_) {
+    throw SolverError(fmt::format("a section of {} coordinates has {} numbers, got {}", states_ / 2, states_,
+                                  section.size()));
+  }
+  if (budget_ && budget_->used_up()) return false;
+  run_.restart(section);
+  const integrate::run::Outcome outcome = run_.advance(request_, report_);
+  if (budget_) spend();
+  if (outcome != integrate::run::Outcome::ok) return false;
+  std::ranges::copy(report_.section, section.begin());
+  return true;
+}
+
+/// The exact solver goes on counting after a restart, a stepper begins anew.
+void SceneMap::spend() {
+  const double before = std::exchange(work_, integrate::run::work(report_.effort));
+  budget_->spend(exact_ ? work_ - before : work_);
+}
+
+bool SceneMap::operator()(std::span<double> section) {
+  request_.tangent_vectors.resize(0, 0);
+  return advance(section);
+}
+
+bool SceneMap::carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved,
+                             double accuracy) {
+  request_.tangent_accuracy = accuracy;
+  request_.tangent_vectors = disturbances;
+  const bool made = advance(section);
+  const Eigen::MatrixXd* at_end = made ? report_.tangent_vectors.get() : nullptr;
+  moved = at_end != nullptr;
+  if (at_end) disturbances = *at_end;
+  return made;
+}
+
+bool SceneMap::carry(std::span<double> section, Eigen::MatrixXd& disturbances, double accuracy) {
+  if (exact_) {
+    before_.assign(section.begin(), section.end());
+    bool moved = false;
+    if (!carry_exactly(section, disturbances, moved, accuracy)) return false;
+    if (moved) return true;
+    std::ranges::copy(before_, section.begin());
+  }
+  Eigen::MatrixXd transition;
+  if (!differentiate([this](std::span<double> s) { return (*this)(s); }, section, difference_step,
+                     transition)) {
+    return false;
+  }
+  disturbances = transition * disturbances;
+  return true;
+}
+
+}  // namespace rubsweep::response::proof

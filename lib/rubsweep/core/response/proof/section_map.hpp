@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rubsweep/core/integrate/run/work_bound.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/scene/scene.hpp"
+
+namespace rubsweep::response::proof {
+
+/// One iteration of a map, in place. False: it could not be made, and the state means nothing any more.
+using SectionMap = std::function<bool(std::span<double> state)>;
+
+/// One revolution of a scene as a map of its scaled section (as TurnReport::section): from phase 0 to phase
+/// 0, the pulses left out. Every call starts afresh, so that the map has no memory: equal sections give equal
+/// sections to the last bit, near ones go through nearly the same steps.
+class SceneMap {
+ public:
+  /// Where there is a `budget`, revolutions are paid from it and fail once it is used up. It outlives the
+  /// map.
+  SceneMap(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+           integrate::exact::modes::ModeCache& modes, integrate::run::WorkBudget* budget = nullptr);
+
+  /// `section`: 2n numbers. False when the solver fails.
+  bool operator()(std::span<double> section);
+
+  /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes its image under the
+  /// derivative of the new section by the old: from the exact solver where the turn has closed forms, of
+  /// Taylor pieces to `accuracy`, else by central differences.
+  bool carry(std::span<double> section, Eigen::MatrixXd& disturbances,
+             double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
+
+  /// The same only where the solver that makes the turn moves tangent vectors: `moved` says so, else
+  /// `disturbances` stays.
+  bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved,
+                     double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
+
+  /// The exact solver makes the turns, as far as they have closed forms.
+  bool exact() const { return exact_; }
+
+  /// Every revolution made up to now had one.
+  bool closed_forms() const {
+    return exact_ && report_.effort.taylor_turns == 0 && report_.effort.adaptive_turns == 0;
+  }
+
+  /// Some contact was touching at some time in the revolution made last.
+  bool touched() const { return report_.touched; }
+
+ private:
+  bool advance(std::span<double> section);
+  void spend();
+
+  std::size_t states_;
+  bool exact_;
+  integrate::run::Run run_;
+  integrate::run::WorkBudget* budget_;
+  double work_ = 0;  ///< of the run so far
+  integrate::run::TurnRequest request_;
+  integrate::run::TurnReport report_;
+  std::vector<double> before_;
+};
+
+/// The scene without its pulses.
+scene::Scene after_the_kick(scene::Scene scene);
+
+}  // namespace rubsweep::response::proof

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/response/proof/period_search.hpp"
+#include "rubsweep/core/scene/scene.hpp"
+
+namespace rubsweep::response::rotating {
+
+/// Watches a transient of a rotationally symmetric scene for signs of a closed orbit in the frame that turns
+/// with the shaft: states at successive maxima of |z| of the observed point, as seen there, that come back.
+class ApexReturnSearch {
+ public:
+  explicit ApexReturnSearch(const scene::Scene& scene);
+
+  /// One more turn, with samples.
+  void add(const integrate::run::TurnReport& turn);
+
+  /// In that turn.
+  int maxima_in_turn() const { return in_turn_; }
+
+  struct Return {
+    int maxima = 0;                   ///< after so many maxima the last one came back
+    std::vector<double> periods_rad;  ///< ascending: its time, before it those fractions after which the
+                                      ///< transient is within `farthest_orbit`; by linear interpolation
+  };
+
+  /// Return in the last turn that is worth a proof; empty most of the time.
+  std::optional<Return> candidate() const;
+
+  /// Excludes a candidate that could not be proven.
+  void refuse(const Return& candidate);
+
+ private:
+  struct Maximum {
+    double phase_rad = 0;  ///< since the first turn
+    Eigen::VectorXd state;
+  };
+
+  void add_maximum(const double* before, const double* here, double share, double phase_before_rad,
+                   double spacing_rad, bool touched);
+  const Maximum& maximum(int ago) const {
+    return maxima_[maxima_.size() - 1 - static_cast<std::size_t>(ago)];
+  }
+
+  Eigen::Matrix<double, 2, Eigen::Dynamic> map_;
+  Eigen::Index states_;
+  proof::PeriodSearch returns_;
+  long turns_ = 0;
+  int in_turn_ = 0;
+  std::vector<double> last_;  ///< sample before the turn; empty at the start
+  std::vector<Maximum> maxima_;
+};
+
+}  // namespace rubsweep::response::rotating

@@ -1,0 +1,90 @@
+#include "rubsweep/core/response/rotating/rotating_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rubsweep::response::rotating {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd turned(const MatrixXd& state, double angle_rad) {
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  MatrixXd result(state.rows(), state.cols());
+  for (Eigen::Index k = 0; k + 1 < state.rows(); k += 2) {
+    result.row(k) = c * state.row(k) - s * state.row(k + 1);
+    result.row(k + 1) = s * state.row(k) + c * state.row(k + 1);
+  }
+  return result;
+}
+
+RotatingField::RotatingField(const scene::Scene& scene, const integrate::run::SolverOptions& options)
+    : system_(integrate::run::scale<Eigen::Dynamic>(scene)),
+      smoothed_(options.contact == integrate::run::ContactHandling::smoothed),
+      located_law_(system_, 0),
+      smoothed_law_(system_, options.smoothing_m / scene.length_scale_m) {}
+
+template <class Visit>
+auto RotatingField::at(const VectorXd& state, const Visit& visit) const {
+  if (smoothed_) return visit(smoothed_law_);
+  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+    const auto& c = system_.contacts[i];
+    // As touching, so that the penetration is that of the wall; values need no acceleration.
+    located_law_.modes()[i] = contact::Mode::sprung;
+    const contact::Kinematics k = located_law_.kinematics(i, state, state);
+    located_law_.modes()[i] = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
+    located_law_.slips()[i] =
+        located_law_.slip_m_per_s(i, state) < 0 ? contact::Slip::backward : contact::Slip::forward;
+  }
+  return visit(located_law_);
+}
+
+VectorXd RotatingField::rate(const VectorXd& state) const {
+  return at(state, [&](const auto& law) -> VectorXd {
+    VectorXd rate(state.size());
+    law(state, rate, 0.0);
+    return rate - turned(state, std::numbers::pi / 2);
+  });
+}
+
+MatrixXd RotatingField::jacobian(const VectorXd& state) const {
+  return at(state, [&](const auto& law) -> MatrixXd {
+    const Eigen::Index n = system_.coordinates();
+    MatrixXd by_u, by_v, all = MatrixXd::Zero(2 * n, 2 * n);
+    law.slopes(state, {}, by_u, by_v);  // slips, if there are any, go one way
+    all.topRightCorner(n, n).setIdentity();
+    all.bottomLeftCorner(n, n) = by_u;
+    all.bottomRightCorner(n, n) = by_v;
+    return all - turned(MatrixXd::Identity(2 * n, 2 * n), std::numbers::pi / 2);
+  });
+}
+
+double RotatingField::contact_force_n(const VectorXd& state) const {
+  return at(state, [&](const auto& law) {
+    double largest = 0;
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+      const contact::Kinematics k = law.kinematics(i, state, state);
+      largest = std::max(largest, law.normal_force(i, k.penetration, k.closing_speed).total_n);
+    }
+    return largest;
+  });
+}
+
+double RotatingField::casing_displacement_m(const VectorXd& state) const {
+  double largest = 0;
+  for (const auto& casing : system_.casings)
+    largest = std::max(largest, (casing.map * state.head(system_.coordinates())).norm());
+  return largest * system_.scale.length_m;
+}
+
+bool RotatingField::touches(const VectorXd& state) const {
+  return at(state, [&](const auto& law) {
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
+      if (law.kinematics(i, state, state).penetration > 0) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace rubsweep::response::rotating

@@ -1,0 +1,211 @@
+#include "rubsweep/core/response/rotating/rotating_proof.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <utility>
+
+#include "rubsweep/core/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/full_turn.hpp"
+#include "rubsweep/core/numerics/matrix_flow.hpp"
+#include "rubsweep/core/numerics/newton.hpp"
+#include "rubsweep/core/response/motion/classify.hpp"
+#include "rubsweep/core/response/motion/poincare_section.hpp"
+#include "rubsweep/core/response/proof/adapted_norm.hpp"
+#include "rubsweep/core/response/proof/approach.hpp"
+#include "rubsweep/core/response/proof/periodic_orbit.hpp"
+#include "rubsweep/core/response/rotating/cycle_measures.hpp"
+
+namespace rubsweep::response::rotating {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr numerics::NewtonLimits equilibrium_newton{.iterations = 12,
+                                                    .growth = std::numeric_limits<double>::infinity()};
+constexpr double closed = 1e-13;  ///< Newton step, in (clearance, clearance omega)
+
+/// Newton's iteration for a fixed point; see numerics::newton. Its error is the step just taken.
+struct EquilibriumNewton {
+  const RotatingEquations& equations;
+  const VectorXd& start;
+  VectorXd x = start;
+
+  std::optional<double> error(int, double) {
+    const VectorXd step = numerics::dense::solve(equations.jacobian(x), equations.rate(x));
+    x -= step;
+    if (!x.allFinite() || (x - start).cwiseAbs().maxCoeff() > proof::farthest_orbit) return std::nullopt;
+    return step.cwiseAbs().maxCoeff();
+  }
+  bool converged(int, double error, double) const { return error < closed; }
+  bool step(int) const { return true; }
+};
+
+using Eigen::VectorXd;
+
+constexpr int free_for_long = 16;  ///< turns
+
+/// Samples of a turn, as many as Newton's iteration needs to start well between two of them: the coarse ones
+/// where a turn with the fine ones, such as there is now and then, has few maxima.
+constexpr int fine_samples = 64, coarse_samples = 32, fine_turn_every = 8, few_maxima = 4;
+
+/// Samples of a cycle against those of a turn: a cubic between those of a turn takes 1.5e-6 off the radius of
+/// a whirl four times as fast as the shaft, which a slip that is a small difference does notice.
+constexpr int finer = 4;
+
+/// A transient is followed until this share of its distance from a circle is left, for so many turns at most:
+/// a later look is nearer.
+constexpr double followed_to = 1e-4;
+constexpr proof::Patience patience_for_a_circle{.start = 200, .most = 200};
+
+/// Turns that Newton's iteration may follow while it proves nothing: each takes about twice the time of one
+/// of the transient.
+constexpr double turns_for_cycles = 32, share_for_cycles = 0.15;
+
+}  // namespace
+
+RotatingProof::RotatingProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                             const motion::ResponseOptions& options, motion::Workspace& workspace,
+                             integrate::run::WorkBudget& budget)
+    : scene_(proof::after_the_kick(scene)),
+      solver_(solver),
+      options_(options),
+      workspace_(workspace),
+      budget_(budget),
+      field_(scene_, solver),
+      flows_(scene_, solver, finer * options.samples_per_revolution),
+      turns_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 1) {}
+
+int RotatingProof::samples_wanted() const {
+  if (free_turns_ >= free_for_long) return 0;
+  const bool fine = many_maxima_ || looked_at_ % fine_turn_every == 0;
+  return std::min(fine ? fine_samples : coarse_samples, options_.samples_per_revolution);
+}
+
+std::optional<motion::ProvenMotion> RotatingProof::look(const integrate::run::TurnReport& turn) {
+  ++looked_at_;
+  free_turns_ = turn.touched ? 0 : free_turns_ + 1;
+  const VectorXd section =
+      Eigen::Map<const VectorXd>(turn.section.data(), static_cast<Eigen::Index>(turn.section.size()));
+  auto found = look_for_circle(section, turn);
+  if (!found) found = look_for_cycle(section, turn);
+  return found;
+}
+
+std::optional<motion::ProvenMotion> RotatingProof::look_for_circle(const VectorXd& section,
+                                                                   const integrate::run::TurnReport& turn) {
+  turns_.add(turn.section, turn.touched);
+  const auto candidate = turns_.candidate();
+  if (!candidate) return std::nullopt;
+  const auto circle =
+      find_rotating_equilibrium({[this](const VectorXd& state) { return field_.rate(state); },
+                                 [this](const VectorXd& state) { return field_.jacobian(state); }},
+                                section);
+  if (circle && field_.touches(circle->state) && comes_near_to(*circle, turn.section))
+    return measured(*circle);
+  turns_.refuse(*candidate);
+  return std::nullopt;
+}
+
+/// At phase 0 of every turn the rotating frame stands as the other: a section is a state there.
+bool RotatingProof::comes_near_to(const RotatingEquilibrium& circle, std::span<const double> section) {
+  const proof::StableOrbit orbit{1, {circle.state}, {circle.transition}, circle.floquet_modulus};
+  const auto norms = proof::adapted_norms(orbit.transitions);
+  if (!norms) return false;
+  if (!turn_map_) turn_map_.emplace(scene_, solver_, workspace_.modes, &budget_);
+  const proof::Nearness wanted{followed_to * proof::adapted_distance(section, orbit, *norms),
+                               proof::on_the_orbit, true};
+  return proof::comes_near([this](std::span<double> state, Eigen::MatrixXd*) { return (*turn_map_)(state); },
+                           section, orbit, *norms, wanted, patience_for_a_circle);
+}
+
+motion::ProvenMotion RotatingProof::measured(const RotatingEquilibrium& circle) {
+  const VectorXd& state = circle.state;
+  const auto& map = scene_.structure.points[static_cast<std::size_t>(scene_.observed_point)].map;
+  const Eigen::Vector2d z = scene_.length_scale_m * (map * state.head(map.cols()));
+  const double casing_m = field_.casing_displacement_m(state);
+  std::vector<std::complex<double>> displacement_m;
+  displacement_m.reserve(static_cast<std::size_t>(options_.samples_per_revolution));
+  for (int k = 0; k < options_.samples_per_revolution; ++k) {
+    displacement_m.push_back(std::complex(z.x(), z.y()) *
+                             std::polar(1.0, numerics::full_turn * k / options_.samples_per_revolution));
+  }
+  std::vector<double> section(state.data(), state.data() + state.size());
+  section.insert(section.end(), state.data(), state.data() + state.size());
+  motion::Window window;
+  window.turns = 1;
+  window.samples_per_revolution = options_.samples_per_revolution;
+  window.clearance_m = scene_.length_scale_m;
+  window.displacement_m = displacement_m;
+  window.states = static_cast<int>(state.size());
+  window.section = section;
+  const std::array<motion::ContactFacts, 1> facts{{{.hits = 0,
+                                                    .contact_fraction = 1,
+                                                    .peak_displacement_m = z.norm(),
+                                                    .peak_contact_force_n = field_.contact_force_n(state),
+                                                    .peak_casing_displacement_m = casing_m}}};
+  window.contact = facts;
+  return {motion::MotionClass::synchronous, 1, motion::measure_window(window, workspace_.spectrum),
+          circle.floquet_modulus};
+}
+
+std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd& section,
+                                                                  const integrate::run::TurnReport& turn) {
+  if (turn.sample_count == 0) {
+    maxima_.reset();
+    return std::nullopt;
+  }
+  if (!maxima_) maxima_.emplace(scene_);
+  maxima_->add(turn);
+  if (turn.sample_count >= fine_samples) many_maxima_ = maxima_->maxima_in_turn() > few_maxima;
+  const double allowed = turns_for_cycles + share_for_cycles * static_cast<double>(looked_at_);
+  if (spent_on_cycles_rad_ > numerics::full_turn * allowed) return std::nullopt;
+  const auto candidate = maxima_->candidate();
+  if (!candidate) return std::nullopt;
+  RotatingMotion motion = flows_.motion(field_);
+  for (RotatingMotion::Flow* flow : {&motion.at_first, &motion.roughly, &motion.exactly}) {
+    *flow = [this, follow = std::move(*flow)](const VectorXd& state, double angle_rad) {
+      spent_on_cycles_rad_ += angle_rad;
+      return follow(state, angle_rad);
+    };
+  }
+  const auto cycle = prove_limit_cycle(motion, section, candidate->periods_rad);
+  if (cycle && cycle->once.contact_fraction > 0 && !returns_with_the_shaft(*cycle)) {
+    motion::ResponseOptions fine = options_;
+    fine.samples_per_revolution *= finer;
+    return motion::ProvenMotion{motion::MotionClass::quasi_periodic,
+                                {},
+                                measure_cycle(scene_, cycle->once, fine, workspace_),
+                                cycle->floquet_modulus};
+  }
+  maxima_->refuse(*candidate);
+  return std::nullopt;
+}
+
+/// A period that fits a whole number of times into a few turns, to what a section can tell, makes a motion
+/// subharmonic (or synchronous) by name, which a record of it has to show.
+bool RotatingProof::returns_with_the_shaft(const LimitCycle& cycle) const {
+  const double fastest = field_.rate(cycle.state).cwiseAbs().maxCoeff();
+  for (int n = 1; n <= options_.max_order; ++n) {
+    const double off_rad = std::abs(std::remainder(numerics::full_turn * n, cycle.once.angle_rad));
+    if (off_rad * fastest < motion::section_tolerance) return true;
+  }
+  return false;
+}
+
+std::optional<RotatingEquilibrium> find_rotating_equilibrium(const RotatingEquations& equations,
+                                                             const VectorXd& start) {
+  EquilibriumNewton found{.equations = equations, .start = start};
+  if (!numerics::newton(found, equilibrium_newton)) return std::nullopt;
+  const MatrixXd jacobian = equations.jacobian(found.x);
+  const double modulus =
+      std::exp(numerics::full_turn * numerics::dense::eigenvalues(jacobian).real().maxCoeff());
+  if (!(modulus < proof::largest_floquet_modulus)) return std::nullopt;
+  return RotatingEquilibrium{found.x, numerics::matrix_flow(jacobian, numerics::full_turn), modulus};
+}
+
+}  // namespace rubsweep::response::rotating

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/response/motion/options.hpp"
+#include "rubsweep/core/response/motion/proof.hpp"
+#include "rubsweep/core/response/motion/workspace.hpp"
+#include "rubsweep/core/response/proof/period_search.hpp"
+#include "rubsweep/core/response/proof/section_map.hpp"
+#include "rubsweep/core/response/rotating/apex_return_search.hpp"
+#include "rubsweep/core/response/rotating/limit_cycle.hpp"
+#include "rubsweep/core/response/rotating/rotating_frame.hpp"
+
+namespace rubsweep::response::rotating {
+
+/// Rate d(state)/d(phase) of an autonomous system, 2n numbers, and its 2n x 2n derivative.
+struct RotatingEquations {
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> rate;
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> jacobian;
+};
+
+/// A synchronous circle: a stable fixed point in the frame that turns with the shaft.
+struct RotatingEquilibrium {
+  Eigen::VectorXd state;
+  Eigen::MatrixXd transition;  ///< over one turn
+  double floquet_modulus = 0;  ///< over one turn: e^{2 pi Re lambda}, lambda the rightmost eigenvalue
+};
+
+/// Newton's iteration from `start` (in the rotating frame) for a fixed point whose multipliers over one turn
+/// lie inside `largest_floquet_modulus`. Empty where it finds none within `farthest_orbit`.
+std::optional<RotatingEquilibrium> find_rotating_equilibrium(const RotatingEquations& equations,
+                                                             const Eigen::VectorXd& start);
+
+/// Search for the stable motion that a transient of a rotationally symmetric scene converges to, in the frame
+/// that turns with the shaft: a synchronous circle is a fixed point there, the quasi-periodic oval a closed
+/// orbit. (A section once per turn can prove no other: every shift along an orbit that moves in that frame is
+/// a multiplier of 1.)
+class RotatingProof {
+ public:
+  /// Turns that a transient is followed for take no more work than `budget`, which as `options` and
+  /// `workspace` must outlive the proof.
+  RotatingProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
+                const motion::ResponseOptions& options, motion::Workspace& workspace,
+                integrate::run::WorkBudget& budget);
+
+  /// Samples that the next turn should have; 0 while the rotor has been free for long.
+  int samples_wanted() const;
+
+  /// Takes one more turn. Empty most of the time; a motion that touches nothing is not reported.
+  std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn);
+
+ private:
+  std::optional<motion::ProvenMotion> look_for_circle(const Eigen::VectorXd& section,
+                                                      const integrate::run::TurnReport& turn);
+  std::optional<motion::ProvenMotion> look_for_cycle(const Eigen::VectorXd& section,
+                                                     const integrate::run::TurnReport& turn);
+  bool comes_near_to(const RotatingEquilibrium& circle, std::span<const double> section);
+  motion::ProvenMotion measured(const RotatingEquilibrium& circle);
+  bool returns_with_the_shaft(const LimitCycle& cycle) const;
+
+  scene::Scene scene_;
+  integrate::run::SolverOptions solver_;
+  const motion::ResponseOptions& options_;
+  motion::Workspace& workspace_;
+  integrate::run::WorkBudget& budget_;
+  RotatingField field_;
+  CycleFlows flows_;
+  proof::PeriodSearch turns_;
+  std::optional<ApexReturnSearch> maxima_;  ///< empty after a turn without samples
+  std::optional<proof::SceneMap> turn_map_;
+  bool many_maxima_ = true;  ///< in the last turn with as many samples as can be asked for
+  int free_turns_ = 0;
+  long looked_at_ = 0;              ///< turns
+  double spent_on_cycles_rad_ = 0;  ///< rotation that Newton's iteration followed
+};
+
+}  // namespace rubsweep::response::rotating

@@ -1,0 +1,230 @@
+#include "rubsweep/core/response/settle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <numbers>
+#include <variant>
+
+#include "rubsweep/core/contact/wall.hpp"
+#include "rubsweep/core/integrate/run/state_scale.hpp"
+#include "rubsweep/core/integrate/run/work_bound.hpp"
+#include "rubsweep/core/response/motion/record.hpp"
+#include "rubsweep/core/response/proof/orbit_proof.hpp"
+#include "rubsweep/core/response/proof/rest_proof.hpp"
+#include "rubsweep/core/response/recorded_run.hpp"
+#include "rubsweep/core/response/rotating/rotating_proof.hpp"
+#include "rubsweep/core/response/torus_watch.hpp"
+#include "rubsweep/core/response/verdict.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// End of the last pulse.
+double pulses_end_s(const scene::Scene& scene) {
+  double end_s = 0;
+  for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
+  return end_s;
+}
+
+/// Proof that a transient settles on a motion: a rotationally symmetric scene is looked at in the frame that
+/// turns with the shaft.
+class MotionProof {
+ public:
+  MotionProof(const scene::Scene& scene, const SceneFacts& facts, const integrate::run::SolverOptions& solver,
+              const motion::ResponseOptions& options, motion::Workspace& workspace)
+      : budget_(share_for_proofs *
+                integrate::run::most_work_of_a_run(solver, scene.structure.coordinates())) {
+    if (!options.floquet_proof || !facts.same_every_turn) return;
+    if (facts.rotationally_symmetric) {
+      proof_.emplace<rotating::RotatingProof>(scene, solver, options, workspace, budget_);
+    } else {
+      proof_.emplace<proof::OrbitProof>(scene, solver, options, workspace, budget_);
+    }
+  }
+
+  int samples_wanted() const {
+    const auto* turning = std::get_if<rotating::RotatingProof>(&proof_);
+    return turning ? turning->samples_wanted() : 0;
+  }
+
+  std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn) {
+    if (auto* turning = std::get_if<rotating::RotatingProof>(&proof_)) return turning->look(turn);
+    if (auto* section = std::get_if<proof::OrbitProof>(&proof_)) return section->look(turn);
+    return std::nullopt;
+  }
+
+ private:
+  /// Share of the work of a run: proofs are there to make it shorter.
+  static constexpr double share_for_proofs = 0.5;
+
+  integrate::run::WorkBudget budget_;
+  std::variant<std::monostate, proof::OrbitProof, rotating::RotatingProof> proof_;
+};
+
+void conclude(const motion::ProvenMotion& proven, SettledRun& run) {
+  run.motion.motion_class = proven.motion_class;
+  run.motion.order = proven.order;
+  run.motion.measures = proven.measures;
+  run.proof = proven.proof;
+  run.floquet_modulus = proven.floquet_modulus;
+}
+
+void conclude(const Verdict& seen, const scene::Cell& cell, const proof::RestProof& rest, SettledRun& run) {
+  run.motion = seen.motion;
+  run.survival = seen.survival;
+  // Two windows without contact do not last where the quiet motion itself touches, or where a vibration about
+  // it grows, as by damping that turns with the shaft: the whirl is still growing.
+  const bool lasts = cell.start == scene::Start::quiet && !rest.vibration_grows();
+  if (run.motion.motion_class == motion::MotionClass::non_contact && !lasts)
+    run.motion.motion_class = motion::MotionClass::unsettled;
+  if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
+}
+
+/// Where turns are dear, which is at annular stops: between flat ones a run to its end costs less than the
+/// tangent vector of a watch.
+bool worth_watching(const scene::Scene& scene, const SceneFacts& facts,
+                    const motion::ResponseOptions& options, double kick_turns) {
+  const bool annular =
+      std::ranges::any_of(scene.contacts, [](const scene::Contact& c) { return contact::annular(c.wall); });
+  return annular && options.floquet_proof && kick_turns <= TorusWatch::settled_after &&
+         facts.same_every_turn && !facts.rotationally_symmetric;
+}
+
+/// Whether the window since the watch saw a torus shows neither period nor rest.
+bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
+                       const motion::ResponseOptions& options, motion::Workspace& workspace,
+                       SettledRun& run) {
+  const auto window = motion::classify_window(record.window(0), options, workspace.spectrum);
+  if (!may_be_aperiodic(window)) {
+    torus.refuse();
+    return false;
+  }
+  run.motion = motion::settle_verdict(window, window);
+  run.motion.motion_class = motion::MotionClass::quasi_periodic;
+  run.motion.exponent = torus.torus();
+  run.proof = motion::Proof::observed;
+  return true;
+}
+
+/// A run that met a bound on work: where two windows behind its kick were seen, their measures stand for it.
+void conclude_stopped(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
+                      const motion::ResponseOptions& options, const Checkpoints& passed, double kick_turns,
+                      motion::Workspace& workspace, SettledRun& run) {
+  run.motion.motion_class = motion::MotionClass::failed;
+  if (run.outcome != integrate::run::Outcome::step_limit) return;
+  const auto* from = passed.before_windows(run.revolutions);
+  if (!from || static_cast<double>(run.revolutions - 2L * options.window_revolutions) < kick_turns) return;
+  const auto record = recorded_run(integrate::run::scene_at(cell.scene, from->section, from->revolutions),
+                                   solver, options, run.revolutions - from->revolutions, workspace);
+  if (!record) return;
+  run.outcome = integrate::run::Outcome::ok;
+  run.motion = {};
+  run.motion.measures = motion::classify_window(record->window(1), options, workspace.spectrum).measures;
+  run.motion.status = motion::MotionStatus::step_limit;
+}
+
+void conclude_at_rest(const scene::Cell& cell, const motion::ResponseOptions& options,
+                      motion::Workspace& workspace, SettledRun& run) {
+  run.motion.motion_class = motion::MotionClass::non_contact;
+  run.motion.measures = quiet_measures(cell, options, workspace);
+  run.proof = motion::Proof::rest;
+}
+
+}  // namespace
+
+SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
+                  const motion::ResponseOptions& options, motion::Workspace& workspace) {
+  SettledRun run;
+  const integrate::run::Run motion = integrate::start(cell.scene, solver, workspace.modes);
+  proof::RestProof rest(cell, workspace.forms);
+  run.rotor_unstable = rest.vibration_grows();
+  const SceneFacts facts(cell.scene);
+  MotionProof proof(cell.scene, facts, solver, options, workspace);
+  const double most_work = integrate::run::most_work_of_a_run(solver, cell.scene.structure.coordinates());
+  const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
+  TorusWatch torus(cell.scene, options, worth_watching(cell.scene, facts, options, kick_turns));
+  motion::Record record(cell.scene, options);
+  Checkpoints passed(options.window_revolutions, integrate::run::scaled_initial_state(cell.scene));
+  integrate::run::TurnRequest request;
+  integrate::run::TurnReport turn;
+  while (run.revolutions < options.max_revolutions) {
+    const long first_recorded = torus.record_begin();
+    request.samples_per_revolution = proof.samples_wanted();
+    if (run.revolutions >= first_recorded) request.samples_per_revolution = options.samples_per_revolution;
+    request.peaks = run.revolutions >= first_recorded;
+    torus.ask(run.revolutions, request);
+    if (run.revolutions == first_recorded) {
+      record.begin(first_recorded == 0 ? integrate::run::scaled_initial_state(cell.scene) : turn.section);
+    }
+    run.outcome = motion.advance(request, turn);
+    run.effort = turn.effort;
+    // A turn that failed counts, too: the reversal may be why it did.
+    run.slip_reversed = run.slip_reversed || turn.slip_reversed;
+    if (run.outcome == integrate::run::Outcome::ok && integrate::run::work(turn.effort) > most_work)
+      run.outcome = integrate::run::Outcome::step_limit;
+    if (run.outcome != integrate::run::Outcome::ok) {
+      conclude_stopped(cell, solver, options, passed, kick_turns, workspace, run);
+      return run;
+    }
+    ++run.revolutions;
+    passed.pass(run.revolutions, turn.section);
+    torus.add(request, turn);
+    run.section = turn.section;
+    if (turn.touched) run.last_contact_revolution = run.revolutions;
+    if (run.revolutions > first_recorded) record.add(turn);
+    if (static_cast<double>(run.revolutions) < kick_turns) continue;
+    if (const auto proven = proof.look(turn)) {
+      conclude(*proven, run);
+      return run;
+    }
+    if (!turn.touching_at_end && rest.proves(turn.section)) {
+      conclude_at_rest(cell, options, workspace, run);
+      return run;
+    }
+    if (run.revolutions == options.max_revolutions) break;
+    if (run.revolutions == torus.next_look()) torus.look(workspace.spectrum);
+    if (torus.torus() && run.revolutions == torus.record_begin() + options.window_revolutions &&
+        conclude_on_torus(torus, record, options, workspace, run))
+      return run;
+  }
+  conclude(verdict_of(cell.scene, facts, solver, options, record, turn.section, torus, workspace), cell, rest,
+           run);
+  return run;
+}
+
+motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseOptions& options,
+                                motion::Workspace& workspace) {
+  const auto& map = cell.scene.structure.points[static_cast<std::size_t>(cell.scene.observed_point)].map;
+  std::vector<Complex> displacement_m;
+  double peak = 0;
+  for (int k = 0; k < options.samples_per_revolution; ++k) {
+    const double phase = 2 * std::numbers::pi * k / options.samples_per_revolution;
+    const Eigen::Vector2d z = map * cell.quiet.displacement(phase);
+    displacement_m.emplace_back(z.x(), z.y());
+    peak = std::max(peak, z.norm());
+  }
+  // Nothing that turns with the shaft moves a casing that is not touched.
+  double casing = 0;
+  for (const scene::Contact& contact : cell.scene.contacts) {
+    if (!contact.casing_point) continue;
+    const auto& point = cell.scene.structure.points[static_cast<std::size_t>(*contact.casing_point)];
+    casing = std::max(casing, (point.map * cell.quiet.mean).norm());
+  }
+  const std::array<double, 2> rest{0, 0};
+  motion::Window window;
+  window.turns = 1;
+  window.samples_per_revolution = options.samples_per_revolution;
+  window.clearance_m = cell.scene.length_scale_m;
+  window.displacement_m = displacement_m;
+  window.states = 1;
+  window.section = rest;
+  const std::array<motion::ContactFacts, 1> facts{
+      {{.peak_displacement_m = peak, .peak_casing_displacement_m = casing}}};
+  window.contact = facts;
+  return motion::classify_window(window, options, workspace.spectrum).measures;
+}
+
+}  // namespace rubsweep::response

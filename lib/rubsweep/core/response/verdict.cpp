@@ -1,0 +1,136 @@
+#include "rubsweep/core/response/verdict.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "rubsweep/core/integrate/run/impulses.hpp"
+#include "rubsweep/core/integrate/run/state_scale.hpp"
+#include "rubsweep/core/integrate/run/work_bound.hpp"
+#include "rubsweep/core/response/aperiodic.hpp"
+#include "rubsweep/core/response/proof/section_map.hpp"
+#include "rubsweep/core/response/recorded_run.hpp"
+#include "rubsweep/core/response/rotating/symmetry.hpp"
+#include "rubsweep/core/response/spectrum/comb.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+/// A hundredth of `separation`: the solver's noise must not part the states.
+constexpr double largest_tolerance_of_an_exponent = 1e-7;
+
+const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const scene::Scene& scene) {
+  return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
+}
+
+void look_for_comb(const motion::Record& record, const motion::ResponseOptions& options,
+                   motion::Workspace& workspace, motion::Motion& motion) {
+  if (2 * options.window_revolutions < spectrum::fewest_comb_turns) return;
+  const auto comb =
+      spectrum::find_comb(record.displacement_m(), options.samples_per_revolution, workspace.spectrum);
+  if (!comb) return;
+  const bool holds_the_energy = comb->closed || comb->energy_share >= spectrum::oval_energy_share;
+  if (motion.measures.orbit == spectrum::OrbitKind::complex && holds_the_energy)
+    motion.measures.orbit = spectrum::OrbitKind::oval;
+  if (!comb->closed) return;
+  motion.motion_class = motion::MotionClass::quasi_periodic;
+  motion.measures.comb_spacing = comb->spacing;
+  if (!motion.measures.dominant) return;
+  motion.measures.dominant =
+      spectrum::largest_comb_line(record.displacement_m(), options.samples_per_revolution, comb->spacing);
+}
+
+/// Measures how long chaos lasts that `followed` is a stretch of.
+void ask_how_long_it_lasts(proof::SceneMap& map, const motion::ResponseOptions& options,
+                           const Followed& followed, Verdict& verdict) {
+  verdict.survival =
+      survive([&map](std::span<double> section) { return map(section); }, [&map] { return map.touched(); },
+              followed, {.window = options.window_revolutions, .max_order = options.max_order});
+  if (verdict.survival->escapes > 0) verdict.motion.status = motion::MotionStatus::transient_chaos;
+}
+
+/// Sections of the last window, one a turn.
+std::span<const double> sections_of(const motion::Record& record) {
+  const motion::Window window = record.window(1);
+  return window.section.subspan(static_cast<std::size_t>(window.states));
+}
+
+/// Measures a motion that was followed in its own last two windows.
+void measure_again(const scene::Scene& scene, const SceneFacts& facts,
+                   const integrate::run::SolverOptions& solver, const motion::ResponseOptions& options,
+                   const Followed& followed, motion::Workspace& workspace, motion::Motion& motion) {
+  const auto turns = 2 * static_cast<std::size_t>(options.window_revolutions);
+  const auto from = followed.last_rows(turns + 1).first(followed.states);
+  const auto record = recorded_run(integrate::run::scene_at(proof::after_the_kick(scene), from, 0), solver,
+                                   options, static_cast<long>(turns), workspace);
+  if (!record) {
+    motion.motion_class = motion::MotionClass::unsettled;
+    motion.status = motion::MotionStatus::step_limit;
+    return;
+  }
+  const auto last = motion::classify_window(record->window(1), options, workspace.spectrum);
+  motion.measures = last.measures;
+  if (!may_be_aperiodic(last)) motion.motion_class = motion::MotionClass::unsettled;
+  if (facts.rotationally_symmetric && motion.motion_class == motion::MotionClass::quasi_periodic)
+    look_for_comb(*record, options, workspace, motion);
+}
+
+void follow_on(const scene::Scene& scene, const SceneFacts& facts, integrate::run::SolverOptions solver,
+               const motion::ResponseOptions& options, const motion::Record& record,
+               std::span<const double> section, motion::Workspace& workspace,
+               integrate::run::WorkBudget& budget, Verdict& verdict) {
+  motion::Motion& motion = verdict.motion;
+  solver.relative_tolerance = std::min(solver.relative_tolerance, largest_tolerance_of_an_exponent);
+  proof::SceneMap map(scene, solver, workspace.modes, &budget);
+  const Aperiodic found = classify_aperiodic(
+      tangent_growth(map), [&map] { return map.touched(); }, {section.begin(), section.end()},
+      static_cast<std::size_t>(options.max_revolutions), observed(scene), options.window_revolutions,
+      workspace.spectrum);
+  motion.motion_class = found.motion_class;
+  motion.exponent = found.exponent;
+  if (budget.used_up()) motion.status = motion::MotionStatus::step_limit;
+  if (found.left_chaos) motion.status = motion::MotionStatus::transient_chaos;
+  if (found.returns_after.value_or(0) > options.max_order)
+    motion.status = motion::MotionStatus::order_above_max;
+  if (motion.motion_class != motion::MotionClass::unsettled && !belongs_to(found.motion, sections_of(record)))
+    measure_again(scene, facts, solver, options, found.motion, workspace, motion);
+  if (motion.motion_class == motion::MotionClass::chaotic)
+    ask_how_long_it_lasts(map, options, found.motion, verdict);
+}
+
+}  // namespace
+
+SceneFacts::SceneFacts(const scene::Scene& scene)
+    : rotationally_symmetric(rotating::rotationally_symmetric(scene)),
+      same_every_turn(integrate::run::same_every_turn(scene.impulses)) {}
+
+bool may_be_aperiodic(const motion::WindowVerdict& verdict) {
+  return verdict.motion_class == motion::MotionClass::unsettled && !verdict.period;
+}
+
+Verdict verdict_of(const scene::Scene& scene, const SceneFacts& facts,
+                   const integrate::run::SolverOptions& solver, const motion::ResponseOptions& options,
+                   const motion::Record& record, std::span<const double> section, const TorusWatch& watch,
+                   motion::Workspace& workspace) {
+  const motion::WindowVerdict previous =
+      motion::classify_window(record.window(0), options, workspace.spectrum);
+  const motion::WindowVerdict last = motion::classify_window(record.window(1), options, workspace.spectrum);
+  Verdict verdict{motion::settle_verdict(previous, last), {}};
+  motion::Motion& motion = verdict.motion;
+  if (!may_be_aperiodic(previous) || !may_be_aperiodic(last)) return verdict;
+  if (facts.rotationally_symmetric) look_for_comb(record, options, workspace, motion);
+  if (!options.exponent || motion.motion_class != motion::MotionClass::unsettled || !facts.same_every_turn)
+    return verdict;
+  integrate::run::WorkBudget budget(
+      integrate::run::most_work_of_a_run(solver, scene.structure.coordinates()));
+  if (const auto chaos = watch.chaos(); chaos && belongs_to(watch.motion(), sections_of(record))) {
+    motion.motion_class = motion::MotionClass::chaotic;
+    motion.exponent = chaos;
+    proof::SceneMap map(scene, solver, workspace.modes, &budget);
+    ask_how_long_it_lasts(map, options, watch.motion(), verdict);
+  } else {
+    follow_on(scene, facts, solver, options, record, section, workspace, budget, verdict);
+  }
+  return verdict;
+}
+
+}  // namespace rubsweep::response

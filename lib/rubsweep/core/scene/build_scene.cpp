@@ -1,0 +1,278 @@
+#include "rubsweep/core/scene/build_scene.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "rubsweep/core/contact/restitution.hpp"
+#include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/core/scene/constant_load.hpp"
+#include "rubsweep/core/scene/given_start.hpp"
+#include "rubsweep/core/scene/two_orders.hpp"
+#include "rubsweep/core/structure/system_at.hpp"
+
+namespace rubsweep::scene {
+namespace {
+
+/// Largest e >= 0 at which a convex excursion(e) = |bow + e unbalance| reaches `target_m`; empty where it
+/// stays above it. `slope` > 0: excursion grows by no more than this per metre of e, and in the end by as
+/// much; `bow_m`: excursion(0).
+std::optional<double> eccentricity_reaching(double target_m, double bow_m, double slope,
+                                            const std::function<double(double)>& excursion) {
+  // excursion(e) >= slope e - bow: beyond `high` it is above the target for ever.
+  const double high = (target_m + bow_m) / slope;
+  if (high == 0) return 0;
+  const auto excess = [&](double e) { return excursion(e) - target_m; };
+  double low = 0;
+  if (bow_m > target_m) {
+    low = boost::math::tools::brent_find_minima(excess, 0.0, high, 40).first;
+    if (excess(low) > 0) return std::nullopt;
+  }
+  if (excess(high) <= 0) return high;
+  std::uintmax_t iterations = 400;  // four halve the bracket at least: it ends before
+  const auto bracket = boost::math::tools::toms748_solve(
+      excess, low, high, boost::math::tools::eps_tolerance<double>(52), iterations);
+  return (bracket.first + bracket.second) / 2;
+}
+
+double damping_of(const model::Stop& stop, double rotor_mass_kg) {
+  const double rotor_kg = stop.contact_mass_kg.value_or(rotor_mass_kg);
+  const double reduced_kg = stop.casing ? contact::reduced_mass(rotor_kg, stop.casing->mass_kg) : rotor_kg;
+  const auto constant = [&](double ratio, double mass_kg) {
+    return contact::damping_constant(ratio, mass_kg, stop.stiffness_n_per_m);
+  };
+  return std::visit(overloaded{[&](const model::NominalRestitution& nominal) {
+                                 return constant(contact::nominal_damping_ratio(nominal.value), reduced_kg);
+                               },
+                               [&](const model::DeliveredRestitution& delivered) {
+                                 return constant(contact::damping_ratio_delivering(delivered.value),
+                                                 reduced_kg);
+                               },
+                               [](const model::ExplicitDamping& given) { return given.damping_ns_per_m; },
+                               [&](const model::RestitutionByRotorMass& printed) {
+                                 return constant(contact::nominal_damping_ratio(printed.value), rotor_kg);
+                               }},
+                    stop.damping);
+}
+
+Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly, std::size_t index,
+                   double speed_rad_per_s) {
+  Contact contact;
+  contact.rotor_point = assembly.rotor_points[index];
+  contact.casing_point = assembly.casing_points[index];
+  contact.wall = contact::wall_of(stop.geometry);
+  contact.clearance_m = stop.clearance_m;
+  contact.stiffness_n_per_m = stop.stiffness_n_per_m;
+  contact.damping_ns_per_m = damping_of(stop, assembly.contact_mass_kg[index]);
+  contact.friction = stop.friction;
+  contact.surface_speed_m_per_s = stop.contact_radius_m * speed_rad_per_s;
+  return contact;
+}
+
+Pulse pulse_of(const model::Kick& kick, const Eigen::Vector2d& wall, const structure::Assembly& assembly) {
+  const Eigen::Vector2d towards = kick.angle_deg ? contact::direction(*kick.angle_deg) : wall;
+  const auto& rotor = assembly.system.points[static_cast<std::size_t>(assembly.kick_point)];
+  return {rotor.map.transpose() * towards, kick.force_n, kick.duration_s};
+}
+
+/// Phase factor that puts the largest normal excursion at the first stop at t = 0.
+std::complex<double> phase_to_smallest_gap(const QuietMotion& unit, const structure::LinearSystem& system,
+                                           const Contact& first, const Eigen::Vector2d& wall) {
+  const Eigen::RowVectorXd row = wall.transpose() * relative_map(system, first);
+  const std::complex<double> amplitude = row.cast<std::complex<double>>() * unit.amplitude;
+  if (unit.second_amplitude.size() > 0) {
+    const std::complex<double> second = row.cast<std::complex<double>>() * unit.second_amplitude;
+    return std::polar(1.0, largest_value(amplitude, second).phase_rad);
+  }
+  const double modulus = std::abs(amplitude);
+  return modulus > 0 && std::isfinite(modulus) ? std::conj(amplitude) / modulus : 1.0;
+}
+
+/// Sets the other measure of the unbalance too. `remaining_m`: clearance that static forces leave at the
+/// first stop. Where they leave none, or the amplitude has no bound, no number gives the other measure: NaN.
+void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, double amplitude_per_m) {
+  const bool related = remaining_m > 0 && std::isfinite(amplitude_per_m);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  std::visit(overloaded{[&](const WhirlRatio& ratio) {
+                          cell.whirl_ratio = ratio.value;
+                          cell.eccentricity_m = related ? ratio.value * remaining_m / amplitude_per_m : none;
+                        },
+                        [&](const Eccentricity& eccentricity) {
+                          cell.eccentricity_m = eccentricity.value_m;
+                          cell.whirl_ratio =
+                              related ? eccentricity.value_m * amplitude_per_m / remaining_m : none;
+                        }},
+             unbalance);
+}
+
+/// Unbalance on top of a bow, or of forces at twice the speed, that are already there; both ways of saying it
+/// as in set_unbalance.
+void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaining_m, const QuietMotion& bow,
+                          const QuietMotion& unit) {
+  const structure::LinearSystem& structure = cell.scene.structure;
+  const Contact& contact = cell.scene.contacts.front();
+  const auto excursion = [&](double e) {
+    return quiet_penetration({bow.mean, bow.amplitude + e * unit.amplitude, bow.second_amplitude}, structure,
+                             contact)
+        .amplitude;
+  };
+  const double slope = quiet_penetration(unit, structure, contact).amplitude;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const bool related = remaining_m > 0 && std::isfinite(slope) && slope > 0 && std::isfinite(excursion(0));
+  const auto reaching = [&](double wanted_m) {
+    return eccentricity_reaching(wanted_m, excursion(0), slope, excursion).value_or(none);
+  };
+  std::visit(overloaded{[&](const WhirlRatio& ratio) {
+                          cell.whirl_ratio = ratio.value;
+                          cell.eccentricity_m = related ? reaching(ratio.value * remaining_m) : none;
+                        },
+                        [&](const Eccentricity& eccentricity) {
+                          cell.eccentricity_m = eccentricity.value_m;
+                          cell.whirl_ratio = related ? excursion(eccentricity.value_m) / remaining_m : none;
+                        }},
+             unbalance);
+}
+
+/// Smallest share in (0, 1] of the way to the static position at which a wall is met; 1 where none is.
+double share_before_contact(const Cell& cell) {
+  double share = 1;
+  for (const Contact& contact : cell.scene.contacts) {
+    const Eigen::Vector2d way = relative_map(cell.scene.structure, contact) * cell.quiet.mean;
+    share = std::min(share, contact::share_of_way_to(contact.wall, contact.clearance_m, way));
+  }
+  return share;
+}
+
+void start_at_rest(Cell& cell) {
+  cell.start = Start::contact;
+  cell.scene.pulses.clear();
+  cell.scene.displacement_m = share_before_contact(cell) * cell.quiet.mean;
+  cell.scene.velocity_m_per_s = Eigen::VectorXd::Zero(cell.quiet.mean.size());
+}
+
+/// The first stop goes by the whirl ratio, so that rounding does not decide at a ratio of exactly 1.
+bool touches_anywhere(const Cell& cell) {
+  if (!(cell.whirl_ratio < 1)) return true;
+  for (const Contact& contact : cell.scene.contacts) {
+    const auto [mean, amplitude] = quiet_penetration(cell.quiet, cell.scene.structure, contact);
+    if (mean + amplitude >= 0) return true;
+  }
+  return false;
+}
+
+/// Structure, walls and constant force at a speed: the part that no unbalance and no kick changes.
+Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
+  const structure::Assembly& assembly = prepared.assembly;
+  if (!assembly.tables.empty()) structure::refuse_beyond_tables(prepared.machine, speed_hz, speed_hz);
+  Scene scene;
+  scene.speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
+  for (std::size_t i = 0; i < prepared.machine.stops.size(); ++i)
+    scene.contacts.push_back(contact_of(prepared.machine.stops[i], assembly, i, scene.speed_rad_per_s));
+  scene.constant_n = constant_load_n(prepared);
+  scene.observed_point = assembly.observed_point;
+  scene.length_scale_m = scene.contacts.front().clearance_m;
+  scene.structure = structure::system_at(assembly, scene.speed_rad_per_s);
+  scene.impulses = assembly.impulses;
+  return scene;
+}
+
+/// Clears a measure of the unbalance that overflows: it cannot stand for the other one.
+void forget_what_overflows(Cell& cell) {
+  for (double* said : {&cell.whirl_ratio, &cell.eccentricity_m}) {
+    if (!std::isfinite(*said)) *said = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+/// The kick comes when the shaft has turned on from the smallest gap by this angle.
+std::complex<double> phase_of_kick(const model::Machine& machine) {
+  const double phase_deg = machine.kick ? machine.kick->phase_deg.value_or(0) : 0;
+  // Without a phase the motion must keep every bit.
+  return phase_deg == 0 ? 1.0 : std::polar(1.0, phase_deg * std::numbers::pi / 180);
+}
+
+/// Torsion of the scene; the unbalance has the cell's phase.
+Twist twist_of(const PreparedMachine& prepared, double eccentricity_m, std::complex<double> phase) {
+  const structure::Assembly& assembly = prepared.assembly;
+  Twist twist;
+  twist.coordinate = *assembly.twist;
+  twist.unbalance_kg_m = eccentricity_m * phase * assembly.system.unbalance_kg;
+  twist.bow_n = phase * assembly.bow_n;
+  twist.gyroscopic = assembly.gyroscopic;
+  twist.circulatory = assembly.circulatory;
+  twist.unbalance_inertia_kg_m2 = eccentricity_m * eccentricity_m * assembly.unbalance_inertia_kg;
+  for (const model::Stop& stop : prepared.machine.stops)
+    twist.contact_radius_m.push_back(stop.contact_radius_m);
+  return twist;
+}
+
+void start_on_quiet_motion(Cell& cell) {
+  Scene& scene = cell.scene;
+  const double w = scene.speed_rad_per_s;
+  cell.quiet = quiet_motion(scene.structure, w, scene.harmonic_n, scene.constant_n, scene.second_harmonic_n);
+  scene.displacement_m = cell.quiet.displacement(0);
+  scene.velocity_m_per_s = w * cell.quiet.velocity(0);
+  if (touches_anywhere(cell)) start_at_rest(cell);
+}
+
+}  // namespace
+
+Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance) {
+  const structure::Assembly& assembly = prepared.assembly;
+  Cell cell;
+  cell.scene = scene_at(prepared, speed_hz);
+  Scene& scene = cell.scene;
+  const Contact& first = scene.contacts.front();
+  const double w = scene.speed_rad_per_s;
+  const Eigen::VectorXcd unit_force = w * w * scene.structure.unbalance_kg;
+  const QuietMotion unit = quiet_motion(scene.structure, w, unit_force, scene.constant_n);
+  const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
+  const Eigen::Vector2d wall = nearest_wall(unit, scene.structure, first);
+  if (prepared.machine.kick) scene.pulses.push_back(pulse_of(*prepared.machine.kick, wall, assembly));
+  const bool bowed = assembly.bow_n.size() > 0 || assembly.second_n.size() > 0;
+  const Eigen::VectorXcd bow_n =
+      assembly.bow_n.size() > 0 ? assembly.bow_n : Eigen::VectorXcd(0 * unit_force);
+  QuietMotion bow;
+  if (bowed) {
+    bow = quiet_motion(scene.structure, w, bow_n, scene.constant_n, assembly.second_n);
+    set_unbalance_on_bow(cell, unbalance, -mean, bow, unit);
+  } else {
+    set_unbalance(cell, unbalance, -mean, amplitude_per_m);
+  }
+  forget_what_overflows(cell);
+  const bool has_quiet_motion = std::isfinite(amplitude_per_m) && std::isfinite(mean);
+  if (!has_quiet_motion || !std::isfinite(cell.eccentricity_m)) {
+    cell.start = has_quiet_motion && mean >= 0 ? Start::initial_contact : Start::unreachable;
+    return cell;
+  }
+  if (bowed) bow.amplitude += cell.eccentricity_m * unit.amplitude;
+  const std::complex<double> phase =
+      model::begins_at_rest(prepared.machine.start)
+          ? 1
+          : phase_to_smallest_gap(bowed ? bow : unit, scene.structure, first, wall);
+  if (bowed) {
+    scene.harmonic_n = phase * (bow_n + cell.eccentricity_m * unit_force);
+    scene.second_harmonic_n = phase * phase * assembly.second_n;
+  } else {
+    scene.harmonic_n = cell.eccentricity_m * phase * unit_force;
+  }
+  if (assembly.twist)
+    scene.twist = twist_of(prepared, cell.eccentricity_m, phase * phase_of_kick(prepared.machine));
+  scene.harmonic_n *= phase_of_kick(prepared.machine);
+  scene.second_harmonic_n *= phase_of_kick(prepared.machine) * phase_of_kick(prepared.machine);
+  start_on_quiet_motion(cell);
+  start_in_given_state(scene, prepared);
+  return cell;
+}
+
+Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance) {
+  return build_cell(prepare_machine(structure::machine_at(machine, speed_hz)), speed_hz, unbalance);
+}
+
+}  // namespace rubsweep::scene

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rubsweep/core/structure/impulse_train.hpp"
+#include "rubsweep/core/structure/linear_system.hpp"
+#include "rubsweep/core/structure/tabled_support.hpp"
+
+namespace rubsweep::structure {
+
+/// A rotor and its casings as one linear system; the numbers index `system.points`.
+struct Assembly {
+  LinearSystem system;          ///< without what depends on the speed
+  Eigen::MatrixXd gyroscopic;   ///< n x n or empty: at a speed w the damping is system.damping + w gyroscopic
+  Eigen::MatrixXd circulatory;  ///< n x n or empty: damping that turns with the shaft makes the stiffness
+                                ///< system.stiffness + w circulatory, which is not symmetric
+  std::vector<TabledSupport> tables;  ///< supports that follow the speed: see system_at
+  std::optional<Eigen::Index> twist;  ///< the coordinate of torsion: angle between rotor and drive
+  double unbalance_inertia_kg = 0;    ///< times e^2: what an eccentricity e adds to the polar inertia
+  Eigen::VectorXcd bow_n;  ///< n or empty: a residual bow and couplings out of line force Re(bow_n e^{i w t})
+                           ///< at any speed w
+  Eigen::VectorXcd second_n;  ///< n or empty: couplings of unequal stiffness force Re(second_n e^{2 i w t})
+                              ///< at any speed w
+  Eigen::VectorXd static_n;                       ///< n or empty: loads beside the weight that do not change
+  std::vector<ImpulseTrain> impulses;             ///< of faulty bearings
+  std::vector<int> rotor_points;                  ///< one per stop
+  std::vector<std::optional<int>> casing_points;  ///< one per stop; empty: rigid casing, no state
+  std::vector<int> sensor_points;                 ///< one per sensor
+  int observed_point = 0;                         ///< whose motion is classified
+  int kick_point = 0;
+  std::vector<double> contact_mass_kg;  ///< one per stop: rotor mass behind a restitution
+};
+
+/// Adds an isotropic mass on a spring at coordinates `first` (x) and `first + 1` (y), and the point that it
+/// is.
+void add_body(LinearSystem& system, Eigen::Index first, double mass_kg, double stiffness_n_per_m,
+              double damping_ratio);
+
+/// Throws ConfigError where some number of the assembly is not finite, or its mass matrix is not positive
+/// definite to rounding: no motion of it could be computed.
+void refuse_unusable(const Assembly& assembly);
+
+}  // namespace rubsweep::structure

@@ -1,0 +1,293 @@
+#include "rubsweep/core/structure/full_reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <initializer_list>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/structure/free_modes.hpp"
+#include "rubsweep/core/structure/seen_modes.hpp"
+#include "rubsweep/core/structure/system_at.hpp"
+
+namespace rubsweep::structure {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using std::numbers::pi;
+
+constexpr double grid_decades = 2.5;
+constexpr double grows = 1e-4;  ///< share of its frequency at which a vibration surely grows
+
+/// Points for a system of so many coordinates: a solution takes the third power of these.
+int points_for(Index coordinates) {
+  constexpr int most = 100, least = 25;
+  constexpr double many = 150;
+  return std::clamp(static_cast<int>(most * std::pow(many / static_cast<double>(coordinates), 3)), least,
+                    most);
+}
+
+/// Rates of the free vibrations up to a frequency; no numbers where they cannot be told.
+Eigen::VectorXcd rates_within(const SpeedMatrices& matrices, double rad_per_s) {
+  try {
+    return free_modes(matrices, {0, rad_per_s}).rate_per_s;
+  } catch (const SolverError&) {
+    return Eigen::VectorXcd::Constant(1, std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+/// Distance of a growing rate from the nearest of `others`: the larger one of the shares by which frequency
+/// and growth differ.
+double distance(std::complex<double> rate, const Eigen::VectorXcd& others) {
+  constexpr double slow = 0.01;  // of the frequency: slower growth counts by this
+  double least = 1;
+  for (const std::complex<double>& other : others) {
+    const double size = std::abs(rate), growth = std::abs(rate.real() - other.real());
+    least = std::min(least, std::max(std::abs(rate - other) / size, growth / (rate.real() + slow * size)));
+  }
+  return least;
+}
+
+/// Largest distance from the diagonal at which one of the matrices has a number.
+Index band_of(std::initializer_list<const Eigen::MatrixXd*> matrices) {
+  Index band = 0;
+  for (const Eigen::MatrixXd* matrix : matrices) {
+    for (Index k = 0; k < matrix->cols(); ++k) {
+      for (Index i = 0; i < matrix->rows(); ++i)
+        if ((*matrix)(i, k) != 0) band = std::max(band, std::abs(i - k));
+    }
+  }
+  return band;
+}
+
+bool any_grows(const Eigen::VectorXcd& rates, double share) {
+  return std::ranges::any_of(rates, [=](const auto& rate) { return rate.real() > share * std::abs(rate); });
+}
+
+/// Whether some vibration surely grows by one and surely none by the other, which leaves room about the
+/// speed at which one begins to.
+bool contradict(const Eigen::VectorXcd& one, const Eigen::VectorXcd& other) {
+  const auto only_first = [](const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
+    return any_grows(a, grows) && !any_grows(b, grows / 4);
+  };
+  return only_first(one, other) || only_first(other, one);
+}
+
+}  // namespace
+
+FullReference::FullReference(const BeamShaft& shaft, const model::RotorKit& kit,
+                             std::vector<double> responses_m, std::vector<double> forces_m,
+                             std::vector<double> loads_m)
+    : shaft_(shaft),
+      kit_(kit),
+      responses_m_(std::move(responses_m)),
+      forces_m_(std::move(forces_m)),
+      loads_m_(std::move(loads_m)),
+      lines_{{true, 0, {}}, {false, 0, {}}} {
+  if (model::has_tables(kit)) {
+    const model::Range speeds_hz = model::table_speeds_hz(kit);
+    for (const double hz : {speeds_hz.low, speeds_hz.high})
+      lines_.push_back({false, 2 * pi * hz, 2 * pi * hz});
+  }
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(shaft.coordinates(), shaft.coordinates());
+  full_ = rotor_of({one, one}, full_system(shaft, kit));
+  points_ = points_for(full_.matrices.system.coordinates());
+  around_ = std::max(1, points_ / 25);
+  for (std::size_t line = 0; line < lines_.size(); ++line) {
+    auto& values = exact_.emplace_back();
+    for (int k = 0; k < points_; ++k) values.push_back(receptance(full_, line, rad_per_s(k)));
+  }
+  if (!may_feed_vibrations(shaft, kit)) return;
+  const double highest = 2 * pi * kit.modes_up_to_hz;
+  std::vector<Line> speeds{lines_[1]};
+  for (const double share : {0.02, 0.05, 0.1, 0.2, 0.4, 1.0}) speeds.push_back({false, share * highest, {}});
+  if (model::has_tables(kit)) {
+    constexpr int parts = 6;
+    const double low = lines_[2].speed_rad_per_s, high = lines_[3].speed_rad_per_s;
+    for (int part = 0; part <= parts; ++part) {
+      const double speed = low + (high - low) * part / parts;
+      speeds.push_back({false, std::clamp(speed, low, high), std::clamp(speed, low, high)});
+    }
+  }
+  for (const Line& at : speeds) {
+    rates_.emplace_back(
+        at, rates_within(matrices_at(full_.matrices, at.speed_rad_per_s, at.supports_rad_per_s), highest));
+  }
+}
+
+FullReference::Rotor FullReference::rotor_of(const PlaneBases& bases, FullSystem matrices) const {
+  const LateralSystem& system = matrices.system;
+  const auto at_places = [&](const std::vector<double>& places_m) {
+    std::vector<Index> coordinates;
+    for (const double place : places_m) coordinates.push_back(shaft_.deflection(place));
+    return coordinates;
+  };
+  const auto rows = [&](const std::vector<Index>& coordinates) {
+    Eigen::MatrixXd seen(static_cast<Index>(2 * coordinates.size()), system.coordinates());
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      for (std::size_t plane = 0; plane < 2; ++plane) {
+        seen.row(static_cast<Index>(2 * i + plane)) =
+            system.scatter(plane, bases[plane].row(coordinates[i]).transpose()).transpose();
+      }
+    }
+    return seen;
+  };
+  std::vector<double> forces_m = forces_m_;
+  forces_m.insert(forces_m.end(), loads_m_.begin(), loads_m_.end());
+  std::vector<Index> forces = at_places(forces_m);
+  for (Index i = 0; i < shaft_.coordinates(); ++i) {
+    if (shaft_.unbalance_kg(i) != 0.0) forces.push_back(i);
+  }
+  Eigen::MatrixXd responses = rows(at_places(responses_m_)), columns = rows(forces).transpose();
+  Rotor rotor{std::move(matrices), std::move(responses), std::move(columns), {}};
+  rotor.band = band_of({&rotor.matrices.system.gyroscopic, &rotor.matrices.circulatory});
+  for (const Line& line : lines_) {
+    const SpeedMatrices& at = rotor.at_lines.emplace_back(
+        matrices_at(rotor.matrices, line.speed_rad_per_s, line.supports_rad_per_s));
+    rotor.band = std::max(rotor.band, band_of({&at.mass, &at.damping, &at.stiffness}));
+  }
+  return rotor;
+}
+
+FullReference::Rotor FullReference::reduced_rotor(const Reduction& reduction) const {
+  FullSystem reduced{reduced_system(shaft_, kit_, reduction), {}, {}};
+  if (model::has_rotating_damping(kit_)) {
+    const RotatingDamping added = rotating_damping(shaft_, kit_, reduction, reduced.system);
+    reduced.system.damping += added.damping;
+    reduced.circulatory = added.circulatory;
+  }
+  reduced.tables =
+      tabled_supports(shaft_, kit_, reduction.bases, reduced.system, reduced.system.coordinates());
+  return rotor_of(reduction.bases, std::move(reduced));
+}
+
+double FullReference::rad_per_s(double step) const {
+  return 2 * pi * kit_.modes_up_to_hz * std::pow(10.0, -grid_decades * (1 - step / (points_ - 1)));
+}
+
+MatrixXcd FullReference::receptance(const Rotor& rotor, std::size_t line, double w, double loss) const {
+  const SpeedMatrices& at = rotor.at_lines[line];
+  MatrixXcd dynamic(at.mass.rows(), at.mass.cols());
+  dynamic.real() = at.stiffness - w * w * at.mass;
+  dynamic.imag() = w * at.damping + loss * at.stiffness;
+  if (lines_[line].with_the_force) {
+    dynamic.imag() += w * w * rotor.matrices.system.gyroscopic;
+    if (rotor.matrices.circulatory.size() > 0)
+      dynamic += std::complex<double>(w, loss * w) * rotor.matrices.circulatory;
+  }
+  return rotor.responses.cast<std::complex<double>>() *
+         numerics::dense::solve_banded(dynamic, rotor.forces.cast<std::complex<double>>(), rotor.band);
+}
+
+Eigen::Vector2d FullReference::sizes(const MatrixXcd& value) const {
+  const auto forces = static_cast<Index>(2 * forces_m_.size());
+  return {value.leftCols(forces).norm(), value.rightCols(value.cols() - forces).norm()};
+}
+
+double FullReference::difference(const MatrixXcd& found, const MatrixXcd& exact,
+                                 const Eigen::Vector2d& size) const {
+  const Eigen::Vector2d off = sizes(found - exact);
+  // Loads may be none.
+  return std::max(off(0) / size(0), size(1) > 0 ? share_beside * off(1) / size(1) : 0);
+}
+
+double FullReference::line_error(const Rotor& reduced, std::size_t line, double enough) const {
+  double worst = 0;
+  for (int k = points_ - 1; k >= 0 && worst <= enough; --k) {
+    // An antiresonance is no reason to keep on adding modes.
+    Eigen::Vector2d size(0, 0);
+    for (int j = std::max(0, k - around_); j <= std::min(points_ - 1, k + around_); ++j)
+      size = size.cwiseMax(sizes(exact_[line][static_cast<std::size_t>(j)]));
+    const MatrixXcd found = receptance(reduced, line, rad_per_s(k));
+    worst = std::max(worst, difference(found, exact_[line][static_cast<std::size_t>(k)], size));
+  }
+  return worst;
+}
+
+double FullReference::peak_error(const Rotor& reduced, std::size_t line, double enough) const {
+  constexpr int finer = 8, cuts = 20;
+  constexpr double loss = 0.004;  // without damping a peak has no height that could be compared
+  const double step = 1.0 / finer;
+  const auto height = [&](double at) { return receptance(reduced, line, rad_per_s(at), loss).norm(); };
+  double worst = 0, before = 0, here = height(0);
+  for (int k = 0; k < finer * (points_ - 1) && worst <= enough; ++k) {
+    const double after = height((k + 1) * step);
+    const bool peak = k > 0 && here > before && here >= after;
+    before = std::exchange(here, after);
+    if (!peak) continue;
+    // Golden sections: each needs one height more.
+    constexpr double golden = std::numbers::phi - 1;
+    double low = (k - 1) * step, high = (k + 1) * step;
+    double left = high - golden * (high - low), right = low + golden * (high - low);
+    double at_left = height(left), at_right = height(right);
+    for (int cut = 0; cut < cuts; ++cut) {
+      if (at_left < at_right) {
+        low = std::exchange(left, right), at_left = at_right;
+        right = low + golden * (high - low), at_right = height(right);
+      } else {
+        high = std::exchange(right, left), at_right = at_left;
+        left = high - golden * (high - low), at_left = height(left);
+      }
+    }
+    const double w = rad_per_s((low + high) / 2);
+    const MatrixXcd exact = receptance(full_, line, w, loss), found = receptance(reduced, line, w, loss);
+    Eigen::Vector2d size = sizes(exact).cwiseMax(sizes(found));
+    const Eigen::Vector2d off = sizes(found - exact);
+    worst = std::max(worst, share_beside * std::max(off(0) / size(0), size(1) > 0 ? off(1) / size(1) : 0));
+  }
+  return worst;
+}
+
+double FullReference::receptance_error(const Reduction& reduction, double enough) const {
+  const Rotor reduced = reduced_rotor(reduction);
+  double worst = 0;
+  for (std::size_t line = 0; line < lines_.size() && worst <= enough; ++line)
+    worst = std::max(worst, line_error(reduced, line, enough));
+  for (std::size_t line = 0; line < lines_.size() && worst <= enough; ++line)
+    worst = std::max(worst, peak_error(reduced, line, enough));
+  return worst;
+}
+
+FullReference::Growth FullReference::growth(const Reduction& reduction) const {
+  Growth growth;
+  if (rates_.empty()) return growth;
+  const Rotor reduced = reduced_rotor(reduction);
+  for (const auto& [at, exact] : rates_) {
+    // Rates of either a little beyond may be those of the other within.
+    constexpr double beyond = 1.1;
+    const double highest = 2 * pi * kit_.modes_up_to_hz;
+    const Eigen::VectorXcd found = rates_within(
+        matrices_at(reduced.matrices, at.speed_rad_per_s, at.supports_rad_per_s), beyond * highest);
+    growth.mistaken = growth.mistaken || contradict(found, exact);
+    for (const std::complex<double>& rate : exact) {
+      if (rate.real() > grows * std::abs(rate)) growth.error = std::max(growth.error, distance(rate, found));
+    }
+    for (const std::complex<double>& rate : found) {
+      if (rate.real() > grows * std::abs(rate) && std::abs(rate) <= highest / beyond)
+        growth.error = std::max(growth.error, distance(rate, exact));
+    }
+  }
+  return growth;
+}
+
+bool growth_is_mistaken(const BeamShaft& shaft, const model::RotorKit& kit, const Assembly& reduced,
+                        double speed_rad_per_s) {
+  if (!may_feed_vibrations(shaft, kit)) return false;
+  const double highest = 2 * pi * kit.modes_up_to_hz;
+  const LinearSystem small = system_at(reduced, speed_rad_per_s);
+  const Eigen::VectorXcd found = rates_within({small.mass, small.damping, small.stiffness}, 10 * highest);
+  double furthest = highest;
+  for (const std::complex<double>& rate : found)
+    if (rate.real() > grows * std::abs(rate)) furthest = std::max(furthest, 1.5 * std::abs(rate));
+  const FullSystem full = full_system(shaft, kit);
+  const auto tables = full.tables.empty() ? std::nullopt : std::optional(speed_rad_per_s);
+  const Eigen::VectorXcd exact = rates_within(matrices_at(full, speed_rad_per_s, tables), furthest);
+  return exact.allFinite() && found.allFinite() && contradict(found, exact);
+}
+
+}  // namespace rubsweep::structure

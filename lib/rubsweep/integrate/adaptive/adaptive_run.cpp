@@ -1,9 +1,0 @@
-#include "rubsweep/integrate/adaptive/adaptive_run.hpp"
-
-namespace rubsweep::integrate::adaptive {
-
-template class AdaptiveRun<law::Dynamics<4, false>>;
-template class AdaptiveRun<law::Dynamics<Eigen::Dynamic, false>>;
-template class AdaptiveRun<law::Dynamics<Eigen::Dynamic, true>>;
-
-}  // namespace rubsweep::integrate::adaptive

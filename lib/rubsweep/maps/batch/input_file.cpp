@@ -1,0 +1,97 @@
+#include "rubsweep/maps/batch/input_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::batch {
+namespace {
+
+bool is_passed_on(const std::filesystem::path& path) {
+  const std::string& name = path.native();
+  return name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/");
+}
+
+std::string reason(int error) {
+  if (error == ENOMEM) throw std::bad_alloc();
+  return std::generic_category().message(error);
+}
+
+}  // namespace
+
+Input find_input(const std::filesystem::path& path, InputKind kind) {
+  if (kind == InputKind::also_passed_on && is_passed_on(path)) {
+    Descriptor passed(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    const int error = errno;
+    if (passed.get() >= 0) return {std::move(passed), ""};
+    return {Descriptor(-1), reason(error)};
+  }
+  // Opening a pipe waits for its other end, unless it is told not to.
+  Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  if (descriptor.get() < 0)
+    return {Descriptor(-1), errno == ENXIO ? "it is not a regular file" : reason(errno)};
+  struct stat facts {};
+  if (::fstat(descriptor.get(), &facts) != 0) return {Descriptor(-1), reason(errno)};
+  if (S_ISDIR(facts.st_mode)) return {Descriptor(-1), reason(EISDIR)};
+  if (!S_ISREG(facts.st_mode)) return {Descriptor(-1), "it is not a regular file"};
+  return {std::move(descriptor), ""};
+}
+
+Descriptor open_input(const std::filesystem::path& path) {
+  Input input = find_input(path);
+  if (!input.problem.empty()) throw IoError(fmt::format("cannot read {}: {}", path.string(), input.problem));
+  return std::move(input.descriptor);
+}
+
+InputStream open_input_stream(const std::filesystem::path& path) {
+  Descriptor descriptor = open_input(path);
+  InputStream stream(::fdopen(descriptor.get(), "rb"), &std::fclose);
+  if (!stream) throw_io_error("read", path, errno);
+  descriptor.release();
+  return stream;
+}
+
+LineBuffer::~LineBuffer() { std::free(text); }
+
+std::string_view read_line(std::FILE* stream, const std::filesystem::path& path, char*& text,
+                           std::size_t& capacity) {
+  errno = 0;
+  const ssize_t length = ::getline(&text, &capacity, stream);
+  if (length >= 0) return {text, static_cast<std::size_t>(length)};
+  if (errno == ENOMEM) throw std::bad_alloc();
+  if (std::ferror(stream)) throw_io_error("read", path, errno);
+  return {};
+}
+
+int read_bytes(int descriptor, std::size_t most, std::string& text) {
+  std::array<char, 65536> piece;
+  while (most > 0) {
+    const ssize_t length = ::read(descriptor, piece.data(), std::min(most, piece.size()));
+    if (length < 0 && errno == EINTR) continue;
+    if (length < 0) return errno;
+    if (length == 0) return 0;
+    text.append(piece.data(), static_cast<std::size_t>(length));
+    most -= static_cast<std::size_t>(length);
+  }
+  return 0;
+}
+
+std::string read_input(const std::filesystem::path& path) {
+  const Descriptor file = open_input(path);
+  std::string text;
+  if (const int error = read_bytes(file.get(), text.max_size(), text)) throw_io_error("read", path, error);
+  return text;
+}
+
+}  // namespace rubsweep::batch

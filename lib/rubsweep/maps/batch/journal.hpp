@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/line_log.hpp"
+
+namespace rubsweep::batch {
+
+/// Identity of the computation that the results in a journal belong to. Results of two journals with equal
+/// digests and cells may be mixed.
+struct JournalHeader {
+  std::string study_digest;       ///< of everything that decides the results
+  std::string program_digest;     ///< of the code that computes them
+  std::size_t cells = 0;          ///< of the whole grid; records name cells 0 ... cells - 1
+  std::string study;              ///< the study itself as lines of text, so that a difference can be named
+  std::size_t damaged_lines = 0;  ///< that could not be read and were not needed
+};
+
+/// Thrown where a journal does not say which computation its records belong to.
+class DamagedJournal : public IoError {
+  using IoError::IoError;
+};
+
+/// True when results under one header are results under the other: by the digests, or by the study where the
+/// digest of `a` was damaged.
+bool same_results(const JournalHeader& a, const JournalHeader& b);
+
+/// A finished cell as the journal holds it.
+struct JournalRecord {
+  std::size_t cell;
+  std::string_view text;  ///< one line without its end
+  std::uint64_t offset;   ///< of the text in the file
+};
+
+/// Reads the header before the records. Damaged lines are ignored where the others suffice: the
+/// first line, the study as long as its digest is good, the digest as long as the study is (it
+/// is empty then), the line before the records. Throws DamagedJournal where they do not, or
+/// IoError.
+JournalHeader read_journal_header(const std::filesystem::path& path);
+
+/// Hands every good record to `on_record`, in the order of the file, and returns how many were damaged on the
+/// disk: their cells are simply not finished, as is that of a last record that the end of a process tore. A
+/// cell may come more than once. Throws IoError as read_journal_header.
+std::size_t read_journal(const std::filesystem::path& path,
+                         const std::function<void(const JournalRecord&)>& on_record);
+
+/// An append-only file of finished cells: one line each, `CRC-32 cell text`, so that every record stands for
+/// itself. The header is written whole or not at all.
+class Journal {
+ public:
+  /// Continues the journal at `path`, whose header must have been found to fit, or begins one. Throws
+  /// IoError.
+  Journal(const std::filesystem::path& path, const JournalHeader& header);
+
+  /// Keeps a finished cell, `text` being one line. Throws IoError; SolverError when `text` has a line end.
+  void append(std::size_t cell, std::string_view text);
+
+  // As those of LineLog.
+  void refresh() { log_.refresh(); }
+  void sync() { log_.sync(); }
+
+ private:
+  LineLog log_;
+};
+
+}  // namespace rubsweep::batch

@@ -1,0 +1,154 @@
+#include "rubsweep/maps/batch/parallel_run.hpp"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+
+#include <exception>
+#include <future>
+#include <mutex>
+#include <new>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::batch {
+namespace {
+
+/// Number of cells that threw, and the exception of the one with the lowest index.
+struct Failures {
+  std::size_t count = 0;
+  std::size_t first_cell = 0;
+  std::exception_ptr first;
+
+  void add(std::size_t cell, std::exception_ptr error) {
+    if (count++ == 0 || cell < first_cell) {
+      first_cell = cell;
+      first = std::move(error);
+    }
+  }
+};
+
+[[noreturn]] void rethrow(const Failures& failures, std::size_t cells) {
+  const auto message = [&](const std::exception& error) {
+    return fmt::format("cell {}: {} ({} of {} cells failed)", failures.first_cell, error.what(),
+                       failures.count, cells);
+  };
+  try {
+    std::rethrow_exception(failures.first);
+  } catch (const ConfigError& error) {
+    throw ConfigError(message(error));
+  } catch (const IoError& error) {
+    throw IoError(message(error));
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw SolverError(message(error));
+  }
+}
+
+/// Happens-before relations that TBB guarantees, repeated for the thread sanitizer, as libtbb is built
+/// without it: the code before the run happens before every cell, and every cell before the code after it.
+/// Two cells are not ordered, so that a race between them is still found.
+std::atomic<std::size_t> runs_begun{0}, cells_ended{0};
+
+/// Ends of a cell, and of a run, by whatever way they are left.
+struct CellEnd {
+  ~CellEnd() { cells_ended.fetch_add(1, std::memory_order_release); }
+};
+struct RunEnd {
+  ~RunEnd() { static_cast<void>(cells_ended.load(std::memory_order_acquire)); }
+};
+
+/// TBB copies it from thread to thread. What reads the copy has a name that tests/thread_sanitizer.supp can
+/// excuse.
+struct RunCells {
+  const std::function<void(std::size_t)>& run_one;
+
+  void operator()(const tbb::blocked_range<std::size_t>& cells) const { run_cells_of_range(cells); }
+
+  void run_cells_of_range(const tbb::blocked_range<std::size_t>& cells) const {
+    static_cast<void>(runs_begun.load(std::memory_order_acquire));
+    const CellEnd cell_end;
+    for (std::size_t cell = cells.begin(); cell != cells.end(); ++cell) run_one(cell);
+  }
+};
+
+}  // namespace
+
+int thread_count(int threads) {
+  if (threads < 0) {
+    throw ConfigError(fmt::format("threads: {} is out of range, allowed: 0 (all) or a number >= 1", threads));
+  }
+  return threads == 0 ? tbb::info::default_concurrency() : threads;
+}
+
+void require_threads(int threads, int beside) {
+  const int count = thread_count(threads);
+  if (count == 1) return;
+  // The calling thread is one of them.
+  const auto wanted = static_cast<std::size_t>(count) - 1 + static_cast<std::size_t>(beside);
+  // Joined behind the promise, whose end lets the threads go whatever else is thrown here.
+  std::vector<std::jthread> started;
+  std::promise<void> all_started;
+  const std::shared_future<void> end = all_started.get_future().share();
+  std::string reason;
+  try {
+    while (started.size() < wanted) started.emplace_back([end] { end.wait(); });
+  } catch (const std::system_error& error) {
+    reason = error.code().message();
+  }
+  all_started.set_value();
+  if (reason.empty()) return;
+  throw ConfigError(fmt::format("threads: {} cannot be started, the system stops at {} ({}), allowed: fewer",
+                                count, started.size() + 1, reason));
+}
+
+std::size_t parallel_run(std::size_t count, int threads,
+                         const std::function<void(std::size_t cell)>& run_cell,
+                         const std::function<void(std::size_t cell)>& on_finished,
+                         const std::atomic<bool>& stop) {
+  const int concurrency = thread_count(threads);
+  std::mutex one_at_a_time;  // guards what follows and every call of on_finished
+  std::size_t finished = 0;
+  Failures failures;
+
+  const std::function<void(std::size_t)> run_one = [&](std::size_t cell) {
+    if (stop) return;
+    try {
+      run_cell(cell);
+    } catch (...) {
+      const std::lock_guard lock(one_at_a_time);
+      failures.add(cell, std::current_exception());
+      return;
+    }
+    const std::lock_guard lock(one_at_a_time);
+    ++finished;
+    on_finished(cell);
+  };
+
+  // An arena alone never gets more threads than processors, the control alone would let the caller's arena
+  // decide.
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(concurrency));
+  tbb::task_arena arena(concurrency);
+  runs_begun.fetch_add(1, std::memory_order_release);
+  {
+    const RunEnd run_end;
+    arena.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), RunCells{run_one},
+                        tbb::simple_partitioner());
+    });
+  }
+  if (failures.count > 0) rethrow(failures, count);
+  return finished;
+}
+
+}  // namespace rubsweep::batch

@@ -1,0 +1,132 @@
+#include "rubsweep/maps/batch/table_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <optional>
+
+#include "rubsweep/maps/batch/input_file.hpp"
+
+namespace rubsweep::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view sum_mark = "# sha256 ", format_mark = "# format ";
+constexpr std::size_t digits_of_sum = 64;
+constexpr std::string_view growing_ending = ".partial.csv";
+
+std::string sum_line(std::string_view digits) { return fmt::format("{}{}\n", sum_mark, digits); }
+
+/// Sum of all lines but its own, and what the head says. No row begins with '#'.
+class TableCheck {
+ public:
+  void add(std::string_view line) {
+    if (first_) ends_in_cr_lf_ = line.ends_with("\r\n");
+    first_ = false;
+    ends_ = line.ends_with('\n');
+    const bool carriage_return = ends_in_cr_lf_ && line.ends_with("\r\n");
+    line.remove_suffix(carriage_return ? 2 : ends_ ? 1 : 0);
+    if (!said_ && line.starts_with(sum_mark)) {
+      said_ = line.substr(sum_mark.size());
+      return;
+    }
+    if (!format_ && line.starts_with(format_mark)) {
+      int format = 0;
+      const char* end = line.data() + line.size();
+      const bool number = std::from_chars(line.data() + format_mark.size(), end, format).ec == std::errc();
+      if (number || line.size() == format_mark.size()) format_ = format;
+    }
+    sum_.add(line);
+    if (ends_) sum_.add("\n");
+  }
+
+  TableSum verdict(const fs::path& path) {
+    const auto refuse = [&](const std::string& why) {
+      throw DamagedTable(fmt::format("{}: is not as it was written: {}", path.string(), why));
+    };
+    if (format_ && *format_ > table_format) {
+      throw IoError(fmt::format("{}: is a table of format {}, allowed: those up to {}, or a later program",
+                                path.string(), *format_, table_format));
+    }
+    if (!said_ && (!format_ || path.native().ends_with(growing_ending))) return TableSum::none;
+    if (!said_) refuse("its checksum is missing");
+    if (const std::string found = sum_.digits(); found != *said_) {
+      refuse(fmt::format("{}its sha256 is {}, not {}", ends_ ? "" : "its last line has no end, ", found,
+                         *said_));
+    }
+    return TableSum::right;
+  }
+
+ private:
+  Sha256 sum_;
+  std::optional<std::string> said_;  ///< by the line of the sum
+  std::optional<int> format_;
+  bool first_ = true;
+  bool ends_ = true;            ///< with the end of a line
+  bool ends_in_cr_lf_ = false;  ///< as in a checkout for another system, which changes no number
+};
+
+}  // namespace
+
+std::string table_head(const TableSource& source) {
+  std::string head =
+      fmt::format("# {}\n# digest {}\n{}{}\n", source.program, source.digest, format_mark, table_format);
+  if (!source.files.empty()) head += fmt::format("# files {}\n", fmt::join(source.files, " "));
+  for (const auto& [name, digits] : source.sums) head += fmt::format("# sum {} {}\n", name, digits);
+  return head + source.captions;
+}
+
+TableFile::TableFile(fs::path path, const TableSource& source) : file_(std::move(path)) {
+  write(table_head(source));
+  place_of_sum_ = table_head(source).size() + sum_mark.size();
+  file_.write(sum_line(std::string(digits_of_sum, '0')));
+}
+
+void TableFile::write(std::string_view text) {
+  sum_.add(text);
+  file_.write(text);
+}
+
+void TableFile::finish() {
+  if (std::exchange(finished_, true)) return;
+  file_.write_at(place_of_sum_, sum_.digits());
+  file_.finish();
+}
+
+void TableFile::commit() {
+  finish();
+  file_.commit();
+}
+
+void TableFile::rename() {
+  finish();
+  file_.rename();
+}
+
+TableSum check_table(const fs::path& path) { return check_table(open_input_stream(path).get(), path); }
+
+TableSum check_table(std::FILE* stream, const fs::path& path) {
+  LineBuffer buffer;
+  TableCheck check;
+  while (true) {
+    const std::string_view line = read_line(stream, path, buffer.text, buffer.capacity);
+    if (line.empty()) break;
+    check.add(line);
+  }
+  std::rewind(stream);
+  return check.verdict(path);
+}
+
+TableSum check_table_text(std::string_view text, const fs::path& path) {
+  TableCheck check;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n')), whole = text.substr(0, line.size() + 1);
+    check.add(whole);
+    text.remove_prefix(whole.size());
+  }
+  return check.verdict(path);
+}
+
+}  // namespace rubsweep::batch

@@ -1,0 +1,138 @@
+#include "rubsweep/maps/batch/whole_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <mutex>
+#include <system_error>
+#include <unordered_set>
+#include <utility>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/directory.hpp"
+#include "rubsweep/maps/batch/leftovers.hpp"
+
+namespace rubsweep::batch {
+namespace {
+
+struct Files {
+  std::vector<std::filesystem::path> in_order;
+  std::unordered_set<std::string> names;
+};
+
+std::mutex mutex;  // guards the files
+
+Files& files() {
+  static Files of_this_process;
+  return of_this_process;
+}
+
+constexpr std::size_t buffer_bytes = 65536;
+
+}  // namespace
+
+WholeFile::WholeFile(std::filesystem::path path)
+    : path_(file_behind(std::move(path))), temporary_(temporary_beside(path_)), descriptor_([this] {
+        const std::string own = path_.filename();
+        remove_leftovers(path_.parent_path(), [&](std::string_view name) { return name == own; });
+        return open_temporary();
+      }()) {}
+
+/// Locked, so that no other process takes it for what a killed one left; on a file system without locks
+/// nobody can.
+Descriptor WholeFile::open_temporary() const {
+  while (true) {
+    Descriptor opened = open_file(temporary_, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK, "write", path_);
+    if (::flock(opened.get(), LOCK_EX) == 0 && !is_file_at(opened.get(), temporary_)) continue;
+    struct stat facts {};
+    if (::fstat(opened.get(), &facts) != 0) throw_io_error("write", path_, errno);
+    if (!S_ISREG(facts.st_mode) || facts.st_nlink > 1)
+      throw IoError(fmt::format("cannot write {}: {} is there and no temporary of ours", path_.string(),
+                                temporary_.string()));
+    if (::ftruncate(opened.get(), 0) != 0) throw_io_error("write", path_, errno);
+    return opened;
+  }
+}
+
+WholeFile::~WholeFile() {
+  if (!committed_) ::unlink(temporary_.c_str());
+}
+
+void WholeFile::write(std::string_view text) {
+  waiting_ += text;
+  if (waiting_.size() >= buffer_bytes) flush();
+}
+
+void WholeFile::flush() {
+  if (const int error = write_all(descriptor_.get(), waiting_)) throw_io_error("write", path_, error);
+  waiting_.clear();
+}
+
+void WholeFile::write_at(std::size_t offset, std::string_view text) {
+  flush();
+  while (!text.empty()) {
+    const ssize_t written = ::pwrite(descriptor_.get(), text.data(), text.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno != EINTR) throw_io_error("write", path_, errno);
+    if (written < 0) continue;
+    text.remove_prefix(static_cast<std::size_t>(written));
+    offset += static_cast<std::size_t>(written);
+  }
+}
+
+void WholeFile::finish() {
+  if (finished_) return;
+  flush();
+  if (::fsync(descriptor_.get()) != 0) throw_io_error("write", path_, errno);
+  finished_ = true;
+}
+
+void WholeFile::commit() {
+  rename();
+  sync_directory(path_.parent_path());
+}
+
+void WholeFile::rename() {
+  finish();
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw_io_error("write", path_, errno);
+  committed_ = true;
+  note_written_file(path_);
+  ::close(descriptor_.release());  // and with it the lock of a temporary that is none any more
+}
+
+std::filesystem::path file_behind(std::filesystem::path path) {
+  std::error_code none;
+  constexpr int most_links = 40;  // of a circle, the system says so when the file is opened
+  for (int i = 0; i < most_links && std::filesystem::is_symlink(path, none); ++i)
+    path = path.parent_path() / std::filesystem::read_symlink(path);
+  if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none) &&
+      !std::filesystem::is_directory(path, none)) {
+    throw IoError(fmt::format("{}: is not a regular file", path.string()));
+  }
+  return path;
+}
+
+void write_whole_file(const std::filesystem::path& path, std::string_view text) {
+  WholeFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+void note_written_file(const std::filesystem::path& path) {
+  const std::lock_guard lock(mutex);
+  if (files().names.insert(path.native()).second) files().in_order.push_back(path);
+}
+
+std::vector<std::filesystem::path> written_files() {
+  const std::lock_guard lock(mutex);
+  std::vector<std::filesystem::path> there = files().in_order;
+  std::error_code none;
+  std::erase_if(there, [&](const auto& path) { return !std::filesystem::exists(path, none); });
+  return there;
+}
+
+}  // namespace rubsweep::batch

@@ -1,0 +1,138 @@
+#include "rubsweep/maps/config/keys/form.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rubsweep::config::keys {
+namespace {
+
+std::string allowed_number(const model::Range& range) {
+  std::string text;
+  if (std::isfinite(range.low)) text = fmt::format("{} {}", range.low_open ? ">" : ">=", range.low);
+  if (std::isfinite(range.high))
+    text += fmt::format("{}{} {}", text.empty() ? "" : " and ", range.high_open ? "<" : "<=", range.high);
+  return text.empty() ? "a number" : text;
+}
+
+std::string counted(std::size_t least, std::size_t most) {
+  return least == most ? std::to_string(most) : fmt::format("{} to {}", least, most);
+}
+
+Form of_kind(Kind kind) {
+  Form form;
+  form.kind = kind;
+  return form;
+}
+
+}  // namespace
+
+Form number(const model::Range& range) {
+  Form form = of_kind(Kind::number);
+  form.range = range;
+  return form;
+}
+Form integer(long low, long high) {
+  Form form = of_kind(Kind::integer);
+  form.low = low;
+  form.high = high;
+  return form;
+}
+Form even_integer(long low, long high) {
+  Form form = integer(low, high);
+  form.even = true;
+  return form;
+}
+Form word(std::vector<std::string> words) {
+  Form form = of_kind(Kind::word);
+  form.words = std::move(words);
+  return form;
+}
+Form text(std::size_t most) {
+  Form form = of_kind(Kind::text);
+  form.most = most;
+  return form;
+}
+Form list_of(Form item, std::size_t least, std::size_t most) {
+  Form form = of_kind(Kind::list);
+  form.least = least;
+  form.most = most;
+  form.forms.push_back(std::move(item));
+  return form;
+}
+Form map_of(std::vector<Key> keys, std::vector<Choice> choices) {
+  Form form = of_kind(Kind::map);
+  form.keys = std::move(keys);
+  form.choices = std::move(choices);
+  return form;
+}
+Form numbered(Form item, std::size_t count) {
+  Form form = of_kind(Kind::numbered);
+  form.most = count;
+  form.forms.push_back(std::move(item));
+  return form;
+}
+Form any_of(std::vector<Form> forms) {
+  Form form = of_kind(Kind::any_of);
+  form.forms = std::move(forms);
+  return form;
+}
+
+Key must(std::string name, Form form, std::string meaning) {
+  return {.name = std::move(name), .form = std::move(form), .meaning = std::move(meaning), .required = true};
+}
+Key may(std::string name, Form form, std::string meaning, std::string fallback) {
+  return {.name = std::move(name),
+          .form = std::move(form),
+          .meaning = std::move(meaning),
+          .fallback = std::move(fallback)};
+}
+Key beside(Key key, Condition when) {
+  key.when = std::move(when);
+  return key;
+}
+std::vector<Key> newer(std::vector<Key> keys) {
+  for (Key& key : keys) key.since = "0.1.0+";
+  return keys;
+}
+
+bool is_chosen(const Form& map, std::string_view name) {
+  return std::ranges::any_of(map.choices, [&](const Choice& choice) {
+    return std::ranges::any_of(choice.ways, [&](const Way& way) {
+      return std::ranges::count(way.required, name) + std::ranges::count(way.optional, name) > 0;
+    });
+  });
+}
+
+std::string allowed(const Form& form) {
+  std::vector<std::string> forms;
+  switch (form.kind) {
+    case Kind::number:
+      return allowed_number(form.range);
+    case Kind::integer:
+      return fmt::format("{}integer, {} to {}", form.even ? "even " : "", form.low, form.high);
+    case Kind::word:
+      return fmt::format("{}", fmt::join(form.words, " or "));
+    case Kind::text:
+      return fmt::format("text, at most {} bytes", form.most);
+    case Kind::list:
+      return fmt::format("list of {}{}", counted(form.least, form.most),
+                         form.forms[0].kind == Kind::map ? " maps" : ", each: " + allowed(form.forms[0]));
+    case Kind::map:
+      return "map";
+    case Kind::numbered:
+      return fmt::format("map from numbers, 0 to {}", form.most - 1);
+    case Kind::any_of:
+      for (const Form& one : form.forms) {
+        std::string words = allowed(one);
+        if (forms.empty() || forms.back() != words) forms.push_back(std::move(words));
+      }
+      return fmt::format("{}", fmt::join(forms, ", or "));
+  }
+  return "";
+}
+
+}  // namespace rubsweep::config::keys

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/core/model/range.hpp"
+
+namespace rubsweep::config::keys {
+
+struct Key;
+
+/// Where a key may stand: beside the key `selector` with one of these words, or where that is left out and
+/// `fallback` says so.
+struct Condition {
+  std::string selector;
+  std::vector<std::string> words;  ///< empty: anywhere
+  bool without_selector = false;   ///< the selector has a default, which is one of the words
+};
+
+/// Keys that exclude those of the other ways: `required` are given together, `optional` may be beside them.
+struct Way {
+  std::vector<std::string> required, optional;
+};
+
+/// Ways of which one is taken, or where `may_be_none`, none.
+struct Choice {
+  std::vector<Way> ways;
+  bool may_be_none = false;
+};
+
+/// Kind of value that may stand at a place.
+enum class Kind {
+  number,
+  integer,
+  word,      ///< one of `words`
+  text,      ///< any scalar, of `least` to `most` bytes
+  list,      ///< `least` to `most` values of the form `forms[0]`
+  map,       ///< with these `keys`
+  numbered,  ///< a map from numbers, 0 to `most` - 1, to values of the form `forms[0]`
+  any_of     ///< any of `forms`
+};
+
+/// Values that may stand at a place of a configuration.
+struct Form {
+  Kind kind = Kind::text;
+  model::Range range{};                ///< of a number
+  long low = 0, high = 0;              ///< of an integer, both included
+  bool even = false;                   ///< of an integer
+  std::vector<std::string> words{};    ///< of a word
+  std::size_t least = 1, most = 4096;  ///< of a list or a text
+  bool different = false;              ///< of a list: no value twice
+  std::vector<Form> forms{};
+  std::vector<Key> keys;          // no initialiser: Key is incomplete here
+  std::vector<Choice> choices{};  ///< of a map
+};
+
+/// One key of a map.
+struct Key {
+  std::string name;
+  Form form;
+  std::string meaning;     ///< a noun and what is needed besides, without unit and range
+  std::string fallback{};  ///< default as it is written; empty: see `required`
+  bool required = false;   ///< has no default, where its condition holds and no choice leaves it out
+  Condition when{};
+  std::string since = "0.1.0";  ///< version that knew it first; "0.1.0+": the one after that
+};
+
+Form number(const model::Range& range);
+Form integer(long low, long high);
+Form even_integer(long low, long high);
+Form word(std::vector<std::string> words);
+Form text(std::size_t most = 4096);
+Form list_of(Form item, std::size_t least, std::size_t most);
+Form map_of(std::vector<Key> keys, std::vector<Choice> choices = {});
+Form numbered(Form item, std::size_t count);
+Form any_of(std::vector<Form> forms);
+
+/// A key that must be given.
+Key must(std::string name, Form form, std::string meaning);
+/// A key with this default, in words of the file or, in parentheses, of people; empty: nothing.
+Key may(std::string name, Form form, std::string meaning, std::string fallback = "");
+/// The same key where its condition holds.
+Key beside(Key key, Condition when);
+/// The same keys, known since the version after 0.1.0.
+std::vector<Key> newer(std::vector<Key> keys);
+
+/// Whether a choice of a map says when a key of it is given.
+bool is_chosen(const Form& map, std::string_view name);
+
+/// Allowed values in words, as errors say them: "> 0 and <= 1", "one_side or annular", "a list of 1 to 16".
+std::string allowed(const Form& form);
+
+}  // namespace rubsweep::config::keys

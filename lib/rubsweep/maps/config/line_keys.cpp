@@ -1,0 +1,75 @@
+#include "rubsweep/maps/config/line_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+#include "rubsweep/maps/config/file.hpp"
+#include "rubsweep/maps/config/study/key_axis.hpp"
+#include "rubsweep/maps/config/yaml/diagnostics.hpp"
+#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/maps/config/yaml/override.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+/// Whether an override writes the key itself or a map around it.
+bool is_named(std::string_view key, const std::vector<std::string>& overrides) {
+  return std::ranges::any_of(overrides, [&](std::string_view text) {
+    const std::string_view path = text.substr(0, text.find('='));
+    return key == path || (key.starts_with(path) && key.substr(path.size()).starts_with('.'));
+  });
+}
+
+/// The factor of an axis for one of its keys; 0 where that is none of them, or does not change along it.
+double factor_of(const sweep::KeyAxis& axis, std::string_view key) {
+  const auto found = std::ranges::find(axis.keys, key);
+  return found == axis.keys.end() ? 0 : axis.factors[static_cast<std::size_t>(found - axis.keys.begin())];
+}
+
+}  // namespace
+
+bool are_named(const sweep::KeyAxis& axis, const std::vector<std::string>& overrides) {
+  return std::ranges::all_of(axis.keys, [&](const std::string& key) { return is_named(key, overrides); });
+}
+
+LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::filesystem::path& file,
+                   const std::vector<std::string>& overrides,
+                   const std::vector<std::string>& said_elsewhere) {
+  LineKeys keys;
+  if (grid.axes.empty()) return keys;
+  yaml::Diagnostics diagnostics(file.string(), overrides);
+  const yaml::Node root = parse_config(yaml::read_config_bytes(file), file, "", overrides, diagnostics);
+  std::vector<std::string> named = overrides;
+  named.insert(named.end(), said_elsewhere.begin(), said_elsewhere.end());
+  std::size_t next = 0;
+  for (const std::string_view name : study::key_axis_names) {
+    const yaml::Node* node = find_node(root, fmt::format("sweep.{}", name));
+    if (node == nullptr) continue;
+    const sweep::KeyAxis& axis = grid.axes.at(next++);
+    if (const double factor = factor_of(axis, along); factor != 0) {
+      keys.along = axis;
+      keys.factor = factor;
+    } else if (are_named(axis, named)) {
+      continue;
+    } else if (axis.values.size() == 1) {
+      std::ranges::move(sweep::keys_at(axis, axis.values.front()), std::back_inserter(keys.fixed));
+    } else {
+      const std::string& key = axis.keys.front();
+      const std::string set = fmt::format("--set {}=VALUE", key),
+                        of_axis = fmt::format("--set sweep.{}.values=[VALUE]", name);
+      diagnostics.add(
+          node->place, fmt::format("sweep.{}", name),
+          fmt::format("{} has {} values, and {}", key, axis.values.size(),
+                      along.empty() ? "a cell has one" : fmt::format("the line runs along {}", along)),
+          along.empty() ? fmt::format("{} or {}", set, of_axis)
+                        : fmt::format("{}, {}, or --along {}", set, of_axis, key));
+    }
+  }
+  diagnostics.throw_if_any();
+  return keys;
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/maps/sweep/grid.hpp"
+
+namespace rubsweep::config {
+
+/// Split of a configuration's axes over keys for a line of cells.
+struct LineKeys {
+  std::vector<sweep::KeyValue> fixed;  ///< on every cell of the line
+  sweep::KeyAxis along;  ///< the axis that the line runs along, with its values; no keys: it runs along none
+  double factor = 1;     ///< of that axis for the key that names the line, not 0
+};
+
+/// Whether all keys of an axis are named by an override, which writes the key itself or a map around it.
+bool are_named(const sweep::KeyAxis& axis, const std::vector<std::string>& overrides);
+
+/// `along` is the key that the line runs along, empty for a single cell. The keys of an axis that are all
+/// named by an override hold what that says; an axis with one value holds it. Throws ConfigError with the
+/// places of all other axes: which of their values is meant must be said. `grid` is that of the configuration
+/// in `file` under these overrides; keys that are `said_elsewhere` count as named.
+LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::filesystem::path& file,
+                   const std::vector<std::string>& overrides,
+                   const std::vector<std::string>& said_elsewhere = {});
+
+}  // namespace rubsweep::config

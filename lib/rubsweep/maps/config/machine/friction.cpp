@@ -1,0 +1,114 @@
+#include "rubsweep/maps/config/machine/friction.hpp"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "rubsweep/core/contact/friction_bounds.hpp"
+#include "rubsweep/core/contact/stribeck_curve.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+
+namespace rubsweep::config::machine {
+namespace {
+
+constexpr std::string_view none = "none";
+constexpr std::string_view friction_forms = "none, or a map with stribeck, static, coefficient or one_way";
+
+model::StribeckFriction read_curve(yaml::Section& section) {
+  model::StribeckCurve curve;
+  read_fields(section, curve);
+  if (!section.is_sound()) return {};
+  if (curve.static_coefficient < curve.kinetic) {
+    section.refuse_together("static", {"static", "kinetic"}, "below kinetic",
+                            "a number no less than kinetic");
+  } else if (curve.settle_speed_m_per_s <= 1.5 * curve.peak_speed_m_per_s) {
+    section.refuse_together("settle_speed_m_per_s", {"settle_speed_m_per_s", "peak_speed_m_per_s"},
+                            "too close to the peak", "more than 1.5 peak_speed_m_per_s");
+  } else if (curve.settle_speed_m_per_s > contact::largest_settle_over_peak * curve.peak_speed_m_per_s) {
+    section.refuse_together("settle_speed_m_per_s", {"settle_speed_m_per_s", "peak_speed_m_per_s"},
+                            "too far from the peak", "at most 1e6 peak_speed_m_per_s");
+  } else if (curve.viscous_s_per_m * curve.settle_speed_m_per_s > curve.kinetic) {
+    section.refuse_together("viscous_s_per_m", {"viscous_s_per_m", "settle_speed_m_per_s", "kinetic"},
+                            "more than all of the kinetic friction at the settling speed",
+                            "a number <= kinetic / settle_speed_m_per_s");
+  } else {
+    try {
+      return contact::stribeck_of(curve);
+    } catch (const ConfigError&) {
+      section.refuse_together("static", {"static", "kinetic", "peak_speed_m_per_s", "settle_speed_m_per_s"},
+                              "no curve with these speeds and this kinetic coefficient has such a peak",
+                              "a number that some curve reaches");
+    }
+  }
+  return {};
+}
+
+/// Refuses a curve that drives the slip somewhere, in either spelling.
+void refuse_driving(const yaml::Section& section, std::string_view key, const model::Friction& friction) {
+  const contact::FrictionBounds bounds = contact::friction_bounds(friction);
+  if (contact::brakes(bounds)) return;
+  section.refuse_together(
+      key, {key},
+      bounds.smallest < 0
+          ? fmt::format("gives a coefficient of {:.4g} at a slip of {:.4g} m/s, which drives the slip",
+                        bounds.smallest, bounds.smallest_at_m_per_s)
+          : fmt::format("gives a coefficient of {:.4g}", bounds.largest),
+      fmt::format("a coefficient >= 0 at every slip and, without its viscous part, <= {}",
+                  model::ConstantFriction::coefficient_range.high));
+}
+
+}  // namespace
+
+model::Friction read_friction(const yaml::Value& value) {
+  if (value.node.kind == yaml::Node::Kind::scalar) {
+    read_word(value, {&none, 1}, friction_forms);
+    return model::NoFriction{};
+  }
+  yaml::Section section(value, friction_forms);
+  model::Friction friction;
+  section.require_exactly_one({"stribeck", "static", "coefficient", "one_way"});
+  if (const auto stribeck = section.find("stribeck")) {
+    if (read_numbers(*stribeck, friction.emplace<model::StribeckFriction>().gamma))
+      refuse_driving(section, "stribeck", friction);
+  }
+  if (section.find("static")) {
+    friction = read_curve(section);
+    if (section.is_sound()) refuse_driving(section, "static", friction);
+  }
+  if (const auto coefficient = section.find("coefficient")) {
+    const auto number = read_number(*coefficient, model::ConstantFriction::coefficient_range);
+    friction = model::ConstantFriction{number.value_or(0)};
+  }
+  if (const auto coefficient = section.find("one_way")) {
+    const auto number = read_number(*coefficient, model::ConstantFriction::coefficient_range);
+    friction = model::OneWayFriction{number.value_or(0)};
+  }
+  section.refuse_unknown_keys();
+  return friction;
+}
+
+void print_friction(yaml::Printer& printer, const model::Friction& friction) {
+  const auto map = [&](const auto& print) {
+    printer.open("friction");
+    print();
+    printer.close();
+  };
+  std::visit(overloaded{[&](const model::NoFriction&) { printer.word("friction", none); },
+                        [&](const model::ConstantFriction& constant) {
+                          map([&] { printer.number("coefficient", constant.coefficient); });
+                        },
+                        [&](const model::OneWayFriction& one_way) {
+                          map([&] { printer.number("one_way", one_way.coefficient); });
+                        },
+                        [&](const model::StribeckFriction& stribeck) {
+                          map([&] {
+                            if (stribeck.curve) return print_fields(printer, *stribeck.curve);
+                            printer.numbers("stribeck", stribeck.gamma);
+                          });
+                        }},
+             friction);
+}
+
+}  // namespace rubsweep::config::machine

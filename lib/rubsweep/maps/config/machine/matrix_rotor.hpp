@@ -1,0 +1,17 @@
+#pragma once
+
+#include "rubsweep/core/model/rotor_kit.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+
+namespace rubsweep::config::machine {
+
+/// The keys of `rotor` beside kind: matrices: those of read_shaft_matrices, supports beside the matrices, and
+/// of those of a rotor kit static_loads, sensors, damping_ratio, rotating_damping_ratio, clearances_from,
+/// modes and modes_up_to_hz. Places along the shaft must be those of nodes.
+model::RotorKit read_matrix_rotor(yaml::Section& section);
+
+/// A problem of each position_m of a map, or of the maps of a list, at which no node of a kit's matrices
+/// stands. Without matrices there is none.
+void refuse_between_nodes(const yaml::Value& value, const model::RotorKit& kit);
+
+}  // namespace rubsweep::config::machine

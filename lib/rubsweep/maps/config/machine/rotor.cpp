@@ -1,0 +1,87 @@
+#include "rubsweep/maps/config/machine/rotor.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/config/machine/matrix_rotor.hpp"
+#include "rubsweep/maps/config/machine/ross_file.hpp"
+#include "rubsweep/maps/config/machine/rotor_kit.hpp"
+
+namespace rubsweep::config::machine {
+namespace {
+
+constexpr std::string_view frequency_key = "natural_frequency_hz", ratio_key = "damping_ratio";
+
+bool is_given(yaml::Section& section, std::string_view key) { return section.find(key).has_value(); }
+
+/// A number of the struct, or another one that it follows from; both are a problem.
+void read_one(yaml::Section& section, std::string_view own_key, double& own, std::string_view other_key,
+              std::optional<double>& other, const model::Range& range) {
+  const bool own_given = is_given(section, own_key), other_given = is_given(section, other_key);
+  if (!other_given) return section.field(own_key, own, range);
+  if (own_given) section.require_exactly_one({own_key, other_key});
+  section.field(other_key, other, range);
+}
+
+/// In the order of model::Rotor, then those of other tools' files, which become one of these.
+constexpr std::array<std::string_view, 4> rotor_kinds{"jeffcott", "rotor_kit", "ross", "matrices"};
+
+}  // namespace
+
+model::JeffcottRotor read_jeffcott(yaml::Section& section) {
+  model::JeffcottRotor rotor;
+  std::optional<double> stiffness, damping;
+  model::JeffcottRotor::visit_fields(
+      rotor, [&](std::string_view name, double& field, const model::Range& range) {
+        if (name == frequency_key) {
+          read_one(section, name, field, rotor_stiffness_key, stiffness, range);
+        } else if (name == ratio_key) {
+          read_one(section, name, field, rotor_damping_key, damping, range);
+        } else {
+          section.field(name, field, range);
+        }
+      });
+  if (!section.is_sound()) return rotor;
+  if (stiffness) rotor.natural_frequency_hz = std::sqrt(*stiffness / rotor.mass_kg) / (2 * std::numbers::pi);
+  if (damping)
+    rotor.damping_ratio = *damping / (4 * std::numbers::pi * rotor.mass_kg * rotor.natural_frequency_hz);
+  model::JeffcottRotor::visit_fields(
+      rotor, [&](std::string_view name, double field, const model::Range& range) {
+        if (model::contains(range, field)) return;
+        const std::string_view given = name == ratio_key ? rotor_damping_key : rotor_stiffness_key;
+        section.refuse_together(given, {given, "mass_kg"}, "gives a rotor beyond all numbers",
+                                "stiffness, damping and mass that belong together");
+      });
+  return rotor;
+}
+
+void read_rotor(const yaml::Value& value, model::Machine& machine) {
+  yaml::Section section(value);
+  const auto kind = section.require_kind("kind", rotor_kinds);
+  if (kind && rotor_kinds[*kind] == "rotor_kit") {
+    machine.rotor = read_rotor_kit(section);
+  } else if (kind && rotor_kinds[*kind] == "ross") {
+    machine.rotor = read_ross_rotor(section);
+  } else if (kind && rotor_kinds[*kind] == "matrices") {
+    machine.rotor = read_matrix_rotor(section);
+  } else {
+    machine.rotor = read_jeffcott(section);
+  }
+  section.refuse_unknown_keys();
+}
+
+void print_rotor(yaml::Printer& printer, const model::Machine& machine, MatrixPrint matrices) {
+  const model::RotorKit* by_matrices = model::kit_of(machine);
+  printer.open("rotor");
+  printer.word("kind", by_matrices != nullptr && by_matrices->matrices ? "matrices"
+                                                                       : rotor_kinds[machine.rotor.index()]);
+  std::visit(overloaded{[&](const model::JeffcottRotor& rotor) { print_fields(printer, rotor); },
+                        [&](const model::RotorKit& kit) { print_rotor_kit(printer, kit, matrices); }},
+             machine.rotor);
+  printer.close();
+}
+
+}  // namespace rubsweep::config::machine

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string_view>
+
+#include "rubsweep/core/model/machine.hpp"
+#include "rubsweep/core/model/rotor.hpp"
+#include "rubsweep/maps/config/machine/printed_matrices.hpp"
+#include "rubsweep/maps/config/yaml/printer.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+#include "rubsweep/maps/config/yaml/value.hpp"
+
+namespace rubsweep::config::machine {
+
+/// Keys of a Jeffcott rotor by its constants k and c, in place of natural_frequency_hz and damping_ratio.
+inline constexpr std::string_view rotor_stiffness_key = "stiffness_n_per_m",
+                                  rotor_damping_key = "damping_ns_per_m";
+
+/// Keys of `rotor` beside kind: jeffcott: mass_kg m; natural_frequency_hz or stiffness_n_per_m k, of which
+/// the frequency is sqrt(k / m) / (2 pi); damping_ratio or damping_ns_per_m c, of which the ratio is c / (2
+/// sqrt(k m)); rotating_damping_ratio.
+model::JeffcottRotor read_jeffcott(yaml::Section& section);
+
+/// `rotor`: {kind: jeffcott, ...}, see read_jeffcott, or {kind: rotor_kit, ...}, see rotor_kit.hpp, or {kind:
+/// ross, ...}, see ross_file.hpp, or {kind: matrices, ...}, see matrix_rotor.hpp. Fills machine.rotor.
+void read_rotor(const yaml::Value& value, model::Machine& machine);
+void print_rotor(yaml::Printer& printer, const model::Machine& machine,
+                 MatrixPrint matrices = MatrixPrint::inside);
+
+}  // namespace rubsweep::config::machine

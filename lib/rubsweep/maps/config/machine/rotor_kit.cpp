@@ -1,0 +1,299 @@
+#include "rubsweep/maps/config/machine/rotor_kit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+#include "rubsweep/core/model/disc_inertia.hpp"
+#include "rubsweep/core/model/shaft_end.hpp"
+#include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/config/machine/rotor_parts.hpp"
+#include "rubsweep/maps/config/machine/support_table.hpp"
+
+namespace rubsweep::config::machine {
+namespace {
+
+constexpr std::size_t most_parts = model::RotorKit::most_parts;
+constexpr std::string_view automatic = "auto";
+constexpr yaml::Words<bool, 2> clearance_origins{{"axis", "sag"}, {false, true}};
+constexpr yaml::IntegerRange mode_counts{1, model::RotorKit::most_modes};
+constexpr yaml::IntegerRange element_counts{1, model::RotorKit::most_elements};
+
+/// Whether a table may stand for this number of a support.
+bool is_coefficient(std::string_view name) { return name != "position_m" && !name.starts_with("angular"); }
+
+/// Whether a table stands for the coefficients of a part, which it then has.
+template <class Part>
+bool read_table(yaml::Section& section, Part& part) {
+  if constexpr (std::is_same_v<Part, model::Support>) {
+    const auto value = section.find("table");
+    if (!value) return false;
+    Part::visit_fields(part, [&](std::string_view name, auto&, const model::Range&) {
+      if (const auto beside = is_coefficient(name) ? section.find(name) : std::nullopt)
+        refuse(*beside, "is given beside a table", "a column of the table");
+    });
+    if (auto table = read_support_table(*value)) part = model::with_table(part, *std::move(table));
+    return true;
+  }
+  return false;
+}
+
+/// Reads a part, its position within `range`. A support at a housing has none.
+template <class Part>
+void read_part(yaml::Section& section, Part& part, const model::Range& range) {
+  bool on_shaft = true;
+  if constexpr (std::is_same_v<Part, model::Support>) on_shaft = !section.find("at_housing");
+  if constexpr (std::is_same_v<Part, model::Disc>) read_disc_geometry(section, part);
+  const bool by_table = read_table(section, part);
+  Part::visit_fields(part, [&](std::string_view name, auto& field, const model::Range& allowed) {
+    if (by_table && is_coefficient(name)) return;
+    if (name == "position_m") {
+      if (on_shaft) section.field(name, field, range);
+    } else {
+      section.field(name, field, allowed);
+    }
+  });
+}
+
+template <class Part, class More>
+std::vector<Part> read_parts(const yaml::Value& list, const model::Range& range, More more) {
+  std::vector<Part> parts;
+  const auto items = read_list(list, most_parts);
+  if (!items) return parts;
+  for (const yaml::Value& item : *items) {
+    yaml::Section section(item);
+    Part& part = parts.emplace_back();
+    read_part(section, part, range);
+    more(section, part);
+    section.refuse_unknown_keys();
+  }
+  return parts;
+}
+
+constexpr auto nothing_more = [](yaml::Section&, auto&) {};
+
+void read_inertia(yaml::Section& section, const model::Disc& disc) {
+  const double most = model::largest_polar_inertia_kg_m2(disc);
+  if (!section.is_sound() || disc.polar_inertia_kg_m2 <= most) return;
+  section.refuse_together(
+      "polar_inertia_kg_m2", {"polar_inertia_kg_m2", "diametral_inertia_kg_m2"},
+      "is more than twice the diametral one, which no body has",
+      fmt::format("at most {} = 2 diametral_inertia_kg_m2", 2 * disc.diametral_inertia_kg_m2));
+}
+
+void refuse_problem(yaml::Section& section, const std::optional<model::PartProblem>& problem) {
+  if (problem && section.is_sound())
+    section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
+}
+
+template <class Part>
+void read_inner(yaml::Section& section, std::string_view name, std::optional<Part>& part) {
+  const auto value = section.find(name);
+  if (!value) return;
+  yaml::Section inner(*value);
+  read_fields(inner, part.emplace());
+  inner.refuse_unknown_keys();
+}
+
+void read_housing(yaml::Section& section, std::string_view name, std::optional<int>& housing,
+                  std::size_t count) {
+  const auto value = section.find(name);
+  if (!value) return;
+  if (count == 0) {
+    refuse(*value, "there are no housings", "a support of the shaft on the ground, or housings beside it");
+  } else if (const auto number = read_integer(*value, {0, static_cast<long>(count) - 1})) {
+    housing = static_cast<int>(*number);
+  }
+}
+
+void read_support(yaml::Section& section, model::Support& support, const model::RotorKit& kit) {
+  read_inner(section, "pedestal", support.pedestal);
+  if (const auto value = section.find("fault")) support.fault = read_bearing_fault(*value);
+  read_housing(section, "at_housing", support.at_housing, kit.housings.size());
+  read_housing(section, "on_housing", support.on_housing, kit.housings.size());
+  if (section.find("at_housing") && section.find("position_m"))
+    section.require_exactly_one({"position_m", "at_housing"});
+  refuse_problem(section, model::housing_problem(support));
+}
+
+void read_damping_ratio(const yaml::Value& value, std::vector<double>& ratios) {
+  if (value.node.kind == yaml::Node::Kind::list) {
+    ratios = read_number_list(value, model::RotorKit::damping_ratio_range, most_parts);
+  } else if (const auto ratio = read_number(value, model::RotorKit::damping_ratio_range)) {
+    ratios = {*ratio};
+  }
+}
+
+void read_rotating_damping_ratio(const yaml::Value& value, model::RotorKit& kit) {
+  read_damping_ratio(value, kit.rotating_damping_ratio);
+  if (model::has_rotating_damping(kit) && model::has_pedestals(kit))
+    refuse(value, "turns with the shaft, and pedestals do not", "0 beside pedestals");
+}
+
+void read_modes(const yaml::Value& value, model::RotorKit& kit) {
+  if (value.node.kind == yaml::Node::Kind::scalar && value.node.text == automatic) {
+    kit.modes.reset();
+  } else if (const auto count = read_integer(value, mode_counts)) {
+    kit.modes = static_cast<int>(*count);
+  }
+}
+
+template <class Part>
+void print_inner(yaml::Printer& printer, std::string_view name, const std::optional<Part>& part) {
+  if (!part) return;
+  printer.open(name);
+  print_fields(printer, *part);
+  printer.close();
+}
+
+/// Whether a number of a part is printed: no place of a support at a housing, no numbers that a table stands
+/// for, and no fluid where there is none.
+template <class Part>
+bool shows(const Part& part, std::string_view key) {
+  if constexpr (std::is_same_v<Part, model::Support>) {
+    if (key == "position_m") return !part.at_housing;
+    if (part.table) return !is_coefficient(key);
+    return !key.starts_with("mass_") || part.mass_x_kg != 0 || part.mass_y_kg != 0;
+  }
+  return true;
+}
+
+template <class Part, class More>
+void print_parts(yaml::Printer& printer, std::string_view name, const std::vector<Part>& parts, More more) {
+  if (parts.empty()) return;
+  printer.open(name);
+  for (const Part& part : parts) {
+    printer.open_item();
+    Part::visit_fields(part, [&](std::string_view key, const auto& field, const model::Range& range) {
+      if (shows(part, key)) printer.field(key, field, range);
+    });
+    more(part);
+    printer.close();
+  }
+  printer.close();
+}
+
+}  // namespace
+
+model::Range places(const model::RotorKit& kit) {
+  const double length_m = model::shaft_length_m(kit);
+  const bool known = kit.matrices || !kit.shaft.empty();
+  return known && std::isfinite(length_m) ? model::Range{.low = 0, .high = model::furthest_place_m(length_m)}
+                                          : model::not_negative;
+}
+
+void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit) {
+  const auto unknown = [](const model::Support& support) { return std::isnan(support.stiffness_x_n_per_m); };
+  if (std::ranges::any_of(kit.supports, unknown)) return;  // of a table that could not be had
+  for (const int plane : {0, 1}) {
+    if (model::supports_hold(kit, plane)) continue;
+    refuse(supports,
+           fmt::format("leaves the shaft{} free to move in {}", kit.housings.empty() ? "" : " or a housing",
+                       plane == 0 ? "x" : "y"),
+           kit.housings.empty() ? "supports that hold the shaft" : "supports that hold all of them");
+  }
+}
+
+void read_supports(const yaml::Value& supports, model::RotorKit& kit) {
+  kit.supports = read_parts<model::Support>(
+      supports, places(kit),
+      [&](yaml::Section& part, model::Support& support) { read_support(part, support, kit); });
+}
+
+void refuse_tables(const yaml::Value& supports, yaml::Section& section, const model::RotorKit& kit) {
+  if (!model::has_tables(kit)) return;
+  const model::Range common = model::table_speeds_hz(kit);
+  if (!(common.low <= common.high))
+    refuse(supports, "have tables without a common speed", "tables that overlap");
+  if (const auto bow = section.find("bow"); bow && std::holds_alternative<model::BowMode>(kit.bow->shape))
+    refuse(*bow, "is a mode, and the modes follow the tables of the supports", "position_m and deflection_m");
+}
+
+void refuse_torsion(yaml::Section& section, const model::RotorKit& kit) {
+  const auto torsion = section.find("torsion");
+  if (torsion && std::ranges::any_of(kit.couplings, model::is_asymmetric))
+    refuse(
+        *torsion,
+        "is given beside a coupling with an asymmetry ratio, whose force does not know the angle of torsion",
+        "couplings that are equally stiff all around");
+}
+
+void read_kit_rest(yaml::Section& section, model::RotorKit& kit) {
+  const auto list = [&](std::string_view name, auto& parts) {
+    using Part = typename std::remove_reference_t<decltype(parts)>::value_type;
+    if (const auto value = section.find(name)) parts = read_parts<Part>(*value, places(kit), nothing_more);
+  };
+  list("static_loads", kit.static_loads);
+  list("sensors", kit.sensors);
+  if (const auto value = section.find("bow")) kit.bow = read_bow(*value, places(kit));
+  read_inner(section, "torsion", kit.torsion);
+  if (const auto value = section.find("damping_ratio")) read_damping_ratio(*value, kit.damping_ratio);
+  if (const auto value = section.find("rotating_damping_ratio")) read_rotating_damping_ratio(*value, kit);
+  section.field("mass_damping_per_s", kit.mass_damping_per_s, model::physical::rate_per_s);
+  section.field("clearances_from", kit.clearances_from_sag, clearance_origins);
+  if (const auto value = section.find("modes")) read_modes(*value, kit);
+  section.field("modes_up_to_hz", kit.modes_up_to_hz, model::physical::frequency_hz);
+  section.field("elements", kit.elements, element_counts);
+}
+
+model::RotorKit read_rotor_kit(yaml::Section& section) {
+  model::RotorKit kit;
+  const auto list = [&](std::string_view name, auto& parts, auto more) {
+    using Part = typename std::remove_reference_t<decltype(parts)>::value_type;
+    constexpr bool coupling = std::is_same_v<Part, model::Coupling>;
+    const model::Range range =
+        coupling && std::isfinite(model::shaft_length_m(kit)) ? model::coupling_places(kit) : places(kit);
+    if (const auto value = section.find(name)) parts = read_parts<Part>(*value, range, more);
+  };
+  section.require("shaft", "a list of maps");
+  list("shaft", kit.shaft, read_segment);
+  list("discs", kit.discs, read_inertia);
+  const auto supports = section.require("supports", "a list of maps");
+  list("point_masses", kit.point_masses, nothing_more);
+  list("housings", kit.housings, nothing_more);
+  if (supports) read_supports(*supports, kit);
+  list("couplings", kit.couplings, nothing_more);
+  read_kit_rest(section, kit);
+  if (supports && section.is_sound()) refuse_loose_shaft(*supports, kit);
+  if (supports && section.is_sound()) refuse_tables(*supports, section, kit);
+  if (section.is_sound()) refuse_torsion(section, kit);
+  return kit;
+}
+
+void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit, MatrixPrint matrices) {
+  const auto nothing = [](const auto&) {};
+  if (kit.matrices) print_shaft_matrices(printer, *kit.matrices, matrices);
+  print_parts(printer, "shaft", kit.shaft,
+              [&](const model::ShaftSegment& segment) { print_segment(printer, segment); });
+  print_parts(printer, "discs", kit.discs, nothing);
+  print_parts(printer, "point_masses", kit.point_masses, nothing);
+  print_parts(printer, "housings", kit.housings, nothing);
+  print_parts(printer, "supports", kit.supports, [&](const model::Support& support) {
+    if (support.at_housing) printer.integer("at_housing", *support.at_housing);
+    if (support.on_housing) printer.integer("on_housing", *support.on_housing);
+    if (support.table) print_support_table(printer, *support.table);
+    print_inner(printer, "pedestal", support.pedestal);
+    print_inner(printer, "fault", support.fault);
+  });
+  print_parts(printer, "couplings", kit.couplings, nothing);
+  print_parts(printer, "static_loads", kit.static_loads, nothing);
+  print_parts(printer, "sensors", kit.sensors, nothing);
+  if (kit.bow) print_bow(printer, *kit.bow);
+  print_inner(printer, "torsion", kit.torsion);
+  printer.numbers("damping_ratio", kit.damping_ratio);
+  printer.numbers("rotating_damping_ratio", kit.rotating_damping_ratio);
+  if (kit.mass_damping_per_s != 0) printer.number("mass_damping_per_s", kit.mass_damping_per_s);
+  printer.field("clearances_from", kit.clearances_from_sag, clearance_origins);
+  if (kit.modes) {
+    printer.integer("modes", *kit.modes);
+  } else {
+    printer.word("modes", automatic);
+  }
+  printer.number("modes_up_to_hz", kit.modes_up_to_hz);
+  if (!kit.matrices) printer.integer("elements", kit.elements);
+}
+
+}  // namespace rubsweep::config::machine

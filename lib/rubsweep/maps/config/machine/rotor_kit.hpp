@@ -1,0 +1,33 @@
+#pragma once
+
+#include "rubsweep/core/model/rotor_kit.hpp"
+#include "rubsweep/maps/config/machine/printed_matrices.hpp"
+#include "rubsweep/maps/config/yaml/printer.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+
+namespace rubsweep::config::machine {
+
+/// The keys of `rotor` beside kind: rotor_kit. Lists of maps: shaft, discs, point_masses, housings, supports,
+/// couplings, static_loads, sensors; bow, torsion, damping_ratio (a number, or a list by mode), modes (auto
+/// or a number), modes_up_to_hz, elements.
+model::RotorKit read_rotor_kit(yaml::Section& section);
+/// Keys of a kit that no file of another tool has: static_loads, sensors, bow, torsion, damping_ratio,
+/// rotating_damping_ratio, clearances_from, modes, modes_up_to_hz, elements. To be called when the shaft is
+/// known.
+void read_kit_rest(yaml::Section& section, model::RotorKit& kit);
+
+/// The list `supports`; shaft and housings must be known.
+void read_supports(const yaml::Value& supports, model::RotorKit& kit);
+
+/// A problem of supports whose tables have no speed in common, or exclude what stands in `section` beside them.
+void refuse_tables(const yaml::Value& supports, yaml::Section& section, const model::RotorKit& kit);
+
+/// A problem of `supports` where they do not hold the shaft.
+void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit);
+
+void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit, MatrixPrint matrices = MatrixPrint::inside);
+
+/// Allowed positions along the shaft: between its ends.
+model::Range places(const model::RotorKit& kit);
+
+}  // namespace rubsweep::config::machine

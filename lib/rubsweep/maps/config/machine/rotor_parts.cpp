@@ -1,0 +1,156 @@
+#include "rubsweep/maps/config/machine/rotor_parts.hpp"
+
+#include <array>
+#include <optional>
+#include <variant>
+
+#include "rubsweep/core/model/disc_geometry.hpp"
+#include "rubsweep/core/model/rolling_bearing.hpp"
+#include "rubsweep/core/overloaded.hpp"
+
+namespace rubsweep::config::machine {
+namespace {
+
+constexpr std::size_t most_layers = 16;
+constexpr yaml::Words<model::ShearCoefficient, 3> shear_coefficients{
+    {"cowper", "hutchinson", "none"},
+    {model::ShearCoefficient::cowper, model::ShearCoefficient::hutchinson, model::ShearCoefficient::none}};
+constexpr yaml::Words<bool, 2> on_off{{"off", "on"}, {false, true}};
+
+/// Reader and printer share this list.
+template <class Fields>
+void visit_words(Fields& fields, auto& layer) {
+  fields.field("shear_coefficient", layer.shear_coefficient, shear_coefficients);
+  fields.field("rotary_inertia", layer.rotary_inertia, on_off);
+  fields.field("gyroscopic", layer.gyroscopic, on_off);
+}
+
+void read_words(yaml::Section& section, model::ShaftLayer& layer) {
+  visit_words(section, layer);
+  if (!section.is_sound()) return;
+  if (const auto problem = model::diameter_problem(layer))
+    section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
+}
+
+model::BowPoints read_bow_points(yaml::Section& section, const model::Range& range) {
+  model::BowPoints points;
+  if (const auto positions = section.require("position_m", "a list of numbers")) {
+    points.position_m = read_number_list(*positions, range, model::RotorKit::most_parts);
+  }
+  if (const auto deflections = section.require("deflection_m", "a list of numbers")) {
+    points.deflection_m =
+        read_number_list(*deflections, model::physical::deflection_m, model::RotorKit::most_parts);
+  }
+  return points;
+}
+
+constexpr std::array<std::string_view, 4> defects{"outer_race", "inner_race", "ball", "cage"};
+
+std::optional<double> read_strikes(const yaml::Value& value) {
+  yaml::Section section(value);
+  model::RollingBearing bearing;
+  const auto defect = section.require_kind("defect", defects);
+  read_fields(section, bearing);
+  section.refuse_unknown_keys();
+  if (section.is_sound() && bearing.ball_diameter_m >= bearing.pitch_diameter_m) {
+    section.refuse_together("ball_diameter_m", {"ball_diameter_m", "pitch_diameter_m"},
+                            "leaves no room for a shaft", "a number below pitch_diameter_m");
+  }
+  if (!section.is_sound() || !defect) return std::nullopt;
+  return model::strikes_per_revolution(bearing, static_cast<model::BearingDefect>(*defect));
+}
+
+}  // namespace
+
+void read_segment(yaml::Section& section, model::ShaftSegment& segment) {
+  read_words(section, segment);
+  const auto list = section.find("layers");
+  if (!list) return;
+  const auto items = read_list(*list, most_layers);
+  if (!items) return;
+  for (const yaml::Value& item : *items) {
+    yaml::Section layer(item);
+    read_fields(layer, segment.layers.emplace_back());
+    read_words(layer, segment.layers.back());
+    layer.refuse_unknown_keys();
+  }
+}
+
+void print_segment(yaml::Printer& printer, const model::ShaftSegment& segment) {
+  visit_words(printer, segment);
+  if (segment.layers.empty()) return;
+  printer.open("layers");
+  for (const model::ShaftLayer& layer : segment.layers) {
+    printer.open_item();
+    print_fields(printer, layer);
+    visit_words(printer, layer);
+    printer.close();
+  }
+  printer.close();
+}
+
+model::Bow read_bow(const yaml::Value& value, const model::Range& range) {
+  yaml::Section section(value);
+  model::Bow bow;
+  section.require_exactly_one({"mode", "position_m"});
+  if (section.find("mode")) {
+    auto& mode = bow.shape.emplace<model::BowMode>();
+    section.field("mode", mode.mode, yaml::IntegerRange{1, model::RotorKit::most_modes});
+    section.field("amplitude_m", mode.amplitude_m, model::physical::amplitude_m);
+  } else if (section.is_sound()) {
+    bow.shape = read_bow_points(section, range);
+  }
+  section.field("phase_deg", bow.phase_deg, model::any_finite);
+  section.refuse_unknown_keys();
+  return bow;
+}
+
+void print_bow(yaml::Printer& printer, const model::Bow& bow) {
+  printer.open("bow");
+  std::visit(overloaded{[&](const model::BowMode& mode) {
+                          printer.integer("mode", mode.mode);
+                          printer.number("amplitude_m", mode.amplitude_m);
+                        },
+                        [&](const model::BowPoints& points) {
+                          printer.numbers("position_m", points.position_m);
+                          printer.numbers("deflection_m", points.deflection_m);
+                        }},
+             bow.shape);
+  printer.number("phase_deg", bow.phase_deg);
+  printer.close();
+}
+
+void read_disc_geometry(yaml::Section& section, model::Disc& disc) {
+  const auto value = section.find("geometry");
+  if (!value) return;
+  for (const std::string_view number : {"mass_kg", "polar_inertia_kg_m2", "diametral_inertia_kg_m2"}) {
+    if (section.find(number)) section.require_exactly_one({number, "geometry"});
+  }
+  yaml::Section inner(*value);
+  model::DiscGeometry geometry;
+  read_fields(inner, geometry);
+  inner.refuse_unknown_keys();
+  if (inner.is_sound() && geometry.inner_diameter_m >= geometry.outer_diameter_m) {
+    inner.refuse_together("inner_diameter_m", {"inner_diameter_m"}, "no disc is left",
+                          "a number below outer_diameter_m");
+  }
+  // Where something is wrong, numbers that nobody misses: the disc is not used.
+  const bool sound = inner.is_sound();
+  disc.mass_kg = sound ? geometry.mass_kg() : 0;
+  disc.polar_inertia_kg_m2 = sound ? geometry.polar_inertia_kg_m2() : 0;
+  disc.diametral_inertia_kg_m2 = sound ? geometry.diametral_inertia_kg_m2() : 0;
+}
+
+model::BearingFault read_bearing_fault(const yaml::Value& value) {
+  yaml::Section section(value);
+  model::BearingFault fault;
+  if (const auto bearing = section.find("bearing")) {
+    if (section.find("multiple")) section.require_exactly_one({"multiple", "bearing"});
+    fault.multiple = read_strikes(*bearing).value_or(1);
+  }
+  read_fields(section, fault);
+  section.refuse_unknown_keys();
+  return fault;
+}
+
+}  // namespace rubsweep::config::machine

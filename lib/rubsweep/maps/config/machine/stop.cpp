@@ -1,0 +1,210 @@
+#include "rubsweep/maps/config/machine/stop.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include "rubsweep/core/contact/hertz_line.hpp"
+#include "rubsweep/core/model/casing.hpp"
+#include "rubsweep/core/model/magnitude.hpp"
+#include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/config/machine/friction.hpp"
+#include "rubsweep/maps/config/machine/hertz.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+
+namespace rubsweep::config::machine {
+namespace {
+
+constexpr std::string_view rigid = "rigid";
+constexpr std::string_view casing_forms = "rigid, or a map with mass_kg, stiffness_n_per_m, damping_ratio";
+
+/// `casing` of a stop: {mass_kg, stiffness_n_per_m, damping_ratio}, all required, or the word `rigid`
+/// (empty).
+std::optional<model::Casing> read_casing(const yaml::Value& value) {
+  if (value.node.kind == yaml::Node::Kind::scalar) {
+    read_word(value, {&rigid, 1}, casing_forms);
+    return std::nullopt;
+  }
+  yaml::Section section(value, casing_forms);
+  model::Casing casing;
+  read_fields(section, casing);
+  section.refuse_unknown_keys();
+  return casing;
+}
+
+void print_casing(yaml::Printer& printer, const std::optional<model::Casing>& casing) {
+  if (!casing) {
+    printer.word("casing", rigid);
+    return;
+  }
+  printer.open("casing");
+  print_fields(printer, *casing);
+  printer.close();
+}
+
+constexpr std::string_view nominal_key = "restitution";
+constexpr std::string_view rotor_mass_key = "restitution_by_rotor_mass";
+constexpr std::string_view delivered_key = "restitution_delivered";
+constexpr std::string_view explicit_key = "damping_ns_per_m";
+constexpr std::string_view stiffness_key = "stiffness_n_per_m";
+constexpr std::string_view hertz_key = "hertz";
+
+constexpr std::string_view one_side_kind = "one_side";
+constexpr std::string_view annular_kind = "annular";
+constexpr std::array stop_kinds{one_side_kind, annular_kind};
+
+model::AnnularGeometry read_annular(yaml::Section& section) {
+  model::AnnularGeometry annular;
+  if (const auto offset = section.find("offset_m")) read_numbers(*offset, annular.offset_m);
+  return annular;
+}
+
+model::StopGeometry read_geometry(yaml::Section& section) {
+  const auto kind = section.require_kind("kind", stop_kinds);
+  if (!kind) {
+    // Without a kind nobody knows which keys belong here: neither miss nor refuse any.
+    section.find("angle_deg");
+    section.find("offset_m");
+    return {};
+  }
+  if (stop_kinds[*kind] == annular_kind) return read_annular(section);
+  model::OneSideGeometry wall;
+  section.field("angle_deg", wall.angle_deg, model::any_finite);
+  return wall;
+}
+
+void refuse_offset_beyond_clearance(const yaml::Section& section, const model::Stop& stop) {
+  std::visit(overloaded{[](const model::OneSideGeometry&) {},
+                        [&](const model::AnnularGeometry& annular) {
+                          const double offset_m = std::hypot(annular.offset_m[0], annular.offset_m[1]);
+                          if (!(offset_m >= stop.clearance_m)) return;
+                          section.refuse_together("offset_m", {"offset_m"},
+                                                  "the rest position is not inside the annular stop",
+                                                  "a vector shorter than clearance_m");
+                        }},
+             stop.geometry);
+}
+
+model::ContactDamping read_damping(yaml::Section& section) {
+  model::ContactDamping damping;
+  section.require_exactly_one({nominal_key, rotor_mass_key, delivered_key, explicit_key});
+  if (const auto value = section.find(nominal_key)) {
+    damping = model::NominalRestitution{read_number(*value, model::Stop::restitution_range).value_or(1)};
+  }
+  if (const auto value = section.find(rotor_mass_key)) {
+    damping = model::RestitutionByRotorMass{read_number(*value, model::Stop::restitution_range).value_or(1)};
+  }
+  if (const auto value = section.find(delivered_key)) {
+    damping = model::DeliveredRestitution{
+        read_number(*value, model::Stop::restitution_delivered_range).value_or(1)};
+  }
+  if (const auto value = section.find(explicit_key)) {
+    damping = model::ExplicitDamping{read_number(*value, model::not_negative).value_or(0)};
+  }
+  return damping;
+}
+
+void print_damping(yaml::Printer& printer, const model::ContactDamping& damping) {
+  std::visit(
+      overloaded{
+          [&](const model::NominalRestitution& nominal) { printer.number(nominal_key, nominal.value); },
+          [&](const model::RestitutionByRotorMass& printed) {
+            printer.number(rotor_mass_key, printed.value);
+          },
+          [&](const model::DeliveredRestitution& delivered) {
+            printer.number(delivered_key, delivered.value);
+          },
+          [&](const model::ExplicitDamping& given) { printer.number(explicit_key, given.damping_ns_per_m); }},
+      damping);
+}
+
+/// The stiffness is given, or follows from hertz.
+void read_contact(yaml::Section& section, model::Stop& stop) {
+  const auto hertz = section.find(hertz_key);
+  if (hertz) {
+    stop.hertz = read_hertz(*hertz);
+    stop.stiffness_n_per_m = stop.hertz ? contact::hertz_stiffness_n_per_m(*stop.hertz) : 1;
+    if (!model::contains(model::positive, stop.stiffness_n_per_m)) {
+      section.refuse_together(hertz_key, {hertz_key},
+                              fmt::format("gives a stiffness of {:.4g} N/m", stop.stiffness_n_per_m),
+                              model::describe(model::positive, stop.stiffness_n_per_m));
+    }
+  }
+  model::Stop::visit_fields(stop, [&](std::string_view name, double& field, const model::Range& range) {
+    if (name != stiffness_key || !hertz) {
+      section.field(name, field, range);
+    } else if (section.find(stiffness_key)) {
+      section.refuse_together(hertz_key, {hertz_key, stiffness_key}, "given beside stiffness_n_per_m",
+                              "one of the two");
+    }
+  });
+}
+
+void print_contact(yaml::Printer& printer, const model::Stop& stop) {
+  model::Stop::visit_fields(stop, [&](std::string_view name, double field, const model::Range& range) {
+    if (name == stiffness_key && stop.hertz) {
+      print_hertz(printer, *stop.hertz);
+    } else {
+      printer.field(name, field, range);
+    }
+  });
+}
+
+model::Stop read_stop(const yaml::Value& value, const std::optional<model::Range>& places) {
+  yaml::Section section(value);
+  model::Stop stop;
+  stop.geometry = read_geometry(section);
+  if (places) {
+    double position_m = model::required;
+    section.field("position_m", position_m, *places);
+    stop.position_m = position_m;
+  }
+  read_contact(section, stop);
+  refuse_offset_beyond_clearance(section, stop);
+  stop.damping = read_damping(section);
+  section.field("contact_mass_kg", stop.contact_mass_kg, model::positive);
+  if (const auto friction = section.find("friction")) stop.friction = read_friction(*friction);
+  if (const auto casing = section.find("casing")) stop.casing = read_casing(*casing);
+  section.refuse_unknown_keys();
+  return stop;
+}
+
+void print_stop(yaml::Printer& printer, const model::Stop& stop) {
+  printer.open_item();
+  std::visit(overloaded{[&](const model::OneSideGeometry& flat) {
+                          printer.word("kind", one_side_kind);
+                          printer.number("angle_deg", flat.angle_deg);
+                        },
+                        [&](const model::AnnularGeometry& annular) {
+                          printer.word("kind", annular_kind);
+                          printer.numbers("offset_m", annular.offset_m);
+                        }},
+             stop.geometry);
+  printer.field("position_m", stop.position_m, model::any_finite);
+  print_contact(printer, stop);
+  print_damping(printer, stop.damping);
+  printer.field("contact_mass_kg", stop.contact_mass_kg, model::positive);
+  print_friction(printer, stop.friction);
+  print_casing(printer, stop.casing);
+  printer.close();
+}
+
+}  // namespace
+
+std::vector<model::Stop> read_stops(const yaml::Value& value, const std::optional<model::Range>& places) {
+  std::vector<model::Stop> stops;
+  const auto items = read_list(value, max_stops);
+  if (!items) return stops;
+  for (const yaml::Value& item : *items) stops.push_back(read_stop(item, places));
+  return stops;
+}
+
+void print_stops(yaml::Printer& printer, const std::vector<model::Stop>& stops) {
+  printer.open("stops");
+  for (const model::Stop& stop : stops) print_stop(printer, stop);
+  printer.close();
+}
+
+}  // namespace rubsweep::config::machine

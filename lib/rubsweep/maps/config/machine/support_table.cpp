@@ -1,0 +1,287 @@
+#include "rubsweep/maps/config/machine/support_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/core/model/magnitude.hpp"
+#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/maps/config/machine/table_file.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
+
+namespace rubsweep::config::machine {
+namespace {
+
+constexpr std::string_view table_forms =
+    "a map with file, or one with speed_hz, speed_rpm or speed_rad_per_s, kxx, kyy and others";
+constexpr double newtons_per_lbf = 4.4482216152605, metres_per_inch = 0.0254;
+constexpr double lbf_per_in = newtons_per_lbf / metres_per_inch;
+
+/// Name of a column and how many SI units its numbers count in.
+struct Name {
+  std::string_view text;
+  double in_si = 0;
+};
+
+/// In the order of model::support_coefficients; the second name of each is printed.
+constexpr std::array<std::array<Name, 5>, model::support_coefficients.size()> names{{
+    {{{"kxx", 1},
+      {"kxx_n_per_m", 1},
+      {"kxx_n_per_mm", 1e3},
+      {"kxx_n_per_um", 1e6},
+      {"kxx_lbf_per_in", lbf_per_in}}},
+    {{{"kxy", 1},
+      {"kxy_n_per_m", 1},
+      {"kxy_n_per_mm", 1e3},
+      {"kxy_n_per_um", 1e6},
+      {"kxy_lbf_per_in", lbf_per_in}}},
+    {{{"kyx", 1},
+      {"kyx_n_per_m", 1},
+      {"kyx_n_per_mm", 1e3},
+      {"kyx_n_per_um", 1e6},
+      {"kyx_lbf_per_in", lbf_per_in}}},
+    {{{"kyy", 1},
+      {"kyy_n_per_m", 1},
+      {"kyy_n_per_mm", 1e3},
+      {"kyy_n_per_um", 1e6},
+      {"kyy_lbf_per_in", lbf_per_in}}},
+    {{{"cxx", 1}, {"cxx_ns_per_m", 1}, {"cxx_ns_per_mm", 1e3}, {"cxx_lbf_s_per_in", lbf_per_in}}},
+    {{{"cxy", 1}, {"cxy_ns_per_m", 1}, {"cxy_ns_per_mm", 1e3}, {"cxy_lbf_s_per_in", lbf_per_in}}},
+    {{{"cyx", 1}, {"cyx_ns_per_m", 1}, {"cyx_ns_per_mm", 1e3}, {"cyx_lbf_s_per_in", lbf_per_in}}},
+    {{{"cyy", 1}, {"cyy_ns_per_m", 1}, {"cyy_ns_per_mm", 1e3}, {"cyy_lbf_s_per_in", lbf_per_in}}},
+    {{{"mxx", 1}, {"mxx_kg", 1}}},
+    {{{"myy", 1}, {"myy_kg", 1}}},
+}};
+
+std::vector<double> read_column(const yaml::Value& value, const model::Range& range, double in_si) {
+  std::vector<double> numbers;
+  const auto items = read_list(value, model::SupportTable::most_points);
+  if (!items) return numbers;
+  for (const yaml::Value& item : *items) {
+    const auto number = read_number(item, model::any_finite);
+    if (!number) continue;
+    if (!model::contains(range, *number * in_si))
+      refuse(item, fmt::format("{} is out of range", yaml::shown(item.node.text)),
+             model::describe(range, *number * in_si));
+    numbers.push_back(*number * in_si);
+  }
+  return numbers;
+}
+
+/// The column of speeds in whatever unit it is given.
+std::optional<yaml::Value> find_speeds(yaml::Section& section) {
+  constexpr std::string_view hz = "speed_hz", rpm = "speed_rpm", rad_per_s = "speed_rad_per_s";
+  section.require_exactly_one({hz, rpm, rad_per_s});
+  std::optional<yaml::Value> found;
+  for (const std::string_view name : {hz, rpm, rad_per_s})
+    if (const auto value = section.find(name); value && !found) found.emplace(*value);
+  return found;
+}
+
+/// Speeds in Hz, as they stand.
+std::vector<double> read_speeds(const yaml::Value& given) {
+  std::vector<double> speeds = read_column(given, model::not_negative, 1);
+  for (double& speed : speeds) {
+    if (given.path.ends_with("_rpm")) speed /= model::rpm_per_hz;  // as those of a sweep, to the last bit
+    if (given.path.ends_with("_rad_per_s")) speed /= 2 * std::numbers::pi;
+  }
+  return speeds;
+}
+
+/// Takes rows out that repeat the one before them; the others must rise or fall in speed.
+void order_rows(model::SupportTable& table, const yaml::Value& speeds) {
+  std::vector<double>& hz = table.speed_hz;
+  const auto differ = std::ranges::adjacent_find(hz, std::not_equal_to<>{});
+  const bool falling = differ != hz.end() && differ[1] < differ[0];
+  for (std::size_t i = 1; i < hz.size(); ++i) {
+    if (falling ? hz[i] < hz[i - 1] : hz[i] > hz[i - 1]) continue;
+    const bool repeats = hz[i] == hz[i - 1] && std::ranges::all_of(table.columns, [&](const auto& column) {
+                           return column[i] == column[i - 1];
+                         });
+    if (!repeats) {
+      const auto items = speeds.node.items.size();
+      const std::size_t place = i + items - hz.size();
+      const yaml::Value item{speeds.node.items[place], fmt::format("{}.{}", speeds.path, place),
+                             speeds.diagnostics};
+      return refuse(item,
+                    fmt::format("{} is not {} the speed before it", yaml::shown(item.node.text),
+                                falling ? "below" : "above"),
+                    falling ? "speeds that rise, or that fall" : "speeds that rise");
+    }
+    const auto row = static_cast<std::ptrdiff_t>(i--);
+    hz.erase(hz.begin() + row);
+    for (auto& column : table.columns) column.erase(column.begin() + row);
+  }
+  if (!falling) return;
+  std::ranges::reverse(hz);
+  for (auto& column : table.columns) std::ranges::reverse(column);
+}
+
+/// Column of a coefficient in whatever unit it is given; empty where it is not.
+std::optional<std::vector<double>> find_column(yaml::Section& section, std::size_t column,
+                                               std::size_t points) {
+  std::optional<std::vector<double>> found;
+  std::string_view first;
+  for (const auto& [name, in_si] : names[column]) {
+    const auto value = name.empty() ? std::nullopt : section.find(name);
+    if (!value) continue;
+    if (found) {
+      refuse(*value, fmt::format("given beside {}", first), "one of them");
+      continue;
+    }
+    first = name;
+    found = read_column(*value, model::range_of_column(column), in_si);
+    if (points > 0 && value->node.kind == yaml::Node::Kind::list && value->node.items.size() != points)
+      refuse(*value, fmt::format("holds {} numbers", value->node.items.size()),
+             fmt::format("{}, as many as there are speeds", points));
+  }
+  return found;
+}
+
+}  // namespace
+
+namespace {
+
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return small;
+}
+
+/// Ending of a key, by the unit of a column; of those with M or k for millions and thousands as they are.
+std::string_view ending_of(std::string_view unit) {
+  using Ending = std::pair<std::string_view, std::string_view>;
+  constexpr std::array<Ending, 25> endings{{{"n/m", "_n_per_m"},
+                                            {"n/mm", "_n_per_mm"},
+                                            {"n/um", "_n_per_um"},
+                                            {"kN/m", "_n_per_mm"},
+                                            {"kN/mm", "_n_per_um"},
+                                            {"MN/m", "_n_per_um"},
+                                            {"lbf/in", "_lbf_per_in"},
+                                            {"lb/in", "_lbf_per_in"},
+                                            {"ns/m", "_ns_per_m"},
+                                            {"kg/s", "_ns_per_m"},
+                                            {"ns/mm", "_ns_per_mm"},
+                                            {"kNs/m", "_ns_per_mm"},
+                                            {"lbfs/in", "_lbf_s_per_in"},
+                                            {"lbs/in", "_lbf_s_per_in"},
+                                            {"kg", "_kg"},
+                                            {"rpm", "_rpm"},
+                                            {"1/min", "_rpm"},
+                                            {"rev/min", "_rpm"},
+                                            {"r/min", "_rpm"},
+                                            {"min1", "_rpm"},
+                                            {"u/min", "_rpm"},
+                                            {"hz", "_hz"},
+                                            {"rev/s", "_hz"},
+                                            {"rad/s", "_rad_per_s"},
+                                            {"1/s", "_hz"}}};
+  const std::string plain = table::plain_unit(unit), small = in_small_letters(plain);
+  for (const auto& [written, ending] : endings) {
+    const bool as_it_is =
+        written.find_first_of("Mk") != std::string_view::npos && written.find('N') != std::string_view::npos;
+    const bool milli = plain.starts_with("mN");
+    if (as_it_is ? plain == written : small == written && !milli) return ending;
+  }
+  return {};
+}
+
+/// Key of a column of a table of supports: "Kxx [N/mm]" is kxx_n_per_mm, "Speed (rpm)" speed_rpm.
+ColumnKey key_of_support(const table::Heading& heading) {
+  if (const std::size_t slash = heading.name.rfind('/'); slash != std::string::npos) {
+    // "Speed / rpm", "K_xx / (N/m)"
+    const std::size_t parted = heading.name.find('/');
+    const std::string behind = heading.name.substr(parted + 1);
+    if (heading.unit.empty() == (slash + 1 == heading.name.size())) return {};
+    return key_of_support({heading.name.substr(0, parted), heading.unit.empty() ? behind : heading.unit});
+  }
+  std::string name = in_small_letters(heading.name);
+  std::erase(name, ' ');
+  if (name.size() == 4 && name[1] == '_') name.erase(1, 1);  // K_xx
+  const bool turns = name == "n";
+  constexpr std::array<std::string_view, 5> speeds{"omega", "n", "rotorspeed", "\u03c9", "\u03a9"};
+  if (std::ranges::find(speeds, name) != speeds.end()) name = "speed";
+  if (name == "rpm") name = "speed_rpm";
+  std::string stem = name.substr(0, name.find('_'));
+  const bool speed = stem == "speed";
+  if (!speed && std::ranges::find(model::support_coefficients, stem) == model::support_coefficients.end())
+    return {};
+  const std::string_view ending = ending_of(heading.unit);
+  const std::string in_words = heading.name + (heading.unit.empty() ? "" : " [" + heading.unit + ']');
+  if (name == "speed" && heading.unit.empty())
+    return {"speed", fmt::format("'{}' says no unit", yaml::shown(in_words)),
+            "rpm, Hz or rad/s behind it or below it"};
+  if (heading.unit.empty()) return {name};
+  const bool stiffness = ending.starts_with("_n_per") || ending == "_lbf_per_in";
+  const bool damping = ending.starts_with("_ns_per") || ending == "_lbf_s_per_in";
+  // 1/s of a frequency is radians, of turns turns.
+  const bool unclear = !turns && ending == "_hz" && heading.unit.find('1') != std::string::npos;
+  const bool fits = unclear          ? false
+                    : speed          ? ending == "_rpm" || ending == "_hz" || ending == "_rad_per_s"
+                    : stem[0] == 'k' ? stiffness
+                    : stem[0] == 'c' ? damping
+                                     : ending == "_kg";
+  if (!fits || (name != stem && name != stem + std::string(ending)))
+    return {name,
+            fmt::format("the unit of '{}' is unknown, or another one than it says", yaml::shown(in_words)),
+            speed ? "rpm, Hz, rad/s" : "N/m, N/mm, N/um, lbf/in; N s/m, N s/mm, lbf s/in; kg"};
+  return {stem + std::string(ending)};
+}
+
+}  // namespace
+
+void resolve_tables(yaml::Node& root, yaml::Diagnostics& diagnostics) {
+  yaml::Node* supports = child(child(&root, "rotor"), "supports");
+  if (supports == nullptr || supports->kind != yaml::Node::Kind::list) return;
+  for (std::size_t i = 0; i < supports->items.size(); ++i) {
+    if (yaml::Node* table = child(&supports->items[i], "table"))
+      resolve_table_file(*table, fmt::format("rotor.supports.{}.table", i), key_of_support, diagnostics);
+  }
+}
+
+std::optional<model::SupportTable> read_support_table(const yaml::Value& value) {
+  yaml::Section section(value, table_forms);
+  if (!section.is_map() || section.find("file"))
+    return std::nullopt;  // a file that could not be had was refused
+  model::SupportTable table;
+  const auto speeds = find_speeds(section);
+  if (speeds) table.speed_hz = read_speeds(*speeds);
+  const std::size_t rows = speeds ? speeds->node.items.size() : 0;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    auto column = find_column(section, c, rows);
+    const std::string_view name = model::support_coefficients[c];
+    if (!column && (name == "kxx" || name == "kyy"))
+      section.require(
+          name,
+          fmt::format("numbers under {0}, {0}_n_per_m, {0}_n_per_mm, {0}_n_per_um or {0}_lbf_per_in", name));
+    table.columns[c] = column ? *std::move(column) : std::vector<double>(table.speed_hz.size(), 0.0);
+  }
+  section.refuse_unknown_keys();
+  if (!section.is_sound()) return std::nullopt;
+  order_rows(table, *speeds);
+  if (!section.is_sound()) return std::nullopt;
+  return table;
+}
+
+void print_support_table(yaml::Printer& printer, const model::SupportTable& table) {
+  printer.open("table");
+  printer.numbers("speed_hz", table.speed_hz);
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const std::string_view name = model::support_coefficients[c];
+    const bool needed = name == "kxx" || name == "kyy";
+    if (!needed && std::ranges::all_of(table.columns[c], [](double value) { return value == 0; })) continue;
+    printer.numbers(names[c][1].text, table.columns[c]);
+  }
+  printer.close();
+}
+
+}  // namespace rubsweep::config::machine

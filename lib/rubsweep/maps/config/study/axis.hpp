@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/maps/batch/axis.hpp"
+#include "rubsweep/maps/config/yaml/printer.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+#include "rubsweep/maps/config/yaml/value.hpp"
+
+namespace rubsweep::config::study {
+
+/// Spacing of numbers from one end to the other.
+enum class Scale { linear, log };
+inline constexpr yaml::Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
+
+inline constexpr std::string_view axis_forms =
+    "a number, {from, to, count}, {from, to, step} or {values: [...]}";
+inline constexpr long max_axis_values = 10'000;
+
+/// Purpose of printed axes: `as_written` for people, by ends and count where they were given so and in the
+/// unit of the person; `by_value` for a digest, which must not depend on how a file is written.
+enum class AxisPrint { as_written, by_value };
+
+/// Values of one axis in SI units, and how they are written where that is no list.
+struct AxisValues {
+  std::vector<double> values;
+  std::optional<batch::Spacing> spacing;
+};
+
+/// Values of one axis of a sweep: {from, to, count} (count evenly spaced values, both ends included, in
+/// either direction; `to` may be left out when count is 1; with `scale: log` at equal ratios), {from, to,
+/// step} (each value the double nearest to its decimal) or {values: [...]}, in any order without repetition;
+/// a number is a single value. Empty after a problem. Written values are in `range`, and are divided by
+/// `units_per_si` before it is spaced.
+AxisValues read_axis(const yaml::Value& value, const model::Range& range, double units_per_si = 1);
+
+/// The same for a section that has keys of its own beside them.
+AxisValues read_axis_values(yaml::Section& section, const model::Range& range, double units_per_si = 1);
+
+/// The entries of an axis as they were written, into a map that is open: from, to, count and scale, or step,
+/// where `spacing` says how `values` are made, else the values.
+void print_axis_values(yaml::Printer& printer, const std::vector<double>& values,
+                       const std::optional<batch::Spacing>& spacing, double units_per_si = 1);
+
+}  // namespace rubsweep::config::study

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "rubsweep/maps/config/yaml/printer.hpp"
+#include "rubsweep/maps/config/yaml/value.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
+
+namespace rubsweep::config::study {
+
+/// `response`: every key is optional, the defaults are those of sweep::Study. Two windows must
+/// fit into the longest run, two turns of the largest order into a window, four samples into its shortest
+/// period.
+void read_response(const yaml::Value& value, sweep::Study& study);
+void print_response(yaml::Printer& printer, const sweep::Study& study);
+
+}  // namespace rubsweep::config::study

@@ -1,0 +1,109 @@
+#include "rubsweep/maps/config/study/start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "rubsweep/maps/config/yaml/section.hpp"
+
+namespace rubsweep::config::study {
+namespace {
+
+constexpr std::string_view at_rest = "rest";
+constexpr std::string_view start_forms =
+    "rest, or a map of x_m, y_m, vx_m_per_s, vy_m_per_s, casings, each optional";
+constexpr std::string_view forms = "a map from the number of a stop to x_m, y_m, vx_m_per_s, vy_m_per_s";
+
+std::vector<std::optional<model::BodyState>> read_casings(const yaml::Value& value,
+                                                          const std::vector<model::Stop>& stops) {
+  std::vector<std::string> names;  // the section keeps views of them
+  for (std::size_t i = 0; i < stops.size(); ++i) names.push_back(std::to_string(i));
+  std::vector<std::optional<model::BodyState>> casings(stops.size());
+  yaml::Section section(value, forms);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const auto casing = section.find(names[i]);
+    if (!casing) continue;
+    if (!stops[i].casing) refuse(*casing, "is of a rigid casing, which has no state", "a casing that moves");
+    yaml::Section body(*casing);
+    read_fields(body, casings[i].emplace());
+    body.refuse_unknown_keys();
+  }
+  section.refuse_unknown_keys();
+  return casings;
+}
+
+bool is_empty(const model::BodyState& body) {
+  bool empty = true;
+  model::BodyState::visit_fields(
+      body, [&](const char*, const std::optional<double>& number, const auto&) { empty = empty && !number; });
+  return empty;
+}
+
+}  // namespace
+
+model::Kick read_kick(const yaml::Value& value, const std::optional<model::Range>& places) {
+  yaml::Section section(value);
+  model::Kick kick;
+  read_fields(section, kick);
+  section.field("angle_deg", kick.angle_deg, model::any_finite);
+  section.field("phase_deg", kick.phase_deg, model::any_finite);
+  if (places) section.field("position_m", kick.position_m, *places);
+  section.refuse_unknown_keys();
+  return kick;
+}
+
+void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, double longest_run_s) {
+  if (kick.force_n == 0 || kick.duration_s < longest_run_s) return;
+  yaml::Section(value).refuse_together(
+      "duration_s", {"duration_s"},
+      fmt::format("{} s are no shorter than a run, {:.4g} s", kick.duration_s, longest_run_s),
+      "less than response.max_revolutions / speed");
+}
+
+void print_kick(yaml::Printer& printer, const model::Kick& kick) {
+  printer.open("kick");
+  print_fields(printer, kick);
+  printer.field("angle_deg", kick.angle_deg, model::any_finite);
+  printer.field("phase_deg", kick.phase_deg, model::any_finite);
+  printer.field("position_m", kick.position_m, model::any_finite);
+  printer.close();
+}
+
+model::Start read_start(const yaml::Value& value, const std::vector<model::Stop>& stops) {
+  model::Start start;
+  if (value.node.kind == yaml::Node::Kind::scalar) {
+    constexpr std::array words{at_rest};
+    start.at_rest = read_word(value, words, start_forms).has_value();
+    return start;
+  }
+  yaml::Section section(value, start_forms);
+  read_fields(section, start.rotor);
+  if (const auto casings = section.find("casings")) start.casings = read_casings(*casings, stops);
+  section.refuse_unknown_keys();
+  return start;
+}
+
+void print_start(yaml::Printer& printer, const model::Start& start) {
+  if (start.at_rest) return printer.word("start", at_rest);
+  const auto given = [](const std::optional<model::BodyState>& body) { return body && !is_empty(*body); };
+  const bool casings = std::ranges::any_of(start.casings, given);
+  if (is_empty(start.rotor) && !casings) {
+    printer.word("start", "{}");  // an empty block would read back as no value
+    return;
+  }
+  printer.open("start");
+  print_fields(printer, start.rotor);
+  if (casings) printer.open("casings");
+  for (std::size_t i = 0; i < start.casings.size(); ++i) {
+    if (!given(start.casings[i])) continue;
+    printer.open(std::to_string(i));
+    print_fields(printer, *start.casings[i]);
+    printer.close();
+  }
+  if (casings) printer.close();
+  printer.close();
+}
+
+}  // namespace rubsweep::config::study

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "rubsweep/maps/config/yaml/section.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
+
+namespace rubsweep::config::study {
+
+/// Everything of a configuration but `output`, from the sections of its root. Study::with_keys is left empty.
+sweep::Study read_study(yaml::Section& root);
+
+}  // namespace rubsweep::config::study

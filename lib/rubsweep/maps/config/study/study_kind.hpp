@@ -1,0 +1,19 @@
+#pragma once
+
+#include "rubsweep/maps/config/study/axis.hpp"
+#include "rubsweep/maps/config/yaml/printer.hpp"
+#include "rubsweep/maps/config/yaml/value.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
+
+namespace rubsweep::config::study {
+
+/// `study`: a question to every cell beside its motion. {kind: threshold, key: PATH, from, to,
+/// count, scale, tolerance}: the numbers at which rub goes on. {kind: basin, samples, over: [{key:
+/// PATH, from, to, scale}, ...]}: the attractors that starts drawn from a box lead to. {kind: map}:
+/// none.
+void read_study_kind(const yaml::Value& value, sweep::Study& study);
+
+/// Nothing for a study that asks no more than a map.
+void print_study_kind(yaml::Printer& printer, const sweep::Study& study, AxisPrint how);
+
+}  // namespace rubsweep::config::study

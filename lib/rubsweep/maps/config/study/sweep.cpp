@@ -1,0 +1,99 @@
+#include "rubsweep/maps/config/study/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "rubsweep/core/model/speed_text.hpp"
+#include "rubsweep/core/model/support_path.hpp"
+#include "rubsweep/maps/config/study/key_axis.hpp"
+#include "rubsweep/maps/config/study/place_axes.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+
+namespace rubsweep::config::study {
+namespace {
+
+void visit_refinement(auto& refinement, auto&& visit) {
+  constexpr yaml::IntegerRange levels{1, 12}, probes{0, 1000};
+  visit("levels", refinement.levels, levels);
+  visit("probes", refinement.probes, probes);
+}
+
+sweep::Refinement read_refinement(const yaml::Value& value) {
+  yaml::Section section(value);
+  sweep::Refinement refinement;
+  section.require("levels", "an integer from 1 to 12");
+  visit_refinement(refinement,
+                   [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
+  section.refuse_unknown_keys();
+  return refinement;
+}
+
+/// A refined map looks between neighbours.
+void refuse_disorder(const yaml::Section& section, const sweep::Grid& grid) {
+  if (const auto axis = sweep::disordered_axis(grid)) {
+    section.refuse_together("refine", {"refine"}, fmt::format("beside values of {} in no order", *axis),
+                            "values that rise, or fall, all along");
+  }
+}
+
+/// No table of a support is continued beyond its ends.
+void refuse_speeds_beyond_tables(const yaml::Section& section, const sweep::Grid& grid,
+                                 const model::Machine& machine) {
+  const model::RotorKit* kit = model::kit_of(machine);
+  if (kit == nullptr || grid.speed_hz.empty()) return;
+  for (std::size_t i = 0; i < kit->supports.size(); ++i) {
+    if (!kit->supports[i].table) continue;
+    const double low = kit->supports[i].table->speed_hz.front(),
+                 high = kit->supports[i].table->speed_hz.back();
+    const auto beyond =
+        std::ranges::find_if(grid.speed_hz, [&](double hz) { return !(hz >= low && hz <= high); });
+    if (beyond == grid.speed_hz.end()) continue;
+    section.refuse_together(
+        "speed_hz", {"speed_hz", speed_rpm_key},
+        fmt::format("{} is beyond the table of {}", model::speed_text(*beyond), model::support_path(*kit, i)),
+        model::speed_range_text(low, high));
+    return;
+  }
+}
+
+}  // namespace
+
+sweep::Grid read_sweep(const yaml::Value& value, const model::Machine& machine) {
+  yaml::Section section(value);
+  sweep::Grid grid;
+  read_speeds(section, grid);
+  refuse_speeds_beyond_tables(section, grid, machine);
+  read_unbalance(section, machine, grid);
+  grid.axes = read_key_axes(section);
+  if (const auto refine = section.find("refine")) grid.refinement = read_refinement(*refine);
+  if (grid.refinement) refuse_disorder(section, grid);
+  section.refuse_unknown_keys();
+  std::string product = fmt::format("{} x {}", grid.speed_hz.size(), grid.unbalance.size());
+  // The product of five long axes is more than an integer holds.
+  auto cells = static_cast<double>(grid.speed_hz.size()) * static_cast<double>(grid.unbalance.size());
+  for (const sweep::KeyAxis& axis : grid.axes) {
+    product += fmt::format(" x {}", axis.values.size());
+    cells *= static_cast<double>(axis.values.size());
+  }
+  if (cells > static_cast<double>(max_cells))
+    refuse(value, fmt::format("{} = {} cells", product, cells), fmt::format("at most {}", max_cells));
+  return grid;
+}
+
+void print_sweep(yaml::Printer& printer, const sweep::Grid& grid, AxisPrint how) {
+  printer.open("sweep");
+  print_place_axis(printer, "speed_hz", grid.written_speed, grid.speed_hz, how);
+  print_place_axis(printer, to_string(grid.measure), grid.written_unbalance, grid.unbalance, how);
+  print_key_axes(printer, grid.axes, how);
+  if (grid.refinement) {
+    printer.open("refine");
+    visit_refinement(*grid.refinement, [&](auto name, const auto& field, const auto& allowed) {
+      printer.field(name, field, allowed);
+    });
+    printer.close();
+  }
+  printer.close();
+}
+
+}  // namespace rubsweep::config::study

@@ -1,0 +1,29 @@
+#include "rubsweep/maps/config/templates/templates.hpp"
+
+#include <algorithm>
+
+#include "rubsweep/maps/config/templates/texts.hpp"
+
+namespace rubsweep::config::templates {
+namespace {
+
+/// In place of the first line, which says where the schema of the shipped files is.
+constexpr std::string_view head =
+    "# yaml-language-server: $schema=rubsweep.schema.json\n"
+    "# An editor completes and checks by that schema: rubsweep --schema > rubsweep.schema.json\n";
+
+}  // namespace
+
+std::vector<std::string_view> template_names() {
+  std::vector<std::string_view> names;
+  for (const Text& text : texts) names.push_back(text.name);
+  return names;
+}
+
+std::optional<std::string> template_text(std::string_view name) {
+  const auto found = std::ranges::find(texts, name, &Text::name);
+  if (found == texts.end()) return std::nullopt;
+  return std::string(head).append(found->yaml.substr(found->yaml.find('\n') + 1));
+}
+
+}  // namespace rubsweep::config::templates

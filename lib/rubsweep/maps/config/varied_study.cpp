@@ -1,0 +1,200 @@
+#include "rubsweep/maps/config/varied_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/maps/config/machine/rotor.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/study/key_axis.hpp"
+#include "rubsweep/maps/config/study/place_axes.hpp"
+#include "rubsweep/maps/config/study/study.hpp"
+#include "rubsweep/maps/config/unit_slips.hpp"
+#include "rubsweep/maps/config/yaml/number.hpp"
+#include "rubsweep/maps/config/yaml/override.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
+
+namespace rubsweep::config {
+namespace {
+
+constexpr std::string_view allowed_keys =
+    "a number of rotor, stops, kick, start, gravity_m_per_s2, solver or response, as --print-config names it";
+
+/// The study as a document without the keys that no axis may name.
+yaml::Node document_of(const sweep::Study& study) {
+  sweep::Study plain = study;
+  plain.threshold.reset();
+  plain.basin.reset();
+  // The largest speed may be too large for another rotor, the smallest one makes the longest run for a kick.
+  const auto [slowest, fastest] = std::ranges::minmax(study.grid.speed_hz);
+  plain.grid = {.speed_hz = slowest < fastest ? std::vector{slowest, fastest} : std::vector{fastest},
+                .measure = study.grid.measure,
+                .unbalance = {study.grid.unbalance.front()}};
+  yaml::Diagnostics diagnostics("the printed study", {});
+  auto document = parse_document(print_study(plain), -1, "", diagnostics);
+  diagnostics.throw_if_any();
+  return *std::move(document);
+}
+
+/// The study with these keys changed; problems with them are reported at `place`.
+sweep::Study read_varied(yaml::Node document, std::span<const sweep::KeyValue> keys,
+                         const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
+  const std::size_t problems = diagnostics.count();
+  for (const auto& [key, value] : keys) yaml::write_number(document, key, value, place, diagnostics);
+  if (diagnostics.count() != problems) return {};
+  const yaml::Value root{document, "", diagnostics};
+  yaml::Section section(root);
+  sweep::Study study = study::read_study(section);
+  section.refuse_unknown_keys();
+  if (diagnostics.count() == problems) refuse_unit_slips(root, &study.machine);
+  return study;
+}
+
+void place_all(yaml::Node& node, const yaml::SourcePosition& place) {
+  node.place = place;
+  for (yaml::Node::Key& key : node.keys) key.place = place;
+  for (yaml::Node& item : node.items) place_all(item, place);
+}
+
+bool holds_a_number(const yaml::Node& node) {
+  return node.kind == yaml::Node::Kind::scalar && !node.quoted &&
+         yaml::parse_number(node.text).error == yaml::NumberError::none;
+}
+
+bool is_part_of_the_mass(const std::string& key) {
+  return key == "rotor.mass_kg" || key.starts_with("rotor.discs.") || key.starts_with("rotor.shaft.") ||
+         key.starts_with("rotor.unbalance.");
+}
+
+/// A key of which nothing can be said yet may be one that the printed study leaves out. `by_mass`: the key
+/// whose eccentricities follow from the mass of the rotor, once for all cells.
+bool may_be_swept(const yaml::Node& document, const std::string& key, std::string_view by_mass,
+                  const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
+  constexpr std::array<std::string_view, 6> own_axes{"speed_hz",           study::speed_rpm_key,
+                                                     "whirl_ratio",        "eccentricity_m",
+                                                     study::unbalance_key, study::grade_key};
+  const std::string first = key.substr(0, key.find('.'));
+  const auto problem = [&](std::string_view wrong, std::string_view allowed) {
+    diagnostics.add(place, yaml::shown(key), wrong, allowed);
+    return false;
+  };
+  if (std::ranges::find(own_axes, key) != own_axes.end())
+    return problem("has an axis of its own", fmt::format("sweep.{}", key));
+  if (first == "sweep" || first == "output" || first == "study" || first == "base")
+    return problem("is no key of an axis", allowed_keys);
+  if (!by_mass.empty() && is_part_of_the_mass(key))
+    return problem(fmt::format("is part of the mass that sweep.{} takes its eccentricities from", by_mass),
+                   "another key, or sweep.eccentricity_m or sweep.whirl_ratio");
+  const yaml::Node* node = find_node(document, key);
+  if (node != nullptr && !holds_a_number(*node))
+    return problem(fmt::format("{}, no number", describe(*node)), allowed_keys);
+  return true;
+}
+
+/// A rotor given by constants is kept by its frequency and damping ratio, which an axis over its mass would
+/// leave as they are: refused, as the constants would be expected to stay. Empty where the key changes none
+/// of them.
+std::string_view key_of_constants(const yaml::Node& root, std::string_view key) {
+  const auto is_given = [&](std::string_view name) {
+    const yaml::Node* rotor = find_node(root, "rotor");
+    return std::ranges::find(rotor->keys, name, &yaml::Node::Key::text) != rotor->keys.end();
+  };
+  const yaml::Node* kind = find_node(root, "rotor.kind");
+  if (kind == nullptr || kind->text != "jeffcott") return "";
+  const bool stiffness = is_given(machine::rotor_stiffness_key),
+             damping = is_given(machine::rotor_damping_key);
+  if (key == "rotor.mass_kg" && stiffness) return machine::rotor_stiffness_key;
+  const bool changes_ratio =
+      key == "rotor.mass_kg" || key == "rotor.natural_frequency_hz" || key == "rotor.stiffness_n_per_m";
+  return changes_ratio && damping ? machine::rotor_damping_key : "";
+}
+
+/// Refuses an axis over such a key; true where it did.
+bool refuse_constants(const yaml::Node& root, const std::string& key, const yaml::SourcePosition& place,
+                      yaml::Diagnostics& diagnostics) {
+  const std::string_view constant = key_of_constants(root, key);
+  if (constant.empty()) return false;
+  diagnostics.add(place, yaml::shown(key),
+                  fmt::format("is varied beside rotor.{}, which it would change", constant),
+                  "natural_frequency_hz and damping_ratio of a rotor whose mass or stiffness is varied");
+  return true;
+}
+
+void refuse_impossible(const sweep::KeyAxis& axis, const yaml::SourcePosition& place, yaml::Node document,
+                       std::string_view by_mass, yaml::Diagnostics& diagnostics) {
+  for (const std::string& key : axis.keys) {
+    if (!may_be_swept(document, key, by_mass, place, diagnostics)) return;
+  }
+  place_all(document, place);
+  const std::size_t problems = diagnostics.count();
+  for (const double value : axis.values) {
+    read_varied(document, sweep::keys_at(axis, value), place, diagnostics);
+    if (diagnostics.count() != problems) return;
+  }
+}
+
+/// An axis over the same key would have no effect: what a study tries is written last.
+void refuse_swept(const sweep::Study& study, const std::vector<std::string>& keys,
+                  const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
+  const std::vector<std::string> swept = sweep::key_names(study.grid);
+  for (const std::string& key : keys) {
+    if (std::ranges::find(swept, key) != swept.end())
+      diagnostics.add(place, yaml::shown(key), "is varied by an axis of the sweep as well", "one of the two");
+  }
+}
+
+yaml::SourcePosition place_of_keys(const yaml::Node& axis) {
+  const yaml::Node* keys = find_node(axis, "key");
+  if (keys == nullptr) keys = find_node(axis, "keys");
+  return keys->place;
+}
+
+}  // namespace
+
+void vary_keys(const yaml::Value& root, sweep::Study& study) {
+  if (study.grid.axes.empty() && !study.threshold && !study.basin) return;
+  yaml::Node document = document_of(study);
+  const yaml::Node& sweep = *find_node(root.node, "sweep");
+  const std::string_view by_mass = study::key_by_mass(sweep, study.machine);
+  const auto refuse_axis = [&](const sweep::KeyAxis& axis, const yaml::SourcePosition& place) {
+    for (const std::string& key : axis.keys) {
+      if (refuse_constants(root.node, key, place, root.diagnostics)) return;
+    }
+    refuse_impossible(axis, place, document, by_mass, root.diagnostics);
+  };
+  std::size_t next = 0;
+  for (const std::string_view name : study::key_axis_names) {
+    const yaml::Node* node = find_node(sweep, name);
+    if (node == nullptr) continue;
+    refuse_axis(study.grid.axes.at(next++), place_of_keys(*node));
+  }
+  if (study.threshold) {
+    const yaml::SourcePosition place = place_of_keys(*find_node(root.node, "study"));
+    refuse_swept(study, study.threshold->axis.keys, place, root.diagnostics);
+    refuse_axis(study.threshold->axis, place);
+  }
+  if (study.basin) {
+    const yaml::Node& over = *find_node(root.node, "study.over");
+    for (std::size_t i = 0; i < study.basin->over.size(); ++i) {
+      const sweep::DrawnKey& drawn = study.basin->over[i];
+      const yaml::SourcePosition place = place_of_keys(over.items.at(i));
+      refuse_swept(study, {drawn.key}, place, root.diagnostics);
+      refuse_axis({{drawn.key}, {1}, {drawn.from, drawn.to}}, place);
+    }
+  }
+  study.with_keys = [document = std::make_shared<const yaml::Node>(std::move(document))](
+                        std::span<const sweep::KeyValue> keys) {
+    yaml::Diagnostics diagnostics("the study with the keys of a cell", {});
+    sweep::Study varied = read_varied(*document, keys, yaml::SourcePosition{}, diagnostics);
+    diagnostics.throw_if_any();
+    return varied;
+  };
+}
+
+}  // namespace rubsweep::config

@@ -1,0 +1,76 @@
+#include "rubsweep/maps/config/yaml/alternatives.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace rubsweep::config::yaml {
+namespace {
+
+using Keys = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 1> stribeck{"stribeck"}, coefficient{"coefficient"},
+    one_way{"one_way"};
+constexpr std::array<std::string_view, 5> curve{"static", "kinetic", "peak_speed_m_per_s",
+                                                "settle_speed_m_per_s", "viscous_s_per_m"};
+constexpr std::array<std::string_view, 1> stiffness{"stiffness_n_per_m"}, hertz{"hertz"};
+constexpr std::array<std::string_view, 1> nominal{"restitution"}, by_rotor_mass{"restitution_by_rotor_mass"},
+    delivered{"restitution_delivered"}, damping{"damping_ns_per_m"};
+constexpr std::array<std::string_view, 1> speed_hz{"speed_hz"}, speed_rpm{"speed_rpm"};
+constexpr std::array<std::string_view, 1> ratio{"whirl_ratio"}, eccentricity{"eccentricity_m"},
+    unbalance{"unbalance_g_mm"};
+constexpr std::array<std::string_view, 3> grade{"balance_grade_mm_per_s", "rated_speed_hz",
+                                                "rated_speed_rpm"};
+constexpr std::array<std::string_view, 1> rated_hz{"rated_speed_hz"}, rated_rpm{"rated_speed_rpm"};
+constexpr std::array<std::string_view, 1> modal_stiffness{"modal_stiffness_n_per_m"},
+    frequency_hz{"natural_frequency_hz"}, frequency_rad_per_s{"natural_frequency_rad_per_s"};
+constexpr std::array<std::string_view, 1> damping_ratio{"damping_ratio"};
+constexpr std::array<std::string_view, 1> listed_values{"values"}, one_key{"key"};
+constexpr std::array<std::string_view, 2> tied_keys{"keys", "factors"};
+constexpr std::array<std::string_view, 1> kick{"kick"}, start{"start"};
+constexpr std::array<std::string_view, 5> spaced{"from", "to", "count", "scale", "step"};
+constexpr std::array<std::string_view, 2> counted{"count", "scale"};
+constexpr std::array<std::string_view, 1> stepped{"step"};
+
+/// Alternative spellings, each by the keys that belong to it; at most four, the empty ones do not count.
+constexpr std::array<std::array<Keys, 4>, 13> alternatives{{
+    {stribeck, curve, coefficient, one_way},
+    {stiffness, hertz},
+    {nominal, by_rotor_mass, delivered, damping},
+    {speed_hz, speed_rpm},
+    {ratio, eccentricity, unbalance, grade},
+    {rated_hz, rated_rpm},
+    {modal_stiffness, frequency_hz, frequency_rad_per_s},
+    {frequency_hz, stiffness},
+    {damping_ratio, damping},
+    {listed_values, spaced},
+    {counted, stepped},
+    {one_key, tied_keys},
+    {kick, start},
+}};
+
+bool holds(Keys keys, std::string_view key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); }
+
+bool exclude_each_other(std::string_view a, std::string_view b) {
+  return std::any_of(alternatives.begin(), alternatives.end(), [&](const auto& ways) {
+    const auto of_a = std::find_if(ways.begin(), ways.end(), [&](Keys keys) { return holds(keys, a); });
+    const auto of_b = std::find_if(ways.begin(), ways.end(), [&](Keys keys) { return holds(keys, b); });
+    return of_a != ways.end() && of_b != ways.end() && of_a != of_b;
+  });
+}
+
+}  // namespace
+
+void drop_entry(Node& map, std::size_t index) {
+  map.keys.erase(map.keys.begin() + static_cast<std::ptrdiff_t>(index));
+  map.items.erase(map.items.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void drop_alternatives(Node& map, std::string_view written) {
+  for (std::size_t i = map.keys.size(); i-- > 0;) {
+    if (exclude_each_other(written, map.keys[i].text)) drop_entry(map, i);
+  }
+}
+
+}  // namespace rubsweep::config::yaml

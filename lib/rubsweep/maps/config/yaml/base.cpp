@@ -1,0 +1,205 @@
+#include "rubsweep/maps/config/yaml/base.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/maps/config/yaml/alternatives.hpp"
+#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/maps/config/yaml/repeated_keys.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
+#include "rubsweep/maps/config/yaml/value.hpp"
+
+namespace rubsweep::config::yaml {
+namespace {
+
+/// Index of a key, or how many there are.
+std::size_t index_of(const Node& map, std::string_view name) {
+  const auto found =
+      std::find_if(map.keys.begin(), map.keys.end(), [&](const Node::Key& key) { return key.text == name; });
+  return static_cast<std::size_t>(found - map.keys.begin());
+}
+
+bool is_of_another_kind(const Node& base, const Node& over) {
+  const std::size_t in_base = index_of(base, "kind"), in_over = index_of(over, "kind");
+  return in_base < base.keys.size() && in_over < over.keys.size() &&
+         base.items[in_base].text != over.items[in_over].text;
+}
+
+void write_over(Node& base, Node::Key key, Node item, std::string_view path, Diagnostics& diagnostics) {
+  const std::size_t index = index_of(base, key.text);
+  if (index == base.keys.size()) {
+    base.keys.push_back(std::move(key));
+    base.items.push_back(std::move(item));
+  } else {
+    base.items[index] =
+        merged(std::move(base.items[index]), std::move(item), child_path(path, key.text), diagnostics);
+    base.keys[index] = std::move(key);
+  }
+}
+
+/// Lets a key without a value take back the base's own, before alternative keys do.
+void take_back(Node& base, Node& over) {
+  for (std::size_t i = over.keys.size(); i-- > 0;) {
+    const std::size_t index = index_of(base, over.keys[i].text);
+    if (over.items[i].kind != Node::Kind::null || index == base.keys.size()) continue;
+    drop_entry(base, index);
+    drop_entry(over, i);
+  }
+}
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view allowed_base = "a file to read, named relative to this one";
+
+/// Identity of a file, the same for all of its names.
+fs::path identity(const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = fs::weakly_canonical(file, error);
+  return error ? file : absolute;
+}
+
+bool is_something_else_than_a_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return !error && fs::exists(status) && !fs::is_regular_file(status);
+}
+
+class Resolver {
+ public:
+  explicit Resolver(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  /// `chain`: the identities of the files that led here, that of `file` last.
+  void resolve(Node& node, const std::string& path, const fs::path& file, std::vector<fs::path>& chain) {
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      const std::string name = node.kind == Node::Kind::map ? child_path(path, node.keys[i].text)
+                                                            : child_path(path, std::to_string(i));
+      if (node.kind == Node::Kind::map && node.keys[i].text == base_key) continue;
+      resolve(node.items[i], name, file, chain);
+    }
+    if (auto name = take_base(node, path)) {
+      auto base = read({*name, child_path(path, base_key), diagnostics_}, path, file, chain);
+      all_read_ = all_read_ && base;
+      if (base) node = merged(*std::move(base), std::move(node), path, diagnostics_);
+    }
+  }
+
+  /// False when a base could not be had.
+  bool all_read() const { return all_read_; }
+
+ private:
+  /// Removes the key `base` from a map and returns its value; empty where there is none.
+  std::optional<Node> take_base(Node& node, const std::string& path) {
+    if (node.kind != Node::Kind::map) return std::nullopt;
+    const auto names_base = [](const Node::Key& key) { return key.text == base_key; };
+    if (std::none_of(node.keys.begin(), node.keys.end(), names_base)) return std::nullopt;
+    refuse_repeated_keys(node, path, diagnostics_);
+    drop_repeated_keys(node);
+    const auto found = std::find_if(node.keys.begin(), node.keys.end(), names_base);
+    const auto index = static_cast<std::size_t>(found - node.keys.begin());
+    Node name = std::move(node.items[index]);
+    drop_entry(node, index);
+    return name;
+  }
+
+  /// The content of the file that `name` names, its own bases resolved; empty after a problem was added.
+  std::optional<Node> read(const Value& name, const std::string& path, const fs::path& file,
+                           std::vector<fs::path>& chain) {
+    const auto text = read_text(name);
+    if (!text) return std::nullopt;
+    const fs::path base = file.parent_path() / *text;
+    if (!may_be_read(name, base, chain)) return std::nullopt;
+    const FileBytes bytes = read_bytes(base);
+    if (!bytes.problem.empty()) {
+      refuse(name, fmt::format("'{}' cannot be read: {}", shown(*text), bytes.problem), allowed_base);
+      return std::nullopt;
+    }
+    const int index = diagnostics_.add_file(shown(base.string(), max_text_bytes));
+    auto node = parse_document(bytes.text, -1, path, diagnostics_, index);
+    if (!node || !is_map(*node, path) || !counts(name, *node)) return std::nullopt;
+    chain.push_back(identity(base));
+    resolve(*node, path, base, chain);
+    chain.pop_back();
+    return node;
+  }
+
+  bool may_be_read(const Value& name, const fs::path& base, const std::vector<fs::path>& chain) {
+    const std::string text = shown(name.node.text);
+    if (is_something_else_than_a_file(base)) {
+      refuse(name, fmt::format("'{}' is not a file", text), allowed_base);
+    } else if (std::find(chain.begin(), chain.end(), identity(base)) != chain.end()) {
+      refuse(name, fmt::format("'{}' leads back to itself", text), "a file that is not based on this one");
+    } else if (chain.size() > static_cast<std::size_t>(max_base_generations)) {
+      refuse(name, "too many bases of bases", fmt::format("at most {}", max_base_generations));
+    } else if (++files_ > max_base_files) {
+      // Reported for the first base too many, not for each.
+      if (files_ == max_base_files + 1)
+        refuse(name, "too many bases", fmt::format("at most {} in all", max_base_files));
+    } else {
+      return true;
+    }
+    return false;
+  }
+
+  bool is_map(const Node& node, const std::string& path) {
+    if (node.kind == Node::Kind::map) return true;
+    const std::string found = node.kind == Node::Kind::null ? "the file is empty" : describe(node);
+    const SourcePosition top{
+        -1, 1, 1, node.place.file};  // where nothing stands, a place after the last line is of no use
+    diagnostics_.add(node.kind == Node::Kind::null ? top : node.place, path, found + " and no base", "a map");
+    return false;
+  }
+
+  bool counts(const Value& name, const Node& node) {
+    nodes_ += count_nodes(node);
+    if (nodes_ <= max_document_nodes) return true;
+    refuse(name, "too many values", fmt::format("at most {} in all bases", max_document_nodes));
+    return false;
+  }
+
+  Diagnostics& diagnostics_;
+  bool all_read_ = true;
+  int files_ = 0;
+  std::size_t nodes_ = 0;
+};
+
+}  // namespace
+
+Node merged(Node base, Node over, std::string_view path, Diagnostics& diagnostics) {
+  if (base.kind != Node::Kind::map || over.kind != Node::Kind::map || is_of_another_kind(base, over)) {
+    return over;
+  }
+  for (Node* map : {&base, &over}) {
+    refuse_repeated_keys(*map, path, diagnostics);
+    drop_repeated_keys(*map);
+  }
+  base.place = over.place;
+  take_back(base, over);
+  for (const Node::Key& key : over.keys) drop_alternatives(base, key.text);
+  for (std::size_t i = 0; i < over.keys.size(); ++i) {
+    write_over(base, std::move(over.keys[i]), std::move(over.items[i]), path, diagnostics);
+  }
+  return base;
+}
+
+bool resolve_bases(Node& root, const fs::path& file, Diagnostics& diagnostics) {
+  std::vector<fs::path> chain{identity(file)};
+  Resolver resolver(diagnostics);
+  resolver.resolve(root, "", file, chain);
+  return resolver.all_read();
+}
+
+void refuse_base_of_override(const Node& root, Diagnostics& diagnostics) {
+  for (const Node::Key& key : root.keys) {
+    if (key.text != base_key) continue;
+    diagnostics.add(key.place, base_key, "an override is no file and has no base", "a base named in a file");
+  }
+}
+
+}  // namespace rubsweep::config::yaml

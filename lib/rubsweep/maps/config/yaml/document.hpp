@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/maps/config/yaml/diagnostics.hpp"
+
+namespace rubsweep::config::yaml {
+
+/// One value of a YAML document and the place where it was written. Aliases are already copies.
+struct Node {
+  enum class Kind { null, scalar, list, map };
+
+  struct Key {
+    std::string text;
+    SourcePosition place;
+  };
+
+  Kind kind = Kind::null;
+  SourcePosition place;       ///< of a null in a map: its key's
+  std::string text{};         ///< scalar
+  bool quoted = false;        ///< scalar in quotes or a block: text, never a number
+  std::vector<Key> keys{};    ///< map: as written, repeated ones included; keys[i] belongs to items[i]
+  std::vector<Node> items{};  ///< list and map
+};
+
+/// Limits that keep any input, hostile ones included, within small time and memory.
+inline constexpr std::size_t max_document_bytes = 16'000'000;
+inline constexpr std::size_t max_document_depth = 32;
+inline constexpr std::size_t max_document_nodes = 100'000;
+
+/// Parses one YAML document; nothing at all is a null node. Everything that is not plain data (tags, several
+/// documents, keys that are not scalars, aliases of an enclosing node, more than the limits above) is
+/// refused: the problem goes to `diagnostics` under `path` and the result is empty. `override_index` and
+/// `file`: see SourcePosition.
+std::optional<Node> parse_document(std::string_view text, int override_index, std::string_view path,
+                                   Diagnostics& diagnostics, int file = 0);
+
+/// How many values a node holds, itself included.
+std::size_t count_nodes(const Node& node);
+
+}  // namespace rubsweep::config::yaml

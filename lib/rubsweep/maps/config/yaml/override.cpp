@@ -1,0 +1,124 @@
+#include "rubsweep/maps/config/yaml/override.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "rubsweep/maps/config/yaml/alternatives.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
+#include "rubsweep/maps/config/yaml/value.hpp"
+
+namespace rubsweep::config::yaml {
+namespace {
+
+std::vector<std::string_view> split_path(std::string_view path) {
+  std::vector<std::string_view> names;
+  for (std::size_t dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.')) {
+    names.push_back(path.substr(0, dot));
+    path.remove_prefix(dot + 1);
+  }
+  names.push_back(path);
+  return names;
+}
+
+Node* item_of(Node& list, std::string_view name, const SourcePosition& place, const std::string& path,
+              Diagnostics& diagnostics) {
+  std::size_t index = 0;
+  const char* end = name.data() + name.size();
+  const auto [stop, error] = std::from_chars(name.data(), end, index);
+  if (error == std::errc{} && stop == end && index < list.items.size()) return &list.items[index];
+  const std::string allowed = list.items.empty()
+                                  ? "nothing, the list is empty"
+                                  : fmt::format("an index from 0 to {}", list.items.size() - 1);
+  diagnostics.add(place, path, fmt::format("the list has no item '{}'", shown(name)), allowed);
+  return nullptr;
+}
+
+Node* entry_of(Node& map, std::string_view name, const SourcePosition& place) {
+  const auto found =
+      std::find_if(map.keys.begin(), map.keys.end(), [&](const Node::Key& key) { return key.text == name; });
+  if (found != map.keys.end()) return &map.items[static_cast<std::size_t>(found - map.keys.begin())];
+  map.keys.push_back({std::string(name), place});
+  map.items.push_back(Node{Node::Kind::map, place});
+  return &map.items.back();
+}
+
+/// The node at the end of the path, created where maps lack a key; null after a problem was added.
+Node* node_at(Node& root, std::string_view path, const SourcePosition& place, Diagnostics& diagnostics) {
+  const auto names = split_path(path);
+  if (std::find(names.begin(), names.end(), "") != names.end() || names.size() > max_document_depth) {
+    diagnostics.add(place, "", fmt::format("'{}' is not a path", shown(path)),
+                    fmt::format("1 to {} names or indices joined by dots", max_document_depth));
+    return nullptr;
+  }
+  Node* node = &root;
+  std::string walked;
+  for (const std::string_view& name : names) {
+    if (node->kind == Node::Kind::list) {
+      node = item_of(*node, name, place, walked, diagnostics);
+    } else if (node->kind == Node::Kind::map) {
+      if (&name == &names.back()) drop_alternatives(*node, name);
+      node = entry_of(*node, name, place);
+    } else {
+      const std::string found = node->kind == Node::Kind::null ? "has no value" : "is " + describe(*node);
+      diagnostics.add(place, walked, fmt::format("{} and cannot hold '{}'", found, shown(name)),
+                      "a map or a list");
+      return nullptr;
+    }
+    if (node == nullptr) return nullptr;
+    walked = child_path(walked, name);
+  }
+  return node;
+}
+
+void apply(Node& root, std::string_view text, int index, Diagnostics& diagnostics) {
+  const SourcePosition place{index, 1, 1};
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos) {
+    diagnostics.add(place, "", "there is no '='", "key.path=value");
+    return;
+  }
+  const std::string_view path = text.substr(0, equals);
+  auto value = parse_document(text.substr(equals + 1), index, shown(path), diagnostics);
+  if (!value) return;
+  if (Node* target = node_at(root, path, place, diagnostics)) *target = std::move(*value);
+}
+
+}  // namespace
+
+void apply_overrides(Node& root, const std::vector<std::string>& overrides, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < overrides.size(); ++i) {
+    apply(root, overrides[i], static_cast<int>(i), diagnostics);
+  }
+}
+
+void write_number(Node& root, std::string_view path, double value, const SourcePosition& place,
+                  Diagnostics& diagnostics) {
+  if (Node* target = node_at(root, path, place, diagnostics)) {
+    *target = Node{.kind = Node::Kind::scalar, .place = place, .text = fmt::format("{}", value)};
+  }
+}
+
+const Node* find_node(const Node& root, std::string_view path) {
+  const Node* node = &root;
+  for (const std::string_view& name : split_path(path)) {
+    std::size_t index = node->items.size();
+    if (node->kind == Node::Kind::map) {
+      const auto key = std::ranges::find(node->keys, name, &Node::Key::text);
+      index = static_cast<std::size_t>(key - node->keys.begin());
+    } else if (node->kind == Node::Kind::list) {
+      const char* end = name.data() + name.size();
+      const auto [stop, error] = std::from_chars(name.data(), end, index);
+      if (error != std::errc{} || stop != end) return nullptr;
+    }
+    if (index >= node->items.size()) return nullptr;
+    node = &node->items[index];
+  }
+  return node;
+}
+
+}  // namespace rubsweep::config::yaml

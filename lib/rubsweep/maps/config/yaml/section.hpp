@@ -1,0 +1,86 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/maps/config/yaml/value.hpp"
+#include "rubsweep/maps/config/yaml/words.hpp"
+
+namespace rubsweep::config::yaml {
+
+/// A map of the file. Remembers which keys were looked for, so that the others can be refused.
+class Section {
+ public:
+  /// Refuses repeated keys, and a value that is not a map: such a section finds nothing and misses nothing.
+  /// `allowed` describes what may stand there.
+  explicit Section(const Value& value, std::string_view allowed = "a map");
+
+  /// False when the value is not a map; then no problem of its contents need be reported.
+  bool is_map() const { return value_.node.kind == Node::Kind::map; }
+
+  /// The first value under this key, empty without one. Makes the key a known one.
+  std::optional<Value> find(std::string_view name);
+
+  /// As find, and a missing key is a problem.
+  std::optional<Value> require(std::string_view name, std::string_view allowed);
+
+  /// More or less than one of these keys is a problem; more of them with the place of each. Does not make
+  /// them known.
+  void require_exactly_one(std::initializer_list<std::string_view> names);
+
+  /// Reads a number; one whose present value is NaN (model::required) must be given.
+  void field(std::string_view name, double& target, const model::Range& range);
+  void field(std::string_view name, std::optional<double>& target, const model::Range& range);
+
+  template <std::signed_integral Integer>
+  void field(std::string_view name, Integer& target, const IntegerRange& range) {
+    if (const auto value = find(name)) {
+      if (const auto number = read_integer(*value, range)) target = static_cast<Integer>(*number);
+    }
+  }
+
+  template <class Enum, std::size_t count>
+  void field(std::string_view name, Enum& target, const Words<Enum, count>& words) {
+    if (const auto value = find(name)) {
+      if (const auto index = read_word(*value, words.texts)) target = words.values[*index];
+    }
+  }
+
+  /// Index of the kind of something among those there are; the key must be given.
+  std::optional<std::size_t> require_kind(std::string_view name, std::span<const std::string_view> kinds);
+
+  /// Refuses every key that was never looked for. Call it last.
+  void refuse_unknown_keys() const;
+
+  /// Problem of several keys together: reported under `name`, at the last of the places of `involved`.
+  void refuse_together(std::string_view name, std::initializer_list<std::string_view> involved,
+                       std::string_view wrong, std::string_view allowed) const;
+
+  /// True as long as the value is a map of which nothing has been refused: only then can its fields be judged
+  /// together.
+  bool is_sound() const { return is_map() && value_.diagnostics.count() == problems_before_; }
+
+ private:
+  const Node* lookup(std::string_view name) const;
+  std::string path_of(std::string_view name) const;
+
+  Value value_;
+  std::size_t problems_before_;
+  std::vector<std::string_view> known_;
+};
+
+/// Reads every field that the struct's own list names.
+template <class Struct>
+void read_fields(Section& section, Struct& target) {
+  Struct::visit_fields(target, [&](std::string_view name, auto& field, const model::Range& range) {
+    section.field(name, field, range);
+  });
+}
+
+}  // namespace rubsweep::config::yaml

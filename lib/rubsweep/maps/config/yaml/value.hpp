@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/core/model/range.hpp"
+#include "rubsweep/maps/config/yaml/diagnostics.hpp"
+#include "rubsweep/maps/config/yaml/document.hpp"
+
+namespace rubsweep::config::yaml {
+
+/// One value of a configuration, its dotted path and where its problems go. Refers to both, owns neither.
+struct Value {
+  const Node& node;
+  std::string path;
+  Diagnostics& diagnostics;
+};
+
+/// Closed interval of allowed integers.
+struct IntegerRange {
+  long low;
+  long high;
+  bool even = false;  ///< true: odd numbers are not allowed
+};
+
+/// Allowed values, in words that finish "allowed: ".
+std::string describe(const IntegerRange& range);
+std::string describe(std::span<const std::string_view> words);
+
+/// Adds a problem at the value's place. `wrong` finishes a sentence about the value.
+void refuse(const Value& value, std::string_view wrong, std::string_view allowed);
+
+/// Description of a node that is not what was wanted: "has no value", "is a list", "is a map" or "'text'".
+std::string describe(const Node& node);
+
+/// "'wrod' is unknown (did you mean 'word'?)".
+std::string describe_unknown(std::string_view text, std::span<const std::string_view> names);
+
+/// The readers below return nothing after they added a problem.
+std::optional<double> read_number(const Value& value, const model::Range& range);
+std::optional<long> read_integer(const Value& value, const IntegerRange& range);
+
+/// Reads a list of exactly as many finite numbers as `target` has; false after it added a problem.
+bool read_numbers(const Value& value, std::span<double> target);
+
+/// Index of the word in `words`. `allowed` describes more than the words where something else may stand there
+/// too.
+std::optional<std::size_t> read_word(const Value& value, std::span<const std::string_view> words);
+std::optional<std::size_t> read_word(const Value& value, std::span<const std::string_view> words,
+                                     std::string_view allowed);
+
+/// Any scalar, as it is written; not empty, without NUL, at most `max_text_bytes` long.
+std::optional<std::string> read_text(const Value& value);
+inline constexpr std::size_t max_text_bytes = 4096;
+
+/// Items of a list that holds at least one and at most `longest` of them, path "list.0", "list.1", ...
+std::optional<std::vector<Value>> read_list(const Value& value, std::size_t longest);
+
+/// Numbers of such a list, each within `range`, without those that added a problem.
+std::vector<double> read_number_list(const Value& value, const model::Range& range, std::size_t longest);
+
+}  // namespace rubsweep::config::yaml

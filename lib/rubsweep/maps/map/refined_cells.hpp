@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "rubsweep/maps/map/map_directory.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
+
+namespace rubsweep::map {
+
+/// Labels of the finished cells of a refined map, by whichever process. Not for several threads at
+/// once.
+class RefinedCells {
+ public:
+  /// Nothing is known. The grid must outlive it.
+  explicit RefinedCells(const sweep::Grid& grid);
+
+  /// All cells that any journal of the directory holds. Throws IoError.
+  void read(const MapDirectory& directory);
+
+  /// A finished cell with its line of the map.
+  void add(std::size_t cell, const std::string& line);
+
+  /// Cells that the map needs next, ascending; none when it is complete.
+  std::vector<std::size_t> wanted() const;
+
+  /// Cost of a complete map and the islands that it may miss, for a terminal.
+  std::string description() const;
+
+ private:
+  const sweep::Grid& grid_;
+  std::vector<int> labels_;
+  std::map<std::string, int> numbers_;  ///< of the labels
+};
+
+}  // namespace rubsweep::map

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/maps/matlab/variable.hpp"
+
+namespace rubsweep::matlab {
+
+/// Variables of the bytes of a MATLAB file, version 4, 5 (also compressed, what MATLAB calls version 7) or
+/// 7.3. Compressed ones are read to their end, and the checksum of zlib must be right, whether they are
+/// wanted or not. Of a structure its fields, not those of structures in it. Throws FileError for what is no
+/// such file or a damaged one, for more than most_numbers, and for one of version 7.3 whose variables are in
+/// other files.
+std::vector<Variable> read_variables(std::string_view bytes, const Wanted& wanted);
+
+}  // namespace rubsweep::matlab

@@ -1,0 +1,178 @@
+#include "rubsweep/maps/matlab/version_73.hpp"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "rubsweep/maps/matlab/bytes.hpp"
+#include "rubsweep/maps/matlab/hdf5_library.hpp"
+
+namespace rubsweep::matlab {
+namespace {
+
+/// File, object or type of HDF5, all of which it counts by numbers.
+class Handle {
+ public:
+  Handle(const Hdf5Library& library, hid_t id) : library_(library), id_(id) {
+    if (id < 0) throw FileError{"is damaged: HDF5 cannot read all of it"};
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() { library_.H5Idec_ref(id_); }
+  operator hid_t() const { return id_; }
+
+ private:
+  const Hdf5Library& library_;
+  hid_t id_;
+};
+
+class Reader {
+ public:
+  Reader(const Hdf5Library& library, const Wanted& wanted) : h5_(library), wanted_(wanted) {}
+
+  std::vector<Variable> read_group(hid_t group, bool in_structure) {
+    std::vector<Variable> variables;
+    for (const std::string& name : names_in(group)) {
+      if (name.starts_with('#')) continue;  // cells and objects of MATLAB
+      const Handle object = open(group, name);
+      const H5I_type_t type = h5_.H5Iget_type(object);
+      Variable variable{.name = name};
+      if (type == H5I_GROUP && has(object, "MATLAB_sparse")) {
+        read_sparse(object, variable);
+      } else if (type == H5I_GROUP) {
+        variable.kind = Variable::Kind::structure;
+        variable.dims = {1, 1};
+        if (!in_structure) variable.fields = read_group(object, true);
+      } else if (type == H5I_DATASET) {
+        read_dataset(object, variable);
+      }
+      variables.push_back(std::move(variable));
+    }
+    return variables;
+  }
+
+ private:
+  void require(bool sound, const std::string& name) const {
+    if (!sound) throw FileError{"is damaged: '" + name + "' cannot be read"};
+  }
+
+  std::vector<std::string> names_in(hid_t group) const {
+    H5G_info_t facts{};
+    require(h5_.H5Gget_info(group, &facts) >= 0, "a group");
+    std::vector<std::string> names;
+    for (hsize_t i = 0; i < facts.nlinks; ++i) {
+      const auto name_of = [&](char* text, std::size_t size) {
+        return h5_.H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, size, H5P_DEFAULT);
+      };
+      const auto length = name_of(nullptr, 0);
+      require(length > 0, "a name");
+      std::string name(static_cast<std::size_t>(length) + 1, '\0');
+      name_of(name.data(), name.size());
+      name.pop_back();
+      names.push_back(std::move(name));
+    }
+    return names;
+  }
+
+  /// An object that the group itself holds.
+  Handle open(hid_t group, const std::string& name) const {
+    H5L_info_t facts{};
+    require(h5_.H5Lget_info(group, name.c_str(), &facts, H5P_DEFAULT) >= 0, name);
+    if (facts.type != H5L_TYPE_HARD)
+      throw FileError{"leads elsewhere: '" + name + "' is a link, " +
+                          (facts.type == H5L_TYPE_SOFT ? "a soft one" : "to another file"),
+                      "a file that holds its variables itself"};
+    return {h5_, h5_.H5Oopen(group, name.c_str(), H5P_DEFAULT)};
+  }
+
+  bool has(hid_t object, const char* attribute) const { return h5_.H5Aexists(object, attribute) > 0; }
+
+  bool is_text(hid_t object) const {
+    if (!has(object, "MATLAB_class")) return false;
+    const Handle attribute{h5_, h5_.H5Aopen(object, "MATLAB_class", H5P_DEFAULT)};
+    const Handle type{h5_, h5_.H5Aget_type(attribute)};
+    constexpr std::size_t longest = 100;
+    const std::size_t size = h5_.H5Tget_size(type);
+    if (h5_.H5Tget_class(type) != H5T_STRING || h5_.H5Tis_variable_str(type) != 0 || size > longest)
+      return false;
+    std::string word(size, '\0');
+    return h5_.H5Aread(attribute, type, word.data()) >= 0 && word.starts_with("char");
+  }
+
+  /// Sizes in MATLAB's order, the reverse of HDF5's.
+  std::vector<std::size_t> dims_of(hid_t dataset) const {
+    const Handle space{h5_, h5_.H5Dget_space(dataset)};
+    const int rank = h5_.H5Sget_simple_extent_ndims(space);
+    if (rank < 0 || rank > H5S_MAX_RANK) throw FileError{"is damaged: an array of no size"};
+    std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
+    h5_.H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+    std::vector<std::size_t> dims(sizes.rbegin(), sizes.rend());
+    while (dims.size() < 2) dims.push_back(1);
+    return dims;
+  }
+
+  std::vector<double> numbers_of(hid_t dataset, const Variable& head) const {
+    std::vector<double> values(count_of(head));
+    if (values.empty()) return values;
+    const Handle made{h5_, h5_.H5Dget_create_plist(dataset)};
+    if (h5_.H5Pget_external_count(made) != 0 || h5_.H5Pget_layout(made) == H5D_VIRTUAL)
+      throw FileError{"leads elsewhere: the numbers of '" + head.name + "' are in another file",
+                      "a file that holds its variables itself"};
+    require(h5_.H5Dget_storage_size(dataset) > 0, head.name);
+    require(h5_.H5Dread(dataset, h5_.doubles, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, head.name);
+    return values;
+  }
+
+  void read_dataset(hid_t dataset, Variable& variable) const {
+    const Handle type{h5_, h5_.H5Dget_type(dataset)};
+    const H5T_class_t kind = h5_.H5Tget_class(type);
+    variable.dims = dims_of(dataset);
+    variable.complex = kind == H5T_COMPOUND;
+    const bool numbers = kind == H5T_INTEGER || kind == H5T_FLOAT || kind == H5T_COMPOUND;
+    if (!numbers || has(dataset, "MATLAB_empty") || is_text(dataset)) return;
+    variable.kind = Variable::Kind::numbers;
+    if (!variable.complex && wanted_(variable)) variable.values = numbers_of(dataset, variable);
+  }
+
+  /// A group of values, their rows, and which of them each column begins with.
+  void read_sparse(hid_t group, Variable& variable) const {
+    std::uint64_t rows = 0;
+    const Handle attribute{h5_, h5_.H5Aopen(group, "MATLAB_sparse", H5P_DEFAULT)};
+    const Handle type{h5_, h5_.H5Aget_type(attribute)};
+    require(h5_.H5Tget_size(type) == sizeof rows && h5_.H5Aread(attribute, type, &rows) >= 0, variable.name);
+    const auto part = [&](const char* name) {
+      if (h5_.H5Lexists(group, name, H5P_DEFAULT) <= 0) return std::vector<double>();  // of a matrix of zeros
+      const Handle dataset = open(group, name);
+      require(h5_.H5Iget_type(dataset) == H5I_DATASET, variable.name);
+      const Handle kind{h5_, h5_.H5Dget_type(dataset)};
+      variable.complex = variable.complex || h5_.H5Tget_class(kind) == H5T_COMPOUND;
+      return variable.complex ? std::vector<double>()
+                              : numbers_of(dataset, {.name = variable.name, .dims = dims_of(dataset)});
+    };
+    const std::vector<double> begin = part("jc");
+    require(!begin.empty(), variable.name);
+    variable.kind = Variable::Kind::numbers;
+    variable.dims = {rows, begin.size() - 1};
+    const std::vector<double> row = part("ir"), stored = part("data");
+    if (!variable.complex && wanted_(variable)) variable.values = full_matrix(variable, row, begin, stored);
+  }
+
+  const Hdf5Library& h5_;
+  const Wanted& wanted_;
+};
+
+}  // namespace
+
+std::vector<Variable> read_version_73(std::string_view bytes, const Wanted& wanted) {
+  const Hdf5Library& library = Hdf5Library::get();
+  const Handle access{library, library.H5Pcreate(library.file_access)};
+  constexpr std::size_t step = 1 << 16;
+  if (library.H5Pset_fapl_core(access, step, 0) < 0 ||
+      library.H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()) < 0)
+    throw FileError{"cannot be read by HDF5"};
+  // HDF5 reads what is in memory, and refuses the name of a file that there is.
+  const Handle file{library, library.H5Fopen("/dev/null/matlab", 0, access)};
+  return Reader(library, wanted).read_group(file, false);
+}
+
+}  // namespace rubsweep::matlab

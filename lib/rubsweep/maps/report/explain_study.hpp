@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "rubsweep/maps/sweep/study.hpp"
+
+namespace rubsweep::report {
+
+/// Explanation of a sweep for a terminal: its model, the omissions and their reasons, the solver, and how a
+/// cell ends.
+std::string explain_study(const sweep::Study& study);
+
+}  // namespace rubsweep::report

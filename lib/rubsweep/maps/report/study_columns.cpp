@@ -1,0 +1,179 @@
+#include "rubsweep/maps/report/study_columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <numbers>
+
+#include "rubsweep/maps/batch/csv_table.hpp"
+#include "rubsweep/maps/sweep/hertz_secant.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+using sweep::Row;
+
+const sweep::RubInterval* first_interval(const Row& row) {
+  return row.threshold && !row.threshold->intervals.empty() ? &row.threshold->intervals.front() : nullptr;
+}
+
+std::string threshold(const Row& row) {
+  const sweep::RubInterval* first = first_interval(row);
+  return first ? batch::csv_number(first->from) : "";
+}
+
+std::string threshold_motion(const Row& row) {
+  const sweep::RubInterval* first = first_interval(row);
+  return first ? first->motions.front() : "";
+}
+
+/// "35.1..70.3 subharmonic 1/2; 90..400 chaotic + subharmonic 1/3": no comma, so that no cell is quoted.
+std::string intervals(const Row& row) {
+  std::string text;
+  if (!row.threshold) return text;
+  for (const sweep::RubInterval& interval : row.threshold->intervals) {
+    text += fmt::format("{}{}..{} {}", text.empty() ? "" : "; ", interval.from, interval.to,
+                        fmt::join(interval.motions, " + "));
+  }
+  return text;
+}
+
+std::string probes(const Row& row) { return row.threshold ? fmt::format("{}", row.threshold->probes) : ""; }
+
+std::string failed_probes(const Row& row) {
+  return row.threshold ? fmt::format("{}", row.threshold->failed) : "";
+}
+
+constexpr std::array of_thresholds{
+    StudyColumn{"threshold", "smallest number of the scan after which rub goes on", threshold},
+    StudyColumn{"threshold_motion", "the motion just above it", threshold_motion},
+    StudyColumn{"rub_intervals", "every stretch after which rub goes on, with the motions it leads to",
+                intervals},
+    StudyColumn{"probes", "numbers that were tried", probes},
+    StudyColumn{"failed_probes", "of them, those whose run failed", failed_probes},
+};
+
+std::string attractors(const Row& row) {
+  return row.basins ? fmt::format("{}", row.basins->attractors.size()) : "";
+}
+
+/// "non_contact 0.6+-0.01; subharmonic 1/2 0.4+-0.01 (1.9 mm)".
+std::string basins(const Row& row) {
+  std::string text;
+  if (!row.basins) return text;
+  for (const sweep::Attractor& attractor : row.basins->attractors) {
+    text += fmt::format("{}{} {}+-{:.2g}", text.empty() ? "" : "; ", attractor.motion.name, attractor.share,
+                        attractor.standard_error);
+    if (attractor.motion.repeats) text += fmt::format(" ({:.4g} mm)", 1e3 * attractor.motion.orbit_m.front());
+  }
+  return text;
+}
+
+/// All attractors that rub together.
+std::string rub_probability(const Row& row) {
+  if (!row.basins) return "";
+  double share = 0;
+  for (const sweep::Attractor& attractor : row.basins->attractors) {
+    if (attractor.motion.rubs) share += attractor.share;
+  }
+  return batch::csv_number(share);
+}
+
+std::string failed_samples(const Row& row) { return row.basins ? fmt::format("{}", row.basins->failed) : ""; }
+
+std::string level(const Row& row) {
+  return row.refinement_level ? fmt::format("{}", *row.refinement_level) : "";
+}
+
+std::string share(const Row& row) { return row.robust_share ? batch::csv_number(*row.robust_share) : ""; }
+
+constexpr std::array of_basins{
+    StudyColumn{"attractors", "how many motions the samples lead to, told apart by their orbits", attractors},
+    StudyColumn{"rub_probability", "share of the samples after which rub goes on", rub_probability},
+    StudyColumn{"basins", "share of each attractor, its standard error, and its largest displacement",
+                basins},
+    StudyColumn{"failed_samples", "samples whose run failed", failed_samples},
+};
+
+constexpr std::array of_refinement{
+    StudyColumn{"level", "how often the block of the cell was split before it was met", level}};
+
+constexpr std::array of_robustness{StudyColumn{
+    "robust_share", "share of the neighbouring kicks that lead to the same class and order", share}};
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+std::string peak_twist_deg(const Row& row) {
+  return row.measures ? batch::csv_number(row.measures->contact.peak_twist_rad * degrees) : "";
+}
+
+std::string peak_torque_nm(const Row& row) {
+  return row.measures ? batch::csv_number(row.measures->contact.peak_torque_nm) : "";
+}
+
+constexpr std::array of_torsion{
+    StudyColumn{"peak_twist_deg", "largest angle between rotor and drive", peak_twist_deg},
+    StudyColumn{"peak_torque_nm", "largest torque in the drive", peak_torque_nm},
+};
+
+std::string hertz_iterations(const Row& row) {
+  return row.hertz ? fmt::format("{}", row.hertz->iterations) : "";
+}
+
+std::string hertz_force_n(const Row& row) { return row.hertz ? batch::csv_number(row.hertz->force_n) : ""; }
+
+std::string hertz_stiffness_n_per_m(const Row& row) {
+  return row.hertz ? batch::csv_number(row.hertz->stiffness_n_per_m) : "";
+}
+
+constexpr std::array of_hertz{
+    StudyColumn{"hertz_iterations", "how often the secant of the line contact was taken anew",
+                hertz_iterations},
+    StudyColumn{"hertz_force_n",
+                "force of that secant, of the stop with hertz that has the smallest design_force_n",
+                hertz_force_n},
+    StudyColumn{"hertz_stiffness_n_per_m", "the stiffness that it gives that stop", hertz_stiffness_n_per_m},
+};
+
+}  // namespace
+
+std::span<const StudyColumn> torsion_columns() { return of_torsion; }
+std::span<const StudyColumn> hertz_columns() { return of_hertz; }
+std::span<const StudyColumn> threshold_columns() { return of_thresholds; }
+std::span<const StudyColumn> basin_columns() { return of_basins; }
+std::span<const StudyColumn> refinement_columns() { return of_refinement; }
+std::span<const StudyColumn> robustness_columns() { return of_robustness; }
+
+std::vector<StudyColumn> study_columns(const sweep::Study& study) {
+  std::vector<StudyColumn> columns;
+  const auto add = [&](std::span<const StudyColumn> more) {
+    columns.insert(columns.end(), more.begin(), more.end());
+  };
+  const model::RotorKit* kit = model::kit_of(study.machine);
+  if (kit != nullptr && kit->torsion) add(of_torsion);
+  if (sweep::takes_secants_anew(study)) add(of_hertz);
+  if (study.robustness == sweep::Robustness::probability) add(of_robustness);
+  if (study.grid.refinement) add(of_refinement);
+  if (study.threshold) add(of_thresholds);
+  if (study.basin) add(of_basins);
+  return columns;
+}
+
+std::string describe_study_columns() {
+  std::string text;
+  const auto describe = [&](std::string_view when, std::span<const StudyColumn> columns) {
+    text += fmt::format("Columns behind them with {}:\n", when);
+    for (const StudyColumn& column : columns)
+      text += fmt::format("  {:<23}  {}\n", column.name, column.description);
+  };
+  describe("rotor.torsion", of_torsion);
+  describe("response.hertz_iterations and a stop with hertz", of_hertz);
+  describe("response.robustness probability", of_robustness);
+  describe("sweep.refine", of_refinement);
+  describe("study.kind threshold", of_thresholds);
+  describe("study.kind basin", of_basins);
+  return text;
+}
+
+}  // namespace rubsweep::report

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+
+#include "rubsweep/core/response/motion/workspace.hpp"
+#include "rubsweep/core/response/settle.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/maps/sweep/row.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
+
+namespace rubsweep::sweep {
+
+/// The row of a cell of `machine` at a speed, and of its run; null: it could not run.
+Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machine,
+           const response::SettledRun* run);
+
+/// Runs one cell from kick to verdict. Depends on its arguments alone, so that any thread may run any cell.
+/// A cell that fails numerically is a row of class `failed` whose status names the cause.
+/// `prepared` is that of study.machine.
+Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
+                  response::motion::Workspace& workspace);
+
+/// The same for a single cell, with a prepared machine of its own.
+Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Workspace& workspace);
+
+}  // namespace rubsweep::sweep

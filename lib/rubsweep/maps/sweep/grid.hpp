@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/maps/sweep/key_axis.hpp"
+#include "rubsweep/maps/sweep/refinement.hpp"
+#include "rubsweep/maps/sweep/written_axis.hpp"
+
+namespace rubsweep::sweep {
+
+/// Quantity on the second axis of the map.
+enum class UnbalanceMeasure {
+  whirl_ratio,    ///< largest normal excursion of the quiet motion / remaining clearance at the first stop
+  eccentricity_m  ///< e of the disc, in metres
+};
+
+/// Its key in a configuration and its column of map.csv.
+constexpr std::string_view to_string(UnbalanceMeasure measure) {
+  switch (measure) {
+    case UnbalanceMeasure::whirl_ratio:
+      return "whirl_ratio";
+    case UnbalanceMeasure::eccentricity_m:
+      return "eccentricity_m";
+  }
+  throw SolverError("measure of the unbalance without a name");
+}
+
+/// Grid of cells. Speeds in Hz, strictly > 0; unbalance values >= 0 in the unit of `measure`.
+struct Grid {
+  std::vector<double> speed_hz;
+  UnbalanceMeasure measure = UnbalanceMeasure::whirl_ratio;
+  std::vector<double> unbalance;
+  std::vector<KeyAxis> axes{};             ///< x, y, z: each slower than those before it
+  std::optional<Refinement> refinement{};  ///< empty: every cell is computed
+  WrittenAxis written_speed{}, written_unbalance{};
+};
+
+/// Cells of the grid, speed fastest, then unbalance, then the axes over keys:
+/// cell = (... i_x) * unbalances * speeds + i_unbalance * speeds + i_speed.
+std::size_t cell_count(const Grid& grid);
+
+/// A value of the second axis as the scene takes it.
+scene::Unbalance unbalance_of(const Grid& grid, double value);
+
+/// Where a cell < cell_count(grid) lies.
+scene::Place place_of(const Grid& grid, std::size_t cell);
+
+/// Every key of every axis, in their order: the columns that a map has for them.
+std::vector<std::string> key_names(const Grid& grid);
+
+/// Values of these keys in a cell < cell_count(grid), in the same order.
+std::vector<KeyValue> key_values(const Grid& grid, std::size_t cell);
+
+/// An axis with more than one value.
+struct SweptAxis {
+  std::string name;  ///< speed_hz, the measure of the unbalance, or the first key of the axis
+  std::vector<double> values;
+};
+
+/// The axes with more than one value, fastest first.
+std::vector<SweptAxis> swept_axes(const Grid& grid);
+
+/// The first axis whose values neither rise nor fall all along: next to each other in the grid are then not
+/// cells that are neighbours on the axis. Empty where there is none.
+std::optional<std::string> disordered_axis(const Grid& grid);
+
+/// The grid of the one cell there.
+Grid grid_of(const scene::Place& place);
+
+}  // namespace rubsweep::sweep

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/core/response/motion/motion_kind.hpp"
+#include "rubsweep/core/response/motion/proof.hpp"
+#include "rubsweep/core/response/survival.hpp"
+#include "rubsweep/maps/sweep/basin_sampling.hpp"
+#include "rubsweep/maps/sweep/threshold.hpp"
+
+namespace rubsweep::sweep {
+
+/// How the run of a cell began.
+enum class RunStart {
+  kick,      ///< on the quiet whirl, kicked
+  quiet,     ///< on the quiet whirl; there is no kick
+  contact,   ///< at rest in the static position, not kicked: the quiet motion itself reaches a wall
+  state,     ///< in a state that the configuration gives, not kicked
+  handed_on  ///< on the motion of the cell before it on a line, never in a map
+};
+
+constexpr std::string_view to_string(RunStart start) {
+  switch (start) {
+    case RunStart::kick:
+      return "kick";
+    case RunStart::quiet:
+      return "quiet";
+    case RunStart::contact:
+      return "contact";
+    case RunStart::state:
+      return "state";
+    case RunStart::handed_on:
+      return "handed_on";
+  }
+  return "";
+}
+
+/// The secant of Hertz' line contacts that a cell was computed with in the end.
+struct HertzSecant {
+  int iterations = 0;  ///< how often it was taken anew
+  /// Force at which the secant is taken, of the stop with hertz that has the smallest design force; those of
+  /// the other stops follow from it.
+  double force_n = 0;
+  double stiffness_n_per_m = 0;  ///< of that stop
+};
+
+/// All that survives of one cell: one row of the map. What does not apply is empty.
+struct Row {
+  double speed_hz = 0;
+  double whirl_ratio = 0;
+  double eccentricity_m = 0;
+  response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
+  std::optional<int> order;
+  /// Measures of the settled window; empty where nothing settled can be measured.
+  std::optional<response::motion::Measures> measures;
+  std::optional<response::motion::Proof> proof;
+  std::optional<bool> robust;                     ///< see is_robust; empty unless asked for
+  std::optional<double> floquet_modulus;          ///< of a proven orbit, over its period
+  std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found
+  std::optional<long> last_contact_revolution;
+  long revolutions = 0;
+  std::string status = "ok";                  ///< `ok` or one word per cause, joined by ';'
+  std::optional<double> peak_over_clearance;  ///< of the measured motion, the first stop's clearance
+  std::optional<RunStart> start;              ///< empty: nothing was run
+  std::optional<double> robust_share{};       ///< see the function; empty unless asked for
+  std::optional<int> refinement_level{};      ///< of a refined map
+  std::optional<Basins> basins{};      ///< of a study that asks for them; empty where no kick was simulated
+  std::vector<double> key_values{};    ///< of the axes over keys, in the order of key_names
+  std::optional<HertzSecant> hertz{};  ///< where secants may be taken anew
+  std::optional<response::Survival> survival{};  ///< of a chaotic motion
+  std::optional<Threshold> threshold{};  ///< of a study that asks for it; empty where no kick was simulated
+};
+
+/// Class and order of a motion, such as "subharmonic 1/2" or "chaotic".
+std::string class_and_order(const Row& row);
+
+const response::motion::MotionKind& kind_of(const Row& row);
+
+/// Adds a word to the status of a row, once.
+void add_status(Row& row, std::string_view word);
+
+/// Signature of a row's attractor: class, order, peak_displacement_m and the two lines at 1X.
+SampledMotion sampled_motion(const Row& row);
+
+}  // namespace rubsweep::sweep

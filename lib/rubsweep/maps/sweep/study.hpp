@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "rubsweep/core/integrate/run/options.hpp"
+#include "rubsweep/core/model/machine.hpp"
+#include "rubsweep/core/response/motion/options.hpp"
+#include "rubsweep/maps/sweep/basin_sampling.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
+#include "rubsweep/maps/sweep/threshold.hpp"
+
+namespace rubsweep::sweep {
+
+/// Whether each cell is run again with other kicks to tell how firmly it holds its class (see is_robust and
+/// robust_share).
+enum class Robustness { off, on, probability };
+
+/// Kicks beside that of the configuration, for Robustness::probability.
+struct Neighbours {
+  int count = 8;       ///< even: half of them weaker, half stronger
+  double part = 0.01;  ///< largest relative change of the force, in (0, 1)
+};
+
+/// Everything that decides the numbers of a map: never paths, threads or times.
+struct Study {
+  model::Machine machine;
+  Grid grid;
+  integrate::run::SolverOptions solver;
+  response::motion::ResponseOptions response;
+  Robustness robustness = Robustness::off;
+  Neighbours neighbours{};
+  /// How often a cell whose forces leave the range of its Hertz secants is run again with the secants at the
+  /// force found, at most; see with_hertz_iterations.
+  int hertz_iterations = 0;
+  std::optional<BasinSampling> basin{};      ///< each cell is also asked where these starts lead
+  std::optional<ThresholdScan> threshold{};  ///< each cell is also asked after which of these numbers it rubs
+  /// Makes this study with other numbers under some of its keys, and with an empty grid. Throws ConfigError
+  /// where they are not allowed. The reader of the study sets it, and leaves it empty where nothing varies
+  /// keys. Threads may share it.
+  std::function<Study(std::span<const KeyValue>)> with_keys{};
+};
+
+}  // namespace rubsweep::sweep

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/maps/table/cell.hpp"
+
+namespace rubsweep::table {
+
+/// A column of a table.
+struct Column {
+  Heading heading;            ///< without a name where the table says none
+  std::size_t column = 1;     ///< byte of its name in its line, from 1
+  bool is_text = false;       ///< its cells are words and no numbers: a comment, a status
+  std::size_t text_line = 0;  ///< line of one such cell
+};
+
+/// How a table is laid out, as far as its first lines tell.
+struct Layout {
+  char separator = ',';
+  std::vector<Column> columns;
+  std::size_t names_line = 0;      ///< from 1; 0: the table has no names
+  std::size_t numbers_offset = 0;  ///< place of the first number
+  std::size_t numbers_line = 1;    ///< and in which line, from 1
+  std::size_t fewest_cells = 1;    ///< least length of a row: up to its last column of numbers
+};
+
+/// Takes the next line off a text; a line ends with LF, CR LF or CR.
+std::string_view take_line(std::string_view& text);
+
+/// Whether a line has nothing but blanks, or begins with # or %.
+bool is_comment(std::string_view line);
+
+/// Layout of a table of numbers in UTF-8, by what the cells of its lines are. Numbers begin in the first line
+/// that is made as most lines with numbers are. Above them are lines of units, and the nearest line above
+/// whose cells are names: one of each column, no number, no unit, none twice; a comment where no other line
+/// is. Throws Fault for a text without numbers.
+Layout layout_of(std::string_view text);
+
+/// The same of a table that must have some of the names that `is_name` knows: these begin it, and every cell
+/// may be text. Throws Fault where there are none.
+Layout layout_of(std::string_view text, const std::function<bool(const Heading&)>& is_name);
+
+}  // namespace rubsweep::table

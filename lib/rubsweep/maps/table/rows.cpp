@@ -1,0 +1,104 @@
+#include "rubsweep/maps/table/rows.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace rubsweep::table {
+namespace {
+
+/// Whether commas may part thousands: groups of three digits behind the first one, which is shorter.
+bool may_part_thousands(std::string_view cell) {
+  if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
+  cell = cell.substr(0, cell.find('.'));
+  std::size_t group = cell.find(',');
+  if (group == std::string_view::npos || group == 0 || group > 3) return false;
+  for (; group < cell.size(); group += 4)
+    if (cell[group] != ',' || cell.substr(group + 1, 3).size() < 3) return false;
+  return cell.find_first_not_of("0123456789,") == std::string_view::npos;
+}
+
+/// A cell fit for a message.
+std::string quoted(std::string_view cell) {
+  std::string text(cell.substr(0, 40));
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < 32; }, '?');
+  return '\'' + text + '\'';
+}
+
+}  // namespace
+
+Rows::Rows(std::string_view text, const Layout& layout)
+    : layout_(layout),
+      rest_(text.substr(layout.numbers_offset)),
+      style_{layout.separator, false},
+      next_line_(layout.numbers_line) {}
+
+bool Rows::next() {
+  do {
+    if (rest_.empty()) return false;
+    text_ = take_line(rest_);
+    line_ = next_line_++;
+  } while (is_comment(text_));
+  if (first_line_ == 0) first_line_ = line_;
+  cells_ = cells_of(text_, layout_.separator);
+  const std::size_t given = cells_.size();
+  while (cells_.size() > layout_.columns.size() && cells_.back().empty()) cells_.pop_back();
+  if (cells_.size() >= layout_.fewest_cells && cells_.size() <= layout_.columns.size()) return true;
+  throw Fault{line_, 1, "has another number of cells, " + std::to_string(given),
+              std::to_string(layout_.columns.size()) + (first_line_ == line_
+                                                            ? ", as many as there are names"
+                                                            : " as in line " + std::to_string(first_line_))};
+}
+
+bool Rows::is_empty() const {
+  return std::ranges::all_of(cells_, [](std::string_view cell) { return cell.empty(); });
+}
+
+bool Rows::is_number(std::size_t column) const {
+  const std::string_view cell = cells_[column];
+  return !cell.empty() && (may_part_thousands(cell) || number_in(cell, style_) ||
+                           number_in(cell, {style_.separator, true}) || number_in(cell, {}));
+}
+
+std::size_t Rows::place_of(std::size_t column) const {
+  return static_cast<std::size_t>(cells_[column].data() - text_.data()) + 1;
+}
+
+Fault Rows::fault(std::size_t column, const std::string& wrong, const std::string& allowed) const {
+  return {line_, place_of(column), quoted(cells_[column]) + ' ' + wrong, allowed};
+}
+
+void Rows::look_at(std::string_view cell, std::size_t column) {
+  if (style_.separator == ',' && may_part_thousands(cell))
+    throw fault(column, "may have a decimal comma, or commas between thousands",
+                "numbers without signs between thousands");
+  const bool comma = cell.find(',') != std::string_view::npos && !style_.decimal_comma;
+  if (comma && point_line_ > 0)
+    throw fault(column, "has a decimal comma, and numbers before it have points",
+                "points as in line " + std::to_string(point_line_) + ", or commas, in all numbers");
+  style_.decimal_comma = style_.decimal_comma || comma;
+  if (cell.find('.') != std::string_view::npos && point_line_ == 0) point_line_ = line_;
+}
+
+double Rows::number(std::size_t column) {
+  look_at(cells_[column], column);
+  const auto value = number_in(cells_[column], style_);
+  if (!value)
+    throw fault(column, "is no number",
+                style_.decimal_comma ? "a number with a decimal comma" : "a number with a decimal point");
+  return *value;
+}
+
+bool Rows::begins_with_stamp() const {
+  const NumberStyle comma{style_.separator, true};
+  return !number_in(cells_[0], style_) && !number_in(cells_[0], comma) &&
+         (time_stamp_in(cells_[0], style_) || time_stamp_in(cells_[0], comma));
+}
+
+double Rows::time_stamp() {
+  if (const auto stamp = time_stamp_in(cells_[0], style_)) return *stamp;
+  if (const auto stamp = time_stamp_in(cells_[0], {style_.separator, true})) return *stamp;
+  throw fault(0, "is no time stamp", "hours:minutes:seconds, with or without a date before them");
+}
+
+}  // namespace rubsweep::table

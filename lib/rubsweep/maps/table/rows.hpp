@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/maps/table/layout.hpp"
+
+namespace rubsweep::table {
+
+/// Rows of a table, one after the other; comments and blank lines do not count. Decimals have points or,
+/// where commas do not part the cells, commas: the same in all of the table.
+class Rows {
+ public:
+  Rows(std::string_view text, const Layout& layout);
+
+  /// Goes to the next row; false where there is none. Throws Fault for a row with too few cells, or with more
+  /// than there are columns.
+  bool next();
+
+  const std::vector<std::string_view>& cells() const { return cells_; }  ///< at least fewest_cells
+  std::size_t line() const { return line_; }                             ///< from 1
+  bool is_empty() const;                                                 ///< a row of empty cells
+
+  bool is_number(std::size_t column) const;        ///< in either writing; an empty cell is none
+  std::size_t place_of(std::size_t column) const;  ///< byte of a cell in its line, from 1
+  /// The number in a cell, NaN of an empty one. Throws Fault where it is none.
+  double number(std::size_t column);
+  /// Seconds of the time stamp in the first cell. Throws Fault where it is none.
+  double time_stamp();
+  bool begins_with_stamp() const;
+  /// Place of a cell, and what is wrong with it.
+  Fault fault(std::size_t column, const std::string& wrong, const std::string& allowed) const;
+
+ private:
+  /// Takes note of how decimals are written.
+  void look_at(std::string_view cell, std::size_t column);
+
+  const Layout& layout_;
+  std::string_view rest_, text_;
+  NumberStyle style_;
+  std::size_t next_line_, line_ = 0, first_line_ = 0, point_line_ = 0;
+  std::vector<std::string_view> cells_;
+};
+
+}  // namespace rubsweep::table

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/measurement/diagnose/candidate.hpp"
+#include "rubsweep/measurement/diagnose/drawn_machine.hpp"
+#include "rubsweep/measurement/diagnose/other_lines.hpp"
+
+namespace rubsweep::dataset {
+
+enum class Format { csv, matlab };
+constexpr std::string_view to_string(Format format) { return format == Format::csv ? "csv" : "matlab"; }
+
+/// How motions are read.
+struct Measurement {
+  int turns = 32;                  ///< of the shaft in every recording, as far as whole readings go
+  double sampling_rate_hz = 5000;  ///< > 0
+  int probes = 2;                  ///< 2: x and y; 1: x alone
+  /// White noise of every reading, standard deviation over the size of the motion.
+  diagnose::Spread noise_share{1e-3, 3e-2, true};
+  diagnose::OtherLines other_lines{};  ///< run-out and the like: lines at 1X, 2X, 3X
+  double gain_error = 0.02;            ///< standard deviation of each probe's gain about 1
+};
+
+/// Shares of the machines in each part of the set, all together 1.
+struct Split {
+  double training = 0.7, validation = 0.15, test = 0.15;
+};
+
+/// Bounds of a rub, in its recorded turns, that a machine survives.
+struct RubBounds {
+  double penetration_ratio = 0.5;  ///< largest force / stiffness of the contact / smallest clearance
+  double force_ratio = 100;        ///< largest force of a stop / weight of the rotor
+};
+
+/// Everything that decides the bytes of a data set: never threads, paths or times.
+struct DataStudy {
+  long recordings = 1000;
+  int recordings_per_machine = 10;
+  std::uint64_t seed = 1;
+  std::vector<diagnose::Candidate> candidates{};
+  diagnose::FixedNumbers fixed{};
+  diagnose::Spread speed_ratio{1.2, 4.5, false};  ///< shaft speed / natural frequency
+  RubBounds rub{};
+  Measurement measurement{};
+  Split split{};
+  Format format = Format::csv;
+  std::filesystem::path directory{};  ///< where the set goes; decides no byte of it
+};
+
+}  // namespace rubsweep::dataset

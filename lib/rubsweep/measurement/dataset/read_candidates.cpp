@@ -1,0 +1,148 @@
+#include "rubsweep/measurement/dataset/read_candidates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "rubsweep/maps/config/file.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
+#include "rubsweep/measurement/dataset/read_measurement.hpp"
+#include "rubsweep/measurement/dataset/spread_field.hpp"
+
+namespace rubsweep::config::dataset {
+namespace {
+
+constexpr std::string_view candidate_file_form =
+    "a map with clearance_m, eccentricity_m, candidates, prior, measurement";
+/// From a labyrinth seal of a small machine to the screw of a rotor kit.
+constexpr diagnose::Spread usual_clearance_m{5e-5, 1e-3, true};
+
+void read_prior(const yaml::Value& value, std::vector<double>& prior) {
+  std::vector<double> shares(prior.size());
+  if (!yaml::read_numbers(value, shares)) return;
+  double sum = 0;
+  for (const double share : shares) {
+    if (!(share > 0)) {
+      yaml::refuse(value, "has a share that is not above 0", "one number above 0 for each candidate");
+      return;
+    }
+    sum += share;
+  }
+  for (std::size_t c = 0; c < prior.size(); ++c) prior[c] = shares[c] / sum;
+}
+
+CandidateFile read_file_root(const yaml::Value& root) {
+  yaml::Section section(root, candidate_file_form);
+  CandidateFile file = usual_candidate_file();
+  if (const auto value = section.find("candidates")) {
+    file.candidates = read_candidates(*value, true);
+    if (file.candidates.size() < 2 && section.is_sound())
+      yaml::refuse(*value, "has nothing to choose from", "two candidates or more");
+    file.prior.assign(file.candidates.size(), 1.0 / static_cast<double>(file.candidates.size()));
+  }
+  diagnose::Spread clearance_m = usual_clearance_m;
+  read_spread(section, "clearance_m", model::positive, true, clearance_m);
+  diagnose::Spread eccentricity_m;
+  read_spread(section, "eccentricity_m", model::positive, true, eccentricity_m);
+  if (eccentricity_m.high > 0) file.eccentricity_m = eccentricity_m;
+  const bool listed = section.find("candidates").has_value();
+  for (diagnose::Candidate& candidate : file.candidates)
+    if (!listed || candidate.clearance_m.high == 0) candidate.clearance_m = clearance_m;
+  if (const auto value = section.find("prior")) read_prior(*value, file.prior);
+  if (const auto value = section.find("measurement")) read_measuring(*value, file.measuring);
+  section.refuse_unknown_keys();
+  return file;
+}
+
+using diagnose::Candidate;
+using diagnose::Cause;
+using diagnose::Unknown;
+
+const auto& words() {
+  static const auto all = [] {
+    std::array<std::string_view, diagnose::all_causes.size()> words;
+    std::ranges::transform(diagnose::all_causes, words.begin(), diagnose::to_string);
+    return words;
+  }();
+  return all;
+}
+
+/// Whether stops of this kind have a number.
+bool has(Cause cause, const diagnose::UnknownRow& row) {
+  if (!row.of_file || cause == Cause::no_rub) return false;
+  if (row.unknown == Unknown::second_clearance_ratio) return cause == Cause::two_sides;
+  if (row.unknown == Unknown::offset_ratio) return cause == Cause::annular_offset;
+  return true;
+}
+
+/// Reads the name, which is a cell of a table: a program for tables would take one that begins as a formula
+/// for one, and compute it.
+void read_name(const yaml::Value& value, std::string& name) {
+  const auto text = yaml::read_text(value);
+  if (!text) return;
+  if (std::ranges::any_of(*text, yaml::is_control)) {
+    yaml::refuse(value, "is no name", "one line of text");
+  } else if (text->find_first_of("=+-@") == 0) {
+    yaml::refuse(value, "is no name", "one line of text that does not begin with = + - @");
+  } else {
+    name = *text;
+  }
+}
+
+std::optional<Candidate> read_candidate(const yaml::Value& value, bool of_any_rotor) {
+  if (value.node.kind == yaml::Node::Kind::scalar) {
+    const auto index = yaml::read_word(value, words());
+    if (!index) return std::nullopt;
+    return diagnose::usual_candidate(diagnose::all_causes[*index]);
+  }
+  yaml::Section section(value, "the word of a kind, or a map with kind and ranges");
+  const auto index = section.require_kind("kind", words());
+  if (!index) return std::nullopt;
+  Candidate candidate = diagnose::usual_candidate(diagnose::all_causes[*index]);
+  if (const auto name = section.find("name")) read_name(*name, candidate.name);
+  if (candidate.cause != Cause::no_rub)
+    read_spread(section, "clearance_m", model::positive, true, candidate.clearance_m);
+  for (const diagnose::UnknownRow& row : diagnose::unknown_rows())
+    if (has(candidate.cause, row))
+      read_spread(section, row.key, row.range, row.logarithmic, spread_of(candidate, row.unknown));
+  if (of_any_rotor && candidate.cause != Cause::no_rub && section.find("position_m"))
+    read_spread(section, "position_m", model::not_negative, false, candidate.position_m.emplace());
+  section.refuse_unknown_keys();
+  return candidate;
+}
+
+}  // namespace
+
+CandidateFile usual_candidate_file() {
+  CandidateFile file{.candidates = diagnose::usual_candidates()};
+  for (diagnose::Candidate& candidate : file.candidates) candidate.clearance_m = usual_clearance_m;
+  file.prior.assign(file.candidates.size(), 1.0 / static_cast<double>(file.candidates.size()));
+  return file;
+}
+
+CandidateFile read_candidate_file_text(std::string_view text, const std::string& name) {
+  yaml::Diagnostics diagnostics(name, {});
+  const yaml::Node root = parse_config(text, name, candidate_file_form, {}, diagnostics);
+  CandidateFile file = read_file_root({root, "", diagnostics});
+  diagnostics.throw_if_any();
+  return file;
+}
+
+std::vector<Candidate> read_candidates(const yaml::Value& value, bool of_any_rotor) {
+  constexpr std::size_t most = 20;
+  std::vector<Candidate> candidates;
+  const auto items = yaml::read_list(value, most);
+  if (!items) return candidates;
+  for (const yaml::Value& item : *items) {
+    auto candidate = read_candidate(item, of_any_rotor);
+    if (!candidate) continue;
+    if (std::ranges::count(candidates, candidate->name, &Candidate::name) > 0)
+      yaml::refuse(item, "has the name '" + candidate->name + "' as another candidate", "a name of its own");
+    candidates.push_back(*std::move(candidate));
+  }
+  return candidates;
+}
+
+}  // namespace rubsweep::config::dataset

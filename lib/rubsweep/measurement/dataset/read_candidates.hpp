@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/maps/config/yaml/value.hpp"
+#include "rubsweep/measurement/diagnose/candidate.hpp"
+#include "rubsweep/measurement/diagnose/observed_lines.hpp"
+
+namespace rubsweep::config::dataset {
+
+/// Candidates of a diagnosis, and what is known of the measurement beforehand.
+struct CandidateFile {
+  std::vector<diagnose::Candidate>
+      candidates{};             ///< with their clearances; machine and speed come from elsewhere
+  std::vector<double> prior{};  ///< of each, add up to 1
+  std::optional<diagnose::Spread> eccentricity_m{};  ///< unbalance of the recorded machine; empty: not known
+  diagnose::Measuring measuring{};                   ///< probes and readings come from the recording
+};
+
+/// The usual candidates, equally likely.
+CandidateFile usual_candidate_file();
+
+/// Reads clearance_m, eccentricity_m, candidates, prior and measurement; what is missing is as usual. `name`
+/// stands for the file in messages. Throws ConfigError with every problem.
+CandidateFile read_candidate_file_text(std::string_view text, const std::string& name);
+
+/// Reads a list of candidates, each the word of a cause or a map with kind, name, clearance_m and the keys of
+/// diagnose::unknown_rows that its stops have; other ranges are the usual ones. `of_any_rotor`: with those
+/// that only stops of a rotor kit have.
+std::vector<diagnose::Candidate> read_candidates(const yaml::Value& value, bool of_any_rotor);
+
+}  // namespace rubsweep::config::dataset

@@ -1,0 +1,140 @@
+#include "rubsweep/measurement/diagnose/answer/answer_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::diagnose::answer {
+namespace {
+
+/// "93 %", or how much below one percent.
+std::string percent(double probability) {
+  if (probability < 0.005) return "under 1 %";
+  if (probability > 0.995) return "over 99 %";
+  return fmt::format("{:.0f} %", 100 * probability);
+}
+
+std::string sureness(double probability) {
+  if (probability >= 0.9) return "sure";
+  if (probability >= 0.7) return "likely";
+  if (probability >= 0.5) return "more likely than all others together";
+  return "not decided";
+}
+
+std::string probability_line(const std::string& name, double probability,
+                             const std::optional<double>& standard_error) {
+  std::string text = fmt::format("  {:<22} {}", name, percent(probability));
+  if (standard_error) text += fmt::format(" +- {:.0f} %", std::ceil(100 * *standard_error));
+  return text + '\n';
+}
+
+std::string first_line(const Answer& answer) {
+  if (answer.clipped) return "none of these can be told: a probe is clipped, and shows what no rotor does\n";
+  const CandidateAnswer& first = answer.candidates.front();
+  if (answer.none > first.probability)
+    return fmt::format(
+        "none of these, {} ({}): no simulated motion {} the recording\n", percent(answer.none),
+        sureness(answer.none),
+        answer.size_fits ? "resembles" : "of these clearances and this unbalance is as large as");
+  return fmt::format("{}, {} ({}): {}\n", first.name, percent(first.probability), sureness(first.probability),
+                     words_for(first.cause));
+}
+
+/// Whether the interval of an angle tells nothing: that of an even distribution is 342 degrees long.
+bool is_any_direction(const NumberInterval& angle_deg) {
+  constexpr double nearly_all_deg = 320;
+  const double arc_deg = angle_deg.high_95 - angle_deg.low_95;
+  return arc_deg - 360 * std::floor(arc_deg / 360) > nearly_all_deg;
+}
+
+std::string number_text(const NumberInterval& number, const model::ShownLengths& shown) {
+  const std::string_view name = number.name;
+  const auto values = [&](auto text) {
+    return fmt::format("{}, 95 % from {} to {}", text(number.median), text(number.low_95),
+                       text(number.high_95));
+  };
+  const std::string what(name.substr(0, name.rfind('_')));
+  if (name == "position_m")
+    return fmt::format("  {:<22} {}\n", what, values([](double x) { return fmt::format("{:.3g} m", x); }));
+  if (name.ends_with("_m") && !name.ends_with("per_m"))
+    return fmt::format("  {:<22} {}\n", what, values([&](double x) {
+                         return model::length_text(x, shown, model::LengthUnit::um, 3);
+                       }));
+  if (name.ends_with("_deg") && is_any_direction(number))
+    return fmt::format("  {:<22} any direction\n", what);
+  if (name.ends_with("_deg"))
+    return fmt::format("  {:<22} {}\n", what, values([](double x) { return fmt::format("{:.0f} deg", x); }));
+  return fmt::format("  {:<22} {}\n", name, values([](double x) { return fmt::format("{:.3g}", x); }));
+}
+
+std::string trust_line(const Answer& answer) {
+  std::string text = fmt::format(
+      "  {} simulated motions, {} {} of draws near those that resemble the recording; the probabilities {}\n",
+      answer.cases, answer.rounds, answer.rounds == 1 ? "round" : "rounds",
+      answer.stands_still ? "stand still"
+                          : "still moved by 3 % or more; +-: standard errors for want of motions");
+  if (answer.interrupted) text += "  interrupted: an answer by the motions simulated so far\n";
+  const long as_far = std::lround(100 * answer.p_value);
+  return text + fmt::format("  of 100 simulated recordings {} {} as far from all others as this one\n",
+                            as_far, as_far == 1 ? "lies" : "lie");
+}
+
+}  // namespace
+
+std::string_view words_for(Cause cause) {
+  switch (cause) {
+    case Cause::no_rub:
+      return "the rotor touches nothing";
+    case Cause::one_side:
+      return "it rubs on one flat stop";
+    case Cause::two_sides:
+      return "it rubs on two flat stops that face each other";
+    case Cause::annular:
+      return "it rubs on a round stop about the rest position";
+    case Cause::annular_offset:
+      return "it rubs on a round stop whose centre is off the rest position";
+  }
+  throw SolverError("cause: no such enumerator");
+}
+
+std::string answer_text(const Answer& answer, const model::ShownLengths& shown) {
+  std::string text = first_line(answer);
+  const RecordingFacts& recording = answer.recording;
+  text += fmt::format("\nrecording {}: {} turns at {:.4g} Hz ({:.0f} rpm), {}, {} root mean square\n",
+                      recording.name, recording.turns, recording.speed_hz, 60 * recording.speed_hz,
+                      recording.probes == 2 ? "two probes" : "one probe",
+                      model::length_text(recording.size_m, shown, model::LengthUnit::um, 3));
+  for (const std::string& finding : recording.findings) text += fmt::format("  {}\n", finding);
+  text += "\nprobabilities\n";
+  for (const CandidateAnswer& candidate : answer.candidates)
+    text += probability_line(candidate.name, candidate.probability, candidate.standard_error);
+  text += probability_line("none of these", answer.none, answer.none_standard_error);
+  text += trust_line(answer);
+  const CandidateAnswer& first = answer.candidates.front();
+  if (!answer.clipped && !first.numbers.empty()) {
+    text += fmt::format("\nif it is {}\n", first.name);
+    for (const NumberInterval& number : first.numbers) text += number_text(number, shown);
+  }
+  if (!answer.deciding.empty()) {
+    text += fmt::format("\nwhat speaks for {} and against {}: recorded, and usual in the one and the other\n",
+                        first.name, answer.candidates[1].name);
+    for (const DecidingFeature& feature : answer.deciding)
+      text +=
+          fmt::format("  {:<42} {:.3g}; {:.3g} +- {:.2g}; {:.3g} +- {:.2g}\n", feature.name, feature.recorded,
+                      feature.first, feature.first_spread, feature.second, feature.second_spread);
+  }
+  if (!answer.best.empty())
+    text += fmt::format("\nclosest simulated motion, of {}: leaves {} of the recorded energy\n",
+                        answer.best.front().candidate, percent(answer.best.front().overlay.unexplained));
+  if (!answer.next.empty()) {
+    text += "\na further measurement is expected to tell\n";
+    for (const inference::NextMeasurement& next : answer.next)
+      text += fmt::format("  {:<30} {:.2f} bits\n", next.name, next.information_bits);
+  }
+  return text;
+}
+
+}  // namespace rubsweep::diagnose::answer

@@ -1,0 +1,70 @@
+#include "rubsweep/measurement/diagnose/drawn_machine.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace rubsweep::diagnose {
+namespace {
+
+using std::numbers::pi;
+
+model::Rotor rotor_of(const Point& values, const FixedNumbers& fixed) {
+  if (fixed.kit) return likely_kit(*fixed.kit, value_of(values, Unknown::kit));
+  return model::JeffcottRotor{fixed.rotor_mass_kg, value_of(values, Unknown::natural_frequency),
+                              value_of(values, Unknown::damping_ratio), fixed.rotating_damping_ratio};
+}
+
+model::Stop stop_of(Cause cause, const Point& values, double clearance_m, const FixedNumbers& fixed) {
+  const double mass_kg = value_of(values, Unknown::casing_mass),
+               angular = 2 * pi * value_of(values, Unknown::casing_frequency);
+  model::Stop stop;
+  stop.geometry = model::OneSideGeometry{.angle_deg = value_of(values, Unknown::stop_angle)};
+  if (fixed.kit)
+    stop.position_m = cause == Cause::no_rub ? fixed.kit->probe_position_m
+                                             : place_of_stop(*fixed.kit, value_of(values, Unknown::position));
+  stop.clearance_m = clearance_m;
+  stop.stiffness_n_per_m = value_of(values, Unknown::stiffness);
+  stop.damping = model::NominalRestitution{value_of(values, Unknown::restitution)};
+  stop.contact_radius_m = fixed.contact_radius_m;
+  stop.friction = model::ConstantFriction{value_of(values, Unknown::friction)};
+  stop.casing = model::Casing{mass_kg, mass_kg * angular * angular, fixed.casing_damping_ratio};
+  return stop;
+}
+
+model::Kick kick_of(const Point& values, double clearance_m, const FixedNumbers& fixed) {
+  const double speed_m_per_s = value_of(values, Unknown::kick_ratio) * clearance_m * 2 * pi *
+                               value_of(values, Unknown::natural_frequency);
+  model::Kick kick;
+  // A half sine of force F has the impulse 2 F duration / pi.
+  kick.force_n = fixed.rotor_mass_kg * speed_m_per_s * pi / (2 * kick_duration_s);
+  kick.duration_s = kick_duration_s;
+  kick.angle_deg = value_of(values, Unknown::stop_angle) + value_of(values, Unknown::kick_angle);
+  kick.phase_deg = value_of(values, Unknown::kick_phase);
+  return kick;
+}
+
+}  // namespace
+
+model::Machine drawn_machine(Cause cause, const Point& values, double clearance_m,
+                             const FixedNumbers& fixed) {
+  const double angle_deg = value_of(values, Unknown::stop_angle);
+  model::Machine machine;
+  machine.rotor = rotor_of(values, fixed);
+  model::Stop stop = stop_of(cause, values, clearance_m, fixed);
+  if (cause == Cause::annular) stop.geometry = model::AnnularGeometry{};
+  if (cause == Cause::annular_offset) {
+    const double offset_m = value_of(values, Unknown::offset_ratio) * clearance_m,
+                 angle = angle_deg * pi / 180;
+    stop.geometry = model::AnnularGeometry{{offset_m * std::cos(angle), offset_m * std::sin(angle)}};
+  }
+  machine.stops.push_back(stop);
+  if (cause == Cause::two_sides) {
+    stop.geometry = model::OneSideGeometry{.angle_deg = angle_deg + 180};
+    stop.clearance_m *= value_of(values, Unknown::second_clearance_ratio);
+    machine.stops.push_back(stop);
+  }
+  if (cause != Cause::no_rub) machine.kick = kick_of(values, clearance_m, fixed);
+  return machine;
+}
+
+}  // namespace rubsweep::diagnose

@@ -1,0 +1,163 @@
+#include "rubsweep/measurement/diagnose/features/line_features.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace rubsweep::diagnose::features {
+namespace {
+
+constexpr double smallest_energy = 1e-7;  ///< share below which energy counts as none
+constexpr int most_fraction = 5;          ///< 1/2 to 1/5
+
+double logarithm(double share) { return std::log10(std::max(share, smallest_energy)); }
+
+void add_multiples(const HannEnergy& energy, bool plane, Features& features) {
+  for (int order = plane ? -4 : 1; order <= 5; ++order)
+    if (order != 0) add(features, fmt::format("energy at {}X", order), logarithm(energy.near(order, 2)));
+}
+
+void add_fractions(const HannEnergy& energy, Features& features) {
+  const double most_order = static_cast<double>(energy.last()) / energy.turns();
+  for (int n = 2; n <= most_fraction; ++n) {
+    double sum = 0;
+    const int most = static_cast<int>(most_order * n);
+    for (int j = energy.first() < 0 ? -most : 1; j <= most; ++j)
+      if (j % n != 0) sum += energy.near(static_cast<double>(j) / n, 1);
+    add(features, fmt::format("energy at multiples of 1/{}X", n), logarithm(sum));
+  }
+}
+
+/// Energy between the multiples of the shaft speed by where it is.
+void add_rest(const HannEnergy& energy, Features& features) {
+  double forward = 0, backward = 0, slow = 0;
+  for (int k = energy.first(); k <= energy.last(); ++k) {
+    if (!between_multiples(energy, k, 2)) continue;
+    (k > 0 ? forward : backward) += energy[k];
+    if (std::abs(k) < energy.turns()) slow += energy[k];
+  }
+  add(features, "energy between multiples", logarithm(forward + backward));
+  if (energy.first() < 0) add(features, "backward energy between multiples", logarithm(backward));
+  add(features, "energy below 1X", logarithm(slow));
+}
+
+/// The two strongest lines between the multiples.
+void add_strongest(const HannEnergy& energy, Features& features) {
+  std::vector<int> found;
+  for (int rank = 1; rank <= 2; ++rank) {
+    const int best = strongest_between_multiples(energy, found);
+    const double share = best == 0 ? 0 : energy[best - 1] + energy[best] + energy[best + 1];
+    add(features, fmt::format("order of line {} between multiples", rank),
+        share > 10 * smallest_energy ? order_of_line(energy, best) : 0);
+    add(features, fmt::format("energy of line {} between multiples", rank), logarithm(share));
+    found.push_back(best);
+  }
+}
+
+/// Distance of an order to the next whole one.
+double off_whole(double order) { return std::abs(order - std::round(order)); }
+
+/// The strongest line between the multiples: the energy there that lies on none of its sidebands, at its
+/// order and whole ones, and its width. Both are small for a fraction or a torus, large for chaos and for
+/// several causes.
+void add_sidebands(const HannEnergy& energy, Features& features) {
+  const int best = strongest_between_multiples(energy, {});
+  const double fraction = off_whole(order_of_line(energy, best));
+  constexpr double reach_bins = 1.6;
+  constexpr int wide_bins = 6;
+  double all = 0, beside = 0, near = 0, narrow = 0;
+  for (int k = energy.first(); k <= energy.last(); ++k) {
+    if (!between_multiples(energy, k, 2)) continue;
+    const double off_band = off_whole(static_cast<double>(k) / energy.turns()) - fraction;
+    all += energy[k];
+    if (std::abs(off_band) * energy.turns() <= reach_bins) beside += energy[k];
+    if (std::abs(k - best) <= wide_bins) near += energy[k];
+    if (std::abs(k - best) <= 1) narrow += energy[k];
+  }
+  const bool seen = all > 10 * smallest_energy;
+  add(features, "energy off the sidebands of line 1 between multiples",
+      seen ? logarithm(1 - beside / all) : 0);
+  add(features, "width of line 1 between multiples", seen ? logarithm(1 - narrow / near) : 0);
+}
+
+/// Even multiples over odd ones: what two equal sides do alike has no even ones.
+void add_parity(const HannEnergy& energy, Features& features) {
+  double even = 0, odd = 0;
+  constexpr int most_multiple = 7;
+  for (int order = 2; order <= most_multiple; ++order)
+    (order % 2 == 0 ? even : odd) += energy.near(order, 1) + energy.near(-order, 1);
+  add(features, "even over odd multiples", logarithm(even) - logarithm(odd));
+}
+
+/// A fifth of all lines are weaker than this.
+void add_noise(const HannEnergy& energy, Features& features) {
+  std::vector<double> between;
+  for (int k = energy.first(); k <= energy.last(); ++k)
+    if (between_multiples(energy, k, 2)) between.push_back(energy[k]);
+  const auto fifth = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 5);
+  std::ranges::nth_element(between, fifth);
+  add(features, "noise", std::log10(std::max(*fifth, 1e-14)));
+}
+
+}  // namespace
+
+HannEnergy::HannEnergy(const MotionLines& lines, bool plane)
+    : turns_(lines.turns), last_(lines.last()), first_(plane ? -last_ : 1) {
+  const double all = size_of(lines) * size_of(lines) * (plane ? 1 : 0.5);
+  share_.assign(2 * static_cast<std::size_t>(last_) + 1, 0);
+  for (int k = first_; k <= last_; ++k) {
+    if (k == 0) continue;
+    const auto line = [&](int j) {
+      return j == 0 || std::abs(j) > last_ ? std::complex<double>(0) : lines.at(j);
+    };
+    // The window keeps 3/8 of the energy of a line amidst a bin.
+    share_[index(k)] = std::norm(line(k) / 2.0 - (line(k - 1) + line(k + 1)) / 4.0) * 8 / 3 / all;
+  }
+}
+
+double HannEnergy::near(double order, int bins) const {
+  const int middle = static_cast<int>(std::lround(order * turns_));
+  double sum = 0;
+  for (int k = middle - bins; k <= middle + bins; ++k) sum += (*this)[k];
+  return sum;
+}
+
+bool between_multiples(const HannEnergy& energy, int k, int bins) {
+  const double order = static_cast<double>(k) / energy.turns();
+  return std::abs(k - std::lround(order) * energy.turns()) > bins;
+}
+
+int strongest_between_multiples(const HannEnergy& energy, const std::vector<int>& others) {
+  constexpr int apart = 2;
+  int best = 0;
+  for (int k = energy.first(); k <= energy.last(); ++k) {
+    const bool taken = std::ranges::any_of(others, [&](int other) { return std::abs(k - other) <= apart; });
+    if (between_multiples(energy, k, apart) && !taken && energy[k] > energy[best]) best = k;
+  }
+  return best;
+}
+
+double order_of_line(const HannEnergy& energy, int k) {
+  const auto height = [&](int j) { return std::log(std::max(energy[j], 1e-300)); };
+  const double left = height(k - 1), middle = height(k), right = height(k + 1),
+               bend = left - 2 * middle + right;
+  const double shift = bend < 0 ? std::clamp((left - right) / (2 * bend), -0.5, 0.5) : 0;
+  return (k + shift) / energy.turns();
+}
+
+Features line_features(const MotionLines& lines, bool plane) {
+  const HannEnergy energy(lines, plane);
+  Features features;
+  add_multiples(energy, plane, features);
+  add_fractions(energy, features);
+  add_rest(energy, features);
+  add_strongest(energy, features);
+  add_sidebands(energy, features);
+  add_parity(energy, features);
+  add_noise(energy, features);
+  return features;
+}
+
+}  // namespace rubsweep::diagnose::features

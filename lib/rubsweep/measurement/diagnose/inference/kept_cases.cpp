@@ -1,0 +1,155 @@
+#include "rubsweep/measurement/diagnose/inference/kept_cases.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/input_file.hpp"
+#include "rubsweep/maps/batch/sha256.hpp"
+#include "rubsweep/maps/batch/whole_file.hpp"
+#include "rubsweep/measurement/diagnose/inference/cases_version.hpp"
+
+namespace rubsweep::diagnose::inference {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "kept cases are little-endian");
+
+template <class Number>
+void put(std::string& bytes, Number number) {
+  static_assert(std::is_arithmetic_v<Number>);
+  char raw[sizeof(Number)];
+  std::memcpy(raw, &number, sizeof number);
+  bytes.append(raw, sizeof number);
+}
+
+/// Numbers one after the other; `whole` turns false where they end too early.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : left_(bytes) {}
+  template <class Number>
+  Number get() {
+    Number number{};
+    if (left_.size() < sizeof number) {
+      whole_ = false;
+      return number;
+    }
+    std::memcpy(&number, left_.data(), sizeof number);
+    left_.remove_prefix(sizeof number);
+    return number;
+  }
+  bool whole() const { return whole_; }
+  bool ended() const { return whole_ && left_.empty(); }
+
+ private:
+  std::string_view left_;
+  bool whole_ = true;
+};
+
+std::filesystem::path file_of(const std::filesystem::path& directory, const std::string& digest) {
+  return directory / (digest.substr(0, 16) + ".cases");
+}
+
+/// First line of a file: digest of the study, and of the bytes that follow.
+std::string head_of(const std::string& digest, std::string_view body) {
+  return fmt::format("rubdiagnose cases {} {}\n", digest, batch::sha256_of(body));
+}
+
+void put_case(const SimulatedCase& one, std::string& bytes) {
+  put(bytes, static_cast<std::uint32_t>(one.candidate));
+  for (const double place : one.unit) put(bytes, place);
+  const response::motion::ContactFacts& facts = one.motion.contact;
+  put(bytes, static_cast<std::int32_t>(facts.hits));
+  for (const double number : {facts.contact_fraction, facts.peak_displacement_m, facts.peak_contact_force_n,
+                              facts.peak_casing_displacement_m, one.motion.eccentricity_m})
+    put(bytes, number);
+  for (const std::complex<double>& line : one.motion.lines.amplitude) {
+    put(bytes, line.real());
+    put(bytes, line.imag());
+  }
+}
+
+SimulatedCase get_case(Reader& reader, int turns) {
+  SimulatedCase one;
+  one.candidate = reader.get<std::uint32_t>();
+  for (double& place : one.unit) place = reader.get<double>();
+  response::motion::ContactFacts& facts = one.motion.contact;
+  facts.hits = reader.get<std::int32_t>();
+  for (double* number : {&facts.contact_fraction, &facts.peak_displacement_m, &facts.peak_contact_force_n,
+                         &facts.peak_casing_displacement_m, &one.motion.eccentricity_m})
+    *number = reader.get<double>();
+  one.motion.lines = {turns, Eigen::VectorXcd(2 * static_cast<int>(most_order * turns) + 1)};
+  for (std::complex<double>& line : one.motion.lines.amplitude) {
+    const double real = reader.get<double>();
+    line = {real, reader.get<double>()};
+  }
+  return one;
+}
+
+}  // namespace
+
+double simulated_speed_hz(double speed_hz) {
+  constexpr double step = 0.005;
+  return std::exp(std::round(std::log(speed_hz) / step) * step);
+}
+
+std::string cases_digest(const DiagnosisProblem& problem, const CaseOptions& options) {
+  std::string text = fmt::format(
+      "{} {} {} {} {} {}\n{} {} {} {} {}\n", cases_version, problem.speed_hz, problem.turns, problem.seed,
+      options.cases_per_candidate, options.most_draws_per_case, problem.fixed.rotor_mass_kg,
+      problem.fixed.contact_radius_m, problem.fixed.casing_damping_ratio,
+      problem.fixed.rotating_damping_ratio, problem.fixed.kit ? problem.fixed.kit->digest : "");
+  const auto add = [&](const Spread& spread) {
+    text += fmt::format(" {}:{}:{}", spread.low, spread.high, spread.logarithmic);
+  };
+  for (const Candidate& candidate : problem.candidates) {
+    text += fmt::format("{}", to_string(candidate.cause));
+    for (const Spread& spread : candidate.spreads) add(spread);
+    add(candidate.clearance_m);
+    text += '\n';
+  }
+  return batch::sha256_of(text);
+}
+
+void keep_cases(const std::filesystem::path& directory, const std::string& digest, const CaseSet& set) {
+  std::string body;
+  put(body, static_cast<std::uint64_t>(set.draws.size()));
+  for (const Draws& draws : set.draws) put(body, static_cast<std::int64_t>(draws.count));
+  put(body, static_cast<std::uint64_t>(set.cases.size()));
+  for (const SimulatedCase& one : set.cases) put_case(one, body);
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw IoError(fmt::format("{}: {}", directory.string(), error.message()));
+  batch::write_whole_file(file_of(directory, digest), head_of(digest, body) + body);
+}
+
+std::optional<CaseSet> kept_cases(const std::filesystem::path& directory, const std::string& digest,
+                                  const DiagnosisProblem& problem) {
+  const std::filesystem::path file = file_of(directory, digest);
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  const std::string bytes = batch::read_input(file);
+  const std::size_t end = bytes.find('\n');
+  if (end == std::string::npos) return std::nullopt;
+  const std::string_view body = std::string_view(bytes).substr(end + 1);
+  if (std::string_view(bytes).substr(0, end + 1) != head_of(digest, body)) return std::nullopt;
+  Reader reader(body);
+  CaseSet set;
+  const auto candidates = reader.get<std::uint64_t>();
+  if (candidates != problem.candidates.size()) return std::nullopt;
+  for (std::size_t c = 0; c < candidates; ++c)
+    set.draws.push_back({c, static_cast<long>(reader.get<std::int64_t>()), std::nullopt});
+  const auto count = reader.get<std::uint64_t>();
+  for (std::uint64_t i = 0; i < count && reader.whole(); ++i)
+    set.cases.push_back(get_case(reader, problem.turns));
+  if (!reader.ended()) return std::nullopt;
+  return set;
+}
+
+}  // namespace rubsweep::diagnose::inference

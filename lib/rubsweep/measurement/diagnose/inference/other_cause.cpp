@@ -1,0 +1,173 @@
+#include "rubsweep/measurement/diagnose/inference/other_cause.hpp"
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "rubsweep/measurement/diagnose/lasting_motion.hpp"
+
+namespace rubsweep::diagnose::inference {
+namespace {
+
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+constexpr int samples_of_a_turn = 32;
+
+double between_logarithms(double low, double high, RandomStream& random) {
+  return low * std::pow(high / low, random.uniform());
+}
+
+/// Shares of a component that turn forward and backward. Their squares add up to 1.
+struct Whirl {
+  double forward = 1, backward = 0;
+};
+
+/// A forced vibration: any ellipse.
+Whirl any_ellipse(RandomStream& random) {
+  const double share = 2 * pi * random.uniform();
+  return {std::cos(share), std::sin(share)};
+}
+
+/// A self-excited whirl: nearly a circle.
+Whirl near_circle(bool forward, RandomStream& random) {
+  const double rest = between_logarithms(1e-3, 0.3, random), most = std::sqrt(1 - rest * rest);
+  return forward ? Whirl{most, rest} : Whirl{rest, most};
+}
+
+/// Adds a component of an order, whose angle is that of the shaft times the order and what it wandered.
+class Vibration {
+ public:
+  explicit Vibration(int turns) : z_(static_cast<std::size_t>(turns * samples_of_a_turn)) {}
+
+  void add(double order, double amplitude, const Whirl& whirl, const std::vector<double>& wandered,
+           RandomStream& random) {
+    const Complex forward = std::polar(amplitude * whirl.forward, 2 * pi * random.uniform()),
+                  backward = std::polar(amplitude * whirl.backward, 2 * pi * random.uniform());
+    for (std::size_t k = 0; k < z_.size(); ++k) {
+      const double angle =
+          2 * pi * order * static_cast<double>(k) / samples_of_a_turn + (wandered.empty() ? 0 : wandered[k]);
+      z_[k] += forward * std::polar(1.0, angle) + backward * std::polar(1.0, -angle);
+    }
+  }
+
+  /// Along one line across the shaft, in place of an ellipse. `direction` is that of the line from x.
+  void add_along(double order, double amplitude, double direction, RandomStream& random) {
+    const double phase = 2 * pi * random.uniform();
+    for (std::size_t k = 0; k < z_.size(); ++k) {
+      const double angle = 2 * pi * order * static_cast<double>(k) / samples_of_a_turn + phase;
+      z_[k] += amplitude * std::cos(angle) * std::polar(1.0, direction);
+    }
+  }
+
+  void add_unbalance(double backward_share, RandomStream& random) {
+    const Complex forward = std::polar(1.0, 2 * pi * random.uniform()),
+                  backward = std::polar(backward_share, 2 * pi * random.uniform());
+    for (std::size_t k = 0; k < z_.size(); ++k) {
+      const double angle = 2 * pi * static_cast<double>(k) / samples_of_a_turn;
+      z_[k] += forward * std::polar(1.0, angle) + backward * std::polar(1.0, -angle);
+    }
+  }
+
+  const std::vector<Complex>& samples() const { return z_; }
+
+ private:
+  std::vector<Complex> z_;
+};
+
+std::vector<double> wandering(std::size_t samples, RandomStream& random) {
+  const double step = between_logarithms(1e-3, 0.2, random) / std::sqrt(samples_of_a_turn);
+  std::vector<double> angle(samples);
+  double at = 0;
+  for (double& x : angle) x = at += step * random.normal();
+  return angle;
+}
+
+/// Whole multiples of the shaft speed: one, or a series that grows weaker.
+void add_multiples(Vibration& vibration, double amplitude, RandomStream& random) {
+  if (random.uniform() < 0.5) {
+    const double order = 2 + std::floor(4 * random.uniform());
+    vibration.add(order, amplitude, any_ellipse(random), {}, random);
+    return;
+  }
+  const double decay = 1.5 * random.uniform();
+  for (int order = 2; order <= 8; ++order) {
+    const double strength = amplitude * std::pow(order, -decay) * between_logarithms(0.2, 1, random);
+    vibration.add(order, strength, any_ellipse(random), {}, random);
+  }
+}
+
+/// Any order, forced or self-excited, with its harmonic and with sidebands, each or not.
+void add_free_order(Vibration& vibration, double amplitude, RandomStream& random) {
+  const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
+  const Whirl whirl =
+      random.uniform() < 0.5 ? any_ellipse(random) : near_circle(random.uniform() < 0.5, random);
+  const std::vector<double> wandered = wandering(vibration.samples().size(), random);
+  vibration.add(order, amplitude, whirl, wandered, random);
+  if (random.uniform() < 0.5) {
+    std::vector<double> twice = wandered;
+    for (double& angle : twice) angle *= 2;
+    vibration.add(2 * order, amplitude * between_logarithms(0.1, 1, random), any_ellipse(random), twice,
+                  random);
+  }
+  if (random.uniform() < 0.5)
+    for (const int side : {-1, 1})
+      vibration.add(order + side, amplitude * between_logarithms(0.05, 0.7, random), any_ellipse(random),
+                    wandered, random);
+}
+
+/// The whirl of an oil film: forward at somewhat less than half the speed of the shaft (Muszynska,
+/// Rotordynamics, 2005, chapter 4).
+void add_oil_whirl(Vibration& vibration, double amplitude, RandomStream& random) {
+  const double order = 0.38 + 0.12 * random.uniform();
+  const std::vector<double> wandered = wandering(vibration.samples().size(), random);
+  vibration.add(order, amplitude, near_circle(true, random), wandered, random);
+}
+
+/// A support that is loose, or stiff to one side: its stiffness changes along one direction, and the shaft
+/// vibrates along it at the multiples of its speed, now and then at those of half of it, which grow weaker
+/// (Muszynska and Goldman, Chaos, Solitons and Fractals 5, 1995).
+void add_directional_series(Vibration& vibration, RandomStream& random) {
+  const double direction = 2 * pi * random.uniform();
+  const double decay = between_logarithms(0.05, 0.7, random);
+  double amplitude = between_logarithms(0.03, 1, random);
+  for (int order = 2; order <= 8; ++order) {
+    vibration.add_along(order, amplitude * between_logarithms(0.3, 1, random), direction, random);
+    amplitude *= decay;
+  }
+  if (random.uniform() < 0.75) return;
+  amplitude = between_logarithms(0.03, 1, random);
+  for (int half = 1; half <= 7; half += 2) {
+    vibration.add_along(half / 2.0, amplitude * between_logarithms(0.3, 1, random), direction, random);
+    amplitude *= decay;
+  }
+}
+
+}  // namespace
+
+MotionLines vibration_of_another_cause(int turns, RandomStream& random,
+                                       response::spectrum::SpectrumWorkspace& workspace) {
+  Vibration vibration(turns);
+  constexpr double unequal_supports = 0.125;
+  const bool alone = random.uniform() < unequal_supports;
+  vibration.add_unbalance(alone ? between_logarithms(0.3, 1, random) : between_logarithms(1e-3, 0.5, random),
+                          random);
+  const int components = alone ? 0 : 1 + static_cast<int>(4 * random.uniform() * random.uniform());
+  for (int k = 0; k < components; ++k) {
+    const double amplitude = between_logarithms(0.05, 3, random), kind = random.uniform();
+    if (kind < 0.3) {
+      add_multiples(vibration, amplitude, random);
+    } else if (kind < 0.6) {
+      add_free_order(vibration, amplitude, random);
+    } else if (kind < 0.8) {
+      add_directional_series(vibration, random);
+    } else {
+      add_oil_whirl(vibration, amplitude, random);
+    }
+  }
+  return lines_of(vibration.samples(), turns, most_order, workspace);
+}
+
+}  // namespace rubsweep::diagnose::inference

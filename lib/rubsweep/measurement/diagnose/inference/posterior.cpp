@@ -1,0 +1,216 @@
+#include "rubsweep/measurement/diagnose/inference/posterior.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "rubsweep/maps/batch/parallel_run.hpp"
+#include "rubsweep/measurement/diagnose/draw_purpose.hpp"
+#include "rubsweep/measurement/diagnose/forest/novelty.hpp"
+#include "rubsweep/measurement/diagnose/inference/other_cause.hpp"
+
+namespace rubsweep::diagnose::inference {
+namespace {
+
+/// Least width of an interval in which a length may lie: cases have any size, and must find place in it.
+constexpr double least_decades = 0.08;
+
+bool inside(const Spread& spread, double value) { return value >= spread.low && value <= spread.high; }
+
+double decades(const Spread& spread) { return std::log10(spread.high / spread.low); }
+
+Spread widened(const Spread& spread) {
+  const double factor = std::pow(10, std::max(0.0, least_decades - decades(spread)) / 2);
+  return {spread.low / factor, spread.high * factor, true};
+}
+
+/// Share of the whirl ratios at which a quiet whirl of this radius is one in a clearance of the range. Its
+/// shape is the same at all of them.
+double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, double radius_m) {
+  const double low = std::max(ratios.low, radius_m / clearances.high),
+               high = std::min(ratios.high, radius_m / clearances.low);
+  return low < high ? decades({low, high}) / decades(ratios) : 0;
+}
+
+/// Share of each candidate that a forest of so many cases cannot tell from none.
+constexpr double least_probability = 1e-3;
+
+/// Probabilities to a power.
+Eigen::RowVectorXd sharpened(const Eigen::RowVectorXd& probability, double power) {
+  const Eigen::RowVectorXd raised = (probability.array() + least_probability).pow(power);
+  return raised / raised.sum();
+}
+
+/// Power up to 1 that makes the true candidates of cases that a tree did not draw most likely. Above 1 it
+/// would make the whole forest too sure: few trees have not drawn a case, and these are less sure than all
+/// (temperature scaling; Guo et al. 2017).
+double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>& label,
+                      const Eigen::VectorXd& weight) {
+  const auto loss = [&](double power) {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < out_of_bag.rows(); ++i)
+      if (out_of_bag.row(i).sum() > 0)
+        sum -= weight(i) * std::log(sharpened(out_of_bag.row(i), power)(label[static_cast<std::size_t>(i)]));
+    return sum;
+  };
+  // Golden section of a convex function.
+  constexpr double golden = 0.6180339887498949;
+  double low = 0.2, high = 1;
+  for (int k = 0; k < 30; ++k) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    if (loss(a) < loss(b)) {
+      high = b;
+    } else {
+      low = a;
+    }
+  }
+  return (low + high) / 2;
+}
+
+/// Mean position of a vibration of another cause, in units of its 1X: a load may push the shaft aside.
+std::complex<double> mean_of_another_cause(std::uint64_t seed, std::uint64_t index) {
+  RandomStream random(seed, index, DrawPurpose::of_mean);
+  const double distance = std::pow(10, -3 * random.uniform());
+  return std::polar(distance, 2 * std::numbers::pi * random.uniform());
+}
+
+/// Vibrations of other causes as the instrument shows them.
+Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::size_t count, int threads) {
+  std::vector<Eigen::VectorXd> rows(count);
+  batch::parallel_run(
+      count, threads,
+      [&](std::size_t k) {
+        thread_local response::spectrum::SpectrumWorkspace workspace;
+        RandomStream random(problem.seed, k, DrawPurpose::of_another_cause);
+        MotionLines lines = up_to(vibration_of_another_cause(problem.turns, random, workspace),
+                                  seen_order(problem.measuring));
+        if (problem.measuring.from_rest) lines.at(0) = mean_of_another_cause(problem.seed, k);
+        double probe_angle_rad = 0;
+        const MotionLines seen = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
+        rows[k] =
+            features::values_of(features::describe(seen, view_of(problem.measuring), workspace).features);
+      },
+      [](std::size_t) {}, std::atomic<bool>{false});
+  Eigen::MatrixXd features(static_cast<Eigen::Index>(count), rows.front().size());
+  for (std::size_t k = 0; k < count; ++k) features.row(static_cast<Eigen::Index>(k)) = rows[k].transpose();
+  return features;
+}
+
+/// Cases, each of the class of its candidate, and vibrations of other causes as the last class.
+forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSet& set,
+                                   const ObservedCases& observed) {
+  const Eigen::Index cases = observed.features.rows(), others = observed.of_other_causes.rows();
+  const int candidates = static_cast<int>(problem.candidates.size());
+  forest::LabelledSamples samples{Eigen::MatrixXd(cases + others, observed.features.cols()),
+                                  {},
+                                  Eigen::VectorXd(cases + others),
+                                  candidates + 1};
+  samples.features << observed.features, observed.of_other_causes;
+  samples.weight.head(cases) = (1 - prior_of_none) * importance_weights(problem, set);
+  samples.weight.tail(others).setConstant(prior_of_none / static_cast<double>(others));
+  for (const SimulatedCase& one : set.cases) samples.label.push_back(static_cast<int>(one.candidate));
+  samples.label.resize(static_cast<std::size_t>(cases + others), candidates);
+  return samples;
+}
+
+/// Rows that were drawn from the priors.
+Eigen::MatrixXd rows_of_priors(const CaseSet& set, const Eigen::MatrixXd& features) {
+  std::vector<Eigen::Index> rows;
+  for (std::size_t i = 0; i < set.cases.size(); ++i)
+    if (!set.cases[i].proposed) rows.push_back(static_cast<Eigen::Index>(i));
+  return features(rows, Eigen::all);
+}
+
+}  // namespace
+
+double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
+                       double seen_size_m) {
+  const Candidate& candidate = problem.candidates[one.candidate];
+  const double clearance = simulated_clearance_m(candidate) * seen_size_m / case_size_m;
+  const Spread clearances = widened(candidate.clearance_m);
+  double density = inside(clearances, clearance) ? 1 : 0;
+  if (candidate.cause == Cause::no_rub)
+    density =
+        share_of_whirl_ratios(spread_of(candidate, Unknown::whirl_ratio), clearances,
+                              clearance * value_of(values_at(candidate, one.unit), Unknown::whirl_ratio));
+  if (!problem.eccentricity_m) return density;
+  const Spread eccentricities = widened(*problem.eccentricity_m);
+  if (!inside(eccentricities, one.motion.eccentricity_m * seen_size_m / case_size_m)) return 0;
+  return density * decades(clearances) / decades(eccentricities);
+}
+
+void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads,
+                   ObservedCases& observed) {
+  if (observed.of_other_causes.rows() == 0 && !set.cases.empty())
+    observed.of_other_causes =
+        features_of_other_causes(problem, set.cases.size() / problem.candidates.size() + 1, threads);
+  const auto before = static_cast<std::size_t>(observed.features.rows());
+  const std::size_t added = set.cases.size() - before;
+  if (added == 0) return;
+  std::vector<ObservedCase> seen(added);
+  batch::parallel_run(
+      added, threads,
+      [&](std::size_t k) {
+        thread_local response::spectrum::SpectrumWorkspace workspace;
+        seen[k] = observe(problem, set.cases[before + k], before + k, workspace);
+      },
+      [](std::size_t) {}, std::atomic<bool>{false});
+  const auto all = static_cast<Eigen::Index>(set.cases.size());
+  observed.features.conservativeResize(all, static_cast<Eigen::Index>(seen.front().seen.features.size()));
+  for (auto* column : {&observed.size_m, &observed.direction_rad, &observed.probe_angle_rad})
+    column->conservativeResize(all);
+  for (std::size_t k = 0; k < added; ++k) {
+    const auto row = static_cast<Eigen::Index>(before + k);
+    observed.features.row(row) = features::values_of(seen[k].seen.features).transpose();
+    observed.size_m(row) = seen[k].seen.size_m;
+    observed.direction_rad(row) = seen[k].seen.direction_rad;
+    observed.probe_angle_rad(row) = seen[k].probe_angle_rad;
+  }
+}
+
+Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
+                       const features::DescribedMotion& seen, int threads) {
+  const forest::LabelledSamples samples = samples_of(problem, set, observed);
+  const Eigen::VectorXd here = features::values_of(seen.features);
+  Posterior posterior;
+  posterior.forest = std::make_shared<const forest::Forest>(
+      samples, forest::ForestOptions{.seed = problem.seed, .threads = threads});
+  Eigen::VectorXd weight = posterior.forest->posterior_weights(here);
+  const auto cases = static_cast<Eigen::Index>(set.cases.size());
+  posterior.importance = samples.weight.head(cases);
+  posterior.size_density.resize(cases);
+  for (Eigen::Index i = 0; i < cases; ++i)
+    posterior.size_density(i) =
+        density_of_size(problem, set.cases[static_cast<std::size_t>(i)], observed.size_m(i), seen.size_m);
+  weight.head(cases).array() *= posterior.size_density.array();
+  Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
+  // No case and no other vibration is like it.
+  if (share.sum() == 0) share(samples.classes - 1) = 1;
+  posterior.sharpness =
+      best_sharpness(posterior.forest->out_of_bag_probabilities(), samples.label, samples.weight);
+  const Eigen::RowVectorXd all = sharpened(share / share.sum(), posterior.sharpness);
+  posterior.none = all(samples.classes - 1);
+  posterior.probability = all.head(samples.classes - 1).transpose() / (1 - posterior.none);
+  posterior.weight = weight.head(cases);
+  for (Eigen::Index i = 0; i < posterior.weight.size(); ++i) {
+    const int label = samples.label[static_cast<std::size_t>(i)];
+    if (share(label) > 0)
+      posterior.weight(i) = posterior.weight(i) / share(label) * posterior.probability(label);
+  }
+  return posterior;
+}
+
+double p_value_of(const CaseSet& set, const ObservedCases& observed, const features::DescribedMotion& seen,
+                  int threads) {
+  return forest::Novelty(rows_of_priors(set, observed.features), threads)
+      .p_value(features::values_of(seen.features));
+}
+
+}  // namespace rubsweep::diagnose::inference

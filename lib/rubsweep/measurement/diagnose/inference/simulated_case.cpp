@@ -1,0 +1,44 @@
+#include "rubsweep/measurement/diagnose/inference/simulated_case.hpp"
+
+#include <cmath>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/measurement/diagnose/draw_purpose.hpp"
+
+namespace rubsweep::diagnose::inference {
+
+double simulated_clearance_m(const Candidate& candidate) {
+  return std::sqrt(candidate.clearance_m.low * candidate.clearance_m.high);
+}
+
+std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std::size_t candidate,
+                                           const Point& unit,
+                                           response::spectrum::SpectrumWorkspace& workspace) {
+  const Candidate& asked = problem.candidates[candidate];
+  const Point values = values_at(asked, unit);
+  const scene::WhirlRatio unbalance{value_of(values, Unknown::whirl_ratio)};
+  try {
+    const model::Machine machine =
+        drawn_machine(asked.cause, values, simulated_clearance_m(asked), problem.fixed);
+    auto motion = asked.cause == Cause::no_rub
+                      ? motion_without_contact(machine, problem.speed_hz, unbalance, problem.turns, workspace)
+                      : rubbing_motion(machine, problem.speed_hz, unbalance, problem.turns, workspace);
+    if (!motion) return std::nullopt;
+    return SimulatedCase{.candidate = candidate, .unit = unit, .motion = *std::move(motion)};
+  } catch (const ConfigError&) {
+    // Numbers that are each allowed, but not together.
+    return std::nullopt;
+  }
+}
+
+ObservedCase observe(const DiagnosisProblem& problem, const SimulatedCase& simulated, std::size_t index,
+                     response::spectrum::SpectrumWorkspace& workspace) {
+  RandomStream random(problem.seed, index, DrawPurpose::of_observation);
+  ObservedCase observation;
+  const MotionLines lines = observed(up_to(simulated.motion.lines, seen_order(problem.measuring)),
+                                     problem.measuring, random, observation.probe_angle_rad);
+  observation.seen = features::describe(lines, view_of(problem.measuring), workspace);
+  return observation;
+}
+
+}  // namespace rubsweep::diagnose::inference

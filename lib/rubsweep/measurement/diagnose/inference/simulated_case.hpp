@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "rubsweep/measurement/diagnose/candidate.hpp"
+#include "rubsweep/measurement/diagnose/drawn_machine.hpp"
+#include "rubsweep/measurement/diagnose/features/described_motion.hpp"
+#include "rubsweep/measurement/diagnose/lasting_motion.hpp"
+#include "rubsweep/measurement/diagnose/observed_lines.hpp"
+
+namespace rubsweep::diagnose::inference {
+
+/// Everything that decides which motions a recording is compared with.
+struct DiagnosisProblem {
+  std::vector<Candidate> candidates{};  ///< their natural frequency and damping are those of the machine
+  std::vector<double> prior{};  ///< probability of each, given that it is one of them; they add up to 1
+  FixedNumbers fixed{};
+  std::optional<Spread> eccentricity_m{};  ///< of the unbalance, > 0, logarithmic; empty: anything
+  double speed_hz = 0;                     ///< of the shaft
+  int turns = 0;                           ///< of it in the recording
+  Measuring measuring{};
+  std::uint64_t seed = 1;
+};
+
+inline features::View view_of(const Measuring& measuring) {
+  return {measuring.probes == 2, measuring.directions, measuring.from_rest};
+}
+
+/// Largest order that the readings of a turn show as it is.
+inline double seen_order(const Measuring& measuring) {
+  constexpr double clean_share = 0.4;  // as scope::judge
+  return std::min(most_order, clean_share * measuring.readings_per_turn);
+}
+
+/// One motion of one candidate. Without gravity everything grows with the clearance, so that it is simulated
+/// at one clearance for all, and scaled to a recording.
+struct SimulatedCase {
+  std::size_t candidate = 0;
+  Point unit{};  ///< places of its unknowns in the unit cube
+  LastingMotion motion{};
+  bool proposed = false;  ///< drawn near cases that resemble a recording, not from the priors
+};
+
+/// Clearance that cases are simulated at: the geometric mean of the candidate's bounds, m.
+double simulated_clearance_m(const Candidate& candidate);
+
+/// Simulates a candidate with these numbers; empty where it does not rub (no_rub: where it does), or cannot
+/// be run.
+std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std::size_t candidate,
+                                           const Point& unit,
+                                           response::spectrum::SpectrumWorkspace& workspace);
+
+/// A case as the instrument shows it. Depends on problem, case and index alone.
+struct ObservedCase {
+  features::DescribedMotion seen{};
+  double probe_angle_rad = 0;  ///< of one probe: from the stop's direction
+};
+ObservedCase observe(const DiagnosisProblem& problem, const SimulatedCase& simulated, std::size_t index,
+                     response::spectrum::SpectrumWorkspace& workspace);
+
+}  // namespace rubsweep::diagnose::inference

@@ -1,0 +1,169 @@
+#include "rubsweep/measurement/fit/uncertainty.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <utility>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/spectral/singular_values.hpp"
+
+namespace rubsweep::fit {
+namespace {
+
+/// Fewest instants that tell how they hang together.
+constexpr Eigen::Index fewest_instants = 24;
+/// Squares of singular values below this share of the largest are rounding.
+constexpr double noise_rounding = 1e-6;
+constexpr Eigen::Index shortest_block = 4, fewest_blocks = 10;
+
+/// Correlation of neighbours in all rows together.
+double neighbours_correlation(const Eigen::VectorXd& residuals, const RowsInTime& in_time) {
+  double product = 0, square = 0;
+  for (Eigen::Index j = 0; j < in_time.rows; ++j) {
+    const auto row = residuals.segment(in_time.begin + j * in_time.instants, in_time.instants);
+    product += row.head(in_time.instants - 1).dot(row.tail(in_time.instants - 1));
+    square += row.squaredNorm();
+  }
+  return square > 0 ? product / square : 0;
+}
+
+/// Sums over blocks: of the squares of what the fit moves without one, and, for white noise, of the variance
+/// that one brings and of its square.
+struct BlockSums {
+  Eigen::VectorXd moved, share, share_squared;
+};
+
+/// Adds the blocks of some rows; columns of `jacobian` have length 1, `normal` is their normal matrix.
+void add_blocks(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& normal,
+                const Eigen::VectorXd& residuals, const RowsInTime& in_time, BlockSums& sums) {
+  const Eigen::Index length = block_length(residuals, in_time), blocks = in_time.instants / length;
+  const Eigen::MatrixXd inverse = numerics::dense::FullPivotFactors(normal).inverse();
+  for (Eigen::Index b = 0; b < blocks; ++b) {
+    // Blocks differ by one instant in length.
+    const Eigen::Index from = b * in_time.instants / blocks;
+    const Eigen::Index count = (b + 1) * in_time.instants / blocks - from;
+    Eigen::MatrixXd own = Eigen::MatrixXd::Zero(normal.rows(), normal.cols());
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(normal.rows());
+    for (Eigen::Index j = 0; j < in_time.rows; ++j) {
+      const Eigen::Index begin = in_time.begin + j * in_time.instants + from;
+      const auto part = jacobian.middleRows(begin, count);
+      own += part.transpose() * part;
+      gradient += part.transpose() * residuals.segment(begin, count);
+    }
+    const Eigen::VectorXd moved = numerics::dense::solve_full_pivot(normal - own, gradient);
+    const Eigen::VectorXd share = (inverse * own * inverse).diagonal();
+    const double of_blocks = static_cast<double>(blocks - 1) / static_cast<double>(blocks);
+    sums.moved += of_blocks * moved.cwiseAbs2();
+    sums.share += share;
+    sums.share_squared += share.cwiseAbs2();
+  }
+}
+
+}  // namespace
+
+Uncertainty uncertainty_of(const LeastSquaresFit& fit, int eliminated) {
+  const Eigen::Index count = fit.value.size();
+  Uncertainty found;
+  found.degrees_of_freedom = static_cast<int>(fit.residuals.size() - count) - eliminated;
+  if (found.degrees_of_freedom < 1)
+    throw ConfigError(fmt::format(
+        "{} numbers of data cannot tell {} parameters and {} offsets, allowed: fewer keys or more data",
+        fit.residuals.size(), count, eliminated));
+  found.residual_rms = std::sqrt(fit.residuals.squaredNorm() / found.degrees_of_freedom);
+  Eigen::VectorXd length = fit.jacobian.colwise().norm().transpose();
+  Eigen::MatrixXd normed = fit.jacobian;
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (length(i) > 0) normed.col(i) /= length(i);
+  numerics::spectral::SingularValues decomposed = numerics::spectral::singular_values(normed);
+  found.singular = std::move(decomposed.values);
+  found.direction = std::move(decomposed.v);
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
+  constexpr double rounding = 1e-9;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double value = std::max(found.singular(k), rounding * found.singular(0));
+    covariance += found.direction.col(k) * found.direction.col(k).transpose() / (value * value);
+  }
+  found.standard_error.resize(count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    found.standard_error(i) =
+        length(i) > 0 ? found.residual_rms * std::sqrt(covariance(i, i)) / length(i) : INFINITY;
+  const boost::math::students_t student(found.degrees_of_freedom);
+  found.half_width = boost::math::quantile(student, 0.975) * found.standard_error;
+  found.correlation = covariance;
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index j = 0; j < count; ++j)
+      found.correlation(i, j) /= std::sqrt(covariance(i, i) * covariance(j, j));
+  return found;
+}
+
+std::vector<std::string> untold_combinations(const Uncertainty& uncertainty,
+                                             const std::vector<Parameter>& parameters) {
+  constexpr double share = 0.2;
+  std::vector<std::string> sentences;
+  for (Eigen::Index i = 0; i < uncertainty.standard_error.size(); ++i) {
+    const Parameter& parameter = parameters[static_cast<std::size_t>(i)];
+    // A derivative that is rounding alone has a length too.
+    if (parameter.high > parameter.low && uncertainty.standard_error(i) > parameter.high - parameter.low)
+      sentences.push_back(fmt::format("the data do not tell {}", parameter.name));
+  }
+  for (Eigen::Index k = 0; k < uncertainty.singular.size(); ++k) {
+    if (uncertainty.singular(k) > untold * uncertainty.singular(0)) continue;
+    std::vector<std::string> names;
+    for (Eigen::Index i = 0; i < uncertainty.direction.rows(); ++i) {
+      if (std::abs(uncertainty.direction(i, k)) > share)
+        names.push_back(parameters[static_cast<std::size_t>(i)].name);
+    }
+    std::string sentence = names.size() == 1
+                               ? fmt::format("the data do not tell {}", names.front())
+                               : fmt::format("the data do not tell {} apart (singular value {:.1e})",
+                                             fmt::join(names, ", "), uncertainty.singular(k));
+    if (std::ranges::find(sentences, sentence) == sentences.end()) sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+Eigen::Index block_length(const Eigen::VectorXd& residuals, const RowsInTime& in_time) {
+  constexpr double strongest = 0.97;
+  const double r = std::clamp(neighbours_correlation(residuals, in_time), -strongest, strongest);
+  const double alpha = std::pow(2 * r / ((1 - r) * (1 + r)), 2);
+  const double andrews = 1.1447 * std::cbrt(alpha * static_cast<double>(in_time.instants));
+  return std::clamp(static_cast<Eigen::Index>(std::ceil(andrews)), shortest_block,
+                    std::max(shortest_block, in_time.instants / fewest_blocks));
+}
+
+void allow_for_correlation(const LeastSquaresFit& fit, const std::vector<RowsInTime>& in_time,
+                           Uncertainty& uncertainty) {
+  const Eigen::Index count = fit.value.size();
+  const Eigen::VectorXd length = fit.jacobian.colwise().norm().transpose();
+  if (!(length.minCoeff() > 0) ||
+      !(uncertainty.singular(count - 1) > noise_rounding * uncertainty.singular(0)))
+    return;
+  const Eigen::MatrixXd jacobian = fit.jacobian * length.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(count);
+  BlockSums sums{none, none, none};
+  Eigen::VectorXd white = Eigen::VectorXd::Ones(fit.residuals.size());
+  for (const RowsInTime& rows : in_time) {
+    if (rows.instants < fewest_instants) continue;
+    add_blocks(jacobian, normal, fit.residuals, rows, sums);
+    white.segment(rows.begin, rows.instants * rows.rows).setZero();
+  }
+  const Eigen::MatrixXd inverse = numerics::dense::FullPivotFactors(normal).inverse();
+  const Eigen::VectorXd beside =
+      (inverse * jacobian.transpose() * white.asDiagonal() * jacobian * inverse).diagonal();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    if (!(sums.share_squared(i) > 0)) continue;
+    const double variance = sums.moved(i) + std::pow(uncertainty.residual_rms, 2) * beside(i);
+    const double error = std::sqrt(variance) / length(i);
+    const double freedom = std::max(1.0, std::pow(sums.share(i), 2) / sums.share_squared(i));
+    const double wide = boost::math::quantile(boost::math::students_t(freedom), 0.975) * error;
+    uncertainty.standard_error(i) = std::max(uncertainty.standard_error(i), error);
+    uncertainty.half_width(i) = std::max(uncertainty.half_width(i), wide);
+  }
+}
+
+}  // namespace rubsweep::fit

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "rubsweep/measurement/fit/least_squares.hpp"
+
+namespace rubsweep::fit {
+
+/// Knowledge of the parameters near a fit: linear in the parameters, noise white and normal.
+struct Uncertainty {
+  double residual_rms = 0;  ///< root of the sum of squares over the degrees of freedom
+  int degrees_of_freedom = 0;
+  Eigen::VectorXd standard_error;  ///< infinite for what the data cannot tell
+  Eigen::VectorXd half_width;      ///< of the 95 % interval, by Student's distribution
+  Eigen::MatrixXd correlation;
+  Eigen::VectorXd singular;  ///< of the Jacobian with columns of length 1, largest first
+  Eigen::MatrixXd
+      direction;  ///< column k belongs to value k: shares of the parameters (by their columns' length)
+};
+
+/// `eliminated`: numbers beside the parameters that were fitted at every step, such as offsets. Throws
+/// ConfigError with fewer data than numbers.
+Uncertainty uncertainty_of(const LeastSquaresFit& fit, int eliminated);
+
+/// A singular value of normed columns below this belongs to a combination that the data do not tell.
+inline constexpr double untold = 1e-3;
+
+/// Sentences about parameters whose standard error exceeds the room between their bounds, and combinations
+/// that data do not tell: "a and b only together: ...". Empty where all is told.
+std::vector<std::string> untold_combinations(const Uncertainty& uncertainty,
+                                             const std::vector<Parameter>& parameters);
+
+/// Residuals of instants in a row, some at each: number k of row j is residual begin + j instants + k.
+struct RowsInTime {
+  Eigen::Index begin = 0, instants = 0, rows = 1;
+};
+
+/// Instants in a block beyond which residuals hardly hang together: Andrews' rule for the correlation of
+/// neighbours (Econometrica 59 (1991) 817), 4 at least and a tenth of all at most.
+Eigen::Index block_length(const Eigen::VectorXd& residuals, const RowsInTime& in_time);
+
+/// Makes standard errors, and half widths of intervals, as wide as they are where residuals of an instant and
+/// those of its neighbours hang together, or are larger here than there: by what the fit, linear in the
+/// parameters, does without each block of instants (delete-a-group jackknife; Kuensch, Ann. Statist. 17
+/// (1989) 1217). Student's distribution has as many degrees of freedom as blocks that count, for each
+/// parameter by Satterthwaite's rule. What is wider for white noise stays. Rows of fewer than 24 instants,
+/// and residuals outside `in_time`, count as white noise.
+void allow_for_correlation(const LeastSquaresFit& fit, const std::vector<RowsInTime>& in_time,
+                           Uncertainty& uncertainty);
+
+}  // namespace rubsweep::fit

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "rubsweep/measurement/recording/channels.hpp"
+
+namespace rubsweep::recording {
+
+/// Reads a table as instruments write them (table/layout.hpp): text before it, cells parted by tabs,
+/// semicolons or commas, decimal points or commas, comments behind '#' or '%', line ends of any system,
+/// UTF-8, UTF-16 or Latin-1. A unit stands in brackets behind the name or in a line of its own below the
+/// names; names that end with _s or _m are in seconds or metres; columns without one are "column 1", "column
+/// 2", ... Columns of text are left out. A first column of time stamps (12:30:01.25, with or without a date
+/// before it) becomes seconds since the first one; it may pass midnight where it has no date. Of LabVIEW's
+/// .lvm one segment is read, with units and sampling rate of its head. Throws ConfigError with
+/// `name`:line:column for a cell that is no number, a row that is too short or too long, and a text without
+/// numbers.
+Channels read_delimited_text(std::string_view bytes, const std::string& name);
+
+}  // namespace rubsweep::recording

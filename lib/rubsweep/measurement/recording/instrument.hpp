@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/measurement/recording/keyphasor.hpp"
+
+namespace rubsweep::recording {
+
+/// A displacement probe.
+struct Probe {
+  std::string column;    ///< name of its column
+  double angle_deg = 0;  ///< direction in which it looks at the shaft, from +x towards +y
+  /// Not 0; of a column in volts; negative: away from the probe is less.
+  std::optional<double> gain_mv_per_um{};
+  std::optional<std::string> unit{};  ///< instead of what the file says or does not say
+  std::optional<double> rest{};  ///< reading while the rotor rests, in the column's unit; of all probes or none
+  std::optional<double>
+      range_v{};  ///< > 0: voltage of the converter's full scale, where readings are cut off
+};
+
+struct Keyphasor {
+  std::string column;
+  Mark mark = Mark::dark;
+  std::optional<double> threshold{};  ///< in the column's unit; empty: middle_threshold
+  double hysteresis = 0;              ///< in the column's unit, >= 0
+};
+
+/// Stretch at slow speed in which probes see the run-out of the shaft and no vibration, on the clock of the
+/// recording.
+struct RunOut {
+  double from_s = 0, to_s = 0;
+  bool vector = false;  ///< subtract its 1X alone and not its whole waveform
+};
+
+/// All that has to be known of a recording beside its numbers. Times come from the column `time`, from the
+/// sampling rate or, where neither is given, from the file; turns from the keyphasor or from the speed: one
+/// of both.
+struct Instrument {
+  std::optional<std::string> time{};
+  std::optional<double> sampling_rate_hz{};  ///< > 0
+  std::vector<Probe> probes{};               ///< one, or two that look in different directions
+  std::optional<Keyphasor> keyphasor{};
+  std::optional<double> from_s{}, to_s{};  ///< stretch that is looked at, on the clock of the recording
+  std::optional<double> speed_hz{};        ///< > 0
+  std::optional<RunOut> run_out{};         ///< with a keyphasor
+};
+
+}  // namespace rubsweep::recording

@@ -1,0 +1,146 @@
+#include "rubsweep/measurement/recording/turn_marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace rubsweep::recording {
+namespace {
+
+/// Most marks that are looked ahead, all but the last of which may be too many.
+constexpr std::size_t most_ahead = 10;
+/// Change of the interval from one turn to the next that costs 1, as its logarithm; no change costs more than
+/// this.
+constexpr double usual_change = 0.08, most_of_a_change = 25;
+constexpr double cost_of_a_mark = 10, cost_of_a_missing_turn = 8;
+/// Cost of a mark before the first one that counts, or behind the last: more than that of a change, so that a
+/// shaft that begins to turn keeps its first marks.
+constexpr double cost_at_an_end = 20;
+
+/// A step from one mark to the next one that counts, with all before it.
+struct Step {
+  double cost = INFINITY;
+  double turn_s = 0;       ///< interval of one turn
+  int turns = 1;           ///< from mark to mark
+  std::size_t before = 0;  ///< length of the step before, in marks; 0: the first one
+};
+
+/// Turns that an interval holds and what it costs, after turns of `turn_s`: more than one only where the
+/// number is clear.
+Step step_of(double interval_s, double turn_s, double resolution_s) {
+  const auto change = [&](double turns) {
+    const double logarithm = std::log(interval_s / (turns * turn_s)), rounding = resolution_s / turn_s;
+    return std::min(logarithm * logarithm / (usual_change * usual_change + rounding * rounding),
+                    most_of_a_change);
+  };
+  Step step{.cost = change(1), .turn_s = interval_s};
+  const double turns = interval_s / turn_s, whole = std::round(turns);
+  if (!(whole >= 2 && whole < 1e6 && std::abs(turns - whole) < 0.1)) return step;
+  const double cost = change(whole) + cost_of_a_missing_turn * std::min(whole - 1, 2.0);
+  if (cost < step.cost) step = {.cost = cost, .turn_s = interval_s / whole, .turns = static_cast<int>(whole)};
+  return step;
+}
+
+double cost_of_passing(std::size_t marks, double each) { return each * static_cast<double>(marks); }
+
+/// Steps that end at each mark, by their length in marks less one.
+using Steps = std::vector<std::vector<Step>>;
+
+/// Cheapest steps: of each mark and each length, the one with the best step before it.
+Steps cheapest_steps(std::span<const double> marks_s, double resolution_s) {
+  Steps steps(marks_s.size(), std::vector<Step>(most_ahead));
+  for (std::size_t end = 1; end < marks_s.size(); ++end) {
+    for (std::size_t length = 1; length <= std::min(most_ahead, end); ++length) {
+      const std::size_t begin = end - length;
+      const double interval_s = marks_s[end] - marks_s[begin];
+      Step& best = steps[end][length - 1];
+      // The first turn may have no mark at its end, too.
+      constexpr int most_at_first = 4;
+      for (std::size_t before = 0; before <= std::min(most_ahead, begin); ++before) {
+        for (int turns = 1; turns <= (before == 0 ? most_at_first : 1); ++turns) {
+          Step step{.cost = cost_of_passing(begin, cost_at_an_end) + cost_of_a_missing_turn * (turns - 1),
+                    .turn_s = interval_s / turns,
+                    .turns = turns};
+          if (before > 0) {
+            const Step& last = steps[begin][before - 1];
+            if (!(last.cost < best.cost)) continue;
+            step = step_of(interval_s, last.turn_s, resolution_s);
+            step.cost += last.cost;
+            step.before = before;
+          }
+          step.cost += cost_of_passing(length - 1, cost_of_a_mark);
+          if (step.cost < best.cost) best = step;
+        }
+      }
+    }
+  }
+  return steps;
+}
+
+/// Marks that count, with the number of their turn.
+struct Chain {
+  std::vector<double> t_s, turns;
+};
+
+Chain cheapest_chain(std::span<const double> marks_s, double resolution_s) {
+  const Steps steps = cheapest_steps(marks_s, resolution_s);
+  double cheapest = INFINITY;
+  std::size_t end = 0, length = 0;
+  for (std::size_t k = 1; k < steps.size(); ++k) {
+    for (std::size_t i = 0; i < most_ahead; ++i) {
+      const double cost = steps[k][i].cost + cost_of_passing(steps.size() - 1 - k, cost_at_an_end);
+      if (!(cost < cheapest)) continue;
+      cheapest = cost;
+      end = k;
+      length = i + 1;
+    }
+  }
+  Chain chain;
+  for (double turn = 0; length > 0;) {
+    const Step& step = steps[end][length - 1];
+    chain.t_s.push_back(marks_s[end]);
+    chain.turns.push_back(turn);
+    turn -= step.turns;
+    end -= length;
+    length = step.before;
+    if (length > 0) continue;
+    chain.t_s.push_back(marks_s[end]);
+    chain.turns.push_back(turn);
+  }
+  std::ranges::reverse(chain.t_s);
+  std::ranges::reverse(chain.turns);
+  return chain;
+}
+
+/// Polynomial through the marks about mark i, at a place that counts turns.
+double between_marks(const Chain& chain, std::size_t i, double place) {
+  const std::size_t size = chain.t_s.size();
+  const std::size_t begin = std::min(i - std::min(i, std::size_t{2}), size - std::min<std::size_t>(size, 4));
+  const std::size_t end = std::min(begin + 4, size);
+  double sum = 0;
+  for (std::size_t a = begin; a < end; ++a) {
+    double weight = 1;
+    for (std::size_t b = begin; b < end; ++b)
+      if (b != a) weight *= (place - chain.turns[b]) / (chain.turns[a] - chain.turns[b]);
+    sum += weight * chain.t_s[a];
+  }
+  return sum;
+}
+
+}  // namespace
+
+TurnMarks numbered_marks(std::span<const double> marks_s, double resolution_s) {
+  if (marks_s.size() < 3) return {.t_s = {marks_s.begin(), marks_s.end()}};
+  const Chain chain = cheapest_chain(marks_s, resolution_s);
+  TurnMarks numbered{.t_s = {}, .dropped = static_cast<int>(marks_s.size() - chain.t_s.size())};
+  for (std::size_t i = 0; i < chain.t_s.size(); ++i) {
+    for (double turn = i > 0 ? chain.turns[i - 1] + 1 : chain.turns[i]; turn < chain.turns[i]; ++turn) {
+      numbered.t_s.push_back(between_marks(chain, i, turn));
+      ++numbered.filled;
+    }
+    numbered.t_s.push_back(chain.t_s[i]);
+  }
+  return numbered;
+}
+
+}  // namespace rubsweep::recording

@@ -1,0 +1,149 @@
+#include "rubsweep/measurement/scope/repeating_angles.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "rubsweep/measurement/recording/turns.hpp"
+#include "rubsweep/measurement/scope/mean_period.hpp"
+
+namespace rubsweep::scope {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Values of Legendre's polynomials of degree 1 to `degree` at places from -1 to 1, each column about its
+/// mean.
+Eigen::MatrixXd polynomials(const Eigen::VectorXd& places, int degree) {
+  Eigen::MatrixXd values(places.size(), degree);
+  for (Eigen::Index i = 0; i < degree; ++i)
+    for (Eigen::Index k = 0; k < places.size(); ++k)
+      values(k, i) = std::legendre(static_cast<unsigned>(i + 1), places(k));
+  return values.rowwise() - values.colwise().mean();
+}
+
+/// Samples with a margin on either side that repeats what is one period away.
+std::vector<Complex> with_margins(std::span<const Complex> samples, std::size_t period, std::size_t margin) {
+  std::vector<Complex> wide;
+  for (std::size_t k = period - margin; k < period; ++k) wide.push_back(samples[k]);
+  wide.insert(wide.end(), samples.begin(), samples.end());
+  for (std::size_t k = 0; k < margin; ++k) wide.push_back(samples[samples.size() - period + k]);
+  return wide;
+}
+
+/// Samples at angles that are shifted by so many turns at the begin of every turn, and one more at the end.
+std::vector<Complex> shifted(std::span<const Complex> samples, int samples_per_revolution, std::size_t period,
+                             const Eigen::VectorXd& shift_turns) {
+  std::vector<double> begins;
+  for (Eigen::Index turn = 0; turn < shift_turns.size(); ++turn)
+    begins.push_back(static_cast<double>(turn) + shift_turns(turn));
+  const double largest = shift_turns.cwiseAbs().maxCoeff();
+  constexpr std::size_t neighbours = 6;
+  const std::size_t margin =
+      std::min(period, neighbours + static_cast<std::size_t>(std::ceil(largest * samples_per_revolution)));
+  const double first = -static_cast<double>(margin) / samples_per_revolution;
+  std::vector<double> x, y;
+  for (const Complex z : with_margins(samples, period, margin)) {
+    x.push_back(z.real());
+    y.push_back(z.imag());
+  }
+  x = recording::at_equal_angles(x, first, samples_per_revolution, begins, samples_per_revolution);
+  y = recording::at_equal_angles(y, first, samples_per_revolution, begins, samples_per_revolution);
+  std::vector<Complex> moved;
+  for (std::size_t k = 0; k < x.size(); ++k) moved.emplace_back(x[k], y[k]);
+  return moved;
+}
+
+/// Rate of a period per turn, by its lines up to an order.
+std::vector<Complex> rate_of(std::span<const Complex> orbit, int turns, double most_order) {
+  const int last = std::min(static_cast<int>(most_order * turns), static_cast<int>(orbit.size()) / 2 - 1);
+  const std::vector<Complex> lines = lines_of_period(orbit, last);
+  std::vector<Complex> rate(orbit.size());
+  for (int k = -last; k <= last; ++k) {
+    const double order = static_cast<double>(k) / turns;
+    const Complex line = lines[static_cast<std::size_t>(k + last)] * Complex(0, 2 * std::numbers::pi * order);
+    const Complex step =
+        std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(orbit.size()));
+    Complex root = 1;
+    for (Complex& sum : rate) {
+      sum += line * root;
+      root *= step;
+    }
+  }
+  return rate;
+}
+
+/// How many turns each period lags behind the mean of all.
+Eigen::VectorXd lags(std::span<const Complex> periods, int turns, std::size_t period, double most_order) {
+  const std::vector<Complex> orbit = mean_period(periods, period);
+  const std::vector<Complex> rate = rate_of(orbit, turns, most_order);
+  double energy = 0;
+  for (const Complex z : rate) energy += std::norm(z);
+  Eigen::VectorXd lags = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(periods.size() / period));
+  for (std::size_t k = 0; k < periods.size() && energy > 0; ++k) {
+    const std::size_t place = k % period;
+    lags(static_cast<Eigen::Index>(k / period)) +=
+        std::real(std::conj(rate[place]) * (orbit[place] - periods[k])) / energy;
+  }
+  return lags;
+}
+
+/// The polynomial through the lags of the last periods, of `turns` turns each, at the begins of all turns.
+Eigen::VectorXd polynomial_through(const Eigen::VectorXd& lags, int turns, int degree, Eigen::Index begins) {
+  const double half = 0.5 * static_cast<double>(lags.size()) * turns;
+  const double middle = static_cast<double>(begins - 1) - half;
+  const auto place = [&](double turn) { return (turn - middle) / half; };
+  Eigen::VectorXd middles(lags.size()), places(begins);
+  for (Eigen::Index k = 0; k < lags.size(); ++k)
+    middles(k) = place(middle - half + (static_cast<double>(k) + 0.5) * turns);
+  for (Eigen::Index k = 0; k < begins; ++k) places(k) = place(static_cast<double>(k));
+  return polynomials(places, degree) * polynomials(middles, degree).colPivHouseholderQr().solve(lags);
+}
+
+/// Whether marks allow these shifts, less a constant.
+bool allowed(const Eigen::VectorXd& shift_turns, const recording::AngleDoubt& doubt) {
+  double low = -INFINITY, high = INFINITY;
+  for (std::size_t k = 0; k < doubt.low_turns.size(); ++k) {
+    const double shift = shift_turns(static_cast<Eigen::Index>(k));
+    low = std::max(low, doubt.low_turns[k] - shift);
+    high = std::min(high, doubt.high_turns[k] - shift);
+  }
+  return low <= high;
+}
+
+/// Largest share of these shifts that the marks allow, which is 1 where they allow all.
+double allowed_share(const Eigen::VectorXd& shift_turns, const recording::AngleDoubt& doubt) {
+  if (allowed(shift_turns, doubt)) return 1;
+  constexpr int halvings = 20;
+  double share = 0;
+  for (int k = 1; k <= halvings; ++k)
+    if (const double next = share + std::ldexp(1.0, -k); allowed(next * shift_turns, doubt)) share = next;
+  return share;
+}
+
+}  // namespace
+
+std::vector<Complex> at_repeating_angles(std::span<const Complex> samples, int samples_per_revolution,
+                                         int period, double most_order, const recording::AngleDoubt& doubt) {
+  constexpr int most_rounds = 20;
+  constexpr double small_turns = 1e-9;
+  const auto per_turn = static_cast<std::size_t>(samples_per_revolution);
+  const std::size_t turns = samples.size() / per_turn, length = static_cast<std::size_t>(period) * per_turn;
+  const int degree = std::min(doubt.degree, static_cast<int>(samples.size() / length) - 1);
+  std::vector<Complex> moved(samples.begin(), samples.end());
+  Eigen::VectorXd shift_turns = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(turns + 1));
+  for (int round = 0; round < most_rounds && degree > 0; ++round) {
+    const Eigen::VectorXd late = lags(whole_periods(moved, length), period, length, most_order);
+    const Eigen::VectorXd added = polynomial_through(late, period, degree, shift_turns.size());
+    shift_turns += added;
+    shift_turns *= allowed_share(shift_turns, doubt);
+    moved = shifted(samples, samples_per_revolution, length, shift_turns);
+    if (added.cwiseAbs().maxCoeff() < small_turns) break;
+  }
+  return moved;
+}
+
+}  // namespace rubsweep::scope

@@ -1,0 +1,291 @@
+#include "rubsweep/measurement/scope/verdict.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/response/spectrum/discrete_lines.hpp"
+#include "rubsweep/measurement/scope/mean_period.hpp"
+#include "rubsweep/measurement/scope/repeating_angles.hpp"
+#include "rubsweep/measurement/scope/slow_modulation.hpp"
+#include "rubsweep/measurement/scope/verdict_lines.hpp"
+
+namespace rubsweep::scope {
+namespace {
+
+using Complex = std::complex<double>;
+using response::spectrum::FullSpectrum;
+using response::spectrum::SpectrumWorkspace;
+
+constexpr int fewest_periods = 3;
+constexpr double false_alarm = 0.01;
+/// The same of a line that is not visible and yet suspicious.
+constexpr double suspicion = 0.2;
+
+int longest_period_in(int turns) { return std::min(max_period, turns / fewest_periods); }
+
+/// A spectrum of which the lines up to an order are looked at.
+struct Lines : FullSpectrum {
+  double most_order = 0, least_share = 0;
+};
+
+/// Lines that are looked at, but not 0X.
+template <class Look>
+void for_lines(const Lines& spectrum, Look look) {
+  const int last = static_cast<int>(spectrum.most_order * spectrum.turns);
+  for (int k = std::max(-last, spectrum.first_line()); k <= std::min(last, spectrum.last_line()); ++k)
+    if (k != 0) look(k, spectrum.amplitude(k));
+}
+
+/// Whether line k of so many turns stands at a multiple of 1/n.
+bool on_comb(int k, int turns, int n) { return static_cast<long>(k) * n % turns == 0; }
+
+/// Standard deviation of each component of a line, and its own relative variance.
+struct Noise {
+  double deviation_m = 0, variance = 0;
+};
+
+/// By the median of the lines that belong to no period.
+Noise noise_of(const Lines& spectrum) {
+  std::vector<double> between, all;
+  for_lines(spectrum, [&](int k, double amplitude) {
+    bool belongs = false;
+    for (int n = 1; n <= longest_period_in(spectrum.turns); ++n)
+      belongs = belongs || on_comb(k, spectrum.turns, n);
+    all.push_back(amplitude);
+    if (!belongs) between.push_back(amplitude);
+  });
+  constexpr std::size_t fewest_lines = 16;
+  std::vector<double>& lines = between.size() >= fewest_lines ? between : all;
+  const auto middle = lines.begin() + static_cast<std::ptrdiff_t>(lines.size() / 2);
+  std::ranges::nth_element(lines, middle);
+  // The median of a Rayleigh distribution is s sqrt(2 ln 2), where its density is ln 2 / median.
+  constexpr double root = 2 * std::numbers::ln2;
+  return {*middle / std::sqrt(root), 1 / (root * root * static_cast<double>(lines.size()))};
+}
+
+struct Threshold {
+  double noise_m = 0, suspicious_m = 0, visible_m = 0, largest_m = 0;
+  double seen_m = 0;  ///< smallest line that is not taken for noise, however small a part of the motion it is
+};
+
+Threshold threshold_of(const Lines& spectrum) {
+  const Noise noise = noise_of(spectrum);
+  Threshold threshold{.noise_m = noise.deviation_m};
+  int count = 0;
+  for_lines(spectrum, [&](int, double amplitude) {
+    ++count;
+    threshold.largest_m = std::max(threshold.largest_m, amplitude);
+  });
+  // Noise alone is above s sqrt(2 ln(count / p)) in one of the lines with probability p. Where s is itself a
+  // guess of relative variance v, the mean of exp(-t^2 s^2 / 2) asks for t^2 / (1 + t^2 v) in place of t^2.
+  const auto reached = [&](double probability) {
+    constexpr double most = 0.75;
+    const double square = 2 * std::log(count / probability);
+    return noise.deviation_m * std::sqrt(square / (1 - std::min(square * noise.variance, most)));
+  };
+  const double floor_m = spectrum.least_share * threshold.largest_m;
+  threshold.suspicious_m = std::max(reached(suspicion), floor_m);
+  threshold.seen_m = reached(false_alarm);
+  threshold.visible_m = std::max(threshold.seen_m, floor_m);
+  return threshold;
+}
+
+/// Largest line that is no multiple of 1/n; with a period, among the multiples of 1 / period.
+double largest_beside(const Lines& spectrum, int n, int period = 0) {
+  double largest = 0;
+  for_lines(spectrum, [&](int k, double amplitude) {
+    if (!on_comb(k, spectrum.turns, n) && (period == 0 || on_comb(k, spectrum.turns, period)))
+      largest = std::max(largest, amplitude);
+  });
+  return largest;
+}
+
+std::vector<MeasuredLine> lines_of(std::span<const Complex> orbit, int turns) {
+  const int last = std::min(static_cast<int>(most_order * turns), static_cast<int>(orbit.size()) / 2 - 1);
+  std::vector<MeasuredLine> lines;
+  for (int k = -last; const Complex amplitude_m : lines_of_period(orbit, last))
+    lines.push_back({static_cast<double>(k++) / turns, amplitude_m});
+  return lines;
+}
+
+/// A longer period of which a line is suspicious.
+std::optional<DoubtfulPeriod> doubtful_period(const Lines& spectrum, int period, int longest,
+                                              const Threshold& threshold) {
+  for (int n = 2 * period; n <= longest; n += period) {
+    if (spectrum.turns % n != 0) continue;
+    const double amplitude = largest_beside(spectrum, period, n);
+    if (!(amplitude > threshold.suspicious_m)) continue;
+    // Noise of a line falls with the root of the length, and so does what is visible.
+    const double ratio = threshold.visible_m / amplitude;
+    return DoubtfulPeriod{n, amplitude, spectrum.turns * (ratio * ratio - 1)};
+  }
+  return std::nullopt;
+}
+
+/// Samples of whole turns, and how they were read.
+struct Motion {
+  std::span<const Complex> samples;
+  std::size_t per_turn = 0;
+  Reading reading;
+
+  double most_order_looked_at() const { return scope::most_order_looked_at(reading); }
+  std::vector<Complex> repeating_after(int turns) const {
+    return at_repeating_angles(samples, static_cast<int>(per_turn), turns, most_order_looked_at(),
+                               reading.angle_doubt);
+  }
+  /// Samples without slow modulation. Lines that come once a turn wander at the pace of turns, whatever the
+  /// period is.
+  Levelled levelled(std::span<const Complex> motion, int turns) const {
+    const int revolution = static_cast<int>(per_turn);
+    Levelled once = without_slow_modulation(motion, revolution, 1, most_order_looked_at(),
+                                            static_cast<std::size_t>(turns));
+    if (turns == 1) return once;
+    Levelled all = without_slow_modulation(once.samples, revolution, turns, most_order_looked_at());
+    all.modulation_m = std::hypot(once.modulation_m, all.modulation_m);
+    return all;
+  }
+};
+
+/// Spectrum of the last whole periods of n turns.
+Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples, int n,
+                          SpectrumWorkspace& workspace) {
+  const auto window = whole_periods(samples, static_cast<std::size_t>(n) * motion.per_turn);
+  const int turns = static_cast<int>(window.size() / motion.per_turn);
+  return {response::spectrum::full_spectrum(window, turns, workspace), motion.most_order_looked_at(),
+          motion.reading.least_share};
+}
+
+/// Shortest period beside which no line is visible, if any, and a longer one that cannot be ruled out; the
+/// samples that show it.
+std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
+  for (int n = 1; n <= verdict.longest_period; ++n) {
+    std::vector<Complex> samples = motion.repeating_after(n);
+    const Levelled levelled = motion.levelled(samples, n);
+    const Lines spectrum = spectrum_of_periods(motion, levelled.samples, n, workspace);
+    const Threshold threshold = threshold_of(spectrum);
+    if (largest_beside(spectrum, n) > threshold.visible_m) continue;
+    verdict.period = n;
+    verdict.turns = spectrum.turns;
+    verdict.noise_m = threshold.noise_m;
+    verdict.visible_m = threshold.visible_m;
+    verdict.modulation_m = levelled.modulation_m;
+    verdict.beside_m = largest_beside(spectrum, n);
+    verdict.seen_m = threshold.seen_m;
+    for (int m = 2 * n; m <= verdict.longest_period && !verdict.doubtful; m += n) {
+      const Lines longer = spectrum_of_periods(motion, levelled.samples, m, workspace);
+      verdict.doubtful = doubtful_period(longer, n, m, threshold_of(longer));
+    }
+    return samples;
+  }
+  return {motion.samples.begin(), motion.samples.end()};
+}
+
+MeasuredClass aperiodic_class(std::span<const Complex> samples, SpectrumWorkspace& workspace) {
+  const std::size_t half = samples.size() / 2;
+  return response::spectrum::same_discrete_lines(samples.first(half), samples.last(half), workspace)
+             ? MeasuredClass::quasi_periodic
+             : MeasuredClass::aperiodic;
+}
+
+/// Largest line that rounding of the numbers may leave of a shaft that stands still.
+double rounding_of(std::span<const Complex> samples) {
+  double largest = 0;
+  for (const Complex z : samples) largest = std::max(largest, std::abs(z));
+  return 1e-12 * largest;
+}
+
+/// Mean orbit of a period and its lines; without a period the last turns, as many lines as a figure can show,
+/// each with the noise of so much fewer turns.
+void take_orbit(std::span<const Complex> samples, std::size_t per_turn, Verdict& verdict) {
+  if (verdict.period) {
+    const int n = *verdict.period;
+    const std::size_t length = static_cast<std::size_t>(n) * per_turn;
+    verdict.orbit_m = mean_period(whole_periods(samples, length), length);
+    verdict.lines = lines_of(verdict.orbit_m, n);
+    return;
+  }
+  const int turns = std::min(verdict.turns, most_aperiodic_turns);
+  const double fewer = std::sqrt(static_cast<double>(verdict.turns) / turns);
+  verdict.turns = turns;
+  verdict.noise_m *= fewer;
+  verdict.visible_m *= fewer;
+  const auto last = samples.last(static_cast<std::size_t>(turns) * per_turn);
+  verdict.orbit_m.assign(last.begin(), last.end());
+  verdict.lines = lines_of(verdict.orbit_m, turns);
+}
+
+/// Share of the energy on the forward side and what noise does to it.
+void measure_whirl(Verdict& verdict) {
+  double forward = 0, backward = 0;
+  for (const MeasuredLine& line : verdict.lines) {
+    if (line.order > 0) forward += std::norm(line.amplitude_m);
+    if (line.order < 0) backward += std::norm(line.amplitude_m);
+  }
+  const double all = forward + backward;
+  verdict.whirl = response::spectrum::whirl_kind(forward, backward);
+  verdict.forward_share = forward / all;
+  // d(f / (f + b)) with df = 2 sqrt(f) s and db = 2 sqrt(b) s.
+  verdict.forward_share_uncertainty = 2 * verdict.noise_m * std::sqrt(forward * backward / all) / all;
+}
+
+}  // namespace
+
+std::string_view to_string(MeasuredClass value) {
+  switch (value) {
+    case MeasuredClass::at_rest:
+      return "at_rest";
+    case MeasuredClass::synchronous:
+      return "synchronous";
+    case MeasuredClass::subharmonic:
+      return "subharmonic";
+    case MeasuredClass::quasi_periodic:
+      return "quasi_periodic";
+    case MeasuredClass::aperiodic:
+      return "aperiodic";
+  }
+  throw SolverError("measured class: no such enumerator");
+}
+
+Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolution, bool plane,
+              const Reading& reading) {
+  const Motion motion{displacement_m, static_cast<std::size_t>(samples_per_revolution), reading};
+  const int turns = static_cast<int>(displacement_m.size() / motion.per_turn);
+  if (turns < fewest_periods + 1) throw SolverError("judge: too few turns");
+  SpectrumWorkspace workspace;
+  Verdict verdict{.longest_period = longest_period_in(turns)};
+  const Threshold first = threshold_of(spectrum_of_periods(motion, displacement_m, 1, workspace));
+  verdict.turns = turns;
+  verdict.noise_m = first.noise_m;
+  verdict.visible_m = first.visible_m;
+  std::vector<Complex> samples;
+  if (first.largest_m <= std::max(first.visible_m, rounding_of(displacement_m))) {
+    samples.assign(displacement_m.begin(), displacement_m.end());
+    verdict.period = 1;
+    verdict.motion = MeasuredClass::at_rest;
+  } else {
+    samples = find_period(motion, workspace, verdict);
+    verdict.motion = !verdict.period       ? aperiodic_class(displacement_m, workspace)
+                     : *verdict.period > 1 ? MeasuredClass::subharmonic
+                                           : MeasuredClass::synchronous;
+  }
+  if (!verdict.period)
+    verdict.discrete_lines = discrete_lines_of(displacement_m, motion.per_turn, reading, verdict, workspace);
+  take_orbit(samples, motion.per_turn, verdict);
+  add_uncertainties(reading, verdict);
+  if (plane && verdict.motion != MeasuredClass::at_rest) {
+    verdict.shape = response::spectrum::orbit_kind(
+        verdict.orbit_m, response::spectrum::full_spectrum(
+                             verdict.orbit_m, verdict.period.value_or(verdict.turns), workspace));
+    measure_whirl(verdict);
+  }
+  return verdict;
+}
+
+Verdict judge(const recording::Recording& recording, double least_share) {
+  return judge(recording.displacement_m, recording::samples_per_revolution, recording.plane,
+               {recording.sampling_rate_hz / recording.mean_speed_hz(), recording.angle_doubt, least_share});
+}
+
+}  // namespace rubsweep::scope

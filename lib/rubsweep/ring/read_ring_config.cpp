@@ -1,0 +1,120 @@
+#include "rubsweep/ring/read_ring_config.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/config/file.hpp"
+#include "rubsweep/maps/config/output.hpp"
+#include "rubsweep/maps/config/study/axis.hpp"
+#include "rubsweep/maps/config/study/captions.hpp"
+#include "rubsweep/maps/config/study/sweep.hpp"
+#include "rubsweep/maps/config/study_digest.hpp"
+#include "rubsweep/maps/config/unit_slips.hpp"
+#include "rubsweep/maps/config/yaml/base.hpp"
+#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/maps/config/yaml/printer.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+#include "rubsweep/ring/normal_form.hpp"
+#include "rubsweep/ring/read_chart.hpp"
+#include "rubsweep/ring/read_load.hpp"
+#include "rubsweep/ring/read_ring.hpp"
+
+namespace rubsweep::config::ring {
+namespace {
+
+constexpr std::string_view root_form = "a map with ring, loads, friction_coefficient, speed_rpm, output";
+
+/// Checks of the system as a whole.
+void check_system(const rubsweep::ring::System& system, const yaml::Section& section) {
+  try {
+    rubsweep::ring::normal_form(system);
+  } catch (const ConfigError& error) {
+    section.refuse_together("loads", {"loads", "friction_coefficient"}, error.what(),
+                            "masses and a friction coefficient with regular inertia");
+  }
+}
+
+/// Faster than any rotor turns; far beyond, eigenvalues are rounding.
+constexpr model::Range speeds_rpm{.low = 0, .high = 1e7};
+
+RingConfig read_sections(const yaml::Value& root) {
+  yaml::Section section(root, root_form);
+  section.find(yaml::base_key);  // resolved before; still a name that a misspelt key may mean
+  RingConfig config;
+  rubsweep::ring::Study& study = config.study;
+  study.system.friction_coefficient = model::required;
+  if (const auto value = section.require("ring", "a map")) study.system.ring = read_ring(*value);
+  if (const auto value = section.require("loads", "a list of maps")) {
+    study.system.loads = read_ring_loads(*value, study.system.ring.radius_m);
+  }
+  section.field("friction_coefficient", study.system.friction_coefficient, model::not_negative);
+  section.field("preload_n", study.system.preload_n, model::not_negative);
+  if (const auto value = section.require("speed_rpm", study::axis_forms)) {
+    study::AxisValues axis = study::read_axis(*value, speeds_rpm);
+    study.speeds_rpm = std::move(axis.values);
+    study.spacing = axis.spacing;
+    std::sort(study.speeds_rpm.begin(), study.speeds_rpm.end());
+  }
+  if (const auto value = section.find("chart")) study.chart = read_ring_chart(*value, study.system.loads);
+  if (const auto value = section.require("output", "a map")) config.output_directory = read_output(*value);
+  study::read_captions(section, config.captions);
+  section.refuse_unknown_keys();
+  const std::size_t lines = study.chart ? study.chart->values.size() : 0;
+  if (lines * study.speeds_rpm.size() > study::max_cells) {
+    section.refuse_together(
+        "chart", {"chart", "speed_rpm"},
+        fmt::format("{} x {} = {} points", study.speeds_rpm.size(), lines, lines * study.speeds_rpm.size()),
+        fmt::format("at most {}", study::max_cells));
+  }
+  if (section.is_sound()) check_system(study.system, section);
+  return config;
+}
+
+void print(yaml::Printer& printer, const rubsweep::ring::Study& study, study::AxisPrint how) {
+  print_ring(printer, study.system.ring);
+  print_ring_loads(printer, study.system.loads);
+  printer.number("friction_coefficient", study.system.friction_coefficient);
+  printer.number("preload_n", study.system.preload_n);
+  printer.open("speed_rpm");
+  study::print_axis_values(printer, study.speeds_rpm,
+                           how == study::AxisPrint::as_written ? study.spacing : std::nullopt);
+  printer.close();
+  if (study.chart) print_ring_chart(printer, *study.chart, how);
+}
+
+}  // namespace
+
+RingConfig read_ring_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return read_ring_config_text(yaml::read_config_bytes(file), file.string(), overrides);
+}
+
+RingConfig read_ring_config_text(std::string_view text, const std::string& name,
+                                 const std::vector<std::string>& overrides) {
+  yaml::Diagnostics diagnostics(name, overrides);
+  const yaml::Node root = parse_config(text, name, root_form, overrides, diagnostics);
+  refuse_foreign(root, {"rotor", "stops"}, {"ring", "loads"}, "rubsweep", diagnostics);
+  RingConfig config = read_sections({root, "", diagnostics});
+  if (diagnostics.count() == 0) refuse_unit_slips({root, "", diagnostics}, nullptr);
+  diagnostics.throw_if_any();
+  config.questions = unit_questions({root, "", diagnostics}, nullptr);
+  return config;
+}
+
+std::string print_ring_config(const RingConfig& config) {
+  yaml::Printer printer;
+  study::print_captions(printer, config.captions);
+  print(printer, config.study, study::AxisPrint::as_written);
+  print_output(printer, config.output_directory);
+  return printer.yaml();
+}
+
+std::string ring_study_digest(const rubsweep::ring::Study& study) {
+  yaml::Printer printer;
+  print(printer, study, study::AxisPrint::by_value);
+  return digest_of(printer.yaml());
+}
+
+}  // namespace rubsweep::config::ring

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rubsweep/maps/batch/captions.hpp"
+#include "rubsweep/ring/study.hpp"
+
+namespace rubsweep::config::ring {
+
+/// One complete configuration of `ringstab`: the study and where its files go.
+struct RingConfig {
+  rubsweep::ring::Study study;
+  std::filesystem::path output_directory;
+  batch::Captions captions{};
+  std::vector<std::string> questions{};  ///< questions about likely slips of units (see unit_slips.hpp)
+};
+
+/// Reads a configuration of `ringstab`: ring, loads, friction_coefficient, preload_n (0), speed_rpm, chart
+/// (optional), output. Problems, overrides and errors as in read_run_config.hpp. Speeds are sorted.
+RingConfig read_ring_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// The same for a text; `name` stands for the file in messages. Throws ConfigError.
+RingConfig read_ring_config_text(std::string_view text, const std::string& name,
+                                 const std::vector<std::string>& overrides);
+
+/// The complete configuration as YAML, defaults included, that reads back as an equal one. Throws ConfigError
+/// when the output directory is not UTF-8.
+std::string print_ring_config(const RingConfig& config);
+
+/// Digest of everything that decides the numbers, as study_digest.hpp.
+std::string ring_study_digest(const rubsweep::ring::Study& study);
+
+}  // namespace rubsweep::config::ring

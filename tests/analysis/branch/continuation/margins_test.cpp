@@ -1,0 +1,149 @@
+#include "rubsweep/analysis/branch/continuation/margins.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "analysis/branch/two_mass.hpp"
+#include "rubsweep/analysis/branch/continuation/locate.hpp"
+
+namespace rubsweep::branch::continuation {
+namespace {
+
+/// Events on the one step from the orbit at `first` to that at `last`, angular frequencies of a family
+/// of scenes. Both ends go through the same contact modes, so that nothing but margins leads to it.
+std::vector<BranchEvent> on_one_step(const orbits::SceneFamily& family, double first, double last) {
+  integrate::exact::modes::ModeCache modes;
+  orbits::OrbitProblem problem = orbits::scene_orbits(family, 1, {}, modes);
+  problem.low = first;
+  problem.high = last;
+  problem.parameter_scale = (last - first) / 10;  // beside it the state changes little: the tangent keeps on
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(4);
+  const auto from = orbit_from(problem, rest, first);
+  auto to = orbit_from(problem, rest, last);
+  if (!from || !to) {
+    ADD_FAILURE() << "no orbits";
+    return {};
+  }
+  EXPECT_TRUE(orbits::same_sequence(from->facts.switches, to->facts.switches));
+  to->arclength = last - first;
+  const auto events = events_between(problem, *from, *to, true);
+  if (!events) ADD_FAILURE() << "not one piece";
+  return events.value_or(std::vector<BranchEvent>{});
+}
+
+/// Two grazes, the first one beginning and the second one ending `what`.
+void expect_two(const std::vector<BranchEvent>& events, double first, double second,
+                const std::string& begins, const std::string& ends) {
+  ASSERT_EQ(events.size(), 2u);
+  for (const BranchEvent& event : events) {
+    EXPECT_EQ(event.kind, EventKind::graze) << to_string(event.kind);
+    EXPECT_LT(event.parameter_error, 1e-11);
+  }
+  EXPECT_NEAR(events[0].point.parameter, first, 1e-10);
+  EXPECT_NEAR(events[1].point.parameter, second, 1e-10);
+  EXPECT_EQ(events[0].detail, begins);
+  EXPECT_EQ(events[1].detail, ends);
+}
+
+/// (stiffness - w^2)^2 + (damping w)^2 = ratio^2: both w, the lower one first.
+std::pair<double, double> frequencies_of(double stiffness, double damping, double ratio) {
+  const double middle = stiffness - damping * damping / 2,
+               width = std::sqrt(middle * middle - stiffness * stiffness + ratio * ratio);
+  return {std::sqrt(middle - width), std::sqrt(middle + width)};
+}
+
+/// A unit mass on a unit spring and a damper of 0.4, driven by `force` cos(w t), before a soft wall at 1. In
+/// flight its amplitude is force / |1 - w^2 + 0.4 i w|, at most force / 0.39192.
+orbits::SceneFamily before_a_wall(double force) {
+  return [force](double w) -> std::optional<scene::Scene> {
+    scene::Scene scene = test::one_mass_scene(1, 1, 0.4, 2 * std::numbers::pi / w, 1);
+    scene.harmonic_n << force, 0;
+    scene.contacts.push_back(test::wall_across_x(1, 1, 1, 0));
+    return scene;
+  };
+}
+
+/// The resonance reaches the wall by 2 parts in 1000, and both ends of the step are far from it.
+TEST(Margins, AHitThatComesAndGoesInOneStep) {
+  const double force = 0.3927;
+  const auto [first, second] = frequencies_of(1, 0.4, force);
+  expect_two(on_one_step(before_a_wall(force), 0.8, 1.1), first, second, "hit at stop 0 appears",
+             "hit at stop 0 disappears");
+}
+
+TEST(Margins, AResonanceThatDoesNotReachTheWall) {
+  EXPECT_TRUE(on_one_step(before_a_wall(0.3918), 0.8, 1.1).empty());
+}
+
+/// Pressed into the wall by 0.3 the mass swings on two unit springs, at resonance just out of contact.
+TEST(Margins, AFlightThatComesAndGoesInOneStep) {
+  const double depth = 0.3, ratio = 0.5605;
+  const auto family = [&](double w) {
+    auto scene = before_a_wall(ratio * depth)(w);
+    scene->constant_n(0) = 1 + 2 * depth;
+    return scene;
+  };
+  const auto [first, second] = frequencies_of(2, 0.4, ratio);
+  expect_two(on_one_step(family, 1.2, 1.55), first, second, "sprung interrupted at stop 0 appears",
+             "sprung interrupted at stop 0 disappears");
+}
+
+/// Between its two resonances the response falls just below the gap.
+TEST(Margins, AHitThatGoesAndComesBackInOneStep) {
+  static constexpr double force = 1.245;
+  const auto family = [](double w) -> std::optional<scene::Scene> {
+    scene::Scene scene = test::two_mass_scene(w);
+    scene.harmonic_n(1) = force;
+    scene.contacts[0].stiffness_n_per_m = 0.05;
+    return scene;
+  };
+  const auto amplitude = [](double w) {
+    const std::complex<double> k(1, 0.03 * w), m(w * w, 0);
+    return std::abs(force * k / ((k - m) * (2.0 * k - m) - k * k));
+  };
+  const auto events = on_one_step(family, 1.1, 1.33);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].detail, "hit at stop 0 disappears");
+  EXPECT_EQ(events[1].detail, "hit at stop 0 appears");
+  EXPECT_LT(events[0].point.parameter, events[1].point.parameter - 0.01);
+  for (const BranchEvent& event : events) EXPECT_NEAR(amplitude(event.point.parameter), 1, 1e-10);
+}
+
+/// Margin of the orbit in flight, 1 less the amplitude, and its slope by the frequency, all in closed form.
+TEST(Margins, ValueAndSlopeOfAnApproach) {
+  integrate::exact::modes::ModeCache modes;
+  orbits::OrbitProblem problem = orbits::scene_orbits(before_a_wall(0.3), 1, {}, modes);
+  const double w = 0.8;
+  const auto point = orbit_from(problem, Eigen::VectorXd::Zero(4), w);
+  ASSERT_TRUE(point);
+  const auto margins = margins_of(problem, *point);
+  ASSERT_EQ(margins.size(), 1u);
+  const double square = std::pow(1 - w * w, 2) + 0.16 * w * w, amplitude = 0.3 / std::sqrt(square);
+  EXPECT_NEAR(margins[0].value, 1 - amplitude, 1e-7);
+  const double slope = amplitude / (2 * square) * (-4 * w * (1 - w * w) + 0.32 * w);
+  EXPECT_NEAR(margins[0].slope, slope * point->tangent(4), 1e-4);
+  EXPECT_EQ(margins[0].kind, Margin::Kind::approach);
+}
+
+/// Margins of the same kind nearest in phase belong together, over the end of the period.
+TEST(Margins, AreMatchedByTheirPhases) {
+  const auto margin = [](int contact, double phase_rad, double value, double slope) {
+    return Margin{
+        Margin::Kind::approach, contact, contact::Mode::open, contact::Mode::sprung, phase_rad, value, slope};
+  };
+  static constexpr double period_rad = 6;
+  const std::vector<Margin> from{margin(0, 0.1, 1, -4), margin(0, 3, 1, 0)},
+      to{margin(0, 3.1, 1, 0), margin(0, 5.9, 1, 4)};
+  const auto share = share_of_dip(from, to, period_rad, 1, 1);
+  ASSERT_TRUE(share);
+  EXPECT_NEAR(*share, 0.5, 1e-12);
+  EXPECT_FALSE(share_of_dip({margin(1, 0.1, 1, -4)}, to, period_rad, 1, 1)) << "another contact";
+  EXPECT_FALSE(share_of_dip({from[1]}, {to[0]}, period_rad, 1, 1)) << "it comes no nearer";
+}
+
+}  // namespace
+}  // namespace rubsweep::branch::continuation

@@ -1,0 +1,97 @@
+#include "rubsweep/analysis/branch/orbits/approaches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/simple_scenes.hpp"
+
+namespace rubsweep::branch::orbits {
+namespace {
+
+using contact::Mode;
+constexpr int samples = 128;
+
+/// Samples of x(phase) and its rate, the mass at rest in y.
+template <class Motion, class Rate>
+SampledOrbit sampled(const Motion& x, const Rate& rate) {
+  Eigen::MatrixXd states = Eigen::MatrixXd::Zero(4, samples);
+  for (Eigen::Index k = 0; k < samples; ++k) {
+    const double phase = 2 * std::numbers::pi * static_cast<double>(k) / samples;
+    states(0, k) = x(phase);
+    states(2, k) = rate(phase);
+  }
+  return {states, 2 * std::numbers::pi / samples};
+}
+
+/// A unit mass before a wall at 1 whose stiffness is 2.
+scene::Scene before_a_wall(double damping) {
+  scene::Scene scene = test::one_mass_scene(1, 1, 0, 2 * std::numbers::pi, 1);
+  scene.contacts.push_back(test::wall_across_x(1, 1, 2, damping));
+  return scene;
+}
+
+/// 0.7 cos(2 phase - 1) comes near twice a turn, the second time beside the end of the turn for a fitting
+/// phase.
+TEST(Approaches, InFlight) {
+  for (const double lag : {1.0, -0.01}) {
+    const auto motion = sampled([lag](double t) { return 0.7 * std::cos(2 * t - lag); },
+                                [lag](double t) { return -1.4 * std::sin(2 * t - lag); });
+    const auto found = approaches_of(before_a_wall(0), motion, {});
+    ASSERT_EQ(found.size(), 2u) << lag;
+    for (const Approach& approach : found) {
+      EXPECT_EQ(approach.from, Mode::open);
+      EXPECT_EQ(approach.to, Mode::sprung);
+      EXPECT_NEAR(approach.distance, 0.3, 1e-6);
+      EXPECT_NEAR(std::remainder(approach.phase_rad - lag / 2, std::numbers::pi), 0, 1e-4);
+    }
+  }
+}
+
+/// Always in contact, 0.5 deep and 0.3 to both sides: it nearly lets go where it is 0.2 deep.
+TEST(Approaches, InContact) {
+  const auto motion =
+      sampled([](double t) { return 1.5 + 0.3 * std::sin(t); }, [](double t) { return 0.3 * std::cos(t); });
+  const auto found = approaches_of(before_a_wall(0), motion, {});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].from, Mode::sprung);
+  EXPECT_EQ(found[0].to, Mode::open);
+  EXPECT_NEAR(found[0].distance, 0.2, 1e-6);
+  EXPECT_NEAR(found[0].phase_rad, 1.5 * std::numbers::pi, 1e-4);
+}
+
+/// A hump that leads to a change of mode is no approach: of two humps one is a hit.
+TEST(Approaches, NotWhereTheContactHits) {
+  const auto motion = sampled([](double t) { return 0.8 * std::cos(2 * t) + 0.4 * std::cos(t); },
+                              [](double t) { return -1.6 * std::sin(2 * t) - 0.4 * std::sin(t); });
+  double touch = 0;
+  for (int i = 0; i < 50; ++i)  // 0.8 cos(2 t) + 0.4 cos(t) = 1
+    touch -= (0.8 * std::cos(2 * touch) + 0.4 * std::cos(touch) - 1) /
+             (touch == 0 ? -1.0 : -1.6 * std::sin(2 * touch) - 0.4 * std::sin(touch));
+  const std::vector<integrate::run::ModeSwitch> switches{
+      {touch, 0, Mode::sprung, Mode::open}, {2 * std::numbers::pi - touch, 0, Mode::open, Mode::sprung}};
+  const auto found = approaches_of(before_a_wall(0), motion, switches);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].from, Mode::open);
+  EXPECT_NEAR(found[0].phase_rad, std::numbers::pi, 1e-3);
+  EXPECT_NEAR(found[0].distance, 1 - 0.4, 1e-6);
+}
+
+/// Where the orbit is not known to close, nothing is said of the way from the last sample to the first.
+TEST(Approaches, OfAnOrbitThatDoesNotCloseAtItsSamples) {
+  SampledOrbit motion = sampled([](double t) { return 0.7 * std::cos(t + 0.01); },
+                                [](double t) { return -0.7 * std::sin(t + 0.01); });
+  EXPECT_EQ(approaches_of(before_a_wall(0), motion, {}).size(), 1u);
+  motion.closes = false;
+  EXPECT_TRUE(approaches_of(before_a_wall(0), motion, {}).empty());
+}
+
+TEST(Approaches, NoneWithoutStops) {
+  scene::Scene scene = before_a_wall(0);
+  scene.contacts.clear();
+  EXPECT_TRUE(approaches_of(scene, {Eigen::MatrixXd::Zero(4, samples), 0.1}, {}).empty());
+}
+
+}  // namespace
+}  // namespace rubsweep::branch::orbits

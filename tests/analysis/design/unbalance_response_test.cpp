@@ -1,0 +1,88 @@
+#include "rubsweep/analysis/design/unbalance_response.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "analysis/design/amplification.hpp"
+#include "core/scene/kit_machine.hpp"
+#include "core/scene/table_machine.hpp"
+
+namespace rubsweep::design {
+namespace {
+
+TEST(UnbalanceResponse, OfAJeffcottRotorIsACircleOfItsClosedForm) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(scene::one_side_machine());
+  for (const double hz : {10.0, 29.0, 30.0, 80.0}) {
+    const scene::QuietMotion motion = unit_response(prepared, hz);
+    const double diameter = 2 * amplification(hz / 30, 0.02);
+    EXPECT_NEAR(major_axis_at(motion, probe_places(prepared).at(0)), diameter, 1e-9 * diameter) << hz;
+    EXPECT_NEAR(major_axis_at(motion, stop_places(prepared).at(0)), diameter, 1e-9 * diameter) << hz;
+  }
+}
+
+TEST(UnbalanceResponse, ProbesAtOnePlaceAreOne) {
+  model::Machine machine = scene::light_shaft_machine();
+  model::RotorKit& kit = *model::kit_of(machine);
+  EXPECT_EQ(probe_places(scene::prepare_machine(machine)).size(), 1u) << "the rotor itself";
+  kit.sensors = {
+      {.position_m = 0.1, .angle_deg = 0}, {.position_m = 0.1, .angle_deg = 90}, {.position_m = 0.3}};
+  const auto places = probe_places(scene::prepare_machine(machine));
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_EQ(places[0].position_m, 0.1);
+  EXPECT_EQ(places[1].position_m, 0.3);
+}
+
+/// The shapes that serve all speeds against the reduction of the very speed.
+TEST(UnbalanceResponse, OfATableIsThatOfTheNumbersTypedIn) {
+  model::Machine by_table = scene::table_machine(4);
+  model::kit_of(by_table)->damping_ratio = {0};
+  const scene::PreparedMachine prepared = scene::prepare_machine(by_table);
+  for (std::size_t row = 0; row < scene::table_speeds_hz.size(); ++row) {
+    model::Machine typed = scene::typed_machine(row, 6);
+    model::kit_of(typed)->damping_ratio = {0};
+    const scene::PreparedMachine there = scene::prepare_machine(typed);
+    const double hz = scene::table_speeds_hz[row];
+    const double expected = major_axis_at(unit_response(there, hz), stop_places(there)[0]);
+    EXPECT_NEAR(major_axis_at(unit_response(prepared, hz), stop_places(prepared)[0]), expected,
+                5e-4 * expected)
+        << hz;
+  }
+}
+
+using namespace std::complex_literals;
+using Complex = std::complex<double>;
+
+/// Largest distance from the middle over a turn, doubled.
+double traced_axis(const Eigen::Vector2cd& amplitude) {
+  double farthest = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Complex turned = std::polar(1.0, 2 * std::numbers::pi * k / 20000);
+    farthest = std::max(farthest, std::hypot((amplitude(0) * turned).real(), (amplitude(1) * turned).real()));
+  }
+  return 2 * farthest;
+}
+
+TEST(UnbalanceResponse, AxisOfACircleIsItsDiameter) {
+  EXPECT_DOUBLE_EQ(major_axis({3.0, -3.0i}), 6);
+  EXPECT_DOUBLE_EQ(major_axis({3.0, 3.0i}), 6) << "backward";
+}
+
+/// Neither the peak to peak of x, 2, nor that of y is the axis.
+TEST(UnbalanceResponse, AxisOfALeaningLineIsLongerThanItsShadows) {
+  EXPECT_NEAR(major_axis({1.0, 1.0}), 2 * std::sqrt(2), 1e-15);
+  EXPECT_NEAR(major_axis({3.0i, 4.0i}), 10, 1e-14);
+}
+
+TEST(UnbalanceResponse, AxisIsThatOfTheTracedOrbit) {
+  for (const Complex y : {Complex(0.2, 0.9), Complex(-1.4, 0.3), Complex(0.05, -0.6), Complex(0, 0)}) {
+    const Eigen::Vector2cd amplitude(Complex(0.7, -0.4), y);
+    EXPECT_NEAR(major_axis(amplitude), traced_axis(amplitude), 1e-6) << y;
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::design

@@ -1,0 +1,142 @@
+#include "rubsweep/analysis/line/follow_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/line/line_of_cells.hpp"
+#include "core/scene/kit_machine.hpp"
+#include "core/scene/one_side_machine.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
+
+namespace rubsweep::line {
+namespace {
+
+using response::motion::MotionClass;
+
+constexpr double damping = 0.05, stiffness_ratio = 4, eccentricity = 0.2;  // in clearances
+
+/// A rotor inside an elastic ring without friction and damping.
+model::Machine ring_machine() {
+  model::Machine machine = scene::one_side_machine();
+  machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = damping};
+  machine.kick.reset();
+  model::Stop& stop = machine.stops.front();
+  stop.geometry = model::AnnularGeometry{};
+  stop.stiffness_n_per_m = stiffness_ratio * 0.8 * std::pow(2 * std::numbers::pi * 30, 2);
+  stop.damping = model::ExplicitDamping{0};
+  stop.friction = model::NoFriction{};
+  stop.casing.reset();
+  return machine;
+}
+
+/// Radius of the quiet circle over the clearance at W natural frequencies.
+double quiet_radius(double w) { return eccentricity * w * w / std::hypot(1 - w * w, 2 * damping * w); }
+
+/// Equation of the radius r of a rubbing circle: [(1 - W^2 + b (1 - 1/r))^2 + (2 z W)^2] r^2 - (e W^2)^2 = 0.
+double circle_equation(double w, double r) {
+  const double stiffness = 1 - w * w + stiffness_ratio * (1 - 1 / r);
+  return (stiffness * stiffness + std::pow(2 * damping * w, 2)) * r * r - std::pow(eccentricity * w * w, 2);
+}
+
+/// Its largest root above 1, 0 where there is none.
+double rubbing_radius(double w) {
+  for (double high = 10; high > 1.001; high -= 0.001) {
+    if (circle_equation(w, high - 0.001) > 0) continue;
+    double low = high - 0.001;
+    for (int step = 0; step < 60; ++step) {
+      const double middle = (low + high) / 2;
+      (circle_equation(w, middle) > 0 ? high : low) = middle;
+    }
+    return low;
+  }
+  return 0;
+}
+
+TEST(FollowLine, HysteresisInAFrictionlessRingIsThatOfItsClosedForm) {
+  std::vector<double> speeds_hz;
+  for (double w = 0.75; w < 1.8; w += 0.05) speeds_hz.push_back(30 * w);
+  const auto cells = over_speed(ring_machine(), speeds_hz, scene::Eccentricity{eccentricity * 1e-3});
+  const auto points = followed(cells, {Pass::up, Pass::down});
+  ASSERT_EQ(points.size(), 2 * cells.size());
+  int both = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double w = cells[i].value / 30;
+    const LinePoint &up = points[i], &down = points[cells.size() + i];
+    const double quiet = quiet_radius(w), rubbing = rubbing_radius(w);
+    ASSERT_TRUE(up.motion && down.motion) << w;
+    // Upward the rotor keeps what it does until that is gone, and so it does downward.
+    const bool touched_before = w > 0.925;
+    const double upward = touched_before ? rubbing : quiet, downward = quiet < 1 ? quiet : rubbing;
+    ASSERT_EQ(up.motion->section.size(), 1u) << w;
+    ASSERT_EQ(down.motion->section.size(), 1u) << w;
+    EXPECT_NEAR(up.motion->section.front().displacement_m.norm(), upward * 1e-3, 1e-5 * upward * 1e-3) << w;
+    EXPECT_NEAR(down.motion->section.front().displacement_m.norm(), downward * 1e-3, 1e-5 * downward * 1e-3)
+        << w;
+    EXPECT_EQ(up.row.motion_class == MotionClass::synchronous, touched_before) << w;
+    // The whole motion is one line, forward.
+    EXPECT_NEAR(up.motion->spectrum.amplitude(up.motion->spectrum.turns), upward * 1e-3,
+                1e-5 * upward * 1e-3);
+    both += up.row.motion_class != down.row.motion_class;
+    EXPECT_EQ(up.row.start == sweep::RunStart::handed_on, i > 0);
+    EXPECT_EQ(down.row.start == sweep::RunStart::handed_on, i + 1 < cells.size());
+  }
+  EXPECT_GE(both, 10);
+}
+
+TEST(FollowLine, FromTheKickHasTheRowsOfAMap) {
+  const auto cells = over_speed(scene::one_side_machine(), {50, 70, 90, 110}, scene::WhirlRatio{0.6});
+  const auto points = followed(cells, {Pass::kick});
+  ASSERT_EQ(points.size(), cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    sweep::Study study = *cells[i].study;
+    study.grid = sweep::grid_of(cells[i].place);
+    response::motion::Workspace workspace;
+    EXPECT_EQ(report::map_line(points[i].row), report::map_line(sweep::evaluate_cell(study, 0, workspace)));
+  }
+}
+
+TEST(FollowLine, DoesNotDependOnThreads) {
+  const auto cells = over_speed(scene::one_side_machine(), {60, 70, 80, 90}, scene::WhirlRatio{0.6});
+  const std::vector<Pass> passes{Pass::kick, Pass::up, Pass::down};
+  const auto one = followed(cells, passes, 1), three = followed(cells, passes, 3);
+  ASSERT_EQ(one.size(), 12u);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(report::map_line(one[i].row), report::map_line(three[i].row));
+    ASSERT_TRUE(one[i].motion && three[i].motion);
+    EXPECT_EQ(one[i].motion->spectrum.amplitude_m, three[i].motion->spectrum.amplitude_m);
+    EXPECT_EQ(one[i].motion->end.displacement_m, three[i].motion->end.displacement_m);
+  }
+}
+
+TEST(FollowLine, BehindACellWithoutMotionTheNextOneIsKicked) {
+  model::Machine machine = scene::one_side_machine();
+  machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0};
+  const auto points = followed(over_speed(machine, {29, 30, 31}, scene::WhirlRatio{0.2}), {Pass::up});
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[1].row.status, "unreachable");
+  EXPECT_FALSE(points[1].motion);
+  EXPECT_EQ(points[2].row.start, sweep::RunStart::kick);
+}
+
+TEST(FollowLine, NoStateIsHandedOnBetweenDifferentCoordinates) {
+  auto cells = over_speed(scene::one_side_machine(), {50}, scene::WhirlRatio{0.2});
+  const auto others = over_speed(scene::both_sides_machine(), {60}, scene::WhirlRatio{0.2});
+  cells.push_back(others.front());
+  EXPECT_THROW(followed(cells, {Pass::up}), ConfigError);
+  EXPECT_EQ(followed(cells, {Pass::kick}).size(), 2u);
+}
+
+TEST(FollowLine, StartsNoCellOnceItIsStopped) {
+  const auto cells = over_speed(scene::one_side_machine(), {50, 60, 70}, scene::WhirlRatio{0.2});
+  std::atomic<bool> stop{false};
+  const std::vector<Pass> passes{Pass::up};
+  EXPECT_EQ(follow_line(
+                cells, passes, 1, [&](LinePoint&&) { stop = true; }, stop),
+            1u);
+}
+
+}  // namespace
+}  // namespace rubsweep::line

@@ -1,0 +1,90 @@
+#include "rubsweep/analysis/page/painted_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::page {
+namespace {
+
+using Cells = std::vector<std::size_t>;
+
+/// 5 x 3 cells of one block on the lattice of every fourth cell, and another axis over a key.
+sweep::Grid lattice_grid() {
+  sweep::Grid grid{{10, 20, 30, 40, 50}, sweep::UnbalanceMeasure::whirl_ratio, {0.1, 0.2, 0.3}};
+  grid.axes = {{{"kick.force_n"}, {1}, {100}}};
+  grid.refinement = sweep::Refinement{2, 0};
+  return grid;
+}
+
+/// The rows of these cells, with a class each.
+MapTable map_of(const Cells& cells, const std::vector<std::string>& classes) {
+  MapTable map{"1.2.3", "digest", cells.size(), {}};
+  map.columns = {{"speed_hz", {}, {}},    {"whirl_ratio", {}, {}}, {"class", {}, classes},  {"order", {}, {}},
+                 {"revolutions", {}, {}}, {"status", {}, {}},      {"kick.force_n", {}, {}}};
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    map.columns[0].numbers.push_back(10.0 * static_cast<double>(cells[i] % 5 + 1));
+    map.columns[1].numbers.push_back(lattice_grid().unbalance[cells[i] / 5]);
+    map.columns[3].numbers.push_back(classes[i] == "subharmonic" ? 2 : std::nan(""));
+    map.columns[4].numbers.push_back(100 + static_cast<double>(i));
+    map.columns[5].words.emplace_back("ok");
+    map.columns[6].numbers.push_back(100);
+  }
+  return map;
+}
+
+TEST(PaintedTable, GivesTheCellsOfAUniformBlockItsClassAndNothingElse) {
+  const Cells corners{0, 4, 10, 14};
+  const PaintedTable painted =
+      painted_table(map_of(corners, std::vector<std::string>(4, "subharmonic")), lattice_grid());
+  EXPECT_EQ(painted.computed, corners);
+  ASSERT_EQ(painted.map.rows, 15U);
+  EXPECT_EQ(painted.map.word("class", 7), "subharmonic");
+  EXPECT_EQ(painted.map.number("order", 7), 2);
+  EXPECT_EQ(painted.map.number("speed_hz", 7), 30);
+  EXPECT_EQ(painted.map.number("whirl_ratio", 7), 0.2);
+  EXPECT_EQ(painted.map.number("kick.force_n", 7), 100);
+  EXPECT_EQ(painted.map.word("status", 7), not_computed);
+  EXPECT_FALSE(painted.map.number("revolutions", 7));
+  EXPECT_EQ(painted.labels[7], sweep::unknown_label);
+  // A computed one is as it was.
+  EXPECT_EQ(painted.map.word("status", 10), "ok");
+  EXPECT_EQ(painted.map.number("revolutions", 10), 102);
+}
+
+TEST(PaintedTable, RefusesAMapThatLacksACell) {
+  const auto without = [](const Cells& cells) {
+    return painted_table(map_of(cells, std::vector<std::string>(cells.size(), "subharmonic")),
+                         lattice_grid());
+  };
+  EXPECT_NO_THROW(without({0, 4, 10, 14}));
+  EXPECT_THROW(without({0, 4, 10}), IoError);
+}
+
+TEST(PaintedTable, PaintsEachBlockByItself) {
+  // The right half is of another class; the middle column is where the block was split.
+  const Cells cells{0, 2, 4, 5, 7, 9, 10, 12, 14};
+  std::vector<std::string> classes;
+  for (const std::size_t cell : cells) classes.emplace_back(cell % 5 < 3 ? "non_contact" : "chaotic");
+  const Cells more{3, 8, 13};
+  Cells all = cells;
+  for (const std::size_t cell : more) {
+    all.push_back(cell);
+    classes.emplace_back("chaotic");
+  }
+  const PaintedTable painted = painted_table(map_of(all, classes), lattice_grid());
+  EXPECT_EQ(painted.map.word("class", 1), "non_contact");
+  EXPECT_EQ(painted.map.word("class", 8), "chaotic");
+  EXPECT_EQ(painted.computed, (Cells{0, 2, 3, 4, 5, 7, 8, 9, 10, 12, 13, 14}));
+}
+
+TEST(PaintedTable, RefusesARowThatIsNoCell) {
+  MapTable map = map_of({0, 4}, {"chaotic", "chaotic"});
+  map.columns[0].numbers[1] = 51;
+  EXPECT_THROW(painted_table(map, lattice_grid()), IoError);
+}
+
+}  // namespace
+}  // namespace rubsweep::page

@@ -1,0 +1,38 @@
+#include "rubsweep/core/numerics/matrix_vector.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace rubsweep::numerics {
+namespace {
+
+/// Every number of lanes side by side and every number of rows left over, not square either.
+TEST(MatrixVector, HasTheBitsOfThePlainSum) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> entries(-1, 1);
+  for (Eigen::Index rows = 1; rows <= 60; ++rows) {
+    const Eigen::Index columns = 1 + (7 * rows) % 31;
+    const Eigen::MatrixXd matrix =
+        Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return entries(random); });
+    const Eigen::VectorXd vector = Eigen::VectorXd::NullaryExpr(columns, [&] { return entries(random); });
+    const auto product = product_of<Eigen::VectorXd>(matrix, vector);
+    ASSERT_EQ(product.size(), rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      double sum = matrix(i, 0) * vector(0);
+      for (Eigen::Index k = 1; k < columns; ++k) sum += matrix(i, k) * vector(k);
+      EXPECT_EQ(product(i), sum) << rows << " x " << columns;
+    }
+  }
+}
+
+TEST(MatrixVector, IsEigensProductWhereSizesAreKnown) {
+  const Eigen::Matrix4d matrix = Eigen::Matrix4d::Random();
+  const Eigen::Vector4d vector = Eigen::Vector4d::Random();
+  EXPECT_LT((product_of<Eigen::Vector4d>(matrix, vector) - matrix * vector).norm(), 1e-15);
+  EXPECT_EQ(product_of<Eigen::VectorXd>(Eigen::MatrixXd(matrix), vector),
+            (product_of<Eigen::Vector4d>(matrix, vector)));
+}
+
+}  // namespace
+}  // namespace rubsweep::numerics

@@ -1,0 +1,165 @@
+#include "rubsweep/core/numerics/polynomial_root.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace rubsweep::numerics {
+namespace {
+
+double value(const std::vector<double>& c, double x) {
+  double sum = 0;
+  for (std::size_t k = c.size(); k-- > 0;) sum = sum * x + c[k];
+  return sum;
+}
+
+std::vector<double> times(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> c(a.size() + b.size() - 1, 0.0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) c[i + j] += a[i] * b[j];
+  }
+  return c;
+}
+
+TEST(PolynomialRootFirstRise, OfSimplePolynomials) {
+  EXPECT_NEAR(*first_rise_of(std::vector{-0.25, 1.0}, 0), 0.25, 1e-16);
+  EXPECT_FALSE(first_rise_of(std::vector{0.25, -1.0}, 0));                   // falls
+  EXPECT_FALSE(first_rise_of(std::vector{-1.0, 0.5}, 0));                    // not yet there
+  EXPECT_NEAR(*first_rise_of(std::vector{0.06, -0.5, 1.0}, 0), 0.3, 1e-15);  // falls at 0.2, rises at 0.3
+  EXPECT_NEAR(*first_rise_of(std::vector{-0.06, 0.5, -1.0}, 0), 0.2, 1e-15);
+  EXPECT_FALSE(first_rise_of(std::vector{-1.0}, 0));
+}
+
+TEST(PolynomialRootFirstRise, AStartAtZeroIsNoRise) {
+  for (const double noise : {-1e-16, 0.0, 1e-16}) {
+    EXPECT_FALSE(first_rise_of(std::vector{noise, -1.0, 0.5}, 1e-15));
+    EXPECT_NEAR(*first_rise_of(std::vector{noise, -1.0, 2.0}, 1e-15), 0.5, 1e-15);
+  }
+}
+
+/// Polynomials of the length of a step's with one root: rising, and bent either way on the way up, some of
+/// which fall at first or at last.
+TEST(PolynomialRootFirstRise, OfWhatRisesOrBendsOneWay) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> part(0, 1), place(0.05, 0.95);
+  for (int trial = 0; trial < 300; ++trial) {
+    for (const double bend : {-1.0, 0.0, 1.0}) {
+      const double root = place(random);
+      // (x - root) times a square, a constant slope, or a slope that passes zero beyond the other end.
+      std::vector<double> c = times({-root, 1.0}, {bend < 0 ? 1.2 : bend > 0 ? 0.2 : 1.0, bend});
+      c.resize(24);
+      for (std::size_t k = 3; k < c.size(); ++k) c[k] = 1e-3 * part(random) * std::pow(0.3, double(k));
+      const double known = *first_rise_of(c, 0);
+      EXPECT_LT(value(c, known - 1e-14), 0);
+      EXPECT_GT(value(c, known + 1e-14), 0);
+      EXPECT_NEAR(known, root, 1e-3);
+    }
+  }
+}
+
+TEST(PolynomialRootFirstRise, TellsAGrazeFromATouch) {
+  // -(x - 1/3)^2 + excess: two crossings sqrt(excess) from 1/3, or none.
+  const double third = 1.0 / 3;
+  for (const double excess : {1e-6, 1e-9, 1e-12}) {
+    const auto rise = first_rise_of(std::vector{excess - third * third, 2 * third, -1.0}, 0);
+    ASSERT_TRUE(rise) << excess;
+    EXPECT_NEAR(*rise, third - std::sqrt(excess), 1e-9) << excess;
+    EXPECT_FALSE(first_rise_of(std::vector{-excess - third * third, 2 * third, -1.0}, 0)) << excess;
+  }
+}
+
+/// Products of random factors with known roots, among them double ones and pairs close together.
+TEST(PolynomialRootFirstRise, OfRandomProductsIsTheirFirstRisingRoot) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> root(-0.6, 1.6), width(0.7, 1.5);
+  int rises = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<double> c{1.0}, roots;
+    for (int i = 0; i < 6; ++i) {
+      roots.push_back(root(random));
+      c = times(c, {-roots.back(), 1});
+    }
+    // Factors without a real root up to degree 18.
+    while (c.size() < 19) {
+      const double centre = root(random), apart = width(random);
+      c = times(c,
+                {1 + centre * centre / (apart * apart), -2 * centre / (apart * apart), 1 / (apart * apart)});
+    }
+    std::ranges::sort(roots);
+    // p > 0 beyond the last root and changes its sign at every one: it rises at the last, third last, ...
+    std::optional<double> expected;
+    for (std::size_t i = 1; i < roots.size(); i += 2) {
+      if (!expected && roots[i] > 0 && roots[i] <= 1) expected = roots[i];
+    }
+    const auto found = first_rise_of(c, 0);
+    ASSERT_EQ(found.has_value(), expected.has_value()) << trial;
+    if (expected) {
+      // Roots close together are known less well than where the polynomial is zero.
+      EXPECT_NEAR(*found, *expected, 1e-4) << trial;
+      double size = 0;
+      for (const double term : c) size += std::abs(term);
+      EXPECT_NEAR(value(c, *found), 0, 1e-15 * size) << trial;
+      ++rises;
+    }
+  }
+  EXPECT_GT(rises, 500);
+}
+
+/// However near the next root is, down to where rounding hides the rise, the residue is that of the sum
+/// itself.
+TEST(PolynomialRootFirstRise, IsARootToRoundingBesideAnother) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> place(0.1, 0.9), width(0.7, 1.5);
+  for (int trial = 0; trial < 400; ++trial) {
+    const double root = place(random), apart = std::pow(10, -1 - trial % 5);
+    std::vector<double> c = times({-root, 1}, {root + apart, -1});
+    while (c.size() < 24) {
+      const double centre = place(random), wide = width(random);
+      c = times(c, {wide * wide + centre * centre, -2 * centre, 1});
+    }
+    const auto found = first_rise_of(c, 0);
+    ASSERT_TRUE(found) << trial;
+    long double sum = 0, size = 0;
+    for (std::size_t k = c.size(); k-- > 0;) {
+      sum = sum * *found + c[k];
+      size = size * *found + std::abs(c[k]);
+    }
+    EXPECT_LE(std::abs(sum), 3e-16L * size) << trial;
+  }
+}
+
+/// Nothing that a thousand points see is passed over.
+TEST(PolynomialRootFirstRise, IsNotPassedOverInRandomPolynomials) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  constexpr int points = 1000;
+  int rises = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::vector<double> c;
+    for (int k = 0; k <= 24; ++k) c.push_back(normal(random) * std::pow(2.5, k) / std::tgamma(k + 1.0));
+    c[0] -= trial % 3;
+    const auto found = first_rise_of(c, 0);
+    const double until = found ? *found : 1;
+    bool was_below = c[0] < 0;
+    for (int i = 1; i <= points; ++i) {
+      const double x = double(i) / points;
+      if (x > until - 1e-9) break;
+      const bool below = value(c, x) < -1e-14;
+      ASSERT_FALSE(was_below && value(c, x) > 1e-14) << trial << " at " << x;
+      was_below = was_below || below;
+    }
+    if (found) {
+      EXPECT_NEAR(value(c, *found), 0, 1e-12) << trial;
+      EXPECT_LT(value(c, std::max(0.0, *found - 1e-6)), 1e-13) << trial;
+      ++rises;
+    }
+    EXPECT_FALSE(clearly_negative(c) && found);
+  }
+  EXPECT_GT(rises, 300);
+}
+
+}  // namespace
+}  // namespace rubsweep::numerics

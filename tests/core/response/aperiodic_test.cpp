@@ -1,0 +1,256 @@
+#include "rubsweep/core/response/aperiodic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/response/companion_growth.hpp"
+#include "core/response/golden_angle.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+constexpr int window = 64;
+
+/// Follows a map whose observed x is the first of its coordinates. `contact_ends`: turns after which there is
+/// none.
+Aperiodic follow(const proof::SectionMap& map, const std::vector<double>& state, int contact_ends = 1'000'000,
+                 std::size_t turns_before = 0) {
+  Eigen::Matrix<double, 2, Eigen::Dynamic> observed;
+  observed.setZero(2, static_cast<Eigen::Index>(state.size() / 2));
+  observed(0, 0) = 1;
+  int turns = 0;
+  spectrum::SpectrumWorkspace workspace;
+  return classify_aperiodic(
+      test::companion_growth(map, state), [&] { return ++turns <= contact_ends; }, state, turns_before,
+      observed, window, workspace);
+}
+
+std::string name(const Aperiodic& found) { return std::string(to_string(found.motion_class)); }
+
+bool henon(std::span<double> s) {
+  const double x = s[0];
+  s[0] = 1 - 1.4 * x * x + s[1];
+  s[1] = 0.3 * x;
+  return true;
+}
+
+/// Turns by `angle` and is drawn to the unit circle; `stretch` < 1 makes the turning uneven.
+proof::SectionMap circle(double angle, double stretch) {
+  return [=](std::span<double> s) {
+    const double phi = std::atan2(s[1], s[0]), radius = std::hypot(s[0], s[1]);
+    const double next = phi + angle + stretch * std::sin(phi);
+    s[0] = (1 + 0.5 * (radius - 1)) * std::cos(next);
+    s[1] = (1 + 0.5 * (radius - 1)) * std::sin(next);
+    return true;
+  };
+}
+
+/// A strongly attracting motion of period two, and beside it a modulation that turns and grows at `rate`.
+proof::SectionMap modulated_period_two(double rate) {
+  return [=](std::span<double> s) {
+    s[0] = -s[0] * (1.5 - 0.5 * s[0] * s[0]);
+    const double u = s[1], v = s[2], grow = std::exp(rate);
+    s[1] = grow * (u * std::cos(golden_angle) - v * std::sin(golden_angle));
+    s[2] = grow * (u * std::sin(golden_angle) + v * std::cos(golden_angle));
+    s[3] *= 0.1;
+    return true;
+  };
+}
+
+TEST(AperiodicClassify, HenonsMapIsChaotic) {
+  const Aperiodic found = follow(henon, {0.1, 0.2});
+  EXPECT_EQ(name(found), "chaotic");
+  EXPECT_NEAR(found.exponent.value().per_revolution, 0.41922, found.exponent->error_bar);
+  EXPECT_FALSE(found.returns_after);
+}
+
+TEST(AperiodicClassify, ATorusIsQuasiPeriodic) {
+  for (const double stretch : {0.0, 0.5, 0.9}) {
+    const Aperiodic found = follow(circle(2 * std::numbers::pi * 0.381966, stretch), {0.6, 0.9});
+    EXPECT_EQ(name(found), "quasi_periodic") << stretch;
+    EXPECT_NEAR(found.exponent.value().per_revolution, 0, 1e-3);
+  }
+  EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 0.05, 0, 0.1})), "quasi_periodic");
+}
+
+TEST(AperiodicClassify, AModulationThatStillDecaysIsUnsettled) {
+  // Its exponent is as good as zero, its lines stay: only the closest return tells.
+  const Aperiodic found = follow(modulated_period_two(-4e-4), {0.9, 0.05, 0, 0.1});
+  EXPECT_EQ(name(found), "unsettled");
+  EXPECT_NEAR(found.exponent.value().per_revolution, -4e-4, 1e-6);
+  EXPECT_FALSE(found.returns_after);
+}
+
+TEST(AperiodicClassify, ASlowDepartureIsNeitherChaosNorATorus) {
+  const Aperiodic found = follow(modulated_period_two(8e-4), {0.9, 0.005, 0, 0.1});
+  EXPECT_EQ(name(found), "unsettled");
+  EXPECT_GT(found.exponent.value().per_revolution, found.exponent->error_bar);
+}
+
+TEST(AperiodicClassify, ADecayThatIsAlmostOverIsUnsettledAtTheFirstLook) {
+  int calls = 0;
+  const auto map = [&calls, decay = modulated_period_two(-0.02)](std::span<double> s) {
+    ++calls;
+    return decay(s);
+  };
+  const Aperiodic found = follow(map, {0.9, 0.5, 0, 0.1});
+  EXPECT_EQ(name(found), "unsettled");
+  EXPECT_NEAR(found.exponent.value().per_revolution, -0.02, 1e-4);
+  EXPECT_EQ(calls, 2 * 640);
+}
+
+TEST(AperiodicClassify, ALongPeriodIsUnsettledAndNamed) {
+  for (const int period : {14, 54, 127}) {
+    const Aperiodic found = follow(circle(2 * std::numbers::pi / period, 0), {1, 0});
+    EXPECT_EQ(name(found), "unsettled");
+    EXPECT_EQ(found.returns_after, period);
+  }
+}
+
+TEST(AperiodicClassify, ChaosThatEndsInAPeriodIsNotChaos) {
+  // Both companion and base count, so 700 turns of chaos are 1400 calls.
+  int calls = 0;
+  const proof::SectionMap map = [&calls](std::span<double> s) {
+    if (++calls <= 1400) return henon(s);
+    for (double& x : s) x *= 0.5;
+    return true;
+  };
+  const Aperiodic found = follow(map, {0.1, 0.2});
+  EXPECT_EQ(name(found), "unsettled");
+  EXPECT_EQ(found.returns_after, 1);
+  EXPECT_TRUE(found.left_chaos);
+}
+
+TEST(AperiodicClassify, TurnsOfTheRunCountForChaosButNotForItsExponent) {
+  for (const auto& [turns_before, more] : {std::pair{0U, 1280}, {300U, 980}, {900U, 640}, {2000U, 640}}) {
+    int calls = 0;
+    const proof::SectionMap map = [&calls](std::span<double> s) {
+      ++calls;
+      return henon(s);
+    };
+    EXPECT_EQ(name(follow(map, {0.1, 0.2}, 1'000'000, turns_before)), "chaotic");
+    EXPECT_EQ(calls, 2 * more) << turns_before;
+  }
+}
+
+TEST(AperiodicClassify, ChaosThatLosesContactIsNotChaos) {
+  const Aperiodic found = follow(henon, {0.1, 0.2}, 300);
+  EXPECT_EQ(name(found), "unsettled");
+  EXPECT_FALSE(found.exponent);
+  EXPECT_TRUE(found.left_chaos);
+  EXPECT_EQ(name(follow(henon, {0.1, 0.2}, 1280)), "chaotic");
+  // A motion that was never chaotic has left nothing.
+  EXPECT_FALSE(follow(circle(2 * std::numbers::pi / 14, 0), {1, 0}).left_chaos);
+  EXPECT_FALSE(follow(modulated_period_two(0), {0.9, 0.05, 0, 0.1}, 300).left_chaos);
+}
+
+TEST(AperiodicClassify, AShorterPauseIsContact) {
+  int turns = 0;
+  Eigen::Matrix<double, 2, Eigen::Dynamic> observed(2, 1);
+  observed << 1, 0;
+  spectrum::SpectrumWorkspace workspace;
+  const auto now_and_then = [&turns] { return ++turns % window == 0; };
+  EXPECT_EQ(name(classify_aperiodic(test::companion_growth(henon, std::vector{0.1, 0.2}), now_and_then,
+                                    {0.1, 0.2}, 0, observed, window, workspace)),
+            "chaotic");
+}
+
+TEST(AperiodicClassify, AMapThatFailsLeavesNoExponent) {
+  // After the first look, which does not decide.
+  int calls = 0;
+  const proof::SectionMap map = [&calls](std::span<double> s) { return ++calls < 1500 && henon(s); };
+  const Aperiodic found = follow(map, {0.1, 0.2});
+  EXPECT_EQ(name(found), "unsettled");
+  EXPECT_FALSE(found.exponent);
+}
+
+TEST(AperiodicClassify, AModulationTooSmallToTellIsUnsettled) {
+  EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 1e-3, 0, 0.1})), "quasi_periodic");
+  // Returns within 7e-5 after 8 turns, and within 1e-5 after none that the first look knows.
+  EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 2e-4, 0, 0.1})), "unsettled");
+}
+
+/// The torus of `modulated_period_two(0)`, whose companion moreover grows by exp(growth(turn)) in a
+/// coordinate that the motion itself never uses.
+Aperiodic follow_with_growth(const std::function<double(int)>& growth, int& turns) {
+  int calls = 0;
+  const auto torus = modulated_period_two(0);
+  const proof::SectionMap map = [&](std::span<double> s) {
+    const double unused = s[3];
+    torus(s);
+    s[3] = unused * std::exp(growth(calls++ / 2));
+    return true;
+  };
+  const Aperiodic found = follow(map, {0.9, 0.05, 0, 0});
+  turns = calls / 2;
+  return found;
+}
+
+TEST(AperiodicClassify, AnExponentWithAWideBarIsNotZero) {
+  int turns = 0;
+  // Waves longer than the blocks of every look, so that each block sees another mean.
+  const auto slow = [](int turn) { return 0.05 * std::sin(2 * std::numbers::pi * turn / 400); };
+  const Aperiodic found = follow_with_growth(slow, turns);
+  EXPECT_LT(std::abs(found.exponent.value().per_revolution), found.exponent->error_bar);
+  EXPECT_EQ(name(found), "unsettled");
+  EXPECT_EQ(turns, 2560);
+}
+
+TEST(AperiodicClassify, WhatOneLookLeavesOpenTheNextMayDecide) {
+  int turns = 0;
+  const auto early = [](int turn) { return turn < 500 ? 0.05 : 0; };
+  EXPECT_EQ(name(follow_with_growth(early, turns)), "quasi_periodic");
+  EXPECT_EQ(turns, 2560);
+  EXPECT_EQ(name(follow_with_growth([](int) { return 0.0; }, turns)), "quasi_periodic");
+  EXPECT_EQ(turns, 640);
+}
+
+TEST(AperiodicClassify, AReturnWhoseTrendIsUnknownIsNotDecided) {
+  // Two modulations that beat, cancelling in the middle of what the first look sees: no trend, but no
+  // knowledge either.
+  constexpr double beat = 0.01, cancel = 384;
+  int calls = 0;
+  const proof::SectionMap map = [&](std::span<double> s) {
+    const int whole = calls++ / 2;
+    const double turn = whole;
+    const double size = 0.1 * std::sin(beat * (turn - cancel));
+    s[0] = -s[0] * (1.5 - 0.5 * s[0] * s[0]);
+    s[1] = size * std::cos(turn);
+    s[2] = size * std::sin(turn);
+    // Keeps its distance: exponent zero.
+    const double u = s[3], v = s[4];
+    s[3] = u * std::cos(0.7) - v * std::sin(0.7);
+    s[4] = u * std::sin(0.7) + v * std::cos(0.7);
+    s[5] = 0;
+    return true;
+  };
+  follow(map, {0.9, 0, 0, 1e-9, 0, 0});
+  EXPECT_GT(calls, 2 * 640);
+}
+
+TEST(AperiodicClassify, BroadLinesAreNoTorus) {
+  // Steps of a random walk along the circle, the same for every state: exponent zero, no lines.
+  unsigned long bits = 1;
+  int calls = 0;
+  double step = 0;
+  const proof::SectionMap map = [&](std::span<double> s) {
+    if (++calls % 2 == 1) {
+      bits = bits * 6364136223846793005UL + 1442695040888963407UL;
+      step = 2 * std::numbers::pi * static_cast<double>(bits >> 11) * 0x1p-53;
+    }
+    return circle(step, 0)(s);
+  };
+  const Aperiodic found = follow(map, {1, 0});
+  EXPECT_NEAR(found.exponent.value().per_revolution, 0, 1e-6);
+  EXPECT_EQ(name(found), "unsettled");
+}
+
+}  // namespace
+}  // namespace rubsweep::response

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/core/response/growth.hpp"
+#include "rubsweep/core/response/lyapunov_exponent.hpp"
+#include "rubsweep/core/response/proof/section_map.hpp"
+
+namespace rubsweep::test {
+
+/// A second state that follows a base state through the same map, always pulled back to
+/// `response::separation` from it: what Benettin's exponents were first found with.
+class Companion {
+ public:
+  explicit Companion(std::span<const double> base) : state_(base.size()) { start(base); }
+
+  /// To be advanced by one iteration, as the base is.
+  std::span<double> state() { return state_; }
+
+  /// ln(distance from the base / separation), then pulls back along the line to the base. A distance lost in
+  /// rounding counts as 1e-15, and the companion starts anew.
+  double pull_back(std::span<const double> base) {
+    double square = 0;
+    for (std::size_t i = 0; i < base.size(); ++i) square += (state_[i] - base[i]) * (state_[i] - base[i]);
+    const double apart = std::sqrt(square);
+    if (apart < lost_in_rounding) {
+      start(base);
+      return std::log(lost_in_rounding / response::separation);
+    }
+    for (std::size_t i = 0; i < base.size(); ++i)
+      state_[i] = base[i] + (state_[i] - base[i]) * (response::separation / apart);
+    return std::log(apart / response::separation);
+  }
+
+ private:
+  static constexpr double lost_in_rounding = 1e-15;
+
+  void start(std::span<const double> base) {
+    const Eigen::VectorXd away = response::first_disturbance(base.size());
+    for (std::size_t i = 0; i < base.size(); ++i) state_[i] = base[i] + away(static_cast<Eigen::Index>(i));
+  }
+
+  std::vector<double> state_;
+};
+
+/// Growth of a companion of the motion that starts at `section`, followed through any map: another route to
+/// what `tangent_growth` finds, and the only one for maps that are not of a scene.
+inline response::Growth companion_growth(response::proof::SectionMap map, std::span<const double> section) {
+  return [map = std::move(map),
+          companion = Companion(section)](std::span<double> base) mutable -> std::optional<double> {
+    if (!map(companion.state()) || !map(base)) return std::nullopt;
+    return companion.pull_back(base);
+  };
+}
+
+/// Exponent of the motion from `state` over `iterations`; empty when the map fails.
+inline std::optional<response::motion::Exponent> largest_exponent(const response::proof::SectionMap& map,
+                                                                  std::vector<double> state, int iterations) {
+  const response::Growth turn = companion_growth(map, state);
+  std::vector<double> contributions;
+  for (int k = 0; k < iterations; ++k) {
+    const auto growth = turn(state);
+    if (!growth) return std::nullopt;
+    contributions.push_back(*growth);
+  }
+  return response::exponent_of(contributions);
+}
+
+}  // namespace rubsweep::test

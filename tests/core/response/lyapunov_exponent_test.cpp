@@ -1,0 +1,198 @@
+#include "rubsweep/core/response/lyapunov_exponent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "core/response/companion_growth.hpp"
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Within the error bar, which is to be below `largest_bar`.
+void expect_exponent(const proof::SectionMap& map, const std::vector<double>& state, int iterations,
+                     double expected, double largest_bar) {
+  const auto exponent = test::largest_exponent(map, state, iterations);
+  ASSERT_TRUE(exponent);
+  EXPECT_NEAR(exponent->per_revolution, expected, exponent->error_bar + 1e-9);
+  EXPECT_LT(exponent->error_bar, largest_bar);
+}
+
+bool henon(double a, double b, std::span<double> s) {
+  const double x = s[0];
+  s[0] = 1 - a * x * x + s[1];
+  s[1] = b * x;
+  return true;
+}
+
+/// An angle on the unit circle, so that distances know nothing of where 2 pi begins.
+double angle(std::span<const double> point) { return std::atan2(point[1], point[0]); }
+void set_angle(std::span<double> point, double phi) {
+  point[0] = std::cos(phi);
+  point[1] = std::sin(phi);
+}
+
+TEST(LyapunovExponentLargest, OfTheLogisticMapIsLnTwo) {
+  const proof::SectionMap map = [](std::span<double> s) {
+    s[0] = 4 * s[0] * (1 - s[0]);
+    return true;
+  };
+  expect_exponent(map, {0.3}, 20000, std::numbers::ln2, 0.02);
+}
+
+TEST(LyapunovExponentLargest, OfHenonsMap) {
+  // J. C. Sprott, Chaos and Time-Series Analysis (2003): 0.41922 at a = 1.4, b = 0.3.
+  expect_exponent([](std::span<double> s) { return henon(1.4, 0.3, s); }, {0.1, 0.2}, 50000, 0.41922, 0.01);
+}
+
+TEST(LyapunovExponentLargest, OfArnoldsCatMap) {
+  const proof::SectionMap map = [](std::span<double> s) {
+    const double x = angle(s.first(2)), y = angle(s.last(2));
+    set_angle(s.first(2), 2 * x + y);
+    set_angle(s.last(2), x + y);
+    return true;
+  };
+  expect_exponent(map, {std::cos(0.4), std::sin(0.4), std::cos(1.0), std::sin(1.0)}, 1000,
+                  std::log((3 + std::sqrt(5)) / 2), 1e-6);
+}
+
+TEST(LyapunovExponentLargest, OfARotationIsZero) {
+  const proof::SectionMap map = [](std::span<double> s) {
+    const std::complex<double> z = std::complex<double>(s[0], s[1]) * std::polar(1.0, std::numbers::phi);
+    s[0] = z.real();
+    s[1] = z.imag();
+    return true;
+  };
+  const auto exponent = test::largest_exponent(map, {0.6, 0.8}, 1000);
+  EXPECT_NEAR(exponent.value().per_revolution, 0, 1e-10);
+  EXPECT_LT(exponent->error_bar, 1e-10);
+}
+
+TEST(LyapunovExponentLargest, OfATorusThatStretchesUnevenlyIsZeroWithinAShortBar) {
+  // Contributions of up to ln 9 either way; attracted to the circle.
+  const proof::SectionMap map = [](std::span<double> s) {
+    const double phi = angle(s), radius = std::hypot(s[0], s[1]);
+    set_angle(s, phi + 2 * pi * 0.381 + 0.8 * std::sin(phi));
+    for (double& x : s) x *= 1 + 0.5 * (radius - 1);
+    return true;
+  };
+  expect_exponent(map, {0.6, 0.9}, 640, 0, 2e-3);
+  expect_exponent(map, {0.6, 0.9}, 6400, 0, 2e-6);
+}
+
+TEST(LyapunovExponentLargest, OfAContractionIsItsSlowestRate) {
+  const proof::SectionMap map = [](std::span<double> s) {
+    s[0] *= 0.5;
+    s[1] *= -0.9;
+    s[2] *= 0.1;
+    return true;
+  };
+  expect_exponent(map, {1, 1, 1}, 200, std::log(0.9), 1e-6);
+}
+
+TEST(LyapunovExponentLargest, OfAFixedPointIsItsLargestMultiplier) {
+  // Henon's x = 1 - a x^2 + b x, multipliers -a x +- sqrt(a^2 x^2 + b).
+  const double a = 0.2, b = 0.3;
+  const double x = (-(1 - b) + std::sqrt((1 - b) * (1 - b) + 4 * a)) / (2 * a);
+  const double multiplier = a * x + std::sqrt(a * a * x * x + b);
+  expect_exponent([=](std::span<double> s) { return henon(a, b, s); }, {x, b * x}, 400, std::log(multiplier),
+                  1e-6);
+}
+
+TEST(LyapunovExponentLargest, OfAPeriodTwoOrbitIsHalfThatOfItsSecondIterate) {
+  // Henon: x1 + x2 = (1 - b) / a, x1 x2 = ((1 - b)^2 - a) / a^2; the product of the two Jacobians has trace
+  // 4 a^2 x1 x2 + 2 b and determinant b^2.
+  const double a = 0.9, b = 0.3;
+  const double half_trace = 2 * ((1 - b) * (1 - b) - a) + b;
+  const double root = half_trace * half_trace - b * b;
+  // Real multipliers here, and complex ones at a = 0.6, whose modulus is b.
+  ASSERT_GT(root, 0);
+  const double multiplier = std::abs(half_trace) + std::sqrt(root);
+  const auto map = [=](double at) { return [=](std::span<double> s) { return henon(at, b, s); }; };
+  std::vector<double> state{0.1, 0.1};
+  for (int k = 0; k < 2000; ++k) henon(a, b, state);
+  expect_exponent(map(a), state, 2000, std::log(multiplier) / 2, 1e-4);
+
+  state = {0.1, 0.1};
+  for (int k = 0; k < 2000; ++k) henon(0.6, b, state);
+  expect_exponent(map(0.6), state, 2000, std::log(b) / 2, 5e-3);
+}
+
+TEST(LyapunovExponentLargest, NoiseBelowTheSeparationDoesNotTurnAContractionIntoChaos) {
+  unsigned long bits = 1;
+  const proof::SectionMap map = [&bits](std::span<double> s) {
+    for (double& x : s) {
+      bits = bits * 6364136223846793005UL + 1442695040888963407UL;
+      x = 0.8 * x + 1e-7 * (static_cast<double>(bits >> 11) * 0x1p-53 - 0.5);
+    }
+    return true;
+  };
+  expect_exponent(map, {0.1, 0.2}, 2000, std::log(0.8), 0.01);
+}
+
+TEST(LyapunovExponentLargest, IsEmptyWhenTheMapFails) {
+  int calls = 0;
+  const proof::SectionMap map = [&calls](std::span<double>) { return ++calls < 100; };
+  EXPECT_FALSE(test::largest_exponent(map, {1}, 60));
+  calls = 0;
+  EXPECT_TRUE(test::largest_exponent(map, {1}, 45));
+}
+
+TEST(LyapunovExponentOf, IsTheMeanOfEightBlocksWithTheirStudentInterval) {
+  // Blocks of 10 with the values 1 ... 8 after a first fifth that must not count: mean 4.5, variance 6.
+  std::vector<double> contributions(20, 1e6);
+  for (int k = 0; k < 80; ++k) contributions.push_back(1 + k / 10);
+  const motion::Exponent exponent = exponent_of(contributions);
+  EXPECT_NEAR(exponent.per_revolution, 4.5, 1e-14);
+  EXPECT_NEAR(exponent.error_bar, 3.499483 * std::sqrt(6.0 / 8), 1e-6);
+}
+
+TEST(LyapunovExponentOf, WeighsTheMiddleOfABlock) {
+  // A whole number of waves per block averages out; one that a flat block would cut off nearly does.
+  for (const double waves : {2.0, 7.0, 4.37}) {
+    std::vector<double> contributions;
+    for (int k = 0; k < 800; ++k) contributions.push_back(0.25 + std::sin(2 * pi * waves * k / 80));
+    EXPECT_NEAR(exponent_of(contributions).per_revolution, 0.25, 2e-3) << waves;
+    EXPECT_LT(exponent_of(contributions).error_bar, 5e-3) << waves;
+  }
+}
+
+TEST(LyapunovExponentOf, RefusesFewerThanFortyContributions) {
+  EXPECT_NO_THROW(exponent_of(std::vector<double>(40)));
+  EXPECT_THROW(exponent_of(std::vector<double>(39)), SolverError);
+}
+
+/// The mean of an oscillation that never comes round: smooth weights find it to a millionth where equal ones
+/// are a thousandth off.
+TEST(LyapunovExponentBumpMean, ConvergesFastOnQuasiPeriodicContributions) {
+  std::vector<double> contributions;
+  double sum = 0;
+  for (int k = 0; k < 400; ++k) {
+    contributions.push_back(0.3 + std::cos(2.39996322972865332 * k + 0.2));
+    sum += contributions.back();
+  }
+  EXPECT_NEAR(bump_mean(contributions), 0.3, 1e-6);
+  EXPECT_GT(std::abs(sum / 400 - 0.3), 1e-4);
+  EXPECT_EQ(bump_mean({}), 0);
+  EXPECT_NEAR(bump_mean(std::vector<double>(7, 1.5)), 1.5, 1e-15);
+}
+
+TEST(LyapunovExponent, HasClosedFormsForOneAndTwoDegreesOfFreedom) {
+  EXPECT_NEAR(student_quantile(1), std::tan(std::numbers::pi * 0.495), 1e-11);
+  EXPECT_NEAR(student_quantile(2), 0.99 / std::sqrt(2 * 0.995 * 0.005), 1e-13);
+}
+
+TEST(LyapunovExponent, IsThatOfPrintedTables) {
+  EXPECT_NEAR(student_quantile(6), 3.7074, 5e-5);
+  EXPECT_NEAR(student_quantile(7), 3.4995, 5e-5);
+  EXPECT_NEAR(student_quantile(30), 2.7500, 5e-5);
+}
+
+}  // namespace
+}  // namespace rubsweep::response

@@ -1,0 +1,137 @@
+#include "rubsweep/core/response/proof/section_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "core/response/companion_growth.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/core/integrate/run/scaled_system.hpp"
+#include "rubsweep/core/integrate/run/work_bound.hpp"
+#include "rubsweep/core/response/closest_return.hpp"
+#include "rubsweep/core/response/lyapunov_exponent.hpp"
+#include "support/set_a_cell.hpp"
+
+namespace rubsweep::response::proof {
+namespace {
+
+/// Section of the rotor after so many turns.
+std::vector<double> section_after(const scene::Scene& scene, int turns,
+                                  const integrate::run::SolverOptions& solver) {
+  const integrate::run::Cursor cursor = integrate::adaptive::start_adaptive(scene, solver);
+  integrate::run::TurnReport turn;
+  for (int k = 0; k < turns; ++k) EXPECT_EQ(cursor({}, turn), integrate::run::Outcome::ok);
+  return turn.section;
+}
+
+/// Every turn is paid, by solvers that count from the start and by such that count from a restart.
+TEST(SectionMapScene, EndsWithItsBudget) {
+  const auto cell = test::cell_of({});
+  integrate::exact::modes::ModeCache modes;
+  for (const auto method : {integrate::run::Method::exact, integrate::run::Method::adaptive}) {
+    integrate::run::SolverOptions solver;
+    solver.method = method;
+    integrate::run::WorkBudget endless(1e12), of_six_turns(0);
+    SceneMap map(cell.scene, solver, modes, &endless);
+    std::vector<double> section = section_after(cell.scene, 3, {});
+    const std::vector<double> start = section;
+    for (int turn = 0; turn < 6; ++turn) ASSERT_TRUE(map(section));
+    const double spent = 1e12 - endless.left();
+    EXPECT_GT(spent, 0);
+    of_six_turns = integrate::run::WorkBudget(spent);
+    SceneMap limited(cell.scene, solver, modes, &of_six_turns);
+    section = start;
+    for (int turn = 0; turn < 6; ++turn) EXPECT_TRUE(limited(section)) << turn;
+    EXPECT_FALSE(limited(section));
+  }
+}
+
+TEST(SectionMapScene, RepeatsTheTurnsOfARun) {
+  const auto cell = test::cell_of({});
+  integrate::run::SolverOptions solver;
+  solver.relative_tolerance = 1e-11;
+  integrate::exact::modes::ModeCache modes;
+  SceneMap map(cell.scene, solver, modes);
+  std::vector<double> section = section_after(cell.scene, 3, solver);
+  for (int turn = 4; turn <= 12; ++turn) {
+    ASSERT_TRUE(map(section));
+    const auto expected = section_after(cell.scene, turn, solver);
+    for (std::size_t i = 0; i < section.size(); ++i) EXPECT_NEAR(section[i], expected[i], 1e-7) << turn;
+  }
+}
+
+TEST(SectionMapScene, HasNoMemoryAndNoPulse) {
+  const auto cell = test::cell_of({});
+  integrate::exact::modes::ModeCache modes;
+  SceneMap map(cell.scene, {}, modes);
+  // The quiet motion stays on its circle: nothing kicks it.
+  const auto quiet = integrate::run::scaled_initial_state(cell.scene);
+  auto section = quiet;
+  ASSERT_TRUE(map(section));
+  EXPECT_FALSE(map.touched());
+  for (std::size_t i = 0; i < section.size(); ++i) EXPECT_NEAR(section[i], quiet[i], 1e-7);
+
+  const auto kicked = section_after(cell.scene, 2, {});
+  auto first = kicked, second = kicked;
+  ASSERT_TRUE(map(first));
+  EXPECT_TRUE(map.touched());
+  for (int k = 0; k < 3; ++k) map(section);
+  ASSERT_TRUE(map(second));
+  EXPECT_EQ(first, second);
+}
+
+TEST(SectionMapScene, SaysWhenTheSolverFailsAndRefusesOtherSections) {
+  const auto cell = test::cell_of({});
+  integrate::run::SolverOptions solver;
+  solver.max_steps_per_revolution = 1;
+  integrate::exact::modes::ModeCache modes;
+  SceneMap map(cell.scene, solver, modes);
+  std::vector<double> section(8);
+  EXPECT_FALSE(map(section));
+  section.pop_back();
+  EXPECT_THROW(map(section), SolverError);
+}
+
+TEST(SectionMapScene, ExponentOfTheHalfSubharmonicIsTheDecayOfItsTangentialMotion) {
+  // Under a wall at 90 degrees x is a linear oscillator that the normal motion drives and that drives
+  // nothing: it decays by zeta omega0 T per turn, slower than anything else in this orbit. At every
+  // tolerance.
+  const test::OneSideRotor rotor;
+  const auto cell = test::cell_of(rotor);
+  const double expected =
+      -2 * std::numbers::pi * rotor.damping_ratio * rotor.natural_frequency_hz / rotor.speed_hz;
+  for (const double tolerance : {1e-6, 1e-7, 1e-8}) {
+    integrate::run::SolverOptions solver;
+    solver.relative_tolerance = tolerance;
+    integrate::exact::modes::ModeCache modes;
+    SceneMap map(cell.scene, solver, modes);
+    const auto exponent = test::largest_exponent(std::ref(map), section_after(cell.scene, 400, solver), 400);
+    ASSERT_TRUE(exponent);
+    EXPECT_NEAR(exponent->per_revolution, expected, exponent->error_bar) << tolerance;
+    EXPECT_LT(exponent->error_bar, 0.002);
+  }
+}
+
+TEST(SectionMapScene, ExponentIsTheRateAtWhichSectionsApproachTheirOrbit) {
+  const auto cell = test::cell_of({});
+  integrate::run::SolverOptions solver;
+  solver.relative_tolerance = 1e-10;
+  integrate::exact::modes::ModeCache modes;
+  SceneMap map(cell.scene, solver, modes);
+  std::vector<double> rows, section = section_after(cell.scene, 40, solver);
+  for (int k = 0; k < 180; ++k) {
+    ASSERT_TRUE(map(section));
+    rows.insert(rows.end(), section.begin(), section.end());
+  }
+  const auto nearest = closest_return(rows, 8, 8);
+  EXPECT_EQ(nearest.order % 2, 0);
+  const auto exponent = test::largest_exponent(std::ref(map), section, 400);
+  EXPECT_NEAR(nearest.rate, exponent.value().per_revolution, nearest.rate_error_bar + exponent->error_bar);
+  EXPECT_LT(nearest.rate_error_bar, 0.005);
+}
+
+}  // namespace
+}  // namespace rubsweep::response::proof

@@ -1,0 +1,26 @@
+#include "rubsweep/maps/config/keys/form.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rubsweep::config::keys {
+namespace {
+
+TEST(Form, SaysWhatIsAllowed) {
+  EXPECT_EQ(allowed(number({})), "a number");
+  EXPECT_EQ(allowed(number({.low = 0, .high = 1, .low_open = true})), "> 0 and <= 1");
+  EXPECT_EQ(allowed(number({.high = 2, .high_open = true})), "< 2");
+  EXPECT_EQ(allowed(even_integer(4, 4096)), "even integer, 4 to 4096");
+  EXPECT_EQ(allowed(word({"one_side", "annular"})), "one_side or annular");
+  EXPECT_EQ(allowed(list_of(number({}), 6, 6)), "list of 6, each: a number");
+  EXPECT_EQ(allowed(list_of(map_of({}), 1, 16)), "list of 1 to 16 maps");
+  EXPECT_EQ(allowed(numbered(map_of({}), 16)), "map from numbers, 0 to 15");
+  EXPECT_EQ(allowed(any_of({word({"rigid"}), map_of({}), map_of({})})), "rigid, or map");
+}
+
+TEST(Form, NewerKeysSaySo) {
+  EXPECT_EQ(must("a", text(), "").since, "0.1.0");
+  EXPECT_EQ(newer({must("a", text(), "")})[0].since, "0.1.0+");
+}
+
+}  // namespace
+}  // namespace rubsweep::config::keys

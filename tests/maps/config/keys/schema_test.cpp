@@ -1,0 +1,40 @@
+#include "rubsweep/maps/config/keys/schema.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "rubsweep/core/model/range.hpp"
+#include "rubsweep/maps/config/keys/run_form.hpp"
+
+/// Verdicts of validators are the business of agreement_test.py; here is what they do not see.
+namespace rubsweep::config::keys {
+namespace {
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Schema, DescriptionsHaveMeaningUnitRangeAndDefault) {
+  const std::string schema =
+      schema_of(map_of({may("length_m", number(model::positive), "its \"length\"", "2")}), "t");
+  EXPECT_TRUE(holds(schema, R"("description":"its \"length\" [m]. Allowed: > 0. Default: 2")")) << schema;
+  EXPECT_TRUE(holds(schema, R"("exclusiveMinimum":0,"maximum":1e+30)")) << schema;
+  EXPECT_TRUE(holds(schema, R"("title":"t")"));
+}
+
+TEST(Schema, OverABaseNothingIsRequiredAndKeysMayBeTakenBack) {
+  const std::string schema = schema_of(map_of({must("a_m", number({}), "length")}), "t");
+  EXPECT_TRUE(
+      holds(schema, R"("if":{"required":["base"]},"then":{"$ref":"#/definitions/configuration.over_base"})"));
+  EXPECT_TRUE(holds(schema, R"("required":["a_m"])"));
+  const std::string over = schema.substr(schema.find(R"("configuration.over_base":)"));
+  EXPECT_FALSE(holds(over, R"("required":["a_m"])"));
+  EXPECT_TRUE(holds(over, R"({"type":"null"})"));
+}
+
+TEST(Schema, OfARunIsDraftSeven) {
+  EXPECT_TRUE(
+      schema_of(run_form(), "rub").starts_with(R"({"$schema":"http://json-schema.org/draft-07/schema#",)"));
+}
+
+}  // namespace
+}  // namespace rubsweep::config::keys

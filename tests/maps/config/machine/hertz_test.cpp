@@ -1,0 +1,100 @@
+#include "rubsweep/maps/config/machine/hertz.hpp"
+
+#include "maps/config/support.hpp"
+#include "rubsweep/core/contact/friction_law.hpp"
+#include "rubsweep/core/contact/hertz_line.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+
+namespace rubsweep::config::machine {
+namespace {
+
+const std::string brass =
+    "{length_m: 0.01, rotor: {radius_m: 0.005, youngs_modulus_pa: 2.06e11, poisson_ratio: 0.3}, casing: "
+    "{shape: flat, "
+    "youngs_modulus_pa: 1.0e11, poisson_ratio: 0.34}, design_force_n: 200}";
+
+std::string with_hertz() {
+  return replaced(test_file("minimal.yaml"), "stiffness_n_per_m: 2.0e6", "hertz: " + brass);
+}
+
+TEST(Hertz, GivesTheStiffness) {
+  const RunConfig config = read_run_config_text(with_hertz(), "test.yaml", {});
+  const model::Stop& stop = config.study.machine.stops.at(0);
+  ASSERT_TRUE(stop.hertz);
+  EXPECT_EQ(stop.hertz->casing_shape, model::HertzShape::flat);
+  EXPECT_EQ(stop.stiffness_n_per_m, contact::hertz_stiffness_n_per_m(*stop.hertz));
+}
+
+TEST(Hertz, WhatIsPrintedReadsBackTheSame) {
+  for (const std::vector<std::string>& overrides :
+       {std::vector<std::string>{},
+        {"stops.0.hertz.half_width=paper"},
+        {"stops.0.hertz.casing.shape=hole", "stops.0.hertz.casing.radius_m=0.006"}}) {
+    const std::string printed = print_config(read_run_config_text(with_hertz(), "test.yaml", overrides));
+    EXPECT_NE(printed.find("hertz:"), std::string::npos);
+    EXPECT_EQ(printed.find("stiffness_n_per_m"), std::string::npos);
+    EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
+  }
+}
+
+TEST(Hertz, ProblemsHaveTheirPlaces) {
+  const auto message = [](const std::string& override) { return message_of(with_hertz(), {override}); };
+  const std::string both =
+      replaced(with_hertz(), "    contact_radius_m", "    stiffness_n_per_m: 1\n    contact_radius_m");
+  EXPECT_NE(message_of(both).find("stops.0.hertz: given beside stiffness_n_per_m, allowed: one of the two"),
+            std::string::npos);
+  EXPECT_NE(message("stops.0.hertz.casing.shape=cylinder").find("stops.0.hertz.casing.radius_m: missing"),
+            std::string::npos);
+  EXPECT_NE(
+      message("stops.0.hertz.casing={shape: hole, radius_m: 0.004, youngs_modulus_pa: 1, poisson_ratio: 0}")
+          .find("the rotor does not fit into the hole"),
+      std::string::npos);
+  EXPECT_NE(message("stops.0.hertz.rotor.poisson_ratio=0.7").find("0.7 is out of range"), std::string::npos);
+  EXPECT_NE(message("stops.0.hertz.half_width=book").find("'book' is unknown"), std::string::npos);
+  EXPECT_NE(message("stops.0.hertz.length_m=1e-6")
+                .find("stops.0.hertz.design_force_n: the contact is wider than long"),
+            std::string::npos);
+}
+
+TEST(Hertz, IterationsAreWrittenWhereThereAreSome) {
+  EXPECT_EQ(print_config(read_run_config_text(with_hertz(), "test.yaml", {})).find("hertz_iterations"),
+            std::string::npos);
+  const RunConfig config = read_run_config_text(with_hertz(), "test.yaml", {"response.hertz_iterations=4"});
+  EXPECT_EQ(config.study.hertz_iterations, 4);
+  const std::string printed = print_config(config);
+  EXPECT_NE(printed.find("hertz_iterations: 4"), std::string::npos);
+  EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
+  EXPECT_NE(message_of(with_hertz(), {"response.hertz_iterations=21"}).find("response.hertz_iterations: 21"),
+            std::string::npos);
+}
+
+TEST(HertzFrictionCurve, IsSolvedForAndPrintedAsItWasGiven) {
+  const std::string curve =
+      "stops.0.friction={static: 0.3, kinetic: 0.2, peak_speed_m_per_s: 0.01, settle_speed_m_per_s: 0.2}";
+  const RunConfig config = read_run_config_text(test_file("minimal.yaml"), "test.yaml", {curve});
+  EXPECT_NEAR(contact::friction_coefficient(config.study.machine.stops.at(0).friction, 3), 0.2, 1e-12);
+  const std::string printed = print_config(config);
+  EXPECT_NE(printed.find("static: 0.3"), std::string::npos);
+  EXPECT_EQ(printed.find("stribeck"), std::string::npos);
+  EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
+}
+
+TEST(HertzFrictionCurve, ProblemsHaveTheirPlaces) {
+  const auto message = [](const std::string& text) {
+    return message_of(test_file("minimal.yaml"), {"stops.0.friction=" + text});
+  };
+  EXPECT_NE(message("{static: 0.1, kinetic: 0.2, peak_speed_m_per_s: 0.01, settle_speed_m_per_s: 0.2}")
+                .find("stops.0.friction.static: below kinetic"),
+            std::string::npos);
+  EXPECT_NE(message("{static: 0.3, kinetic: 0.2, peak_speed_m_per_s: 0.1, settle_speed_m_per_s: 1e29}")
+                .find("settle_speed_m_per_s: too far from the peak, allowed: at most 1e6 peak_speed_m_per_s"),
+            std::string::npos);
+  EXPECT_NE(message("{static: 0.3, kinetic: 0.2, peak_speed_m_per_s: 0.1, settle_speed_m_per_s: 0.12}")
+                .find("settle_speed_m_per_s: too close to the peak"),
+            std::string::npos);
+  EXPECT_NE(message("{static: 0.3}").find("stops.0.friction.kinetic: missing"), std::string::npos);
+  EXPECT_NE(message("{static: 0.3, coefficient: 1}").find("given beside"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rubsweep::config::machine

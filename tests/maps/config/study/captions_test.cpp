@@ -1,0 +1,64 @@
+#include "rubsweep/maps/config/study/captions.hpp"
+
+#include "maps/config/support.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/study_digest.hpp"
+#include "rubsweep/ring/read_ring_config.hpp"
+
+namespace rubsweep::config::study {
+namespace {
+
+std::string with_captions(const std::string& captions) { return captions + "\n" + test_file("minimal.yaml"); }
+
+TEST(Captions, AreReadPrintedAndNoPartOfTheDigest) {
+  const std::string captions =
+      "title: \"Pump 7: \\\"wet\\\" end\"\nauthor: R\xC3\xA9mi\nnote: |\n  first line\n\n  # third\n";
+  const RunConfig config = read_run_config_text(with_captions(captions), "test.yaml", {}),
+                  plain = read_run_config_text(with_captions(""), "test.yaml", {});
+  EXPECT_EQ(config.captions,
+            (batch::Captions{"Pump 7: \"wet\" end", "R\xC3\xA9mi", "first line\n\n# third\n"}));
+  EXPECT_EQ(study_digest(config.study), study_digest(plain.study));
+  const std::string printed = print_config(config);
+  EXPECT_TRUE(printed.starts_with("title: ")) << printed;
+  EXPECT_EQ(read_run_config_text(printed, "printed.yaml", {}).captions, config.captions);
+  EXPECT_EQ(print_config(plain).find("title"), std::string::npos);
+}
+
+TEST(Captions, HoldNothingThatATerminalWouldObey) {
+  const auto problem = [](const std::string& caption) { return message_of(with_captions(caption)); };
+  EXPECT_EQ(problem("title: \"a\\x1b[2Jb\""),
+            "test.yaml:1:8: title: holds the character \\x1b, which cannot be shown, allowed: UTF-8 text of "
+            "one line");
+  EXPECT_EQ(problem("title: \"a\\nb\""),
+            "test.yaml:1:8: title: holds the character \\x0a, which cannot be shown, allowed: UTF-8 text of "
+            "one line");
+  EXPECT_EQ(problem("note: \"a\\nb\\rc\""),
+            "test.yaml:1:7: note: holds the character \\x0d, which cannot be shown, allowed: UTF-8 text and "
+            "line ends");
+  EXPECT_NE(problem("author: \"\\u202e\"").find("\\xe2\\x80\\xae"), std::string::npos) << "turns the writing";
+  EXPECT_NE(problem("author: \"\\x9b2J\"").find("\\xc2\\x9b"), std::string::npos) << "ESC [ of Latin-1";
+  EXPECT_EQ(problem("title: [a]"), "test.yaml:1:8: title: is a list, allowed: a text of 1 to 4096 bytes");
+  EXPECT_EQ(problem("title: " + std::string(201, 'a')),
+            "test.yaml:1:8: title: is too long, allowed: at most 200 bytes");
+}
+
+TEST(Captions, AreOfRingsAsWell) {
+  const std::string ring =
+      "title: Ring\nring: {nodal_diameters: 3, modal_mass_kg: 742, natural_frequency_hz: 5, thickness_ratio: "
+      "0.01}\n"
+      "loads: [{kind: spring_mass, motion: radial, angle_deg: 70, mass_kg: 1, radial_stiffness_n_per_m: "
+      "1e6}]\n"
+      "friction_coefficient: 0.1\nspeed_rpm: {from: 0, to: 6000, count: 3001}\noutput: {directory: "
+      "results}\n";
+  const ring::RingConfig config = ring::read_ring_config_text(ring, "ring.yaml", {});
+  EXPECT_EQ(config.captions.title, "Ring");
+  const std::string printed = ring::print_ring_config(config);
+  EXPECT_NE(printed.find("speed_rpm:\n  from: 0\n  to: 6000\n  count: 3001\n"), std::string::npos) << printed;
+  const ring::RingConfig again = ring::read_ring_config_text(printed, "printed.yaml", {});
+  EXPECT_EQ(again.captions, config.captions);
+  EXPECT_EQ(again.study.speeds_rpm, config.study.speeds_rpm);
+  EXPECT_EQ(ring::ring_study_digest(again.study), ring::ring_study_digest(config.study));
+}
+
+}  // namespace
+}  // namespace rubsweep::config::study

@@ -1,0 +1,39 @@
+#include "rubsweep/maps/config/templates/templates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "rubsweep/maps/config/read_run_config.hpp"
+
+namespace rubsweep::config::templates {
+namespace {
+
+TEST(Templates, AreReadWithoutAProblemOrAQuestion) {
+  ASSERT_EQ(template_names().size(), 5u);
+  for (const std::string_view name : template_names()) {
+    const auto text = template_text(name);
+    ASSERT_TRUE(text) << name;
+    // Beside the file of ROSS that one of them names.
+    const auto file = std::filesystem::path(TEMPLATE_FOLDER) / "my.yaml";
+    const RunConfig config = read_run_config_text(*text, file.string(), {});
+    EXPECT_TRUE(config.questions.empty()) << name << ": " << config.questions.front();
+    EXPECT_EQ(config.output_directory, "results/" + std::string(name));
+    EXPECT_FALSE(config.captions.title.empty()) << name;
+  }
+}
+
+TEST(Templates, NameTheSchemaBesideThem) {
+  for (const std::string_view name : template_names()) {
+    EXPECT_TRUE(template_text(name)->starts_with("# yaml-language-server: $schema=rubsweep.schema.json\n"));
+    EXPECT_EQ(template_text(name)->find("../"), std::string::npos) << name;
+  }
+}
+
+TEST(Templates, AreOfKnownKinds) {
+  EXPECT_FALSE(template_text("one_sid"));
+  EXPECT_FALSE(template_text(""));
+}
+
+}  // namespace
+}  // namespace rubsweep::config::templates

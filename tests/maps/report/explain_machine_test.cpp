@@ -1,0 +1,116 @@
+#include "rubsweep/maps/report/explain_machine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/scene/kit_machine.hpp"
+#include "maps/report/says.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+TEST(ExplainMachine, MovingCasing) {
+  const std::string text = explain_machine(scene::one_side_machine(), 45);
+  EXPECT_TRUE(
+      says(text, "rotor: Jeffcott, moves in x and y (2 coordinates), 0.8 kg, 30 Hz, damping ratio 0.02\n"));
+  EXPECT_TRUE(says(text, "stop 0 (kicked): one side at 90 degrees, clearance 0.001 m\n"));
+  // sqrt(5e5 / 0.05) / (2 pi) Hz; pi sqrt(0.8 * 0.05 / 0.85 / 2e6) s.
+  EXPECT_TRUE(says(text,
+                   "casing: moves in x and y (2 coordinates), 0.05 kg, 503.3 Hz, damping ratio 0.1; contact "
+                   "half-period 0.482 ms\n"));
+  // Nominal 0.7: |ln 0.7| / sqrt(pi^2 + ln^2 0.7) = 0.11282, of which the clamp returns 0.736.
+  EXPECT_TRUE(says(text, "clamped ElastoGap, 2000000 N/m, 69.2161 N s/m"));
+  EXPECT_TRUE(says(text, "(damping ratio 0.1128; a free impact returns 0.736"));
+  EXPECT_TRUE(says(text, "kick: half-sine, 200 N for 0.005 s\n"));
+  EXPECT_TRUE(says(text, "states: 8 (4 coordinates and their rates)\n"));
+  EXPECT_TRUE(says(text, "left out: torsion"));
+  EXPECT_TRUE(says(text, "left out: gravity"));
+  EXPECT_FALSE(says(text, "left out: friction"));
+}
+
+TEST(ExplainMachine, RotorKitSaysWhatItWasReducedTo) {
+  model::Machine machine = scene::light_shaft_machine();
+  model::kit_of(machine)->shaft[0].density_kg_per_m3 = 7850;
+  const std::string text = explain_machine(machine, 45);
+  EXPECT_TRUE(says(text, "rotor: kit, shaft of 0.4 m in 4 or more Timoshenko elements, 1 discs, 2 supports"));
+  EXPECT_TRUE(says(text, "  reduced in x to modes 1 ("));
+  EXPECT_TRUE(says(text, "; attachment modes of the stops "));
+  EXPECT_TRUE(says(text, "number of modes: as configured\n"));
+  EXPECT_TRUE(says(text, "  at 0.2 m of the shaft; mass behind the contact "));
+  EXPECT_TRUE(says(text, "states: 12 (6 coordinates and their rates)\n"));
+  EXPECT_FALSE(says(text, "tilting"));
+  model::kit_of(machine)->modes.reset();
+  EXPECT_TRUE(says(explain_machine(machine, 45), "number of modes: auto, the smallest within 0.01\n"));
+}
+
+TEST(ExplainMachine, AContactThatIsFasterThanTheModesAreChosenForIsSaid) {
+  model::Machine machine = scene::light_shaft_machine();
+  EXPECT_FALSE(says(explain_machine(machine, 45), "contact is faster"));
+  machine.stops[0].stiffness_n_per_m *= 1e4;
+  EXPECT_TRUE(says(explain_machine(machine, 45), "largest forces depend on rotor.modes\n"));
+}
+
+TEST(ExplainMachine, FaultyBearingsSayWhatCannotBeProven) {
+  model::Machine machine = scene::light_shaft_machine();
+  EXPECT_FALSE(says(explain_machine(machine, 45), "impulses"));
+  model::kit_of(machine)->supports[1].fault = {.impulse_ns = 0.02, .multiple = 2, .angle_deg = 90};
+  const std::string text = explain_machine(machine, 45);
+  EXPECT_TRUE(says(text, "faulty bearing at 0.4 m: 2 impulses of 0.02 N s per revolution at 90 degrees"));
+  EXPECT_TRUE(says(text, "nothing is ever proven to rest"));
+  EXPECT_FALSE(says(text, "no proof of a period"));
+  model::kit_of(machine)->supports[1].fault->multiple = 2.5;
+  EXPECT_TRUE(says(explain_machine(machine, 45), "no proof of a period"));
+}
+
+TEST(ExplainMachine, RigidCasingHasNoState) {
+  model::Machine machine = scene::one_side_machine();
+  machine.stops[0].casing.reset();
+  machine.gravity_m_per_s2 = 9.81;
+  machine.kick.reset();
+  const std::string text = explain_machine(machine, 45);
+  EXPECT_TRUE(says(text, "states: 4 (2 coordinates and their rates)\n"));
+  EXPECT_TRUE(says(text, "casing: rigid, no state; contact half-period 1.99 ms\n"));  // pi sqrt(0.8 / 2e6)
+  EXPECT_TRUE(says(text, "kick: none\n"));
+  machine.start.emplace();
+  EXPECT_TRUE(says(explain_machine(machine, 45), "start: in a given state, not kicked"));
+  EXPECT_FALSE(says(text, "left out: gravity"));
+}
+
+TEST(ExplainMachine, EveryStopInTurn) {
+  const std::string text = explain_machine(scene::both_sides_machine(), 45);
+  EXPECT_TRUE(says(text, "stop 0 (kicked): one side at 90 degrees"));
+  EXPECT_TRUE(says(text, "stop 1: one side at -90 degrees"));
+  EXPECT_TRUE(says(text, "states: 12 (6 coordinates and their rates)\n"));
+}
+
+TEST(ExplainMachine, FrictionSaturatedOrNotAtTheStatedSpeed) {
+  model::Machine machine = scene::one_side_machine();
+  // 0.0375 m at 2 pi 45 rad/s are 10.603 m/s.
+  EXPECT_TRUE(says(explain_machine(machine, 45),
+                   "friction: Stribeck, 0.1 at the surface speed 10.6 m/s of the lowest speed (saturated"));
+  // tanh(100 * 0.0375 * 2 pi * 0.1) is not yet 1.
+  EXPECT_TRUE(says(explain_machine(machine, 0.1), "(depends on the slip)"));
+  machine.stops[0].friction = model::ConstantFriction{0.25};
+  EXPECT_TRUE(says(explain_machine(machine, 45),
+                   "friction: dry 0.25; reverses with the slip, and may hold the surfaces together"));
+  machine.stops[0].friction = model::OneWayFriction{0.25};
+  EXPECT_TRUE(says(explain_machine(machine, 45),
+                   "friction: one-way 0.25; a run whose slip would reverse says slip_reversal"));
+  machine.stops[0].friction = model::NoFriction{};
+  EXPECT_TRUE(says(explain_machine(machine, 45), "friction: none\n"));
+  EXPECT_TRUE(says(explain_machine(machine, 45), "left out: friction (no stop has any)\n"));
+}
+
+TEST(ExplainMachine, DampingWithoutReboundAndWithoutLoss) {
+  model::Machine machine = scene::one_side_machine();
+  machine.stops[0].damping = model::ExplicitDamping{1e4};
+  EXPECT_TRUE(says(explain_machine(machine, 45),
+                   "beyond critical, so that a free impact returns less than 0.2636 of its speed"));
+  machine.stops[0].damping = model::NominalRestitution{1};
+  EXPECT_TRUE(
+      says(explain_machine(machine, 45), " 0 N s/m (damping ratio 0; a free impact returns 1 of its speed)"));
+}
+
+}  // namespace
+}  // namespace rubsweep::report

@@ -1,0 +1,81 @@
+#include "rubsweep/maps/report/map_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "maps/batch/message_of.hpp"
+#include "maps/batch/temporary_directory.hpp"
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::report {
+namespace {
+
+class MapCells : public ::testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& text, const char* name = "map.csv") {
+    std::ofstream(directory_.path() / name) << text;
+    return directory_.path() / name;
+  }
+
+  std::string axis_of(const std::string& a, const std::string& b) {
+    const std::string header = "speed_hz,whirl_ratio,eccentricity_m\n";
+    return second_axis(write(header + a, "a.csv"), write(header + b, "b.csv"));
+  }
+
+ private:
+  const TemporaryDirectory directory_;
+};
+
+/// Two speeds at two whirl ratios: the eccentricity is another one in every cell.
+TEST_F(MapCells, TheAxisIsWhatComesAgain) {
+  const std::string by_ratio = "50,0.2,1\n60,0.2,2\n50,0.4,3\n60,0.4,4\n",
+                    by_eccentricity = "50,1,0.2\n60,2,0.2\n50,3,0.4\n60,4,0.4\n";
+  EXPECT_EQ(axis_of(by_ratio, by_ratio), "whirl_ratio");
+  EXPECT_EQ(axis_of(by_eccentricity, by_eccentricity), "eccentricity_m");
+}
+
+/// At one speed every measure holds as many values as the other.
+TEST_F(MapCells, TheAxisIsWhatTwoMapsHaveInCommon) {
+  EXPECT_EQ(axis_of("50,1,0.2\n50,3,0.4\n", "50,1.1,0.2\n50,3.3,0.4\n"), "eccentricity_m");
+  EXPECT_EQ(axis_of("50,0.2,1\n50,0.4,2\n", "50,0.2,1.1\n50,0.4,2.2\n"), "whirl_ratio");
+}
+
+/// A rotor that gravity presses on its stop has no whirl ratio.
+TEST_F(MapCells, WhatIsEmptyIsNoAxis) {
+  const std::string pressed = "50,,0.2\n60,,0.2\n50,,0.4\n60,,0.4\n";
+  EXPECT_EQ(axis_of(pressed, pressed), "eccentricity_m");
+  EXPECT_EQ(axis_of("50,0.2,\n60,0.2,2\n", "50,0.2,1\n60,0.2,2\n"), "whirl_ratio");
+}
+
+TEST_F(MapCells, ARowThatIsNoCellIsAnError) {
+  const auto path = write("speed_hz,whirl_ratio\n50,0.2\n60,\n");
+  EXPECT_EQ(message_of<IoError>([&] { rows_by_cell(path, "whirl_ratio", {}); }),
+            path.string() + ":3: column 'whirl_ratio' does not say which cell this is, allowed: a number");
+}
+
+TEST_F(MapCells, KeysAreThoseOfTheComments) {
+  const auto path = write(
+      "# digest abc\n# keys kick.force_n,stops.0.clearance_m\nspeed_hz,whirl_ratio,kick.force_n,"
+      "stops.0.clearance_m\n60,0.4,20,1e-3\n50,0.4,30,2e-3\n50,0.4,20,1e-3\n");
+  batch::CsvReader map(path);
+  EXPECT_EQ(comment_after(map, "digest "), "abc");
+  EXPECT_EQ(comment_after(map, "units: "), "");
+  const auto keys = keys_of(map);
+  EXPECT_EQ(keys, (std::vector<std::string>{"kick.force_n", "stops.0.clearance_m"}));
+  const auto cells = rows_by_cell(path, "whirl_ratio", keys);
+  ASSERT_EQ(cells.size(), 3u);
+  EXPECT_EQ(cells[0].key, (CellKey{50, 0.4, 20, 1e-3}));
+  EXPECT_EQ(cells[2].key, (CellKey{60, 0.4, 20, 1e-3}));
+  EXPECT_EQ(find_cell(cells, {50, 0.4, 30, 2e-3}), 1u);
+  EXPECT_FALSE(find_cell(cells, {50, 0.4, 30, 1e-3}));
+}
+
+TEST_F(MapCells, ACellThatIsThereTwiceIsAnError) {
+  const auto path = write("speed_hz,whirl_ratio\n50,0.2\n60,0.2\n50,0.2\n");
+  EXPECT_EQ(message_of<IoError>([&] { rows_by_cell(path, "whirl_ratio", {}); }),
+            path.string() + ":4: this cell is in the map twice");
+}
+
+}  // namespace
+}  // namespace rubsweep::report

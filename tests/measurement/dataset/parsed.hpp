@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/config/file.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+
+namespace rubsweep::config::dataset {
+
+/// Reads a text, named study.yaml in messages, by `read`, which gets its root; the problems that it added, or
+/// "none".
+template <class Read>
+std::string problems(const std::string& text, Read read) {
+  try {
+    yaml::Diagnostics diagnostics("study.yaml", {});
+    const yaml::Node root = parse_config(text, "study.yaml", "a map", {}, diagnostics);
+    read(yaml::Value{root, "", diagnostics});
+    diagnostics.throw_if_any();
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+}  // namespace rubsweep::config::dataset

@@ -1,0 +1,53 @@
+#include "rubsweep/measurement/diagnose/candidate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace rubsweep::diagnose {
+namespace {
+
+TEST(Candidate, UsualRangesAreOfNumbersThatAMachineMayHave) {
+  for (const Candidate& candidate : usual_candidates()) {
+    for (const UnknownRow& row : unknown_rows()) {
+      const Spread& spread = spread_of(candidate, row.unknown);
+      EXPECT_LE(spread.low, spread.high) << row.key;
+      // Numbers that the stops do not have stand in for none.
+      if (!row.of_file || spread.low == spread.high) continue;
+      EXPECT_TRUE(model::contains(row.range, spread.low)) << row.key;
+      EXPECT_TRUE(model::contains(row.range, spread.high)) << row.key;
+    }
+  }
+}
+
+TEST(Candidate, RowsStandInTheOrderOfTheirUnknowns) {
+  for (std::size_t i = 0; i < unknown_count; ++i)
+    EXPECT_EQ(static_cast<std::size_t>(unknown_rows()[i].unknown), i);
+}
+
+TEST(Candidate, NumbersOfOtherStopsAreKnown) {
+  const Candidate flat = usual_candidate(Cause::one_side);
+  for (const Unknown other : {Unknown::offset_ratio, Unknown::second_clearance_ratio})
+    EXPECT_EQ(spread_of(flat, other).low, spread_of(flat, other).high);
+  EXPECT_LT(spread_of(usual_candidate(Cause::two_sides), Unknown::second_clearance_ratio).low, 1);
+  EXPECT_GT(spread_of(usual_candidate(Cause::annular_offset), Unknown::offset_ratio).high, 0.5);
+}
+
+TEST(Candidate, UsualOnesHaveNamesOfTheirOwn) {
+  std::set<std::string> names;
+  for (const Candidate& candidate : usual_candidates()) names.insert(candidate.name);
+  EXPECT_EQ(names, (std::set<std::string>{"no_rub", "one_side", "two_sides", "annular", "annular_offset"}));
+}
+
+TEST(Candidate, CornersOfTheUnitCubeAreTheBounds) {
+  const Candidate candidate = usual_candidate(Cause::two_sides);
+  Point low{}, high{};
+  high.fill(1);
+  for (std::size_t i = 0; i < unknown_count; ++i) {
+    EXPECT_DOUBLE_EQ(values_at(candidate, low)[i], candidate.spreads[i].low);
+    EXPECT_DOUBLE_EQ(values_at(candidate, high)[i], candidate.spreads[i].high);
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::diagnose

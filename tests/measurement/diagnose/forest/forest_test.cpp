@@ -1,0 +1,138 @@
+#include "rubsweep/measurement/diagnose/forest/forest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "two_clouds.hpp"
+
+namespace rubsweep::diagnose::forest {
+namespace {
+
+double probability_of_second(const Forest& forest, const LabelledSamples& samples, double x) {
+  const Eigen::VectorXd weight = forest.posterior_weights(Eigen::Vector2d(x, 0));
+  double sum = 0;
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    if (samples.label[static_cast<std::size_t>(i)] == 1) sum += weight(i);
+  return sum;
+}
+
+TEST(Forest, GivesTheProbabilityOfBayesTheorem) {
+  const LabelledSamples samples = two_clouds(6000, 1);
+  const Forest forest(samples, {.least_leaf = 25});
+  for (const double x : {-2.0, -1.0, -0.3, 0.3, 1.0, 2.0})
+    EXPECT_NEAR(probability_of_second(forest, samples, x), second_cloud(x), 0.06) << x;
+}
+
+TEST(Forest, MindsTheWeightsOfTheSamples) {
+  LabelledSamples samples = two_clouds(6000, 2);
+  for (Eigen::Index i = 0; i < samples.weight.size(); ++i)
+    if (samples.label[static_cast<std::size_t>(i)] == 1) samples.weight(i) = 3;
+  const Forest forest(samples, {.least_leaf = 25});
+  for (const double x : {-1.0, 0.0, 1.0})
+    EXPECT_NEAR(probability_of_second(forest, samples, x), second_cloud(x, 3), 0.06) << x;
+}
+
+TEST(Forest, WeighsAllSamplesTogetherAsOne) {
+  const Forest forest(two_clouds(300, 3), {});
+  EXPECT_NEAR(forest.posterior_weights(Eigen::Vector2d(0.4, 1)).sum(), 1, 1e-12);
+  EXPECT_NEAR(forest.out_of_bag_weights(7).sum(), 1, 1e-12);
+  EXPECT_EQ(forest.out_of_bag_weights(7)(7), 0);
+}
+
+TEST(Forest, IsAsSureOfSamplesItDidNotDrawAsOfNewOnes) {
+  const LabelledSamples samples = two_clouds(2000, 4);
+  const Forest forest(samples, {.least_leaf = 10});
+  const Eigen::MatrixXd told = forest.out_of_bag_probabilities();
+  double error = 0;
+  for (Eigen::Index i = 0; i < told.rows(); ++i)
+    error += std::abs(told(i, 1) - second_cloud(samples.features(i, 0)));
+  EXPECT_LT(error / static_cast<double>(told.rows()), 0.08);
+}
+
+TEST(Forest, SeesWhatNoFeatureAloneTells) {
+  const LabelledSamples samples = slanting_clouds(300, 6);
+  const Eigen::MatrixXd told = Forest(samples, {}).out_of_bag_probabilities();
+  double right = 0;
+  for (Eigen::Index i = 0; i < told.rows(); ++i)
+    right += told(i, samples.label[static_cast<std::size_t>(i)]) / static_cast<double>(told.rows());
+  EXPECT_GT(right, 0.98);
+}
+
+TEST(Forest, DoesNotDependOnThreads) {
+  const LabelledSamples samples = two_clouds(400, 5);
+  const Eigen::Vector2d here(0.2, -0.1);
+  EXPECT_EQ(Forest(samples, {.threads = 1}).posterior_weights(here),
+            Forest(samples, {.threads = 3}).posterior_weights(here));
+}
+
+/// How far the second label's function is above the first's.
+Eigen::VectorXd second_over_first(const LinearDiscriminants& functions, const Eigen::MatrixXd& features) {
+  const Eigen::MatrixXd both = functions.beside(features);
+  return both.col(features.cols() + 1) - both.col(features.cols());
+}
+
+TEST(Forest, StandBesideTheFeatures) {
+  const LabelledSamples samples = two_clouds(500, 1);
+  const Eigen::MatrixXd both = LinearDiscriminants(samples).beside(samples.features);
+  ASSERT_EQ(both.cols(), 4);
+  EXPECT_EQ(both.leftCols(2), samples.features);
+}
+
+/// The inverse of a unit covariance times a distance of 2: the logarithm of the odds of Bayes' theorem. The
+/// first feature's deviation is that of both clouds together, sqrt(2), the ridge is small.
+TEST(Forest, OfTwoNormalDistributionsAreTheLogarithmOfTheOdds) {
+  const LinearDiscriminants functions(two_clouds(40000, 2));
+  for (const double x : {-1.5, 0.4, 2.0}) {
+    const Eigen::MatrixXd here = Eigen::RowVector2d(x, 0.7);
+    EXPECT_NEAR(second_over_first(functions, here)(0), std::log(second_cloud(x) / (1 - second_cloud(x))),
+                0.08 + 0.03 * std::abs(2 * x))
+        << x;
+  }
+}
+
+TEST(Forest, SeeWhatNoFeatureAloneTells) {
+  const LabelledSamples samples = slanting_clouds(1000, 3);
+  const Eigen::VectorXd above = second_over_first(LinearDiscriminants(samples), samples.features);
+  double least = INFINITY, most = -INFINITY;
+  for (Eigen::Index i = 0; i < above.size(); ++i) {
+    if (samples.label[static_cast<std::size_t>(i)] == 1) least = std::min(least, above(i));
+    if (samples.label[static_cast<std::size_t>(i)] == 0) most = std::max(most, above(i));
+  }
+  EXPECT_GT(least, most);
+}
+
+TEST(Forest, MindTheWeightsOfTheSamples) {
+  // Samples far off count nothing without weight.
+  LabelledSamples samples = two_clouds(2000, 4), less = samples;
+  for (Eigen::Index i = 0; i < 2000; i += 5) {
+    samples.features(i, 0) = 2 - samples.features(i, 0);
+    samples.weight(i) = 1e-12;
+    less.weight(i) = 1e-12;
+  }
+  const auto slope = [](const LabelledSamples& all) {
+    const Eigen::Vector2d ends = second_over_first(LinearDiscriminants(all), Eigen::Matrix2d{{0, 0}, {1, 0}});
+    return ends(1) - ends(0);
+  };
+  EXPECT_NEAR(slope(samples), slope(less), 0.02 * slope(less));
+}
+
+TEST(Forest, AreLeftOutWhereSamplesAreTooFew) {
+  const LabelledSamples samples = two_clouds(19, 7);
+  EXPECT_EQ(LinearDiscriminants(samples).beside(samples.features), samples.features);
+}
+
+TEST(Forest, OfALabelWithoutSamplesAreFinite) {
+  LabelledSamples samples = two_clouds(20, 5);
+  samples.classes = 3;
+  EXPECT_TRUE(LinearDiscriminants(samples).beside(samples.features).allFinite());
+}
+
+TEST(Forest, OfAFeatureThatIsConstantAreFinite) {
+  LabelledSamples samples = two_clouds(100, 6);
+  samples.features.col(1).setConstant(0.3);
+  EXPECT_TRUE(LinearDiscriminants(samples).beside(samples.features).allFinite());
+}
+
+}  // namespace
+}  // namespace rubsweep::diagnose::forest

@@ -1,0 +1,96 @@
+#include "rubsweep/measurement/diagnose/inference/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "small_problem.hpp"
+
+namespace rubsweep::diagnose::inference {
+namespace {
+
+DiagnosisOptions quick(int threads = 0) {
+  DiagnosisOptions options;
+  options.cases = few_cases(threads);
+  options.most_rounds = 2;
+  options.draws_per_round = 200;
+  return options;
+}
+
+TEST(Diagnosis, AddsMotionsThatResembleTheRecording) {
+  DiagnosisOptions options = quick();
+  options.least_change = 0;  // no round is spared
+  const features::DescribedMotion seen = recorded_case(1, 21);
+  const Diagnosis diagnosis = diagnose(small_problem(), seen, options, small_set());
+  EXPECT_EQ(diagnosis.history.size(), 3U);
+  EXPECT_GT(diagnosis.set.cases.size(), small_set().cases.size());
+  EXPECT_GT(diagnosis.posterior.probability(1), 0.8);
+  // They weigh more than those of the priors, each by itself.
+  double weight[2] = {0, 0}, count[2] = {0, 0};
+  for (std::size_t i = 0; i < diagnosis.set.cases.size(); ++i) {
+    if (diagnosis.set.cases[i].candidate != 1) continue;
+    const int k = diagnosis.set.cases[i].proposed ? 1 : 0;
+    weight[k] += diagnosis.posterior.weight(static_cast<Eigen::Index>(i));
+    ++count[k];
+  }
+  EXPECT_GT(weight[1] / count[1], 1.2 * weight[0] / count[0]);
+}
+
+TEST(Diagnosis, SharesItsWeightsAmongTheCandidates) {
+  const Diagnosis diagnosis = diagnose(small_problem(), recorded_case(1, 21), quick(), small_set());
+  const Eigen::VectorXd first = weights_of(diagnosis, 0), second = weights_of(diagnosis, 1);
+  EXPECT_EQ(first + second, diagnosis.posterior.weight);
+  EXPECT_EQ(first.cwiseProduct(second).maxCoeff(), 0);
+  EXPECT_NEAR(second.sum(), diagnosis.posterior.probability(1), 0.01);
+}
+
+TEST(Diagnosis, DoesNotDependOnThreads) {
+  const features::DescribedMotion seen = recorded_case(1, 22);
+  const Diagnosis one = diagnose(small_problem(), seen, quick(1)),
+                  three = diagnose(small_problem(), seen, quick(3));
+  EXPECT_EQ(one.posterior.probability, three.posterior.probability);
+  EXPECT_EQ(one.posterior.weight, three.posterior.weight);
+}
+
+TEST(Diagnosis, InterruptedAnswersByTheCasesAtHand) {
+  const std::atomic<bool> stop{true};
+  DiagnosisOptions options = quick();
+  options.cases.stop = &stop;
+  const Diagnosis diagnosis = diagnose(small_problem(), recorded_case(0, 23), options, small_set());
+  EXPECT_EQ(diagnosis.history.size(), 1U);
+  EXPECT_GT(diagnosis.posterior.probability(0), 0.5);
+}
+
+double error_of_second(const DiagnosisProblem& problem, const CaseSet& set) {
+  const features::DescribedMotion seen = recorded_case(1, 31);
+  ObservedCases observed;
+  observe_cases(problem, set, 0, observed);
+  const Eigen::VectorXd error = sampling_errors(problem, set, observed, seen, 0);
+  EXPECT_EQ(error.size(), 3);
+  EXPECT_EQ(error, sampling_errors(problem, set, observed, seen, 1));
+  return error(1);
+}
+
+TEST(Diagnosis, IsTheScatterOfAnswersByOtherCases) {
+  // The same problem with other random numbers: the scatter of the answers is what the halves foretell.
+  constexpr int sets = 10;
+  double sum = 0, square = 0, foretold = 0;
+  for (int k = 0; k < sets; ++k) {
+    DiagnosisProblem problem = small_problem();
+    problem.seed = 100 + static_cast<std::uint64_t>(k);
+    const CaseSet set = prior_cases(problem, few_cases());
+    ObservedCases observed;
+    observe_cases(problem, set, 0, observed);
+    const Posterior posterior = posterior_of(problem, set, observed, recorded_case(1, 31), 0);
+    const double p = (1 - posterior.none) * posterior.probability(1);
+    sum += p / sets;
+    square += p * p / sets;
+    foretold += error_of_second(problem, set) / sets;
+  }
+  const double scatter = std::sqrt((square - sum * sum) * sets / (sets - 1.0));
+  EXPECT_GT(foretold, scatter / 2.5);
+  EXPECT_LT(foretold, scatter * 2.5);
+}
+
+}  // namespace
+}  // namespace rubsweep::diagnose::inference

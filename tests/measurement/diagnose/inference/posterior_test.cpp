@@ -1,0 +1,163 @@
+#include "rubsweep/measurement/diagnose/inference/posterior.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "small_problem.hpp"
+
+namespace rubsweep::diagnose::inference {
+namespace {
+
+Posterior posterior_of_case(std::size_t candidate, const DiagnosisProblem& problem, int threads = 0) {
+  ObservedCases observed;
+  observe_cases(problem, small_set(), threads, observed);
+  return posterior_of(problem, small_set(), observed, recorded_case(candidate, 11), threads);
+}
+
+TEST(Posterior, KnowsASubharmonicRubFromNone) {
+  const Posterior rub = posterior_of_case(1, small_problem()), none = posterior_of_case(0, small_problem());
+  EXPECT_GT(rub.probability(1), 0.8);
+  EXPECT_GT(none.probability(0), 0.8);
+  for (const Posterior& posterior : {rub, none}) {
+    EXPECT_NEAR(posterior.probability.sum(), 1, 1e-12);
+    EXPECT_LT(posterior.none, 0.5);
+    double of_second = 0;
+    for (std::size_t i = 0; i < small_set().cases.size(); ++i)
+      if (small_set().cases[i].candidate == 1) of_second += posterior.weight(static_cast<Eigen::Index>(i));
+    EXPECT_NEAR(of_second, posterior.probability(1), 0.01);
+  }
+}
+
+TEST(PosteriorPValue, FindsNothingStrangeInACase) {
+  ObservedCases observed;
+  observe_cases(small_problem(), small_set(), 0, observed);
+  for (const std::size_t candidate : {0U, 1U})
+    EXPECT_GT(p_value_of(small_set(), observed, recorded_case(candidate, 11), 0), 0.01);
+}
+
+TEST(Posterior, ExcludesClearancesThatTheCandidateDoesNotHave) {
+  DiagnosisProblem problem = small_problem();
+  const double middle_m = simulated_clearance_m(problem.candidates[1]);
+  problem.candidates[1].clearance_m = {middle_m / 1.5, middle_m * 1.5, true};
+  ObservedCases observed;
+  observe_cases(problem, small_set(), 0, observed);
+  // A motion a hundred times as large asks for a clearance that is as much larger.
+  features::DescribedMotion seen = recorded_case(1, 11);
+  EXPECT_GT(posterior_of(problem, small_set(), observed, seen, 0).probability(1), 0.8);
+  seen.size_m *= 100;
+  EXPECT_GT(posterior_of(problem, small_set(), observed, seen, 0).none, 0.9);
+}
+
+TEST(Posterior, AQuietWhirlAsLargeAsManyClearancesIsNone) {
+  DiagnosisProblem problem = small_problem();
+  problem.candidates[0].clearance_m = {1e-4, 2e-4, true};
+  // Few cases leave a quiet whirl beside vibrations of other causes that hardly differ from it.
+  const CaseSet set = prior_cases(problem, {.cases_per_candidate = 200});
+  ObservedCases observed;
+  observe_cases(problem, set, 0, observed);
+  features::DescribedMotion seen = recorded_case(0, 11);
+  const auto no_rub_at = [&](double size_m) {
+    seen.size_m = size_m;
+    const Posterior posterior = posterior_of(problem, set, observed, seen, 0);
+    return (1 - posterior.none) * posterior.probability(0);
+  };
+  // At whirl ratios from 0.01 to 1 and clearances of 100 to 200 um.
+  EXPECT_GT(no_rub_at(1e-5), 0.8);
+  EXPECT_LT(no_rub_at(4e-4), 0.1);
+  EXPECT_LT(no_rub_at(4e-7), 0.1);
+}
+
+TEST(Posterior, AKnownUnbalanceTellsWhetherItExplainsTheSize) {
+  DiagnosisProblem problem = small_problem();
+  ObservedCases observed;
+  observe_cases(problem, small_set(), 0, observed);
+  const features::DescribedMotion quiet = recorded_case(0, 11);
+  EXPECT_GT(posterior_of(problem, small_set(), observed, quiet, 0).probability(0), 0.8);
+  // A Jeffcott rotor at r = 2.2 whirls by e r^2 / (r^2 - 1), the root mean square of a circle being its
+  // radius.
+  const double r = 66 / 30.15, eccentricity_m = quiet.size_m * (r * r - 1) / (r * r);
+  problem.eccentricity_m = {eccentricity_m / 1.2, eccentricity_m * 1.2, true};
+  EXPECT_GT(posterior_of(problem, small_set(), observed, quiet, 0).probability(0), 0.8);
+  // An unbalance three times as large would make a larger circle.
+  problem.eccentricity_m = {2.5 * eccentricity_m, 3.6 * eccentricity_m, true};
+  const Posterior posterior = posterior_of(problem, small_set(), observed, quiet, 0);
+  EXPECT_LT((1 - posterior.none) * posterior.probability(0), 0.1);
+}
+
+TEST(Posterior, KnowsWhatIsNoneOfThem) {
+  const DiagnosisProblem problem = small_problem();
+  ObservedCases observed;
+  observe_cases(problem, small_set(), 0, observed);
+  // A strong line at 2X, and one that turns backward at 2.37X.
+  MotionLines lines{12, Eigen::VectorXcd::Zero(2 * 96 + 1)};
+  lines.at(12) = 1e-4;
+  lines.at(24) = 1e-4;
+  lines.at(-28) = 4e-5;
+  lines.at(-29) = 4e-5;
+  response::spectrum::SpectrumWorkspace workspace;
+  RandomStream random(8, 0, 0);
+  double probe_angle_rad = 0;
+  const MotionLines measured = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
+  EXPECT_GT(posterior_of(problem, small_set(), observed, features::describe(measured, {}, workspace), 0).none,
+            0.5);
+}
+
+TEST(Posterior, DoesNotDependOnThreads) {
+  EXPECT_EQ(posterior_of_case(1, small_problem(), 1).weight, posterior_of_case(1, small_problem(), 3).weight);
+}
+
+TEST(Posterior, ObservesOnlyWhatIsNew) {
+  ObservedCases observed;
+  CaseSet set = small_set();
+  set.cases.resize(20);
+  observe_cases(small_problem(), set, 0, observed);
+  const Eigen::MatrixXd before = observed.features;
+  observe_cases(small_problem(), small_set(), 0, observed);
+  EXPECT_EQ(observed.features.topRows(20), before);
+  EXPECT_EQ(observed.features.rows(), static_cast<Eigen::Index>(small_set().cases.size()));
+}
+
+constexpr double case_size_m = 1e-4;
+
+/// Density of a case of the candidate whose clearance would have to be this one. Its numbers stand in the
+/// middle of their ranges.
+double density_at(const DiagnosisProblem& problem, std::size_t candidate, double clearance,
+                  double eccentricity_m = 0) {
+  SimulatedCase one{.candidate = candidate};
+  one.unit.fill(0.5);
+  one.motion.eccentricity_m = eccentricity_m;
+  const double seen_size_m = case_size_m * clearance / simulated_clearance_m(problem.candidates[candidate]);
+  return density_of_size(problem, one, case_size_m, seen_size_m);
+}
+
+TEST(Posterior, OfARubIsThatOfItsClearances) {
+  const DiagnosisProblem problem = small_problem();  // 50 um to 1 mm
+  EXPECT_EQ(density_at(problem, 1, 6e-5), 1);
+  EXPECT_EQ(density_at(problem, 1, 9e-4), 1);
+  EXPECT_EQ(density_at(problem, 1, 4e-5), 0);
+  EXPECT_EQ(density_at(problem, 1, 1.1e-3), 0);
+}
+
+TEST(Posterior, OfAQuietWhirlIsTheShareOfWhirlRatiosThatTheSizeAllows) {
+  const DiagnosisProblem problem = small_problem();
+  const Candidate& quiet = problem.candidates[0];
+  const Spread ratios = spread_of(quiet, Unknown::whirl_ratio);
+  const double middle = std::sqrt(ratios.low * ratios.high);
+  // A radius of 0.2 mm: from 0.2 of the largest clearance to all of one that is as large.
+  const double radius_m = 2e-4;
+  EXPECT_NEAR(density_at(problem, 0, radius_m / middle),
+              std::log(ratios.high / 0.2) / std::log(ratios.high / ratios.low), 1e-9);
+  EXPECT_EQ(density_at(problem, 0, 1.1e-3 * ratios.high / middle), 0);
+}
+
+TEST(Posterior, OfAKnownUnbalanceIsHigherTheNarrowerItIs) {
+  DiagnosisProblem problem = small_problem();
+  const double eccentricity_m = 1e-5, clearance = simulated_clearance_m(problem.candidates[1]);
+  problem.eccentricity_m = {eccentricity_m / 2, eccentricity_m * 2, true};
+  EXPECT_NEAR(density_at(problem, 1, clearance, eccentricity_m), std::log(20) / std::log(4), 1e-9);
+  EXPECT_EQ(density_at(problem, 1, clearance, 3 * eccentricity_m), 0);
+}
+
+}  // namespace
+}  // namespace rubsweep::diagnose::inference

@@ -1,0 +1,79 @@
+#include "rubsweep/measurement/diagnose/inference/simulated_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <memory>
+
+#include "measurement/diagnose/light_kit.hpp"
+#include "small_problem.hpp"
+
+namespace rubsweep::diagnose::inference {
+namespace {
+
+TEST(SimulatedCase, GrowsWithItsClearance) {
+  // The same machine with a clearance ten times as large moves ten times as far, and pushes ten times as
+  // hard.
+  DiagnosisProblem problem = small_problem(), larger = problem;
+  for (Candidate& candidate : larger.candidates) candidate.clearance_m = {5e-4, 1e-2, true};
+  response::spectrum::SpectrumWorkspace workspace;
+  int compared = 0;
+  for (const SimulatedCase& one : small_set().cases) {
+    // Motions that go on for ever from rounding are left out: those of chaos.
+    if (one.candidate != 1 || one.motion.contact.hits > 40) continue;
+    const auto other = simulate_case(larger, 1, one.unit, workspace);
+    ASSERT_TRUE(other);
+    ++compared;
+    const double scale = size_of(other->motion.lines) / size_of(one.motion.lines);
+    EXPECT_NEAR(scale, 10, 0.1);
+    EXPECT_NEAR(other->motion.contact.peak_contact_force_n / one.motion.contact.peak_contact_force_n, scale,
+                0.1);
+    if (compared == 5) break;
+  }
+  EXPECT_EQ(compared, 5);
+}
+
+TEST(SimulatedCase, OfAKitThatIsAJeffcottRotorIsTheSame) {
+  DiagnosisProblem problem = small_problem(), of_kit = small_problem();
+  of_kit.fixed.kit = std::make_shared<KnownKit>(known_kit({light_kit()}, problem.speed_hz, "kit.yaml"));
+  for (DiagnosisProblem* one : {&problem, &of_kit}) {
+    one->fixed.rotor_mass_kg = of_kit.fixed.kit->rotor_mass_kg;
+    for (Candidate& candidate : one->candidates) {
+      const double frequency_hz = of_kit.fixed.kit->natural_frequency_hz;
+      spread_of(candidate, Unknown::natural_frequency) = {frequency_hz, frequency_hz};
+      spread_of(candidate, Unknown::damping_ratio) = {0.02, 0.02};
+      // At the disc.
+      spread_of(candidate, Unknown::position) = {0.2, 0.2};
+    }
+  }
+  response::spectrum::SpectrumWorkspace workspace;
+  int compared = 0;
+  for (const SimulatedCase& one : small_set().cases) {
+    if (one.candidate != 1 || one.motion.contact.hits > 40) continue;
+    const auto jeffcott = simulate_case(problem, 1, one.unit, workspace),
+               kit = simulate_case(of_kit, 1, one.unit, workspace);
+    ASSERT_EQ(jeffcott.has_value(), kit.has_value());
+    if (!kit || jeffcott->motion.contact.hits > 40) continue;
+    EXPECT_NEAR(kit->motion.contact.peak_contact_force_n / jeffcott->motion.contact.peak_contact_force_n, 1, 1e-3);
+    // The probe stands nearer to the bearing, where the shaft moves less, in the same way.
+    const std::complex<double> ratio = kit->motion.lines.at(12) / jeffcott->motion.lines.at(12);
+    EXPECT_LT(ratio.real(), 1);
+    EXPECT_NEAR(ratio.imag(), 0, 1e-3);
+    EXPECT_NEAR(kit->motion.eccentricity_m / jeffcott->motion.eccentricity_m, 1, 1e-4);
+    if (++compared == 4) break;
+  }
+  EXPECT_EQ(compared, 4);
+}
+
+TEST(SimulatedCase, IsObservedTheSameEveryTime) {
+  response::spectrum::SpectrumWorkspace workspace;
+  const auto once = observe(small_problem(), small_set().cases[3], 3, workspace),
+             again = observe(small_problem(), small_set().cases[3], 3, workspace),
+             other = observe(small_problem(), small_set().cases[3], 4, workspace);
+  EXPECT_EQ(features::values_of(once.seen.features), features::values_of(again.seen.features));
+  EXPECT_NE(features::values_of(once.seen.features), features::values_of(other.seen.features));
+}
+
+}  // namespace
+}  // namespace rubsweep::diagnose::inference

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/scene/kit_machine.hpp"
+#include "rubsweep/core/model/rotor_kit.hpp"
+
+namespace rubsweep::diagnose {
+
+/// A rotor kit that is a Jeffcott rotor of 0.8 kg in bending, with a probe off its disc.
+inline model::RotorKit light_kit() {
+  const model::Machine machine = scene::light_shaft_machine();
+  model::RotorKit kit = *model::kit_of(machine);
+  kit.sensors = {{.position_m = 0.15}, {.position_m = 0.15, .angle_deg = 90}};
+  return kit;
+}
+
+}  // namespace rubsweep::diagnose

@@ -1,0 +1,73 @@
+#include "rubsweep/measurement/recording/shaft_turns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::recording {
+namespace {
+
+constexpr double rate_hz = 5000, speed_hz = 121.3;
+
+/// A keyway with sharp edges, 40 turns.
+Channels sharp_marks() {
+  Channels channels;
+  channels.channels = {{"KP", "V", {}}};
+  for (int k = 0; k < 40 * rate_hz / speed_hz; ++k) {
+    const double turn = speed_hz * k / rate_hz + 0.7;
+    channels.channels[0].values.push_back(turn - std::floor(turn) < 0.2 ? -12 : -2);
+  }
+  return channels;
+}
+
+ShaftTurns turns(const Channels& channels, const Instrument& instrument) {
+  std::vector<std::string> findings;
+  return turns_of(channels, instrument, {0, rate_hz}, "f.csv", findings);
+}
+
+TEST(ShaftTurns, TheTruthLiesWithinTheDoubt) {
+  const ShaftTurns found = turns(sharp_marks(), {.keyphasor = Keyphasor{.column = "KP"}});
+  const AngleDoubt doubt = angle_doubt_of(found.begin_s, found);
+  ASSERT_EQ(doubt.low_turns.size(), found.begin_s.size());
+  ASSERT_GE(found.begin_s.size(), 38u);
+  EXPECT_GE(doubt.degree, 1);
+  for (std::size_t k = 0; k < found.begin_s.size(); ++k) {
+    // The shaft's angle at what is taken for the mark, less the mark's.
+    const double truth_s = (static_cast<double>(k) + 0.3) / speed_hz;
+    const double off_turns = (truth_s - found.begin_s[k]) * speed_hz;
+    EXPECT_LE(doubt.low_turns[k], off_turns) << k;
+    EXPECT_GE(doubt.high_turns[k], off_turns) << k;
+    EXPECT_LE(doubt.high_turns[k] - doubt.low_turns[k], 1.05 * speed_hz / rate_hz) << k;
+  }
+}
+
+TEST(ShaftTurns, DoubtOfAStretchIsThatOfItsMarks) {
+  const ShaftTurns found = turns(sharp_marks(), {.keyphasor = Keyphasor{.column = "KP"}});
+  const AngleDoubt all = angle_doubt_of(found.begin_s, found);
+  const std::vector<double> stretch{found.begin_s.begin() + 7, found.begin_s.begin() + 20};
+  const AngleDoubt some = angle_doubt_of(stretch, found);
+  ASSERT_EQ(some.low_turns.size(), 13u);
+  for (std::size_t k = 0; k < 13; ++k) EXPECT_NEAR(some.low_turns[k], all.low_turns[k + 7], 1e-4);
+}
+
+TEST(ShaftTurns, WithoutAKeyphasorThereIsNoDoubt) {
+  const ShaftTurns found = turns(sharp_marks(), {.speed_hz = speed_hz});
+  EXPECT_TRUE(angle_doubt_of(found.begin_s, found).low_turns.empty());
+}
+
+TEST(ShaftTurns, AThresholdOutsideOfTheSignalIsRefused) {
+  try {
+    turns(sharp_marks(), {.keyphasor = Keyphasor{.column = "KP", .threshold = -20}});
+    FAIL() << "taken";
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "f.csv: 'KP': keyphasor.threshold: is -20, allowed: between -12 and -2, the signal's lowest and "
+        "highest value");
+  }
+}
+
+}  // namespace
+}  // namespace rubsweep::recording

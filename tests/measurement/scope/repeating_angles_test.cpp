@@ -1,0 +1,93 @@
+#include "rubsweep/measurement/scope/repeating_angles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "measurement/scope/samples.hpp"
+
+namespace rubsweep::scope {
+namespace {
+
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
+constexpr int turns = 32;
+
+/// A 1/2 motion at an angle in turns.
+Complex motion_at(double angle) {
+  return std::polar(80.0, 2 * pi * angle) + std::polar(20.0, 1 - 4 * pi * angle) +
+         std::polar(30.0, pi * angle);
+}
+
+/// Error of the angles, up to 0.01 turns, whose mean over the marks is zero.
+double error_at(double angle) {
+  const double x = 2 * angle / turns - 1;
+  return 0.006 * x + 0.004 * (1.5 * x * x - 0.53125);
+}
+
+std::vector<Complex> motion(bool wrong) {
+  std::vector<Complex> z;
+  for (int k = 0; k < turns * samples; ++k) {
+    const double angle = static_cast<double>(k) / samples;
+    z.push_back(motion_at(wrong ? angle - error_at(angle) : angle));
+  }
+  return z;
+}
+
+recording::AngleDoubt doubt(double room, int degree) {
+  return {std::vector<double>(turns + 1, -room), std::vector<double>(turns + 1, room), degree};
+}
+
+/// But for an eighth of a turn at both ends, beyond which stands what is a period away, with that place's
+/// error.
+double largest_difference(const std::vector<Complex>& a, const std::vector<Complex>& b) {
+  double largest = 0;
+  for (std::size_t k = samples / 8; k + samples / 8 < a.size(); ++k)
+    largest = std::max(largest, std::abs(a.at(k) - b.at(k)));
+  return largest;
+}
+
+TEST(RepeatingAngles, FindTheMotionAtItsTrueAngles) {
+  const auto wrong = motion(true);
+  EXPECT_GT(largest_difference(wrong, motion(false)), 5);
+  EXPECT_LT(largest_difference(at_repeating_angles(wrong, samples, 2, 8, doubt(0.02, 2)), motion(false)),
+            0.01);
+  EXPECT_LT(largest_difference(at_repeating_angles(wrong, samples, 2, 8, doubt(0.02, 3)), motion(false)),
+            0.01);
+}
+
+TEST(RepeatingAngles, AMotionAtItsTrueAnglesStays) {
+  const auto true_motion = motion(false);
+  EXPECT_LT(largest_difference(at_repeating_angles(true_motion, samples, 2, 8, doubt(0.02, 2)), true_motion),
+            1e-3);
+}
+
+TEST(RepeatingAngles, WithoutDoubtNothingMoves) {
+  const auto wrong = motion(true);
+  EXPECT_EQ(at_repeating_angles(wrong, samples, 2, 8, {}), wrong);
+}
+
+TEST(RepeatingAngles, TheMarksBoundTheShift) {
+  // A tenth of the room that the truth needs leaves nine tenths of the error.
+  const auto wrong = motion(true);
+  const auto moved = at_repeating_angles(wrong, samples, 2, 8, doubt(0.0008, 2));
+  const double all = largest_difference(wrong, motion(false));
+  EXPECT_GT(largest_difference(moved, motion(false)), 0.8 * all);
+  EXPECT_GT(largest_difference(moved, wrong), 0.01 * all);
+}
+
+TEST(RepeatingAngles, APeriodThatIsNoneLeavesWhatDoesNotRepeat) {
+  // The half order stays beside a period of one turn.
+  const auto wrong = motion(true);
+  const auto moved = at_repeating_angles(wrong, samples, 1, 8, doubt(0.02, 2));
+  double apart = 0;
+  for (std::size_t k = 0; k + samples < moved.size(); ++k)
+    apart = std::max(apart, std::abs(moved[k + samples] - moved[k]));
+  EXPECT_GT(apart, 50);
+}
+
+}  // namespace
+}  // namespace rubsweep::scope

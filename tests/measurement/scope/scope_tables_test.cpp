@@ -1,0 +1,111 @@
+#include "rubsweep/measurement/scope/scope_tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <sstream>
+
+namespace rubsweep::scope {
+namespace {
+
+recording::Recording circle(int turns) {
+  recording::Recording recording{
+      .sampling_rate_hz = 5000, .plane = true, .findings = {"'x' is clipped above"}};
+  for (int turn = 0; turn <= turns; ++turn) recording.turn_begin_s.push_back(0.02 * turn);
+  for (int k = 0; k < turns * recording::samples_per_revolution; ++k)
+    recording.displacement_m.push_back(std::polar(
+        5e-5, 2 * std::numbers::pi * k / recording::samples_per_revolution + std::numbers::pi / 4));
+  return recording;
+}
+
+int rows(const std::string& table) { return static_cast<int>(std::ranges::count(table, '\n')) - 1; }
+
+TEST(ScopeTables, HoldTheMotion) {
+  const recording::Recording recording = circle(30);
+  const ScopeTables tables =
+      tables_of(recording, judge(recording.displacement_m, recording::samples_per_revolution, true), {1, 2});
+  EXPECT_TRUE(tables.turns_csv.starts_with("turn,t_s,speed_hz,x_m,y_m,centre_x_m,centre_y_m\n0,0,50,"));
+  EXPECT_EQ(rows(tables.turns_csv), 30);
+  EXPECT_EQ(rows(tables.orbit_csv), recording::samples_per_revolution);
+  EXPECT_EQ(rows(tables.lines_csv), 17);
+  std::istringstream lines(tables.lines_csv);
+  std::string line;
+  while (std::getline(lines, line) && !line.starts_with("1,")) {
+  }
+  double order = 0, amplitude_m = 0, uncertainty_m = 0, phase_deg = 0;
+  ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &order, &amplitude_m, &uncertainty_m, &phase_deg),
+            4);
+  EXPECT_NEAR(amplitude_m, 5e-5, 1e-15);
+  EXPECT_NEAR(phase_deg, 45, 1e-9);
+  EXPECT_NE(tables.measures_csv.find("\nperiod_turns,1,\n"), std::string::npos);
+  EXPECT_NE(tables.summary.find("synchronous, circle orbit, forward whirl\n"), std::string::npos);
+  EXPECT_NE(tables.summary.find("100 um peak to peak in x, 100 um in y"), std::string::npos);
+  EXPECT_TRUE(
+      tables.summary.starts_with("speed     50 Hz (3000 rpm), 50 to 50 Hz (3000 to 3000 rpm), 30 turns, "));
+  EXPECT_TRUE(tables.summary.ends_with("warning   'x' is clipped above\n"));
+}
+
+TEST(ScopeTables, SayLengthsAsTheyAreAskedFor) {
+  const recording::Recording recording = circle(30);
+  const Verdict verdict = judge(recording.displacement_m, recording::samples_per_revolution, true);
+  const ScopeTables tables = tables_of(recording, verdict, {1, 2}, {model::LengthUnit::mil, true});
+  EXPECT_NE(tables.summary.find("3.937 mil peak to peak in x, 3.937 mil in y"), std::string::npos)
+      << tables.summary;
+  EXPECT_EQ(tables.measures_csv, tables_of(recording, verdict, {1, 2}).measures_csv);
+}
+
+TEST(ScopeTables, SayHowLongARecordingMustBe) {
+  const recording::Recording recording = circle(12);
+  const ScopeTables tables =
+      tables_of(recording, judge(recording.displacement_m, recording::samples_per_revolution, true), {1, 2});
+  // 24 turns tell periods of up to 8; twelve more take 0.24 s.
+  EXPECT_NE(tables.summary.find(
+                "periods of more than 4 turns cannot be told by 12 turns; 0.24 s more would tell up to 8"),
+            std::string::npos);
+}
+
+/// A mode of 30 Hz and damping ratio 0.03 that is run through at 2 Hz/s, by small steps of the classical
+/// Runge-Kutta method.
+TEST(ScopeTables, FindTheModeOfARunUp) {
+  const double w = 2 * std::numbers::pi * 30, zeta = 0.03, from = 22, rate = 2, step = 2e-5;
+  const auto phi = [&](double t) { return 2 * std::numbers::pi * (from * t + rate * t * t / 2); };
+  const auto pull = [&](double t, double x, double v) {
+    const double speed = 2 * std::numbers::pi * (from + rate * t);
+    return 1e-5 * (speed * speed * std::cos(phi(t)) + 2 * std::numbers::pi * rate * std::sin(phi(t))) -
+           w * w * x - 2 * zeta * w * v;
+  };
+  recording::Recording recording{.sampling_rate_hz = 5000};
+  double x = 0, v = 0;
+  long sample = 0;
+  for (long n = 0; static_cast<double>(n) * step < 8; ++n) {
+    const double t = static_cast<double>(n) * step;
+    if (phi(t) >= 2 * std::numbers::pi * static_cast<double>(sample) / recording::samples_per_revolution) {
+      if (sample % recording::samples_per_revolution == 0) recording.turn_begin_s.push_back(t);
+      recording.displacement_m.emplace_back(x, 0);
+      ++sample;
+    }
+    const double a1 = pull(t, x, v), v2 = v + step / 2 * a1, a2 = pull(t + step / 2, x + step / 2 * v, v2),
+                 v3 = v + step / 2 * a2, a3 = pull(t + step / 2, x + step / 2 * v2, v3), v4 = v + step * a3,
+                 a4 = pull(t + step, x + step * v3, v4);
+    x += step / 6 * (v + 2 * v2 + 2 * v3 + v4);
+    v += step / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+  }
+  const std::size_t turns = recording.turn_begin_s.size() - 1;
+  recording.displacement_m.resize(turns * recording::samples_per_revolution);
+  const ScopeTables tables = tables_of_run(recording, {1});
+  double resonance_hz = 0, ratio = 0;
+  const std::size_t at = tables.measures_csv.find("resonance_x_hz,");
+  ASSERT_NE(at, std::string::npos) << tables.summary;
+  ASSERT_EQ(std::sscanf(tables.measures_csv.c_str() + at, "resonance_x_hz,%lf,\ndamping_ratio_x,%lf",
+                        &resonance_hz, &ratio),
+            2);
+  EXPECT_NEAR(resonance_hz, 30, 0.03);
+  EXPECT_NEAR(ratio, 0.03, 0.001);
+  EXPECT_TRUE(tables.orbit_csv.empty());
+}
+
+}  // namespace
+}  // namespace rubsweep::scope

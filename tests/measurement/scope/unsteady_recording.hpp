@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "rubsweep/measurement/recording/recording.hpp"
+
+/// Recordings of motions that are put in, on a machine whose speed and amplitude wander, through an
+/// instrument with noise, a converter's step and a keyway. Nothing here is shared with the simulators.
+namespace rubsweep::scope {
+
+struct Unsteady {
+  double speed_wander = 0;                  ///< largest relative departure of the speed
+  double amplitude_wander = 0;              ///< the same of the amplitude
+  double other_order = 0, other_share = 0;  ///< a line beside 1X, as a share of it
+  double noise_share = 5e-3;                ///< of every reading
+  double readings_per_turn = 20;
+  int turns = 32;
+};
+
+/// A smooth wander between -1 and 1 over the recording: two slow waves and a trend of random sizes.
+class Wander {
+ public:
+  explicit Wander(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> uniform(0, 1);
+    trend_ = 2 * uniform(random) - 1;
+    for (int i = 0; i < 2; ++i) {
+      cycles_[i] = 0.3 + 1.2 * uniform(random);
+      phase_[i] = 2 * std::numbers::pi * uniform(random);
+      size_[i] = uniform(random);
+    }
+    double largest = 0;
+    for (int k = 0; k <= 200; ++k) largest = std::fmax(largest, std::abs(raw(k / 200.0)));
+    scale_ = 1 / largest;
+  }
+  double at(double share) const { return scale_ * raw(share); }
+
+ private:
+  double raw(double share) const {
+    double sum = trend_ * (share - 0.5);
+    for (int i = 0; i < 2; ++i)
+      sum += size_[i] * std::sin(2 * std::numbers::pi * cycles_[i] * share + phase_[i]);
+    return sum;
+  }
+  double trend_ = 0, cycles_[2]{}, phase_[2]{}, size_[2]{}, scale_ = 1;
+};
+
+inline recording::Recording recorded(const Unsteady& put, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal(0, 1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const Wander speed(random), amplitude(random);
+  const double begin = uniform(random), phase = 2 * std::numbers::pi * uniform(random);
+  recording::Channels table;
+  table.channels = {{"X", "um", {}}, {"Y", "um", {}}, {"KP", "V", {}}};
+  double angle = begin;
+  const auto read = [](double value) { return std::round(value * 1e3) / 1e3; };
+  const int count = static_cast<int>(put.readings_per_turn * put.turns);
+  for (int k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k) / count;
+    const double size = 100 * (1 + put.amplitude_wander * amplitude.at(share));
+    std::complex<double> z = size * std::polar(1.0, 2 * std::numbers::pi * angle);
+    z += 100 * put.other_share * std::polar(1.0, 2 * std::numbers::pi * put.other_order * angle + phase);
+    table.channels[0].values.push_back(read(z.real() + 100 * put.noise_share * normal(random)));
+    table.channels[1].values.push_back(read(z.imag() + 100 * put.noise_share * normal(random)));
+    table.channels[2].values.push_back((angle - std::floor(angle) < 0.12 ? -9 : -1) + 0.05 * normal(random));
+    // A hundred small steps of a turn that follows its own speed.
+    for (int i = 0; i < 4; ++i)
+      angle += (1 + put.speed_wander * speed.at(share + 0.25 * i / count)) / (4 * put.readings_per_turn);
+  }
+  const recording::Instrument instrument{.sampling_rate_hz = 50 * put.readings_per_turn,
+                                         .probes = {{"X", 0}, {"Y", 90}},
+                                         .keyphasor = recording::Keyphasor{.column = "KP"}};
+  return recording::make_recording(table, instrument, "made.csv");
+}
+
+}  // namespace rubsweep::scope
