@@ -8,7 +8,7 @@
 //     rubtrace configs/minimal.yaml --speed-hz 70 --whirl-ratio 0.2
 //
 // must say the same. A program that would rather read a file takes config::read_run_config (target
-// rubsweep::config).
+// rubsweep::maps).
 
 #include <cstdio>
 #include <cstdlib>

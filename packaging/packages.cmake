@@ -44,6 +44,6 @@ string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS rubsweep)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "library of rubsweep: headers, archives, CMake package
 Headers and static libraries of the simulator of rotors that rub, and a CMake
-package that finds them: find_package(rubsweep), then rubsweep::sweep and
-other targets. examples/one_cell.cpp is a whole program on it.")
+package that finds them: find_package(rubsweep COMPONENTS core), then
+rubsweep::core, or maps, analysis, measurement and ring. examples/one_cell.cpp is a whole program on it.")
 include(CPack)

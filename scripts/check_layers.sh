@@ -1,12 +1,23 @@
 #!/usr/bin/env bash
-# check_layers.sh [LIB]: every folder of LIB/rubsweep includes only folders below it, quoted includes name files that
-# exist, and only config/yaml/ knows yaml-cpp. Lists each include that breaks a rule; exits 1 if there is any.
+# check_layers.sh [LIB]: every storey of LIB/rubsweep includes only itself and those it stands on, and every folder only
+# folders below it; quoted includes name files that exist, and only config/yaml/ knows yaml-cpp. Lists each include that
+# breaks a rule; exits 1 if there is any.
 set -euo pipefail
 lib=${1:-$(dirname "${BASH_SOURCE[0]}")/../lib}
 
 [[ -d $lib/rubsweep ]] || { echo "no directory $lib/rubsweep"; exit 1; }
 
-# Folders that each folder may include directly; with each come those that it may include. `.` is LIB/rubsweep itself.
+# Storeys that each storey stands on. The ring is a storey of one folder.
+declare -A stands_on=(
+  [core]=''
+  [maps]='core'
+  [analysis]='maps core'
+  [measurement]='analysis maps core'
+  [ring]='maps core'
+)
+
+# Folders that each folder may include directly, each without its storey; with each come those that it may include. `.` is
+# the storey `core` itself.
 declare -A below=(
   [.]=''
   [basin]='.'
@@ -26,19 +37,19 @@ declare -A below=(
   [integrate/exact/tube]='integrate/exact'
   [integrate/taylor]='integrate/law'
   [integrate]='integrate/adaptive integrate/exact integrate/taylor'
-  [identify]='batch scene numerics numerics/spectral response/spectrum'
+  [linear]='batch scene numerics numerics/spectral response/spectrum'
   [response/spectrum]='.'
-  [fit]='batch identify table'
+  [fit]='batch linear table'
   [matlab]='.'
   [table]='.'
-  [recording]='batch matlab model response/spectrum table'
-  [scope]='batch identify recording response/spectrum'
+  [recording]='config matlab response/spectrum'
+  [scope]='batch linear recording response/spectrum'
   [diagnose]='batch response'
   [diagnose/features]='diagnose'
   [diagnose/forest]='batch diagnose'
   [diagnose/inference]='diagnose/features diagnose/forest'
   [diagnose/answer]='diagnose/inference'
-  [dataset]='batch diagnose recording'
+  [dataset]='diagnose recording'
   [response/motion]='response/spectrum integrate'
   [response/proof]='response/motion integrate/exact/tube'
   [response/rotating]='response/proof'
@@ -50,22 +61,19 @@ declare -A below=(
   [branch/families]='branch/continuation sweep'
   [trace]='batch response'
   [sweep]='basin response batch'
-  [design]='identify sweep'
+  [design]='linear sweep'
   [line]='report trace'
   [ramp]='integrate line response/spectrum'
-  [ring]='batch numerics'
+  [ring]='config numerics'
   [config/yaml]='batch model'
   [config/machine]='config/yaml contact matlab structure table'
   [config/study]='config/machine sweep'
   [config]='config/study'
   [config/keys]='config'
   [config/templates]='.'
-  [config/dataset]='config dataset'
-  [config/recording]='config recording'
-  [config/ring]='config ring'
   [report]='sweep'
   [map]='config report'
-  [map/families]='branch/families map'
+  [branch/journal]='branch/families map'
   [page]='report trace'
 )
 
@@ -82,23 +90,37 @@ complain() {
   broken=1
 }
 
-# check_include FILE:LINE FOLDER NAME OPENING, the last one " or <
+# place_of FILE: sets `storey` and `folder`, the latter without its storey, of a file below LIB/rubsweep.
+place_of() {
+  local directory=${1%/*}
+  storey=${1%%/*}
+  folder=${directory#*/}
+  [[ $directory != core ]] || folder=.
+}
+
+# check_include FILE:LINE STOREY FOLDER NAME OPENING, the last one " or <
 check_include() {
-  local place=$1 folder=$2 name=$3 opening=$4
-  if [[ $name == yaml-cpp/* && $folder != config/yaml ]]; then complain "$place" "only config/yaml/ may include $name"; fi
+  local place=$1 from_storey=$2 from=$3 name=$4 opening=$5 storey folder
+  if [[ $name == yaml-cpp/* && $from != config/yaml ]]; then complain "$place" "only config/yaml/ may include $name"; fi
   if [[ $opening == '"' && ! -f $lib/$name ]]; then
     complain "$place" "there is no $name under $lib"
   elif [[ $name == rubsweep/* ]]; then
-    local target=${name#rubsweep/}
-    [[ $target == */* ]] && target=${target%/*} || target=.
-    [[ $'\n'${allowed[$folder]}$'\n' == *$'\n'"$target"$'\n'* ]] || complain "$place" "$folder may not include $name"
+    place_of "${name#rubsweep/}"
+    if [[ " $from_storey ${stands_on[$from_storey]} " != *" $storey "* ]]; then
+      complain "$place" "$from_storey does not stand on $name"
+    elif [[ $'\n'${allowed[$from]}$'\n' != *$'\n'"$folder"$'\n'* ]]; then
+      complain "$place" "$from may not include $name"
+    fi
   fi
 }
 
 declare -A allowed=()
 while IFS= read -r file; do
-  folder=${file#"$lib"/rubsweep/}
-  [[ $folder == */* ]] && folder=${folder%/*} || folder=.
+  place_of "${file#"$lib"/rubsweep/}"
+  if [[ -z ${stands_on[$storey]+known} ]]; then
+    complain "$file" "$storey is no storey"
+    continue
+  fi
   if [[ -z ${below[$folder]+known} ]]; then
     complain "$file" "folder $folder has no place in the layers"
     continue
@@ -106,7 +128,7 @@ while IFS= read -r file; do
   [[ -n ${allowed[$folder]+known} ]] || allowed[$folder]=$(reachable "$folder")
   while IFS=: read -r line text; do
     [[ $text =~ ([<\"])([^>\"]+) ]]
-    check_include "$file:$line" "$folder" "${BASH_REMATCH[2]}" "${BASH_REMATCH[1]}"
+    check_include "$file:$line" "$storey" "$folder" "${BASH_REMATCH[2]}" "${BASH_REMATCH[1]}"
   done < <(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"]' "$file" || true)
 done < <(find "$lib/rubsweep" -name '*.hpp' -o -name '*.cpp' | sort)
 

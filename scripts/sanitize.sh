@@ -25,6 +25,8 @@ mapfile -t targets < <(ninja -C "$build" -t query tests/unit_tests | grep -oE '[
 tests_of() {
   local folder=${1%/*} target
   folder=${folder#lib/rubsweep/} folder=${folder#tests/}
+  # Targets are named without the storey.
+  [[ $folder == ring ]] || folder=${folder#*/}
   while true; do
     target=${folder//\//_}_test
     if [[ " ${targets[*]} " == *" $target "* ]]; then

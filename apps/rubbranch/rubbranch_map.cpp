@@ -104,7 +104,7 @@ int run_on_map(const RubbranchArguments& arguments) {
   for (const char* name : {"families.csv", "edges.csv", "boundaries.csv", "contradictions.csv"})
     require_writable(output / name, true);
   const std::atomic<bool>& stop = catch_interrupts();
-  map::families::FamilyJournal journal(output, study, arguments.fresh);
+  branch::journal::FamilyJournal journal(output, study, arguments.fresh);
   if (journal.found_before() > 0) {
     say(fmt::format("rubbranch: goes on with {} orbits and ways that were found before\n",
                     journal.found_before()));

@@ -10,7 +10,7 @@ _BEGIN, _END = "<!-- documents -->", "<!-- end of documents -->"
 
 
 def header_pages(tag_file):
-    """Pages by what documents call them, such as response/settle and response, of doxygen's tag file."""
+    """Pages by what documents call them, such as core/response/settle, response/settle and response, of doxygen's tag file."""
     pages = {}
     for compound in ElementTree.parse(tag_file).getroot().iter("compound"):
         name, path, page = (compound.findtext(part) or "" for part in ("name", "path", "filename"))
@@ -21,7 +21,10 @@ def header_pages(tag_file):
         else:
             continue
         place = place[place.index("rubsweep/"):] if "rubsweep/" in place else place
-        pages[place.removeprefix("rubsweep/")] = page if page.endswith(".html") else page + ".html"
+        place = place.removeprefix("rubsweep/")
+        # Documents name a folder with its storey or without.
+        for name in {place, re.sub("^(core|maps|analysis|measurement)/", "", place)}:
+            pages[name] = page if page.endswith(".html") else page + ".html"
     return pages
 
 

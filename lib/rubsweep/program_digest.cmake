@@ -1,5 +1,5 @@
-# cmake -DFOLDER=map -DNAME=NAME -DFILES=A,B,... -DOUTPUT=FILE.cpp -P program_digest.cmake: writes the definition
-# of NAME, which rubsweep/FOLDER/NAME.hpp declares.
+# cmake -DFOLDER=map -DHEADER=PLACE/NAME.hpp -DFILES=A,B,... -DOUTPUT=FILE.cpp -P program_digest.cmake: writes the
+# definition of NAME, which that header declares in the namespace of FOLDER.
 string(REPLACE "," ";" files "${FILES}")
 set(digests "")
 foreach(file IN LISTS files)
@@ -8,5 +8,6 @@ foreach(file IN LISTS files)
 endforeach()
 string(SHA1 digest "${digests}")
 string(REPLACE "/" "::" namespace "${FOLDER}")
-file(WRITE "${OUTPUT}" "#include \"rubsweep/${FOLDER}/${NAME}.hpp\"\n\n\
-const char* const rubsweep::${namespace}::${NAME} = \"${digest}\";\n")
+get_filename_component(name "${HEADER}" NAME_WE)
+file(WRITE "${OUTPUT}" "#include \"${HEADER}\"\n\n\
+const char* const rubsweep::${namespace}::${name} = \"${digest}\";\n")

@@ -54,7 +54,7 @@ void visit(const yaml::Node& node, const std::string& path,
 
 std::vector<fs::path> shipped() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CONFIG_TEST_DATA) / "../../configs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CONFIG_TEST_DATA) / "../../../configs")) {
     // stop.yaml of a folder is what the stops of others share.
     if (entry.path().extension() == ".yaml" && entry.path().filename() != "stop.yaml")
       files.push_back(entry.path());

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
+#include "maps/batch/temporary_directory.hpp"
 #include "maps/config/support.hpp"
 
 namespace rubsweep::config::ring {
@@ -129,6 +131,59 @@ INSTANTIATE_TEST_SUITE_P(
         Problem{
             "values: [0, 45]", "values: [0, 95]",
             "ring.yaml:10:65: chart.over.values.1: 95 is out of range, allowed: a number >= -90 and <= 90"}));
+
+TEST(ReadRingConfig, HasCaptionsThatAreNoPartOfTheDigest) {
+  const std::string one =
+      "title: Ring\nring: {nodal_diameters: 3, modal_mass_kg: 742, natural_frequency_hz: 5, thickness_ratio: "
+      "0.01}\n"
+      "loads: [{kind: spring_mass, motion: radial, angle_deg: 70, mass_kg: 1, radial_stiffness_n_per_m: "
+      "1e6}]\n"
+      "friction_coefficient: 0.1\nspeed_rpm: {from: 0, to: 6000, count: 3001}\noutput: {directory: "
+      "results}\n";
+  const RingConfig config = read_ring_config_text(one, "ring.yaml", {});
+  EXPECT_EQ(config.captions.title, "Ring");
+  const std::string printed = print_ring_config(config);
+  EXPECT_NE(printed.find("speed_rpm:\n  from: 0\n  to: 6000\n  count: 3001\n"), std::string::npos) << printed;
+  const RingConfig again = read_ring_config_text(printed, "printed.yaml", {});
+  EXPECT_EQ(again.captions, config.captions);
+  EXPECT_EQ(again.study.speeds_rpm, config.study.speeds_rpm);
+  EXPECT_EQ(ring_study_digest(again.study), ring_study_digest(config.study));
+}
+
+TEST(ReadRingConfig, AsksWhetherAUnitSlipped) {
+  const std::string one =
+      "ring: {nodal_diameters: 3, geometry: {radius_m: 0.5, thickness_m: 0.01, width_m: 0.1,\n"
+      "  density_kg_per_m3: 7.8, youngs_modulus_pa: 2.1e11}}\n"
+      "loads: [{kind: spring_mass, motion: radial, angle_deg: 1.0472, mass_kg: 1, radial_stiffness_n_per_m: "
+      "1e6}]\n"
+      "friction_coefficient: 0.1\nspeed_rpm: 100\noutput: {directory: results}\n";
+  EXPECT_EQ(
+      read_ring_config_text(one, "ring.yaml", {}).questions,
+      (std::vector<std::string>{
+          "ring.yaml:2:22: ring.geometry.density_kg_per_m3: 7.8 kg/m3 is lighter than cork (grams per cubic "
+          "centimetre?)",
+          "ring.yaml:3:56: loads.0.angle_deg: 1.0472 degrees is 0.3333 pi (radians?)"}));
+}
+
+TEST(ReadRingConfig, HasABase) {
+  const TemporaryDirectory directory;
+  const std::string one =
+      "ring: {nodal_diameters: 3, modal_mass_kg: 742, natural_frequency_rad_per_s: 34.4, thickness_ratio: "
+      "0.0138}\n"
+      "loads:\n  - {kind: spring_mass, angle_deg: 60, mass_kg: 100, radial_stiffness_n_per_m: 1.0e6, "
+      "tangential_stiffness_n_per_m: 2.0e6}\n"
+      "friction_coefficient: 0.1\nspeed_rpm: {from: 1, to: 3, count: 3}\noutput: {directory: x}\n";
+  std::ofstream(directory.path() / "ring.yaml") << one;
+  std::ofstream(directory.path() / "mine.yaml")
+      << "base: ring.yaml\nfriction_coefficient: 0.2\nspeed_rpm: {values: [5]}\n"
+         "ring: {modal_stiffness_n_per_m: 8.0e5}\n";
+  const RingConfig merged = read_ring_config(directory.path() / "mine.yaml", {});
+  EXPECT_EQ(merged.study.system.friction_coefficient, 0.2);
+  EXPECT_EQ(merged.study.speeds_rpm, std::vector<double>{5});
+  EXPECT_EQ(merged.study.system.ring.modal_stiffness_n_per_m, 8.0e5);
+  const RingConfig single = read_ring_config_text(print_ring_config(merged), "printed.yaml", {});
+  EXPECT_EQ(ring_study_digest(single.study), ring_study_digest(merged.study));
+}
 
 }  // namespace
 }  // namespace rubsweep::config::ring

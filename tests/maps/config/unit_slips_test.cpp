@@ -1,7 +1,6 @@
 #include "rubsweep/maps/config/unit_slips.hpp"
 
 #include "maps/config/support.hpp"
-#include "rubsweep/ring/read_ring_config.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -129,21 +128,6 @@ TEST(UnitSlips, AskNothingOfPlausibleMachines) {
   EXPECT_TRUE(questions("rotor_kit.yaml", {}).empty());
   EXPECT_TRUE(of_minimal("stops.0.angle_deg=3").empty());
   EXPECT_TRUE(of_kit("rotor.supports.0.stiffness_x_n_per_m=0").empty()) << "a support along y alone";
-}
-
-TEST(UnitSlips, AreAskedOfRingsAsWell) {
-  const std::string ring =
-      "ring: {nodal_diameters: 3, geometry: {radius_m: 0.5, thickness_m: 0.01, width_m: 0.1,\n"
-      "  density_kg_per_m3: 7.8, youngs_modulus_pa: 2.1e11}}\n"
-      "loads: [{kind: spring_mass, motion: radial, angle_deg: 1.0472, mass_kg: 1, radial_stiffness_n_per_m: "
-      "1e6}]\n"
-      "friction_coefficient: 0.1\nspeed_rpm: 100\noutput: {directory: results}\n";
-  EXPECT_EQ(
-      ring::read_ring_config_text(ring, "ring.yaml", {}).questions,
-      (std::vector<std::string>{
-          "ring.yaml:2:22: ring.geometry.density_kg_per_m3: 7.8 kg/m3 is lighter than cork (grams per cubic "
-          "centimetre?)",
-          "ring.yaml:3:56: loads.0.angle_deg: 1.0472 degrees is 0.3333 pi (radians?)"}));
 }
 
 }  // namespace

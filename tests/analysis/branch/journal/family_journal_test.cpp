@@ -6,12 +6,12 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/map/derived_files.hpp"
 
-namespace rubsweep::map::families {
+namespace rubsweep::branch::journal {
 namespace {
 
 TEST(FamilyJournal, GoesOnWithWhatAnInterruptedCallLeft) {
-  const SmallMap map;
-  const sweep::Study study = SmallMap::config().study;
+  const map::SmallMap map;
+  const sweep::Study study = map::SmallMap::config().study;
   FamilyJournal(map.path, study, false).records().keep_stays(1, 2, true);
   FamilyJournal again(map.path, study, false);
   EXPECT_EQ(again.found_before(), 1u);
@@ -20,28 +20,29 @@ TEST(FamilyJournal, GoesOnWithWhatAnInterruptedCallLeft) {
 }
 
 TEST(FamilyJournal, ForgetsItWhenFreshAndRemovesIt) {
-  const SmallMap map;
-  const sweep::Study study = SmallMap::config().study;
+  const map::SmallMap map;
+  const sweep::Study study = map::SmallMap::config().study;
   FamilyJournal(map.path, study, false).records().keep_stays(1, 2, true);
   FamilyJournal fresh(map.path, study, true);
   EXPECT_EQ(fresh.found_before(), 0u);
-  EXPECT_TRUE(std::filesystem::exists(map.path / family_journal_file));
+  EXPECT_TRUE(std::filesystem::exists(map.path / map::family_journal_file));
   fresh.remove();
-  EXPECT_FALSE(std::filesystem::exists(map.path / family_journal_file));
+  EXPECT_FALSE(std::filesystem::exists(map.path / map::family_journal_file));
 }
 
 TEST(FamilyJournal, RefusesThatOfAnotherStudy) {
-  const SmallMap map;
-  FamilyJournal(map.path, SmallMap::config().study, false).records().keep_stays(1, 2, true);
-  EXPECT_THROW(FamilyJournal(map.path, SmallMap::config({"rotor.mass_kg=0.9"}).study, false), ConfigError);
+  const map::SmallMap map;
+  FamilyJournal(map.path, map::SmallMap::config().study, false).records().keep_stays(1, 2, true);
+  EXPECT_THROW(FamilyJournal(map.path, map::SmallMap::config({"rotor.mass_kg=0.9"}).study, false),
+               ConfigError);
 }
 
 TEST(FamilyJournal, KeepsASecondProcessAwayUntilItLeaves) {
-  const SmallMap map;
-  const sweep::Study study = SmallMap::config().study;
+  const map::SmallMap map;
+  const sweep::Study study = map::SmallMap::config().study;
   FamilyJournal journal(map.path, study, false);
   EXPECT_THROW(FamilyJournal(map.path, study, false), LockedError);
 }
 
 }  // namespace
-}  // namespace rubsweep::map::families
+}  // namespace rubsweep::branch::journal

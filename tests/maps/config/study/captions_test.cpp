@@ -3,7 +3,6 @@
 #include "maps/config/support.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"
-#include "rubsweep/ring/read_ring_config.hpp"
 
 namespace rubsweep::config::study {
 namespace {
@@ -40,24 +39,6 @@ TEST(Captions, HoldNothingThatATerminalWouldObey) {
   EXPECT_EQ(problem("title: [a]"), "test.yaml:1:8: title: is a list, allowed: a text of 1 to 4096 bytes");
   EXPECT_EQ(problem("title: " + std::string(201, 'a')),
             "test.yaml:1:8: title: is too long, allowed: at most 200 bytes");
-}
-
-TEST(Captions, AreOfRingsAsWell) {
-  const std::string ring =
-      "title: Ring\nring: {nodal_diameters: 3, modal_mass_kg: 742, natural_frequency_hz: 5, thickness_ratio: "
-      "0.01}\n"
-      "loads: [{kind: spring_mass, motion: radial, angle_deg: 70, mass_kg: 1, radial_stiffness_n_per_m: "
-      "1e6}]\n"
-      "friction_coefficient: 0.1\nspeed_rpm: {from: 0, to: 6000, count: 3001}\noutput: {directory: "
-      "results}\n";
-  const ring::RingConfig config = ring::read_ring_config_text(ring, "ring.yaml", {});
-  EXPECT_EQ(config.captions.title, "Ring");
-  const std::string printed = ring::print_ring_config(config);
-  EXPECT_NE(printed.find("speed_rpm:\n  from: 0\n  to: 6000\n  count: 3001\n"), std::string::npos) << printed;
-  const ring::RingConfig again = ring::read_ring_config_text(printed, "printed.yaml", {});
-  EXPECT_EQ(again.captions, config.captions);
-  EXPECT_EQ(again.study.speeds_rpm, config.study.speeds_rpm);
-  EXPECT_EQ(ring::ring_study_digest(again.study), ring::ring_study_digest(config.study));
 }
 
 }  // namespace

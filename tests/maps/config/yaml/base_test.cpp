@@ -12,7 +12,6 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"
-#include "rubsweep/ring/read_ring_config.hpp"
 
 namespace rubsweep::config::yaml {
 namespace {
@@ -223,26 +222,6 @@ TEST_F(Base, AMisspeltOneIsAnUnknownKey) {
   EXPECT_NE(message("mine.yaml").find("mine.yaml:1:1: bases: unknown key (did you mean 'base'?)"),
             std::string::npos)
       << message("mine.yaml");
-}
-
-TEST_F(Base, ServesRingConfigurationsAsWell) {
-  const std::string ring =
-      "ring: {nodal_diameters: 3, modal_mass_kg: 742, natural_frequency_rad_per_s: 34.4, thickness_ratio: "
-      "0.0138}\n"
-      "loads:\n  - {kind: spring_mass, angle_deg: 60, mass_kg: 100, radial_stiffness_n_per_m: 1.0e6, "
-      "tangential_stiffness_n_per_m: 2.0e6}\n"
-      "friction_coefficient: 0.1\nspeed_rpm: {from: 1, to: 3, count: 3}\noutput: {directory: x}\n";
-  write("ring.yaml", ring);
-  write("mine.yaml",
-        "base: ring.yaml\nfriction_coefficient: 0.2\nspeed_rpm: {values: [5]}\n"
-        "ring: {modal_stiffness_n_per_m: 8.0e5}\n");
-  const ring::RingConfig merged = ring::read_ring_config(directory / "mine.yaml", {});
-  EXPECT_EQ(merged.study.system.friction_coefficient, 0.2);
-  EXPECT_EQ(merged.study.speeds_rpm, std::vector<double>{5});
-  EXPECT_EQ(merged.study.system.ring.modal_stiffness_n_per_m, 8.0e5);
-  const ring::RingConfig single =
-      ring::read_ring_config_text(ring::print_ring_config(merged), "printed.yaml", {});
-  EXPECT_EQ(ring::ring_study_digest(single.study), ring::ring_study_digest(merged.study));
 }
 
 TEST_F(Base, AnswersAnyPairOfFilesWithAConfigurationOrAMessage) {

@@ -10,19 +10,19 @@
 #include "rubsweep/maps/map/derived_files.hpp"
 #include "rubsweep/maps/map/journal_header.hpp"
 
-namespace rubsweep::map::families {
+namespace rubsweep::branch::journal {
 
 namespace fs = std::filesystem;
 
 FamilyJournal::FamilyJournal(const fs::path& directory, const sweep::Study& study, bool fresh)
-    : path_(directory / family_journal_file), records_([this](std::size_t cell, std::string_view line) {
+    : path_(directory / map::family_journal_file), records_([this](std::size_t cell, std::string_view line) {
         const std::lock_guard lock(mutex_);
         journal_->append(cell, line);
       }) {
   batch::make_directory(directory);
-  lock_.emplace(directory / family_lock_file, batch::LockMode::exclusive, "rubbranch");
+  lock_.emplace(directory / map::family_lock_file, batch::LockMode::exclusive, "rubbranch");
   if (!lock_->guards()) config::yaml::say(batch::no_locks("rubbranch", directory));
-  const batch::JournalHeader header = journal_header(study, family_digest);
+  const batch::JournalHeader header = map::journal_header(study, family_digest);
   read(header, fresh);
   journal_.emplace(path_, header);
 }
@@ -30,7 +30,7 @@ FamilyJournal::FamilyJournal(const fs::path& directory, const sweep::Study& stud
 void FamilyJournal::read(const batch::JournalHeader& header, bool fresh) {
   if (fresh) fs::remove(path_);
   if (!fs::exists(path_)) return;
-  refuse_journal_of_another(path_, header);
+  map::refuse_journal_of_another(path_, header);
   std::size_t unreadable = 0;
   const std::size_t torn = batch::read_journal(path_, [&](const batch::JournalRecord& record) {
     ++(records_.read(record.cell, record.text) ? found_before_ : unreadable);
@@ -58,4 +58,4 @@ void FamilyJournal::leave() {
   lock_.reset();
 }
 
-}  // namespace rubsweep::map::families
+}  // namespace rubsweep::branch::journal

@@ -10,7 +10,7 @@
 #include "rubsweep/maps/batch/journal.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
-namespace rubsweep::map::families {
+namespace rubsweep::branch::journal {
 
 /// Directory in which families of a map are followed, while a process is at work there: families.journal
 /// holds the results so far, until the result files have them, and families.lock names the process.
@@ -21,7 +21,7 @@ class FamilyJournal {
   /// IoError.
   FamilyJournal(const std::filesystem::path& directory, const sweep::Study& study, bool fresh);
 
-  branch::families::FamilyRecords& records() { return records_; }
+  families::FamilyRecords& records() { return records_; }
 
   /// Number of records read that an earlier call wrote.
   std::size_t found_before() const { return found_before_; }
@@ -43,8 +43,8 @@ class FamilyJournal {
   std::optional<batch::FileLock> lock_;
   std::mutex mutex_;  ///< guards the journal
   std::optional<batch::Journal> journal_;
-  branch::families::FamilyRecords records_;
+  families::FamilyRecords records_;
   std::size_t found_before_ = 0;
 };
 
-}  // namespace rubsweep::map::families
+}  // namespace rubsweep::branch::journal
