@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rubsweep/core/integrate/run/state_scale.hpp"
 #include "rubsweep/core/model/rotor_kit.hpp"
 #include "support/set_a_cell.hpp"
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rubsweep/core/response/followed.hpp"
+
 namespace rubsweep::response {
 namespace {
 

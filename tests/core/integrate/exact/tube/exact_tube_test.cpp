@@ -64,9 +64,10 @@ TEST(ExactTube, DeviationFromTheLinearMapIsBelowItsBound) {
 TEST(ExactTube, CarriesAForceOfTwiceTheShaftsFrequency) {
   scene::Scene scene = test::cell_of({}).scene;
   scene.second_harmonic_n = std::polar(0.3, 0.7) * scene.harmonic_n;
-  const RubbingTurn plain, forced(scene);
+  const RubbingTurn plain;
+  RubbingTurn forced(scene);
   EXPECT_GT((vector_of(plain.start) - vector_of(forced.start)).norm(), 1e-3);
-  expect_deviations_below_their_bound(forced);
+  expect_deviations_below_their_bound(std::move(forced));
 }
 
 TEST(ExactTube, AFlightHasNoDeviation) {
