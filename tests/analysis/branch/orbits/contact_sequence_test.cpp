@@ -81,5 +81,13 @@ TEST(ContactSequenceChange, NoneThatIsKnown) {
   EXPECT_FALSE(sequence_change(changes("oso", 0, 0) + changes("oso", 1, 1), {}, 6.28));
 }
 
+TEST(ContactSequenceSame, ContactAllAlongIsNotFlightAllAlong) {
+  OrbitFacts flight, contact;
+  contact.unbroken = {0};
+  EXPECT_TRUE(same_sequence(flight.switches, contact.switches)) << "neither changes its mode";
+  EXPECT_FALSE(same_contact(flight, contact));
+  EXPECT_TRUE(same_contact(contact, contact));
+}
+
 }  // namespace
 }  // namespace rubsweep::branch::orbits

@@ -186,21 +186,24 @@ TEST(ScenePlane, GrazesOfACircleThatTouchesAllAlong) {
   PlaneOrbits orbits = scene_plane_orbits(plane, 1, {}, modes);
   orbits.first = {0.3, 3};
   orbits.second = {0.3, 0.9};
-  const auto graze =
-      std::ranges::find(branch.events, continuation::EventKind::graze, &continuation::BranchEvent::kind);
-  ASSERT_NE(graze, branch.events.end());
-  const auto start = curves::curve_start(orbits, *graze, {graze->point.parameter, 0.4, 0});
-  ASSERT_TRUE(start);
-  const curves::Curve curve = curves::follow_curve(start->system, start->point, {});
-  EXPECT_EQ(curve.forward, continuation::Ending::left_range);
-  EXPECT_EQ(curve.backward, continuation::Ending::left_range);
-  EXPECT_TRUE(curve.meetings.empty());
-  ASSERT_GT(curve.points.size(), 20u);
-  for (const curves::CurvePoint& point : curve.points) {
-    const double w = point.place.first;
-    EXPECT_NEAR(point.place.second * w * w / std::hypot(1 - w * w, 2 * zeta * w), 1, 1e-9) << w;
-    EXPECT_FALSE(point.facts.touched);
+  int grazes = 0;
+  for (const continuation::BranchEvent& event : branch.events) {
+    if (event.kind != continuation::EventKind::graze) continue;
+    ++grazes;
+    const auto start = curves::curve_start(orbits, event, {event.point.parameter, 0.4, 0});
+    ASSERT_TRUE(start) << event.point.parameter;
+    const curves::Curve curve = curves::follow_curve(start->system, start->point, {});
+    EXPECT_EQ(curve.forward, continuation::Ending::left_range);
+    EXPECT_EQ(curve.backward, continuation::Ending::left_range);
+    EXPECT_TRUE(curve.meetings.empty());
+    ASSERT_GT(curve.points.size(), 10u);
+    for (const curves::CurvePoint& point : curve.points) {
+      const double w = point.place.first;
+      EXPECT_NEAR(point.place.second * w * w / std::hypot(1 - w * w, 2 * zeta * w), 1, 1e-9) << w;
+      EXPECT_FALSE(point.facts.touched);
+    }
   }
+  EXPECT_GE(grazes, 1);
 }
 
 TEST(ScenePlane, FoldOfTheFullAnnularRub) {

@@ -18,7 +18,7 @@ constexpr double first_penetration = 1e-3, last_penetration = 4e-7;
 constexpr int nodes_wanted = 7;
 constexpr std::size_t extrapolated_from = 5;  ///< nodes
 /// Orbits looked for on the other side have this penetration at most.
-constexpr double other_side = 1e-5;
+constexpr double other_side = 1e-6;
 
 const orbits::EvenContact* even_at(const BranchPoint& point, int contact) {
   const auto found = std::ranges::find(point.facts.even, contact, &orbits::EvenContact::contact);

@@ -19,8 +19,6 @@ constexpr double usual_parameter_step = 1e-6, usual_state_step = 1e-5;
 /// A graze is an orbit that misses the guard by so much of the length scale: on the other side its
 /// derivative would have a square root of what rounding leaves.
 constexpr double miss = 4e-12;
-/// The same where it would touch everywhere at once, and all of the orbit has to stay clear.
-constexpr double even_miss = 4e-11;
 /// Least divisor of Newton's iteration at a branch point.
 constexpr double least_cubic = 1e-3;
 
@@ -93,8 +91,7 @@ class Extender {
       moved(n_ + k) = at_(n_ + k) - parameter_step_;
       auto below = image_if_any(moved);
       if (!above && !below) throw NotMade{orbits::Evaluation::infeasible};
-      if (above && below && system_.kind == continuation::EventKind::graze)
-        (returns_deeper(*above, *below) ? above : below).reset();
+      if (above && below && system_.has_phase()) (returns_deeper(*above, *below) ? above : below).reset();
       const Image &high = above ? *above : here, &low = below ? *below : here;
       const double width = (above && below ? 2 : 1) * parameter_step_;
       extended.jacobian.col(n_ + k) = (high.state - low.state) / width;
@@ -171,7 +168,7 @@ class Extender {
       rate(k) = (high.rate - low.rate) / (2 * parameter_step_);
     }
     extended.critical.curvature = here.curvature;
-    append(extended, here.value + (system_.even ? even_miss : miss), value);
+    append(extended, here.value + (system_.even ? 0 : miss), value);
     if (system_.has_phase()) append(extended, here.rate, rate);
   }
 
@@ -213,7 +210,7 @@ continuation::Position position_of(const ExtendedSystem& system, const orbits::P
 orbits::PlanePoint place_of(const ExtendedSystem& system, const continuation::Position& at) {
   const Index last = at.size() - 1;
   return {at(last - 1) * system.orbits->first.width(), at(last) * system.orbits->second.width(),
-          system.has_phase() ? at(system.states) : 0};
+          system.has_phase() ? at(system.states) : 0, system.even ? system.guard.contact : -1};
 }
 
 VectorXd state_of(const ExtendedSystem& system, const continuation::Position& at) {

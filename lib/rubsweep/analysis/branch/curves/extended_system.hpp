@@ -20,7 +20,7 @@ namespace rubsweep::branch::curves {
 /// | torus | product of the two multipliers whose product is nearest to 1, less 1 |
 /// | branch point | as a fold, and a second derivative in place of the equation that says nothing there |
 /// | graze | at the start of the turn the guard is as good as zero, and so is its rate |
-/// | graze of an even contact | the guard alone |
+/// | graze of an even contact | the guard alone, of orbits that are clear of the contact |
 struct ExtendedSystem {
   const orbits::PlaneOrbits* orbits = nullptr;                   ///< never null
   continuation::EventKind kind = continuation::EventKind::fold;  ///< one that has_curve()

@@ -10,6 +10,7 @@
 namespace rubsweep::branch::orbits {
 namespace {
 
+using integrate::run::ModeSwitch;
 using System = integrate::run::ScaledSystem<Eigen::Dynamic>;
 using Map = Eigen::Map<const Eigen::VectorXd>;
 
@@ -45,7 +46,7 @@ std::vector<EvenContact> EvenContacts::list() const {
   std::vector<EvenContact> even;
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const auto [least, largest] = ranges_[i];
-    if (!(largest - least <= most_spread)) continue;
+    if (!(largest >= least && largest - least <= most_spread)) continue;
     const auto touching = contact::guard_forms(contact::Mode::open, system_.contacts[i].damping > 0);
     even.push_back({static_cast<int>(i), (least + largest) / 2, largest - least, touching.list.front().next});
   }
@@ -59,16 +60,16 @@ double penetration_at(const scene::Scene& scene, const Eigen::VectorXd& state, i
 
 void EvenContacts::settle(OrbitFacts& facts) const {
   facts.even = list();
-  for (const EvenContact& contact : facts.even)
-    std::erase_if(facts.switches,
-                  [&](const integrate::run::ModeSwitch& at) { return at.contact == contact.contact; });
-  facts.hits = static_cast<int>(
-      std::ranges::count(facts.switches, contact::Mode::open, &integrate::run::ModeSwitch::from));
+  for (const EvenContact& even : facts.even)
+    facts.hits -= static_cast<int>(std::erase_if(facts.switches, [&](const ModeSwitch& at) {
+      return at.contact == even.contact && at.from == contact::Mode::open;
+    }));
+  for (const EvenContact& even : facts.even)
+    std::erase_if(facts.switches, [&](const ModeSwitch& at) { return at.contact == even.contact; });
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const int contact = static_cast<int>(i);
     if (ranges_[i].least + ranges_[i].largest > 0 &&
-        std::ranges::find(facts.switches, contact, &integrate::run::ModeSwitch::contact) ==
-            facts.switches.end())
+        std::ranges::find(facts.switches, contact, &ModeSwitch::contact) == facts.switches.end())
       facts.unbroken.push_back(contact);
   }
   if (facts.even.empty() || facts.even.size() < ranges_.size()) return;

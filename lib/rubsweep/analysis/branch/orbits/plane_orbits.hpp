@@ -13,6 +13,9 @@ namespace rubsweep::branch::orbits {
 struct PlanePoint {
   double first = 0, second = 0;
   double phase_rad = 0;
+  /// Contact that the orbits are clear of: its force is left out, so that they are smooth where they come to
+  /// touch everywhere at once. Below 0: none.
+  int clear_of = -1;
 
   bool operator==(const PlanePoint&) const = default;
 };

@@ -23,6 +23,12 @@ std::span<const double> numbers(const Eigen::VectorXd& state) {
   return {state.data(), static_cast<std::size_t>(state.size())};
 }
 
+/// Puts a stop where nothing reaches it.
+void move_away(scene::Scene& scene, int contact) {
+  constexpr double far_away = 1e3;
+  scene.contacts[static_cast<std::size_t>(contact)].clearance_m += far_away * scene.length_scale_m;
+}
+
 class ScenePlaneOrbits {
  public:
   ScenePlaneOrbits(ScenePlane plane, int order, const integrate::run::SolverOptions& solver,
@@ -68,22 +74,22 @@ class ScenePlaneOrbits {
 
  private:
   struct Line {
-    double second = 0, phase_rad = 0;
+    PlanePoint place;  ///< whatever its first parameter
     OrbitProblem orbits;
   };
 
   const OrbitProblem& line_at(const PlanePoint& place) {
-    const Line* known = recent_.find(
-        [&](const Line& line) { return line.second == place.second && line.phase_rad == place.phase_rad; });
+    const Line* known = recent_.find([&](const Line& line) {
+      return PlanePoint{place.first, line.place.second, line.place.phase_rad, line.place.clear_of} == place;
+    });
     if (known != nullptr) return known->orbits;
-    const auto family = [plane = plane_, second = place.second,
-                         phase = place.phase_rad](double first) -> std::optional<scene::Scene> {
-      auto scene = plane(first, second);
-      if (!scene || phase == 0) return scene;
-      return begun_at_phase(std::move(*scene), phase);
+    const auto family = [plane = plane_, place](double first) -> std::optional<scene::Scene> {
+      auto scene = plane(first, place.second);
+      if (scene && place.clear_of >= 0) move_away(*scene, place.clear_of);
+      if (!scene || place.phase_rad == 0) return scene;
+      return begun_at_phase(std::move(*scene), place.phase_rad);
     };
-    Line& line =
-        recent_.emplace(Line{place.second, place.phase_rad, scene_orbits(family, order_, solver_, modes_)});
+    Line& line = recent_.emplace(Line{place, scene_orbits(family, order_, solver_, modes_)});
     recent_.trim();
     return line.orbits;
   }
