@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "analysis/linear/exported_matrices.hpp"
 #include "core/scene/kit_machine.hpp"
@@ -54,6 +56,35 @@ TEST(WhirlModes, OfSupportsByATableAreThoseOfTheNumbersTypedIn) {
       EXPECT_NEAR(found[k].forward_share, expected[k].forward_share, 1e-8);
     }
   }
+}
+
+/// One mass of 1 kg with 20 Hz on a film that damps by three times the critical, and by 0.99 of it about one
+/// speed alone.
+TEST(WhirlModes, ThatStrongDampersLeaveAtOneSpeedOnlyAreFoundThere) {
+  const double rate = 2 * pi * 20;
+  model::Support film = structure::isotropic_support(0, 0);
+  model::SupportTable table;
+  table.speed_hz = {10, 20, 25, 30, 50, 90};
+  for (const double ratio : {3.0, 3.0, 0.99, 3.0, 3.0, 3.0}) {
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      table.columns[c].push_back(c == 4 || c == 7 ? 2 * ratio * rate : 0);
+  }
+  film.table = table;
+  FreeRotor rotor;
+  const Eigen::Matrix2d one = Eigen::Matrix2d::Identity(), none = Eigen::Matrix2d::Zero();
+  rotor.full.system = {one, none, none, rate * rate * one, {1, 1}};
+  rotor.full.tables.push_back(structure::tabled_support(film));
+  rotor.full.tables.front().map = one;
+  rotor.spin = Eigen::Matrix2d{{0, 1}, {-1, 0}};
+  const std::vector<double> speeds_hz{10, 25, 50, 75, 90};
+  const WhirlProblem problem(rotor, speeds_hz, 4);
+  const auto modes = problem.at(25).modes;
+  ASSERT_EQ(modes.size(), 2U);
+  for (const WhirlMode& mode : modes) {
+    EXPECT_NEAR(mode.damping_ratio(), 0.99, 1e-9);
+    EXPECT_NEAR(mode.frequency_hz(), 20 * std::sqrt(1 - 0.99 * 0.99), 1e-7);
+  }
+  EXPECT_TRUE(problem.at(50).modes.empty());
 }
 
 /// Roots up to `up_to_hz`, ascending by frequency, must be those of the exported matrices: each solves them,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "maps/sweep/one_side_study.hpp"
+#include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/report/explain_study.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
@@ -53,6 +54,29 @@ TEST(UnstableRotor, CrossCoupledBearingsAreNamedFromTheirLimitOn) {
   EXPECT_TRUE(where(study).starts_with("unstable rotor: at 2 of 2 speeds looked at, from 20 to 50 Hz"))
       << where(study);
   EXPECT_NE(report::explain_study(study).find(where(study)), std::string::npos);
+}
+
+/// A reduced rotor without its seal, which feeds a bending by the full matrices.
+TEST(UnstableRotor, AReductionThatTheFullMatricesContradictIsNoBasisOfAWord) {
+  Study study = bouncing_shaft(0);
+  model::RotorKit& kit = *model::kit_of(study.machine);
+  kit.shaft.front().outer_diameter_m = 0.012;
+  kit.shaft.front().youngs_modulus_pa = 2.06e11, kit.shaft.front().shear_modulus_pa = 7.92e10;
+  model::Support& seal = kit.supports.emplace_back(kit.supports.front());
+  seal.position_m = 0.1;
+  seal.stiffness_x_n_per_m = seal.stiffness_y_n_per_m = 0;
+  seal.damping_x_ns_per_m = seal.damping_y_ns_per_m = 0;
+  kit.modes.reset();
+  const auto with_seal = [&](double cross_n_per_m) {
+    seal.stiffness_xy_n_per_m = cross_n_per_m, seal.stiffness_yx_n_per_m = -cross_n_per_m;
+    return scene::prepare_machine(study.machine);
+  };
+  const scene::PreparedMachine stable = with_seal(0), unstable = with_seal(1e6);
+  EXPECT_EQ(where_rotor_is_unstable(study, stable), "");
+  EXPECT_NE(where_rotor_is_unstable(study, unstable), "");
+  scene::PreparedMachine mistaken = stable;
+  mistaken.machine = unstable.machine;
+  EXPECT_THROW(where_rotor_is_unstable(study, mistaken), ConfigError);
 }
 
 TEST(UnstableRotor, EveryRowSaysSoWhateverItsClassAndStart) {
