@@ -36,6 +36,13 @@ class Labels(unittest.TestCase):
         self.assertIn("right offset -0.8, 0.8", labels[3])
 
 
+    def test_a_label_whose_place_is_taken_goes_to_the_other_side(self):
+        rows = [{"speed_hz": speed} for speed in (63.92, 77.79, 84.86, 92.7, 97.05)]
+        labels = list(campbell.label_lines(rows, 140))
+        self.assertIn("left offset 0.8, -0.8", labels[1])
+        self.assertIn("'84.86'", labels[2])
+        self.assertIn("right offset -0.8, 0.8", labels[2])
+
     def test_labels_of_an_axis_that_begins_late_stand_in_the_picture(self):
         self.assertEqual(campbell.place_of_1x([], 180, 100), 100 + 0.94 * 80)
         self.assertEqual(campbell.place_of_1x([{"speed_hz": 178.0}], 180, 100), 100 + 0.85 * 80)

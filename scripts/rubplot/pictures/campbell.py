@@ -94,7 +94,7 @@ def name_lines(rows, top, per_hz=1):
 def label_lines(rows, fastest, per_hz=1, slowest=0, top=None):
     """Critical speeds as gnuplot's labels; speeds that lie together get one, at their middle. It stands above to the left
     of the line, below to the right where the next one is close, above to the right beside the axis; where another label
-    has that place, further above or below."""
+    has that place, on the other side, or further above or below."""
     width, height = fastest - slowest or 1, top or 1.5 * fastest or 1
     clusters = list(_clusters(sorted(rows, key=lambda row: row["speed_hz"]), "speed_hz", 0, SAME_SPEED))
     middles = [sum(row["speed_hz"] for row in cluster) / len(cluster) for cluster in clusters]
@@ -102,17 +102,18 @@ def label_lines(rows, fastest, per_hz=1, slowest=0, top=None):
     for middle, following in zip(middles, [*middles[1:], float("inf")]):
         text = "%.4g" % (per_hz * middle)
         above, below = [("right", -0.8, 0.8 + step) for step in STEPS], [("left", 0.8, -0.8 - step) for step in STEPS]
-        places = above + below
+        first, second = above, below
         if middle - slowest < BESIDE_AXIS * width:
-            places = [("left", 0.3, 0.9 + step) for step in STEPS] + below
+            first = [("left", 0.3, 0.9 + step) for step in STEPS]
         elif following < middle + CLOSE * width:
-            places = below + above
+            first, second = below, above
+        places = [place for pair in zip(first, second) for place in pair]
         boxes = [_box((middle - slowest) / width, middle / height, text, place) for place in places]
         free = [i for i, box in enumerate(boxes) if _inside(box) and not any(_meet(box, other) for other in taken)]
         chosen = free[0] if free else 0
         taken.append(boxes[chosen])
         side, across, up = places[chosen]
-        yield _label(per_hz * middle, middle, text, f"{side} offset {across:g}, {up:g}")
+        yield _label(per_hz * middle, middle, text, f"{side} offset {across:g}, {up:g} boxed")
 
 
 def _box(x, y, text, place):

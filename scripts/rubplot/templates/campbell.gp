@@ -26,6 +26,7 @@ do for [format in formats] {
   set label 1000 heading at screen 0.5, 0.972 center font ":Bold,24" noenhanced
   set label 1003 ARG3 at screen 0.995, 0.015 right font ",13" noenhanced
 
+  set style textbox opaque noborder fillcolor rgb "white" margins 0.3, 0.1
   load "labels.gp"
   set lmargin at screen 0.075
   set rmargin at screen right

@@ -79,7 +79,8 @@ std::vector<OrderPoint> order_history(const Recording& recording, double order, 
     const std::span<const Complex> samples = turns_of(recording, begin, turns);
     const double begin_rad = 2 * std::numbers::pi * order * begin;
     if (windowed)
-      add_component(response::spectrum::under_hann_window(samples), step_rad, begin_rad, points.back());
+      add_component(response::spectrum::under_hann_window_of_growing(samples), step_rad, begin_rad,
+                    points.back());
     else
       add_component(samples, step_rad, begin_rad, points.back());
   }

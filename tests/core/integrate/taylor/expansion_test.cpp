@@ -38,7 +38,7 @@ TEST(Expansion, ConvergesWithItsOrder) {
       std::array<double, 8> exact{}, here{};
       reference.series().put_state(duration, exact.data());
       motion.series().put_state(duration, here.data());
-      errors[half] = distance(std::span(exact).first(4), std::span(here).first(4));
+      errors[half] = largest_difference(std::span(exact).first(4), std::span(here).first(4));
     }
     EXPECT_NEAR(std::log2(errors[0] / errors[1]), order + 2, 0.5) << order;
   }

@@ -1,19 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <span>
 
+#include "core/integrate/largest_difference.hpp"
 #include "support/set_a_cell.hpp"
 
 namespace rubsweep::integrate::taylor {
-
-inline double distance(std::span<const double> a, std::span<const double> b) {
-  double largest = 0;
-  for (std::size_t j = 0; j < a.size(); ++j) largest = std::max(largest, std::abs(a[j] - b[j]));
-  return largest;
-}
 
 /// Set C of the annulus: circles and ovals that stay in contact.
 inline scene::Scene set_c_scene(double speed_hz, double whirl_ratio,

@@ -69,8 +69,8 @@ Agreement compare(scene::Scene scene, const run::Run& other, int turns) {
         all.phase = std::max(all.phase, std::abs(a.switches[j].phase_rad - b.switches[j].phase_rad));
       }
     }
-    all.section = std::max(all.section, distance(a.section, b.section));
-    all.samples = std::max(all.samples, distance(a.samples, b.samples));
+    all.section = std::max(all.section, largest_difference(a.section, b.section));
+    all.samples = std::max(all.samples, largest_difference(a.samples, b.samples));
     all.fraction = std::max(all.fraction, std::abs(a.contact_fraction - b.contact_fraction));
     all.displacement = std::max(
         all.displacement, std::abs(a.peak_displacement_m - b.peak_displacement_m) / scene.length_scale_m);
@@ -110,7 +110,7 @@ TEST(TaylorRun, AgreesWithTheExactSolverBetweenFlatStops) {
     for (int k = 0; k < 4; ++k) {
       ASSERT_EQ(kicked.advance({}, a), run::Outcome::ok);
       ASSERT_EQ(exact_kicked.advance({}, b), run::Outcome::ok);
-      EXPECT_LT(distance(a.section, b.section), 1e-13);
+      EXPECT_LT(largest_difference(a.section, b.section), 1e-13);
     }
     scene = [&] {
       scene::Scene later = scene;
@@ -301,7 +301,7 @@ TEST(TaylorRun, NeedsFewerStepsAtHigherOrderForTheSameMotion) {
   for (const int order : {10, 14, 18, 22}) {
     TaylorRun<4> run(scene, {}, {.order = order});
     for (int k = 0; k < 6; ++k) ASSERT_EQ(run.advance({}, turn), run::Outcome::ok);
-    EXPECT_LT(distance(turn.section, reference), 1e-12) << order;
+    EXPECT_LT(largest_difference(turn.section, reference), 1e-12) << order;
     EXPECT_LT(run.effort().steps, last);
     last = run.effort().steps;
   }
@@ -402,7 +402,7 @@ TEST(TaylorRun, StopsAtImpulsesAndWherePulsesBeginAndEnd) {
   for (int k = 0; k < 5; ++k) {
     ASSERT_EQ(run.advance({}, a), run::Outcome::ok);
     ASSERT_EQ(exact.advance({}, b), run::Outcome::ok);
-    EXPECT_LT(distance(a.section, b.section), 1e-12);
+    EXPECT_LT(largest_difference(a.section, b.section), 1e-12);
     EXPECT_EQ(a.hits, b.hits);
   }
 }

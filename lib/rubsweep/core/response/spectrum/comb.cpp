@@ -11,6 +11,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/spectrum/discrete_lines.hpp"
+#include "rubsweep/core/response/spectrum/hann_window.hpp"
 
 namespace rubsweep::response::spectrum {
 namespace {
@@ -167,7 +168,7 @@ std::optional<Comb> find_comb(std::span<const Complex> displacement_m, int sampl
   }
   const TurningOrbit orbit(displacement_m, samples_per_revolution);
   if (!(orbit.mean_square() > 0)) return std::nullopt;
-  const FullSpectrum spectrum = full_spectrum(hann_windowed(orbit.samples()), 1, workspace);
+  const FullSpectrum spectrum = full_spectrum(under_hann_window(orbit.samples()), 1, workspace);
   const double line = std::abs(largest_line(spectrum));
   const double samples = static_cast<double>(count);
   double bins = line;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <numeric>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/core/response/spectrum/hann_window.hpp"
 
 namespace rubsweep::response::spectrum {
 namespace {
@@ -31,20 +31,8 @@ std::vector<double> smoothed(std::span<const double> shares) {
 
 }  // namespace
 
-std::vector<Complex> hann_windowed(std::span<const Complex> samples) {
-  const double count = static_cast<double>(samples.size());
-  const Complex mean = std::accumulate(samples.begin(), samples.end(), Complex{}) / count;
-  std::vector<Complex> windowed;
-  windowed.reserve(samples.size());
-  for (std::size_t j = 0; j < samples.size(); ++j) {
-    const double phase = 2 * std::numbers::pi * (static_cast<double>(j) + 0.5) / count;
-    windowed.push_back((samples[j] - mean) * (1 - std::cos(phase)));
-  }
-  return windowed;
-}
-
 std::vector<double> energy_shares(std::span<const Complex> samples, SpectrumWorkspace& workspace) {
-  std::vector<double> shares = full_spectrum(hann_windowed(samples), 1, workspace).amplitude_m;
+  std::vector<double> shares = full_spectrum(under_hann_window(samples), 1, workspace).amplitude_m;
   double energy = 0;
   for (double& share : shares) {
     share *= share;

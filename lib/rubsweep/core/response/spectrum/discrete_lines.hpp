@@ -11,10 +11,6 @@ namespace rubsweep::response::spectrum {
 /// A line under a Hann window covers this many bins on either side of its peak.
 inline constexpr int hann_half_width = 2;
 
-/// Samples about their mean under a Hann window 1 - cos(2 pi (j + 1/2) / N): lines between two bins leak far
-/// less than without it.
-std::vector<std::complex<double>> hann_windowed(std::span<const std::complex<double>> samples);
-
 /// Share of the energy about the mean in every bin of the Hann-windowed spectrum, in the order of
 /// FullSpectrum; sums to 1, or all zero for samples that do not change.
 std::vector<double> energy_shares(std::span<const std::complex<double>> samples,
