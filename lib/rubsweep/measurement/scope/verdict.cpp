@@ -135,14 +135,16 @@ struct Motion {
     return at_repeating_angles(samples, static_cast<int>(per_turn), turns, most_order_looked_at(),
                                reading.angle_doubt);
   }
-  /// Samples without slow modulation. Lines that come once a turn wander at the pace of turns, whatever the
-  /// period is.
-  Levelled levelled(std::span<const Complex> motion, int turns) const {
-    const int revolution = static_cast<int>(per_turn);
-    Levelled once = without_slow_modulation(motion, revolution, 1, most_order_looked_at(),
-                                            static_cast<std::size_t>(turns));
+  /// Samples without slow modulation of their lines of whole orders, whatever the period of so many turns is.
+  Levelled levelled_once(std::span<const Complex> motion, int turns) const {
+    return without_slow_modulation(motion, static_cast<int>(per_turn), 1, most_order_looked_at(),
+                                   static_cast<std::size_t>(turns));
+  }
+  /// The same of all lines of the period.
+  Levelled levelled(const Levelled& once, int turns) const {
     if (turns == 1) return once;
-    Levelled all = without_slow_modulation(once.samples, revolution, turns, most_order_looked_at());
+    Levelled all =
+        without_slow_modulation(once.samples, static_cast<int>(per_turn), turns, most_order_looked_at());
     all.modulation_m = std::hypot(once.modulation_m, all.modulation_m);
     return all;
   }
@@ -158,14 +160,20 @@ Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples
 }
 
 /// Shortest period beside which no line is visible, if any, and a longer one that cannot be ruled out; the
-/// samples that show it.
+/// samples that show it, without a period at the angles at which turns repeat best.
 std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
   for (int n = 1; n <= verdict.longest_period; ++n) {
     std::vector<Complex> samples = motion.repeating_after(n);
-    const Levelled levelled = motion.levelled(samples, n);
+    const Levelled once = motion.levelled_once(samples, n), levelled = motion.levelled(once, n);
     const Lines spectrum = spectrum_of_periods(motion, levelled.samples, n, workspace);
     const Threshold threshold = threshold_of(spectrum);
     if (largest_beside(spectrum, n) > threshold.visible_m) continue;
+    // A line near a multiple of 1/n moves slowly as that multiple does.
+    constexpr double hann_noise = 1.23;  // as much more of it than of a window without weights
+    if (n > 1 && !keeps_period(discrete_lines_of(once.samples, motion.per_turn, motion.reading,
+                                                 hann_noise * threshold.visible_m, workspace),
+                               n, once.samples.size() / motion.per_turn))
+      continue;
     verdict.period = n;
     verdict.turns = spectrum.turns;
     verdict.noise_m = threshold.noise_m;
@@ -179,7 +187,7 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     }
     return samples;
   }
-  return {motion.samples.begin(), motion.samples.end()};
+  return motion.repeating_after(1);
 }
 
 MeasuredClass aperiodic_class(std::span<const Complex> samples, SpectrumWorkspace& workspace) {
@@ -266,12 +274,13 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
     verdict.motion = MeasuredClass::at_rest;
   } else {
     samples = find_period(motion, workspace, verdict);
-    verdict.motion = !verdict.period       ? aperiodic_class(displacement_m, workspace)
+    verdict.motion = !verdict.period ? aperiodic_class(motion.levelled_once(samples, 1).samples, workspace)
                      : *verdict.period > 1 ? MeasuredClass::subharmonic
                                            : MeasuredClass::synchronous;
   }
   if (!verdict.period)
-    verdict.discrete_lines = discrete_lines_of(displacement_m, motion.per_turn, reading, verdict, workspace);
+    verdict.discrete_lines =
+        discrete_lines_of(samples, motion.per_turn, reading, verdict.visible_m, workspace);
   take_orbit(samples, motion.per_turn, verdict);
   add_uncertainties(reading, verdict);
   if (plane && verdict.motion != MeasuredClass::at_rest) {

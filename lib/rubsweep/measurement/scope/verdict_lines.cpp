@@ -22,6 +22,24 @@ double leak_at(const Verdict& verdict, double order) {
   return leak;
 }
 
+/// What the orders of lines are multiplied by, as the angles of a recording may be off.
+struct Scale {
+  double factor = 1, uncertainty = 0;
+};
+
+/// By the line that turns with the shaft, where the marks allow it, else with what they leave open.
+Scale scale_of(std::span<const response::spectrum::ResolvedLine> lines, double per_turn, std::size_t turns,
+               const recording::AngleDoubt& doubt) {
+  double room = 0;
+  for (std::size_t k = 0; k < doubt.low_turns.size(); ++k)
+    room = std::max(room, (doubt.high_turns[k] - doubt.low_turns[k]) / static_cast<double>(turns));
+  if (room == 0) return {};
+  for (const response::spectrum::ResolvedLine& line : lines)
+    if (const double order = std::abs(line.frequency) * per_turn; std::abs(order - 1) <= room)
+      return {1 / order, line.frequency_uncertainty * per_turn};
+  return {1, room / std::sqrt(12.0)};
+}
+
 }  // namespace
 
 double most_order_looked_at(const Reading& reading) {
@@ -41,23 +59,21 @@ const DiscreteLine* line_of_bin(const Verdict& verdict, double order) {
 
 std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
                                             std::size_t samples_per_revolution, const Reading& reading,
-                                            const Verdict& verdict,
+                                            double least_m,
                                             response::spectrum::SpectrumWorkspace& workspace) {
-  constexpr std::size_t most_turns = 128;
-  const std::size_t turns = std::min(samples.size() / samples_per_revolution, most_turns);
+  const std::size_t turns = std::min(samples.size() / samples_per_revolution, most_resolved_turns);
   const auto per_turn = static_cast<double>(samples_per_revolution);
   const double highest = most_order_looked_at(reading) / per_turn;
-  const auto found = response::spectrum::resolve_lines(samples.last(turns * samples_per_revolution),
-                                                       {.most_lines = most_discrete_lines,
-                                                        .least_amplitude = verdict.visible_m,
-                                                        .lowest = -highest,
-                                                        .highest = highest},
-                                                       workspace);
+  const auto found = response::spectrum::resolve_lines(
+      samples.last(turns * samples_per_revolution),
+      {.most_lines = most_discrete_lines, .least_amplitude = least_m, .lowest = -highest, .highest = highest},
+      workspace);
+  const Scale scale = scale_of(found, per_turn, turns, reading.angle_doubt);
   std::vector<DiscreteLine> lines;
   for (const response::spectrum::ResolvedLine& line : found) {
-    const double order = line.frequency * per_turn, size = std::abs(line.amplitude);
+    const double order = scale.factor * line.frequency * per_turn, size = std::abs(line.amplitude);
     lines.push_back(
-        {order, line.frequency_uncertainty * per_turn, size,
+        {order, std::hypot(line.frequency_uncertainty * per_turn, order * scale.uncertainty), size,
          std::hypot(line.amplitude_uncertainty, reading.missed_share(order) * size),
          // At the begin of the turns that the orbit has.
          std::arg(line.amplitude) +
@@ -65,6 +81,17 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
                  static_cast<double>(turns - std::min(turns, std::size_t{most_aperiodic_turns}))});
   }
   return lines;
+}
+
+bool keeps_period(std::span<const DiscreteLine> lines, int period, std::size_t turns) {
+  // A motion that is held by the shaft may turn this much against it over the recording.
+  constexpr double most_deviations = 2, most_turned = 0.02;
+  const double bin = 1 / static_cast<double>(std::min(turns, most_resolved_turns));
+  return std::ranges::all_of(lines, [&](const DiscreteLine& line) {
+    const double place = line.order * period, off = std::abs(place - std::round(place)) / period;
+    const bool whole = std::lround(place) % period == 0;
+    return whole || off > bin || off <= most_deviations * line.order_uncertainty + most_turned * bin;
+  });
 }
 
 void add_uncertainties(const Reading& reading, Verdict& verdict) {

@@ -16,12 +16,19 @@ inline constexpr int most_aperiodic_turns = 64;
 /// Highest order whose noise the interpolation of the readings leaves as it is.
 double most_order_looked_at(const Reading& reading);
 
-/// Lines of a motion without a period, wherever they stand between the bins, by its last turns; `verdict`
-/// says how many the table of bins has, and the smallest line that counts.
+/// Turns whose lines are looked for between the bins: the last ones.
+inline constexpr std::size_t most_resolved_turns = 128;
+
+/// Lines of a motion that are larger than `least_m`, wherever they stand between the bins, by its last turns.
+/// Angles that the marks leave open are such that the line that turns with the shaft has the order 1.
 std::vector<DiscreteLine> discrete_lines_of(std::span<const std::complex<double>> samples,
                                             std::size_t samples_per_revolution, const Reading& reading,
-                                            const Verdict& verdict,
-                                            response::spectrum::SpectrumWorkspace& workspace);
+                                            double least_m, response::spectrum::SpectrumWorkspace& workspace);
+
+/// Whether the lines of so many turns that stand within a bin of a multiple of 1 / period may stand there:
+/// within two standard uncertainties and a fiftieth of a turn over the recording. Lines nearest to a whole
+/// order count for nothing.
+bool keeps_period(std::span<const DiscreteLine> lines, int period, std::size_t turns);
 
 /// Uncertainty of every line of the table: noise, what the interpolation of the readings misses, and of a bin
 /// of a motion without a period how far it is from the line that stands there, or what other lines leave in

@@ -146,7 +146,7 @@ void refine(std::vector<ResolvedLine>& lines, std::span<Complex> left, std::span
 void add_uncertainties(std::vector<ResolvedLine>& lines, std::span<Complex> left, const Bins& rest) {
   const std::size_t half = left.size() / 2;
   const auto count = static_cast<double>(left.size());
-  const std::vector<double> weights = hann_window(half);
+  const std::vector<double> weights = hann_window(half), even(left.size(), 1.0);
   const auto beyond = [](double difference, double noise) {
     return std::max(0.0, difference * difference / 4 - noise * noise);
   };
@@ -159,8 +159,10 @@ void add_uncertainties(std::vector<ResolvedLine>& lines, std::span<Complex> left
     const auto first = left.first(half), last = left.last(half);
     const double f = peak_near(first, weights, line.frequency), g = peak_near(last, weights, line.frequency);
     const double a = std::abs(component(first, weights, f)), b = std::abs(component(last, weights, g));
+    const double mean = std::abs(component(left, even, line.frequency));
     add(left, line.frequency, -line.amplitude);
-    line.amplitude_uncertainty = std::sqrt(noise * noise + beyond(a - b, noise));
+    line.amplitude_uncertainty =
+        std::sqrt(noise * noise + std::max(beyond(a - b, noise), beyond(2 * (mean - size), noise)));
     line.frequency_uncertainty =
         std::sqrt(frequency_noise * frequency_noise + beyond(f - g, 2 * frequency_noise));
   }
