@@ -27,7 +27,7 @@ def random_stop(draw, clearance_m, shaft_n_per_m, mass_kg, annular):
     stop = {"kind": "annular" if annular else "one_side", "clearance_m": clearance_m,
             "stiffness_n_per_m": shaft_n_per_m * log_uniform(draw, 3, 1e5),
             "restitution": draw.choice((1, draw.uniform(0.3, 0.95))),
-            "contact_radius_m": draw.choice((0, log_uniform(draw, 1e-4, 0.05)))}
+            "contact_radius_m": draw.choice((0, max(2 * clearance_m, log_uniform(draw, 1e-4, 0.05))))}
     if not annular:
         stop["angle_deg"] = draw.choice((-90, 0, 90, draw.uniform(0, 360)))
     friction = random_friction(draw)
@@ -65,6 +65,36 @@ def random_cell(seed, number):
     if draw.random() < 0.2:
         cell["solver"] = {"method": "adaptive", "stepper": draw.choice(STEPPERS),
                           "relative_tolerance": draw.choice((1e-6, 1e-8, 1e-10, 1e-12))}
+    return cell
+
+
+def put_on_kit(draw, cell):
+    """A shaft with one disc on two supports in the place of the Jeffcott rotor, of about its mass and frequency."""
+    length_m = draw.uniform(0.3, 0.6)
+    support = {"stiffness_x_n_per_m": log_uniform(draw, 2e4, 1e6), "damping_x_ns_per_m": log_uniform(draw, 1, 200)}
+    support.update(stiffness_y_n_per_m=support["stiffness_x_n_per_m"] * draw.choice((1, draw.uniform(0.5, 1))),
+                   damping_y_ns_per_m=support["damping_x_ns_per_m"])
+    mass_kg = min(1.5, max(0.3, cell["rotor"]["mass_kg"]))
+    disc_m = length_m * draw.uniform(0.3, 0.7)
+    cell["rotor"] = {
+        "kind": "rotor_kit",
+        "shaft": [{"length_m": length_m, "outer_diameter_m": draw.uniform(0.008, 0.014), "youngs_modulus_pa": 2.06e11,
+                   "shear_modulus_pa": 7.92e10, "density_kg_per_m3": 7850}],
+        "discs": [{"position_m": disc_m, "mass_kg": mass_kg, "polar_inertia_kg_m2": 7e-4 * mass_kg,
+                   "diametral_inertia_kg_m2": 4e-4 * mass_kg}],
+        "supports": [dict(support, position_m=0.05 * length_m), dict(support, position_m=0.95 * length_m)],
+        "sensors": [{"position_m": length_m * draw.uniform(0.3, 0.7), "angle_deg": angle} for angle in (0, 90)],
+        "damping_ratio": log_uniform(draw, 0.005, 0.05), "modes_up_to_hz": 1500}
+    for stop in cell["stops"]:
+        stop["position_m"] = disc_m + length_m * draw.uniform(-0.1, 0.2)
+    cell["kick"]["position_m"] = disc_m
+
+
+def with_kits(seed, number, share=0.05):
+    """Cell `number` of those drawn by `seed`, a share of which are put on kits."""
+    cell, draw = random_cell(seed, number), random.Random("%d/%d/kit" % (seed, number))
+    if draw.random() < share:
+        put_on_kit(draw, cell)
     return cell
 
 

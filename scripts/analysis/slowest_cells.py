@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 
 from command import run_program
-from random_cells import random_cell, text_of
+from random_cells import text_of, with_kits
 from rubplot import csv_table
 
 HEADER = "cell,processor_s,class,proof,revolutions,status"
@@ -33,11 +33,14 @@ def run_cell(program, directory, number, limit_s):
     return used, (row["class"], row["proof"], row["revolutions"], row["status"])
 
 
-def measure(program, cells, seed, limit_s, directory):
+def measure(program, cells, seed, limit_s, directory, method):
     times = []
     for number in range(cells):
+        cell = with_kits(seed, number)
+        if method and cell["solver"]["method"] != method:
+            continue
         with open(os.path.join(directory, "%d.yaml" % number), "w", encoding="utf-8") as stream:
-            stream.write(text_of(random_cell(seed, number)))
+            stream.write(text_of(cell))
         used, words = run_cell(program, directory, number, limit_s)
         times.append((used, number, words))
     return sorted(times, key=lambda time: (-time[0], time[1]))
@@ -47,12 +50,13 @@ def main(arguments):
     program = os.path.join(arguments[0], "rubsweep")
     cells, seed, limit_s = (int(text) for text in arguments[1:4])
     with tempfile.TemporaryDirectory() as own:
-        directory = arguments[4] if len(arguments) == 5 else own
+        directory = arguments[4] if len(arguments) > 4 else own
+        method = arguments[5] if len(arguments) > 5 else ""
         os.makedirs(directory, exist_ok=True)
         print(HEADER)
-        for used, number, words in measure(program, cells, seed, limit_s, directory):
-            print("%d,%.2f,%s" % (number, used, ",".join(words)))
+        for used, number, words in measure(program, cells, seed, limit_s, directory, method):
+            print("%d,%.3f,%s" % (number, used, ",".join(words)))
 
 
 if __name__ == "__main__":
-    run_program(main, "slowest_cells.sh BIN CELLS SEED LIMIT_S [DIRECTORY]", 4, 5)
+    run_program(main, "slowest_cells.sh BIN CELLS SEED LIMIT_S [DIRECTORY [METHOD]]", 4, 6)

@@ -1,7 +1,7 @@
 import json
 import unittest
 
-from random_cells import random_cell, text_of
+from random_cells import random_cell, text_of, with_kits
 
 
 class RandomCells(unittest.TestCase):
@@ -19,6 +19,24 @@ class RandomCells(unittest.TestCase):
         slow = [cell for cell in cells
                 if cell["sweep"]["speed_hz"] < 0.02 * cell["rotor"]["natural_frequency_hz"]]
         self.assertGreater(len(slow), 20)
+
+    def test_some_cells_are_put_on_kits_and_all_others_stay(self):
+        kinds = []
+        for number in range(200):
+            cell, plain = with_kits(1, number), random_cell(1, number)
+            kinds.append(cell["rotor"]["kind"])
+            if kinds[-1] == "jeffcott":
+                self.assertEqual(cell, plain)
+            else:
+                length_m = cell["rotor"]["shaft"][0]["length_m"]
+                for stop in cell["stops"]:
+                    self.assertTrue(0 < stop["position_m"] < length_m)
+        self.assertTrue(3 < kinds.count("rotor_kit") < 30)
+
+    def test_contact_surfaces_are_wider_than_clearances(self):
+        for number in range(200):
+            for stop in random_cell(1, number)["stops"]:
+                self.assertTrue(stop["contact_radius_m"] == 0 or stop["contact_radius_m"] > stop["clearance_m"])
 
     def test_the_text_holds_the_cell(self):
         cell = random_cell(1, 2)

@@ -11,7 +11,9 @@
 #include "rubsweep/core/integrate/run/coordinates.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
 #include "rubsweep/core/integrate/run/work_bound.hpp"
+#include "rubsweep/core/integrate/stiff_turns.hpp"
 #include "rubsweep/core/integrate/taylor/taylor_run.hpp"
+#include "rubsweep/core/numerics/flush_subnormals.hpp"
 #include "rubsweep/core/numerics/full_turn.hpp"
 
 namespace rubsweep::integrate {
@@ -56,9 +58,41 @@ class HybridRun {
         options_(options),
         run_(scene, std::move(modes), options.max_steps_per_revolution),
         in_pieces_(may_be_in_pieces(scene, options)),
+        stiff_(scene_, options),
         end_of_pulses_rad_(end_of_pulses_rad(scene)) {}
 
   run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
+    if (stiff_.due()) {
+      const bool made = stiff_.advance(run_.section(), run_.revolution(), request, report);
+      if (made) return made_stiffly(report);
+    }
+    const long pieces = pieces_so_far(), changes = switches_;
+    const run::Outcome outcome = advance_explicitly(request, report);
+    stiff_.look(pieces_so_far() - pieces, switches_ - changes);
+    return outcome;
+  }
+
+  void restart(std::span<const double> section) {
+    run_.restart(section);
+    come_back();
+    absence_ = 1;
+    stiff_.restart();
+  }
+
+ private:
+  using TaylorRun = taylor::TaylorRun<N>;
+
+  long pieces_so_far() const { return taylor_ ? taylor_->effort().steps : 0; }
+
+  run::Outcome made_stiffly(run::TurnReport& report) {
+    come_back();
+    run_.resume(report.section);
+    ++adaptive_turns_;
+    return finish(report, run::Outcome::ok);
+  }
+
+  /// Closed forms where there are any, and what takes their place.
+  run::Outcome advance_explicitly(const run::TurnRequest& request, run::TurnReport& report) {
     if (!away_) {
       const run::Outcome outcome = run_.advance(request, report);
       const bool unsaturated = outcome == run::Outcome::unsaturated;
@@ -68,15 +102,6 @@ class HybridRun {
     }
     return adaptive_ ? advance_adaptively(request, report) : advance_by_series(request, report);
   }
-
-  void restart(std::span<const double> section) {
-    run_.restart(section);
-    come_back();
-    absence_ = 1;
-  }
-
- private:
-  using TaylorRun = taylor::TaylorRun<N>;
 
   /// Makes a turn in which friction leaves saturation: Taylor pieces until it is saturated again, and closed
   /// forms in between. The run stands where the first of these pieces begins.
@@ -209,17 +234,8 @@ class HybridRun {
     away_ = false;
   }
 
-  static run::Effort sum(run::Effort a, const run::Effort& b) {
-    a.rhs_calls += b.rhs_calls;
-    a.steps += b.steps;
-    a.refused += b.refused;
-    a.switches += b.switches;
-    a.implicit_steps += b.implicit_steps;
-    return a;
-  }
-
   run::Outcome finish(run::TurnReport& report, run::Outcome outcome) {
-    report.effort = sum(sum(past_, adaptive_effort_), run_.effort());
+    report.effort = sum(sum(sum(past_, adaptive_effort_), stiff_.effort()), run_.effort());
     if (taylor_) {
       report.effort = sum(report.effort, taylor_->effort());
       report.effort.taylor_pieces = taylor_->effort().steps;
@@ -229,13 +245,15 @@ class HybridRun {
     if (sticking_) report.effort.steps += sticking_->steps();
     report.effort.taylor_turns = taylor_turns_;
     report.effort.adaptive_turns = adaptive_turns_;
+    switches_ = report.effort.switches;
     return outcome;
   }
 
   scene::Scene scene_;
   run::SolverOptions options_;
   exact::ExactRun<N> run_;
-  bool in_pieces_ = false;                            ///< turns whose friction leaves saturation are
+  bool in_pieces_ = false;  ///< turns whose friction leaves saturation are
+  StiffTurns stiff_;
   std::unique_ptr<TaylorRun> taylor_;                 ///< made when first needed
   std::unique_ptr<exact::StickingStretch> sticking_;  ///< made when first needed
   exact::StickingStretch::StretchState held_;
@@ -245,7 +263,7 @@ class HybridRun {
   bool away_ = false;                  ///< from closed forms
   std::vector<double> section_;        ///< where the run left them
   int absence_ = 1, absent_ = 0;
-  long taylor_turns_ = 0, adaptive_turns_ = 0;
+  long taylor_turns_ = 0, adaptive_turns_ = 0, switches_ = 0;
   run::Effort past_, adaptive_effort_;
 };
 
@@ -255,9 +273,11 @@ run::Run start_hybrid(const scene::Scene& scene, const run::SolverOptions& optio
                       exact::modes::ModeCache& modes) {
   return run::with_coordinates(scene.structure.coordinates(), [&](auto n) -> run::Run {
     auto run = std::make_shared<HybridRun<n()>>(scene, options, modes.modes_of<n()>(scene));
-    return {
-        [run](const run::TurnRequest& request, run::TurnReport& report) { return (*run)(request, report); },
-        [run](std::span<const double> section) { run->restart(section); }};
+    return {[run](const run::TurnRequest& request, run::TurnReport& report) {
+              const numerics::FlushSubnormals flush;
+              return (*run)(request, report);
+            },
+            [run](std::span<const double> section) { run->restart(section); }};
   });
 }
 

@@ -5,6 +5,7 @@
 #include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/core/integrate/hybrid_run.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
+#include "rubsweep/core/numerics/flush_subnormals.hpp"
 
 namespace rubsweep::integrate {
 namespace {
@@ -19,6 +20,7 @@ run::Run start_restarting(const scene::Scene& scene, const run::SolverOptions& o
   auto run =
       std::make_shared<Restarting>(Restarting{scene, options, adaptive::start_adaptive(scene, options)});
   return {[run](const run::TurnRequest& request, run::TurnReport& report) {
+            const numerics::FlushSubnormals flush;
             return run->cursor(request, report);
           },
           [run](std::span<const double> section) {

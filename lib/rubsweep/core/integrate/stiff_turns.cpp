@@ -1,0 +1,63 @@
+#include "rubsweep/core/integrate/stiff_turns.hpp"
+
+#include <algorithm>
+
+#include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/core/integrate/run/state_scale.hpp"
+
+namespace rubsweep::integrate {
+namespace {
+
+/// Fewest pieces of a turn that is called stiff: an order of magnitude above those of turns of usual length.
+constexpr long least_pieces = 2000;
+/// Pieces in whose place a turn has one implicit step at most. A step is as dear as two or three pieces, and
+/// as long as a piece where it follows the fast vibration.
+constexpr long pieces_of_a_step = 8;
+/// Tolerance of the stepper, where none tighter is asked for.
+constexpr double tolerance = 1e-9;
+constexpr int longest_wait = 64;
+
+run::SolverOptions implicit_options(run::SolverOptions options) {
+  options.method = run::Method::adaptive;
+  options.stepper = run::Stepper::rosenbrock4;
+  options.relative_tolerance = std::min(options.relative_tolerance, tolerance);
+  return options;
+}
+
+}  // namespace
+
+StiffTurns::StiffTurns(const scene::Scene& scene, const run::SolverOptions& options)
+    : scene_(scene), options_(implicit_options(options)) {}
+
+void StiffTurns::look(long pieces, long changes) {
+  end();
+  if (pieces < least_pieces || changes > 0) return;
+  due_ = ++waited_ > wait_;
+  options_.max_steps_per_revolution = pieces / pieces_of_a_step;
+}
+
+bool StiffTurns::advance(std::span<const double> section, long revolution, const run::TurnRequest& request,
+                         run::TurnReport& report) {
+  if (!stepper_) stepper_ = adaptive::start_adaptive(run::scene_at(scene_, section, revolution), options_);
+  const long before = present_.switches;
+  const bool made = stepper_(request, report) == run::Outcome::ok;
+  present_ = report.effort;
+  waited_ = 0;
+  wait_ = made ? 0 : std::clamp(2 * wait_, 1, longest_wait);
+  if (!made || report.effort.switches > before) end();
+  return made;
+}
+
+void StiffTurns::restart() {
+  end();
+  wait_ = waited_ = 0;
+}
+
+void StiffTurns::end() {
+  past_ = sum(past_, present_);
+  present_ = {};
+  stepper_ = nullptr;
+  due_ = false;
+}
+
+}  // namespace rubsweep::integrate

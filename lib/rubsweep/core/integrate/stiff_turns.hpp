@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+
+#include "rubsweep/core/integrate/run/options.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/scene/scene.hpp"
+
+namespace rubsweep::integrate {
+
+/// Steps and evaluations of two solvers together, without what only Taylor pieces count.
+inline run::Effort sum(run::Effort a, const run::Effort& b) {
+  a.rhs_calls += b.rhs_calls;
+  a.steps += b.steps;
+  a.refused += b.refused;
+  a.switches += b.switches;
+  a.implicit_steps += b.implicit_steps;
+  return a;
+}
+
+/// Slow turns beside a stiff contact whose vibration has died out. Taylor pieces are no longer than a few
+/// radians of that vibration, there or not, and a turn may hold fifty thousand of them. Where no contact
+/// changes its mode an implicit stepper follows the slow motion alone, by a hundred steps.
+class StiffTurns {
+ public:
+  /// `scene` must outlive this.
+  StiffTurns(const scene::Scene& scene, const run::SolverOptions& options);
+
+  /// Takes note of a turn that pieces have made: so many, and `changes` of mode.
+  void look(long pieces, long changes);
+  /// Whether the next turn is to be tried. Moves no tangent vectors.
+  bool due() const { return due_; }
+  /// Makes turn number `revolution` from `section`. False where it takes so many steps that pieces are as
+  /// good: the report is of no use then, and tries become rarer.
+  bool advance(std::span<const double> section, long revolution, const run::TurnRequest& request,
+               run::TurnReport& report);
+  /// Forgets all but the work.
+  void restart();
+
+  /// Work of all of these turns.
+  run::Effort effort() const { return sum(past_, present_); }
+
+ private:
+  void end();
+
+  const scene::Scene& scene_;
+  run::SolverOptions options_;
+  run::Cursor stepper_;  ///< empty while other solvers make the turns
+  bool due_ = false;
+  int wait_ = 0, waited_ = 0;  ///< turns that would be tried, before the next try
+  run::Effort past_, present_;
+};
+
+}  // namespace rubsweep::integrate

@@ -1,0 +1,61 @@
+// A rotor that lies on a stiff damped stop and turns slowly, its friction decided by the size of the slip: a
+// turn holds fifty thousand radians of the stop's vibration, which dies out in the first of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/response/settle.hpp"
+
+namespace rubsweep::response {
+namespace {
+
+model::Machine machine() {
+  model::Stop stop;
+  stop.geometry = model::OneSideGeometry{.angle_deg = -90};
+  stop.clearance_m = 6e-5;
+  stop.stiffness_n_per_m = 3e8;
+  stop.damping = model::NominalRestitution{.value = 0.4};
+  stop.contact_radius_m = 4e-4;
+  stop.friction = model::StribeckFriction{.gamma = {0, 0, 0, 0.05, 1500, 0}};
+  model::Machine machine;
+  machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 14, .damping_ratio = 0.01};
+  machine.stops = {stop};
+  machine.gravity_m_per_s2 = 9.81;
+  machine.kick = model::Kick{.force_n = 0.3, .duration_s = 0.02, .angle_deg = {}};
+  return machine;
+}
+
+scene::Cell cell() { return scene::build_cell(machine(), 0.06, scene::Eccentricity{2e-5}); }
+
+/// Without the proof that would end the run after a few turns.
+TEST(SlowContact, ARubOnAStiffStopIsDecidedByItsWindows) {
+  motion::Workspace workspace;
+  motion::ResponseOptions options;
+  options.floquet_proof = false;
+  const SettledRun run = settle(cell(), {}, options, workspace);
+  EXPECT_EQ(run.outcome, integrate::run::Outcome::ok);
+  EXPECT_EQ(run.motion.motion_class, motion::MotionClass::synchronous);
+  EXPECT_EQ(run.revolutions, options.max_revolutions);
+}
+
+TEST(SlowContact, ItsTurnsAreThoseOfAnExplicitStepper) {
+  integrate::exact::modes::ModeCache modes;
+  integrate::run::SolverOptions explicitly;
+  explicitly.method = integrate::run::Method::adaptive;
+  explicitly.stepper = integrate::run::Stepper::dopri5;
+  explicitly.relative_tolerance = 1e-10;
+  const integrate::run::Run run = integrate::start(cell().scene, {}, modes),
+                            stepper = integrate::start(cell().scene, explicitly, modes);
+  integrate::run::TurnReport a, b;
+  for (int k = 0; k < 3; ++k) {
+    ASSERT_EQ(run.advance({}, a), integrate::run::Outcome::ok);
+    ASSERT_EQ(stepper.advance({}, b), integrate::run::Outcome::ok);
+    for (std::size_t i = 0; i < a.section.size(); ++i) EXPECT_NEAR(a.section[i], b.section[i], 1e-7) << k;
+  }
+  EXPECT_GE(a.effort.adaptive_turns, 1);
+}
+
+}  // namespace
+}  // namespace rubsweep::response
