@@ -16,6 +16,8 @@ constexpr long pieces_of_a_step = 8;
 /// Tolerance of the stepper, where none tighter is asked for.
 constexpr double tolerance = 1e-9;
 constexpr int longest_wait = 64;
+/// Turns after which other solvers are asked again: closed forms may have come to apply.
+constexpr int longest_stretch = 128;
 
 run::SolverOptions implicit_options(run::SolverOptions options) {
   options.method = run::Method::adaptive;
@@ -44,7 +46,7 @@ bool StiffTurns::advance(std::span<const double> section, long revolution, const
   present_ = report.effort;
   waited_ = 0;
   wait_ = made ? 0 : std::clamp(2 * wait_, 1, longest_wait);
-  if (!made || report.effort.switches > before) end();
+  if (!made || report.effort.switches > before || ++stretch_ >= longest_stretch) end();
   return made;
 }
 
@@ -57,6 +59,7 @@ void StiffTurns::end() {
   past_ = sum(past_, present_);
   present_ = {};
   stepper_ = nullptr;
+  stretch_ = 0;
   due_ = false;
 }
 

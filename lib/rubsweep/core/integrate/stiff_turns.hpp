@@ -48,6 +48,7 @@ class StiffTurns {
   run::Cursor stepper_;  ///< empty while other solvers make the turns
   bool due_ = false;
   int wait_ = 0, waited_ = 0;  ///< turns that would be tried, before the next try
+  int stretch_ = 0;            ///< turns that were made without a break
   run::Effort past_, present_;
 };
 
