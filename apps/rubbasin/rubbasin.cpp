@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "basin_slice.hpp"
 #include "rubbasin_arguments.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
@@ -16,7 +17,6 @@
 #include "rubsweep/maps/config/study_digest.hpp"
 #include "rubsweep/maps/map/derived_files.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
-#include "rubsweep/maps/report/basin_slice.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
@@ -77,17 +77,17 @@ config::RunConfig sliced_config(const RubbasinArguments& arguments, const Plane&
 int write_slice(const RubbasinArguments& arguments, const Plane& plane, const config::RunConfig& config,
                 const fs::path& map) {
   const auto& axes = config.study.grid.axes;
-  const report::BasinSlice slice = report::read_basin_slice(
+  const BasinSlice slice = read_basin_slice(
       map, {{plane[0].column, plane[1].column}, {axes.at(0).values, axes.at(1).values}}, config.study.grid);
-  const batch::ResultFiles files{{"slice.csv", report::map_comments() + report::slice_csv(slice)},
-                                 {"attractors.csv", report::map_comments() + report::attractors_csv(slice)}};
+  const batch::ResultFiles files{{"slice.csv", report::map_comments() + slice_csv(slice)},
+                                 {"attractors.csv", report::map_comments() + attractors_csv(slice)}};
   count_in_summary("starts", sweep::cell_count(config.study.grid));
   const fs::path directory = map.parent_path();
   batch::write_result_files(
       files, map::slice_files, directory,
       {"rubsweep", config::study_digest(config.study), batch::caption_lines(config.captions), {"map.csv"}});
   if (!arguments.quiet) {
-    print("{}files     {}: attractors.csv config.yaml map.csv slice.csv\n", report::slice_summary(slice),
+    print("{}files     {}: attractors.csv config.yaml map.csv slice.csv\n", slice_summary(slice),
           directory.string());
   }
   if (arguments.figure) {

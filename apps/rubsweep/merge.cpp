@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/map/unfinished_cells.hpp"
 #include "shell_word.hpp"
+#include "unfinished_cells.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -27,7 +27,7 @@ std::string command_of(const RubsweepArguments& arguments, std::string_view more
 
 void refuse_to_merge_too_early(const RubsweepArguments& arguments, const config::RunConfig& config,
                                const map::MapDirectory& directory) {
-  const map::UnfinishedCells unfinished = map::unfinished_cells(directory, config.study.grid);
+  const UnfinishedCells unfinished = unfinished_cells(directory, config.study.grid);
   if (unfinished.cells.empty()) return;
   const bool refined = config.study.grid.refinement.has_value();
   const std::size_t wanted = unfinished.cells.size(), count = unfinished.shard_count;

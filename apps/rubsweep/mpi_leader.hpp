@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "chunk_rounds.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/cell_log.hpp"
-#include "rubsweep/maps/map/chunk_rounds.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
 #include "rubsweep_arguments.hpp"
@@ -79,7 +79,7 @@ class MpiLeader {
   std::mutex mutex_;                  ///< guards the journal and what follows
   std::condition_variable next_round_;
   std::optional<map::RefinedCells> refined_;
-  map::ChunkRounds chunks_;
+  ChunkRounds chunks_;
   map::CellLog log_;
   std::size_t pilots_ = 0;  ///< finished cells that a forecast wants; 0: none, or no longer
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

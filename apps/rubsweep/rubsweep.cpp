@@ -6,6 +6,7 @@
 
 #include "map_outcome.hpp"
 #include "merge.hpp"
+#include "motion_kinds_csv.hpp"
 #include "rubsweep/maps/batch/captions.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
@@ -17,7 +18,6 @@
 #include "rubsweep/maps/map/written_file.hpp"
 #include "rubsweep/maps/report/describe_footprint.hpp"
 #include "rubsweep/maps/report/explain_study.hpp"
-#include "rubsweep/maps/report/motion_kinds_csv.hpp"
 #include "rubsweep_arguments.hpp"
 #include "shared/child_process.hpp"
 #include "shared/exit_code.hpp"
@@ -122,7 +122,7 @@ int perform(const RubsweepArguments& arguments) {
     return done;
   }
   if (arguments.motion_kinds) {
-    print("{}", report::motion_kinds_csv());
+    print("{}", motion_kinds_csv());
     return done;
   }
   if (arguments.status) {

@@ -11,8 +11,8 @@
 namespace rubsweep::apps {
 namespace {
 
-std::string_view word_of(report::CellVerdict verdict) {
-  using enum report::CellVerdict;
+std::string_view word_of(CellVerdict verdict) {
+  using enum CellVerdict;
   switch (verdict) {
     case equal:
       return "equal";
@@ -38,13 +38,13 @@ std::string line_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-void write_compared_cells(const std::filesystem::path& file, const report::MapComparison& comparison,
+void write_compared_cells(const std::filesystem::path& file, const MapComparison& comparison,
                           const std::filesystem::path& a, const std::filesystem::path& b, double tolerance) {
   std::string text = fmt::format("# a {}\n# b {}\n# tolerance {:g}\nspeed_hz,{}", line_of(a), line_of(b),
                                  tolerance, comparison.axis);
   for (const std::string& key : comparison.keys) text += "," + key;
   text += ",verdict,label_a,label_b\n";
-  for (const report::ComparedCell& cell : comparison.cells) {
+  for (const ComparedCell& cell : comparison.cells) {
     text += fmt::format("{},{}", cell.speed_hz, cell.unbalance);
     for (const double key : cell.keys) text += fmt::format(",{}", key);
     text += fmt::format(",{},{},{}\n", word_of(cell.verdict), cell.label_a, cell.label_b);

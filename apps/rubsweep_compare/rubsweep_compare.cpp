@@ -9,13 +9,13 @@
 #include <optional>
 #include <string>
 
+#include "compare_maps.hpp"
 #include "compared_cells.hpp"
+#include "comparison_figure.hpp"
+#include "describe_comparison.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/map/finished_map.hpp"
-#include "rubsweep/maps/report/compare_maps.hpp"
-#include "rubsweep/maps/report/comparison_figure.hpp"
-#include "rubsweep/maps/report/describe_comparison.hpp"
 #include "rubsweep/maps/report/map_columns.hpp"
 #include "shared/action.hpp"
 #include "shared/child_process.hpp"
@@ -88,14 +88,14 @@ void draw(const std::string& script, const fs::path& picture) {
   file.commit();
 }
 
-void write_figure(const report::MapComparison& comparison, const std::string& heading, const fs::path& file) {
+void write_figure(const MapComparison& comparison, const std::string& heading, const fs::path& file) {
   if (file.extension() == ".gp") {
     fs::path picture = file;
     picture.replace_extension(".png");
-    batch::write_whole_file(file, report::comparison_figure(comparison, heading, "pngcairo", picture));
+    batch::write_whole_file(file, comparison_figure(comparison, heading, "pngcairo", picture));
   } else {
     const char* terminal = file.extension() == ".svg" ? "svg" : "pngcairo";
-    draw(report::comparison_figure(comparison, heading, terminal, ""), file);
+    draw(comparison_figure(comparison, heading, terminal, ""), file);
   }
 }
 
@@ -125,11 +125,11 @@ int compare(const po::variables_map& given) {
   if (given.count("sensitive")) sensitive = given["sensitive"].as<std::string>();
   for (const std::string& map : maps) map::require_whole_table("rubsweep-compare", map);
   std::optional<WorkingTime> working(std::in_place, "rubsweep-compare", "reads the maps", !given.count("quiet"));
-  const auto comparison = report::compare_maps(maps[0], maps[1], tolerance, sensitive);
+  const auto comparison = compare_maps(maps[0], maps[1], tolerance, sensitive);
   working.reset();
   count_in_summary("cells", comparison.cells.size());
-  count_in_summary("equal", comparison.count(report::CellVerdict::equal));
-  if (!given.count("quiet")) print("{}", report::describe_comparison(comparison, tolerance));
+  count_in_summary("equal", comparison.count(CellVerdict::equal));
+  if (!given.count("quiet")) print("{}", describe_comparison(comparison, tolerance));
   if (cells) write_compared_cells(*cells, comparison, maps[0], maps[1], tolerance);
   if (figure)
     write_figure(comparison,

@@ -13,6 +13,7 @@
 #include "design_check.hpp"
 #include "experiment.hpp"
 #include "experiment_questions.hpp"
+#include "motion_summary.hpp"
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/analysis/linear/experiment_tables.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
@@ -27,7 +28,6 @@
 #include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/report/motion_summary.hpp"
 #include "rubsweep/maps/report/unit_columns.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
@@ -176,7 +176,7 @@ int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
       {"config.yaml", config::print_config(config)},
       {"motion.csv", report::map_comments() + report::map_header(study) + report::unit_header(study.grid) +
                          "\n" + report::map_line(row, study) + report::unit_cells(row, study.grid) + "\n"}};
-  std::string summary = report::motion_summary(row, arguments.shown);
+  std::string summary = motion_summary(row, arguments.shown);
 
   // A second run of the cell: the first one, which classifies, ends where the motion is proven and takes
   // other samples, so that its steps are not those of a trace of all revolutions.

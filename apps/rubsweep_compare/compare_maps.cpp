@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/compare_maps.hpp"
+#include "compare_maps.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,12 +15,13 @@
 #include "rubsweep/maps/report/map_cells.hpp"
 #include "rubsweep/maps/report/map_columns.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 namespace fs = std::filesystem;
 
 using batch::CsvReader;
+using report::CellKey, report::CellPlace, report::Comparison, report::MapColumn;
 
 ComparedCell cell_of(const CellKey& key, CellVerdict verdict, std::string label_a, std::string label_b) {
   return {key[0], key[1], {key.begin() + 2, key.end()}, verdict, std::move(label_a), std::move(label_b)};
@@ -127,23 +128,24 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
                            const std::optional<fs::path>& sensitive) {
   CsvReader a(path_a), b(path_b);
   MapComparison comparison;
-  comparison.axis = second_axis(path_a, path_b);
-  comparison.keys = keys_of(a);
-  if (comparison.keys != keys_of(b)) {
+  comparison.axis = report::second_axis(path_a, path_b);
+  comparison.keys = report::keys_of(a);
+  if (comparison.keys != report::keys_of(b)) {
     throw IoError(fmt::format("{}: is swept over other keys than {}: '{}' and '{}'", path_b.string(),
-                              path_a.string(), fmt::join(keys_of(b), ","), fmt::join(comparison.keys, ",")));
+                              path_a.string(), fmt::join(report::keys_of(b), ","),
+                              fmt::join(comparison.keys, ",")));
   }
-  comparison.digest_a = comment_after(a, "digest ");
-  comparison.digest_b = comment_after(b, "digest ");
-  rows_by_cell(path_a, comparison.axis, comparison.keys);  // no cell twice
-  const auto rows_b = rows_by_cell(path_b, comparison.axis, comparison.keys);
-  const auto left_out =
-      sensitive ? rows_by_cell(*sensitive, comparison.axis, comparison.keys) : std::vector<CellPlace>{};
-  const std::vector<std::size_t> columns_a = key_columns(a, comparison.axis, comparison.keys);
+  comparison.digest_a = report::comment_after(a, "digest ");
+  comparison.digest_b = report::comment_after(b, "digest ");
+  report::rows_by_cell(path_a, comparison.axis, comparison.keys);  // no cell twice
+  const auto rows_b = report::rows_by_cell(path_b, comparison.axis, comparison.keys);
+  const auto left_out = sensitive ? report::rows_by_cell(*sensitive, comparison.axis, comparison.keys)
+                                  : std::vector<CellPlace>{};
+  const std::vector<std::size_t> columns_a = report::key_columns(a, comparison.axis, comparison.keys);
 
   // A map of an earlier version ends before the columns that were added since.
   std::vector<MapColumn> compared;
-  for (const MapColumn& column : map_columns()) {
+  for (const MapColumn& column : report::map_columns()) {
     if (!is_compared(column)) continue;
     const bool in_a = has(a, column.name), in_b = has(b, column.name);
     if (in_a && in_b) compared.push_back(column);
@@ -152,9 +154,9 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
   Columns columns;
   std::vector<bool> met(rows_b.size(), false);
   while (a.next()) {
-    const CellKey key = key_of(a, columns_a);
+    const CellKey key = report::key_of(a, columns_a);
     ComparedCell cell = cell_of(key, CellVerdict::equal, label(a), "");
-    const auto found = find_cell(rows_b, key);
+    const auto found = report::find_cell(rows_b, key);
     if (!found) {
       cell.verdict = CellVerdict::only_in_one;
     } else {
@@ -162,7 +164,7 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
       b.read_at(rows_b[*found].row);
       cell.label_b = label(b);
       const bool fragile = text(a, "robust") == "no" || text(b, "robust") == "no";
-      if (fragile || find_cell(left_out, key)) {
+      if (fragile || report::find_cell(left_out, key)) {
         cell.verdict = CellVerdict::sensitive;
       } else if (cell.label_a != cell.label_b) {
         cell.verdict = CellVerdict::classes_differ;
@@ -182,4 +184,4 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
   return comparison;
 }
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

@@ -1,10 +1,10 @@
-#include "rubsweep/maps/report/motion_kinds_csv.hpp"
+#include "motion_kinds_csv.hpp"
 
 #include <fmt/format.h>
 
 #include "rubsweep/core/response/motion/motion_kind.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 
 std::string motion_kinds_csv() {
   std::string text = "name,label,colour,dark_colour,sign,hatched,settled_rub\n";
@@ -14,4 +14,4 @@ std::string motion_kinds_csv() {
   return text;
 }
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

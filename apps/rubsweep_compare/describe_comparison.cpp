@@ -1,11 +1,11 @@
-#include "rubsweep/maps/report/describe_comparison.hpp"
+#include "describe_comparison.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 std::string place(const MapComparison& comparison, const ComparedCell& cell) {
@@ -70,4 +70,4 @@ std::string describe_comparison(const MapComparison& comparison, double toleranc
   return text + (comparison.equal() ? "equal\n" : "different\n");
 }
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

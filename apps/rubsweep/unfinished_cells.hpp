@@ -7,7 +7,7 @@
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 
 /// Cells that keep the parts of a map from being put together.
 struct UnfinishedCells {
@@ -18,6 +18,6 @@ struct UnfinishedCells {
 
 /// Cells without a result of a whole map; those that the finished cells of a refined map want next, since
 /// which others it needs is known only from these. `grid` is that of the directory. Throws IoError.
-UnfinishedCells unfinished_cells(const MapDirectory& directory, const sweep::Grid& grid);
+UnfinishedCells unfinished_cells(const map::MapDirectory& directory, const sweep::Grid& grid);
 
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

@@ -6,7 +6,7 @@
 
 #include "rubsweep/maps/batch/chunk_queue.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 
 /// Chunks of cells for the workers of one map, who count from 0. A map in rounds, which a refined one is,
 /// knows the cells of the next round when all of the present one are finished: whoever has nothing to do
@@ -41,4 +41,4 @@ class ChunkRounds {
   std::vector<std::size_t> waiting_;
 };
 
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

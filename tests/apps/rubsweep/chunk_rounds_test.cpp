@@ -1,11 +1,11 @@
-#include "rubsweep/maps/map/chunk_rounds.hpp"
+#include "rubsweep/chunk_rounds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 namespace {
 
 std::vector<std::size_t> cells_from(std::size_t first, std::size_t count) {
@@ -84,4 +84,4 @@ TEST(ChunkRounds, DealOutNothingOnceGivenUp) {
 }
 
 }  // namespace
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

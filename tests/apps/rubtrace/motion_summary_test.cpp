@@ -1,10 +1,10 @@
-#include "rubsweep/maps/report/motion_summary.hpp"
+#include "rubtrace/motion_summary.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 using response::motion::MotionClass;
@@ -46,4 +46,4 @@ TEST(MotionSummary, NamesTheCellAndItsMotion) {
 }
 
 }  // namespace
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

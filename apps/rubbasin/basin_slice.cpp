@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/basin_slice.hpp"
+#include "basin_slice.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "rubsweep/maps/report/cells_of_rows.hpp"
 #include "rubsweep/maps/sweep/row.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 using batch::csv_number;
@@ -110,7 +110,7 @@ BasinSlice read_basin_slice(const std::filesystem::path& map, const SlicePlane& 
                             const sweep::Grid& grid) {
   batch::CsvReader rows(map);
   const MotionReader reader(rows);
-  CellsOfRows cells(rows, grid);
+  report::CellsOfRows cells(rows, grid);
   std::vector<sweep::SampledMotion> motions(sweep::cell_count(grid));
   BasinSlice slice{plane, {}, std::vector<std::string>(motions.size())};
   while (rows.next()) {
@@ -168,4 +168,4 @@ std::string slice_summary(const BasinSlice& slice) {
   return text + entropies(grid, labels) + exponent(grid);
 }
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

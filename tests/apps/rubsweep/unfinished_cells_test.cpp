@@ -1,11 +1,13 @@
-#include "rubsweep/maps/map/unfinished_cells.hpp"
+#include "rubsweep/unfinished_cells.hpp"
 
 #include <gtest/gtest.h>
 
 #include "maps/map/small_map.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 namespace {
+
+using map::MapDirectory, map::Share, map::SmallMap;
 
 using Cells = std::vector<std::size_t>;
 using Shards = std::set<std::size_t>;
@@ -50,4 +52,4 @@ TEST(UnfinishedCells, OfARefinedMapAreThoseThatItWantsNext) {
 }
 
 }  // namespace
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

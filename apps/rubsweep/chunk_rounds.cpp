@@ -1,9 +1,9 @@
-#include "rubsweep/maps/map/chunk_rounds.hpp"
+#include "chunk_rounds.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 
 ChunkRounds::ChunkRounds(std::vector<std::size_t> cells, std::size_t workers, bool more)
     : chunks_(std::move(cells), workers), more_(more) {}
@@ -31,4 +31,4 @@ void ChunkRounds::give_up() {
   chunks_.close();
 }
 
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/comparison_figure.hpp"
+#include "comparison_figure.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "rubsweep/core/error.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 struct Style {
@@ -147,4 +147,4 @@ std::string comparison_figure(const MapComparison& comparison, const std::string
       script, plots);
 }
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

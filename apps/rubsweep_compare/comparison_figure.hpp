@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "rubsweep/maps/report/compare_maps.hpp"
+#include "compare_maps.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 
 /// A gnuplot script with its data in it that draws where two maps differ. `terminal` is gnuplot's (pngcairo,
 /// svg), `output` the picture; empty: standard output. Neither heading nor output can be anything but text
@@ -13,4 +13,4 @@ namespace rubsweep::report {
 std::string comparison_figure(const MapComparison& comparison, const std::string& heading,
                               const std::string& terminal, const std::string& output);
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

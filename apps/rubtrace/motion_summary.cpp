@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/motion_summary.hpp"
+#include "motion_summary.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "rubsweep/core/model/speed_text.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 std::string number_or_none(double value) { return std::isnan(value) ? "none" : fmt::format("{:.6g}", value); }
@@ -39,4 +39,4 @@ std::string motion_summary(const sweep::Row& row, const model::ShownLengths& sho
                      number_or_none(row.whirl_ratio), length_or_none(row.eccentricity_m, shown), motion_text(row));
 }
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/compare_maps.hpp"
+#include "rubsweep_compare/compare_maps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +14,14 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
-#include "rubsweep/maps/report/comparison_figure.hpp"
-#include "rubsweep/maps/report/describe_comparison.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
+#include "rubsweep_compare/comparison_figure.hpp"
+#include "rubsweep_compare/describe_comparison.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
+using report::map_comments, report::map_header, report::map_line;
 using sweep::Row;
 
 Row row(double speed_hz, double whirl_ratio, response::motion::MotionClass motion_class,
@@ -319,4 +320,4 @@ TEST_F(CompareMaps, TheFigureIsDrawnOverTheAxesThatHaveSeveralValues) {
 }
 
 }  // namespace
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

@@ -1,8 +1,8 @@
-#include "rubsweep/maps/report/describe_comparison.hpp"
+#include "rubsweep_compare/describe_comparison.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 const std::string label_a("chaotic"), label_b("subharmonic 1/2");
@@ -41,4 +41,4 @@ TEST(DescribeComparison, SaysWhatWasNotCompared) {
 }
 
 }  // namespace
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 
 /// Verdict on a cell of two maps.
 enum class CellVerdict {
@@ -60,4 +60,4 @@ struct MapComparison {
 MapComparison compare_maps(const std::filesystem::path& a, const std::filesystem::path& b, double tolerance,
                            const std::optional<std::filesystem::path>& sensitive = std::nullopt);
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

@@ -10,7 +10,7 @@
 #include "rubsweep/maps/sweep/attractors.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 
 /// Two numbers of a start that a slice goes over, the others being fixed.
 struct SlicePlane {
@@ -46,4 +46,4 @@ std::string attractors_csv(const BasinSlice& slice);
 /// Summary for a terminal: shares, entropies and exponent, each with its meaning.
 std::string slice_summary(const BasinSlice& slice);
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

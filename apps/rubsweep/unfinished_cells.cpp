@@ -1,13 +1,13 @@
-#include "rubsweep/maps/map/unfinished_cells.hpp"
+#include "unfinished_cells.hpp"
 
 #include "rubsweep/maps/map/refined_cells.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 
-UnfinishedCells unfinished_cells(const MapDirectory& directory, const sweep::Grid& grid) {
+UnfinishedCells unfinished_cells(const map::MapDirectory& directory, const sweep::Grid& grid) {
   UnfinishedCells unfinished{directory.missing(), directory.shards_begun(), {}};
   if (grid.refinement) {
-    RefinedCells known(grid);
+    map::RefinedCells known(grid);
     known.read(directory);
     unfinished.cells = known.wanted();
   }
@@ -17,4 +17,4 @@ UnfinishedCells unfinished_cells(const MapDirectory& directory, const sweep::Gri
   return unfinished;
 }
 
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/basin_slice.hpp"
+#include "rubbasin/basin_slice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,10 @@
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/sweep/row.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
+using report::map_header, report::map_line;
 using response::motion::MotionClass;
 
 sweep::Row row_of(MotionClass motion_class, double length_m) {
@@ -126,4 +127,4 @@ TEST_F(BasinSliceTest, RefusesTheMapOfAnotherPlane) {
 }
 
 }  // namespace
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/motion_kinds_csv.hpp"
+#include "rubsweep/motion_kinds_csv.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "rubsweep/core/response/motion/motion_kind.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 TEST(MotionKindsCsv, HasARowForEveryKind) {
@@ -18,4 +18,4 @@ TEST(MotionKindsCsv, HasARowForEveryKind) {
 }
 
 }  // namespace
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps
