@@ -16,7 +16,6 @@
 #include "rubbranch_curves.hpp"
 #include "rubbranch_map.hpp"
 #include "rubsweep/analysis/branch/continuation/branch_csv.hpp"
-#include "rubsweep/analysis/branch/continuation/doubling.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
 #include "rubsweep/analysis/branch/orbits/closed_orbits.hpp"
 #include "rubsweep/analysis/branch/orbits/settled_start.hpp"
@@ -116,7 +115,8 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const scene::Cell cell = scene::build_cell(prepared, arguments.cell.speed_hz,
                                              sweep::unbalance_of(study.grid, arguments.cell.unbalance));
   if (!scene::can_run(cell.start)) return nothing_to_follow("the cell has no motion that could be run");
-  std::optional<WorkingTime> working(std::in_place, "rubbranch", "waits until the motion has settled", !arguments.quiet);
+  std::optional<WorkingTime> working(std::in_place, "rubbranch", "waits until the motion has settled",
+                                     !arguments.quiet);
   response::motion::Workspace workspace;
   const branch::orbits::SettledStart settled =
       branch::orbits::settle_on_orbit(cell, study.solver, study.response, workspace);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "rubsweep/analysis/branch/curves/curve_start.hpp"
 #include "rubsweep/analysis/branch/curves/follow_curve.hpp"
 #include "shared/program.hpp"
 

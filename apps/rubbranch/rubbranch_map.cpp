@@ -14,7 +14,6 @@
 #include "rubsweep/analysis/branch/families/contradiction.hpp"
 #include "rubsweep/analysis/branch/families/families_csv.hpp"
 #include "rubsweep/analysis/branch/families/family.hpp"
-#include "rubsweep/analysis/branch/families/quiet_cells.hpp"
 #include "rubsweep/analysis/branch/journal/family_journal.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"

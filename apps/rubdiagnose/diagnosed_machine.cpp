@@ -9,8 +9,8 @@
 #include "rubsweep/maps/config/number_at.hpp"
 #include "rubsweep/maps/config/read_run_config.hpp"
 #include "rubsweep/maps/config/yaml/file_bytes.hpp"
-#include "rubsweep/measurement/diagnose/draw_purpose.hpp"
 #include "rubsweep/measurement/diagnose/fitted_parameters.hpp"
+#include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::apps {
 namespace {

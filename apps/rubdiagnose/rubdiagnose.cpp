@@ -22,8 +22,6 @@
 #include "rubsweep/maps/config/study_digest.hpp"
 #include "rubsweep/maps/config/yaml/file_bytes.hpp"
 #include "rubsweep/measurement/dataset/read_candidates.hpp"
-#include "rubsweep/measurement/diagnose/answer/answer_json.hpp"
-#include "rubsweep/measurement/diagnose/answer/answer_tables.hpp"
 #include "rubsweep/measurement/diagnose/answer/answer_text.hpp"
 #include "rubsweep/measurement/diagnose/inference/kept_cases.hpp"
 #include "rubsweep/measurement/recording/read_instrument.hpp"

@@ -11,7 +11,6 @@
 #include <variant>
 
 #include "rubsweep/analysis/design/design_check.hpp"
-#include "rubsweep/analysis/design/design_page.hpp"
 #include "rubsweep/analysis/design/design_tables.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"

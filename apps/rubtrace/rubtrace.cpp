@@ -20,7 +20,6 @@
 #include "rubsweep/analysis/trace/probe_period.hpp"
 #include "rubsweep/analysis/trace/trace_csv.hpp"
 #include "rubsweep/analysis/trace/trace_run.hpp"
-#include "rubsweep/analysis/trace/trace_summary.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"

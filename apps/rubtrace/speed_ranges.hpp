@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rubsweep/analysis/design/largest_over_speed.hpp"
+#include "rubsweep/analysis/design/unbalance_response.hpp"
 #include "rubsweep/analysis/ramp/ramp_run.hpp"
 
 namespace rubsweep::apps {

@@ -9,7 +9,6 @@
 #include "ring/random_system.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/ring/changes.hpp"
-#include "rubsweep/ring/ring_critical_speeds.hpp"
 
 namespace rubsweep::ring {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/ring/closed_forms.hpp"
 #include "rubsweep/ring/onsets.hpp"
-#include "rubsweep/ring/ring_critical_speeds.hpp"
 #include "rubsweep/ring/track.hpp"
 
 namespace rubsweep::ring {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "rubsweep/core/numerics/dense/lu.hpp"
-#include "rubsweep/ring/ring_critical_speeds.hpp"
+#include "rubsweep/ring/closed_forms.hpp"
 
 namespace rubsweep::ring {
 namespace {

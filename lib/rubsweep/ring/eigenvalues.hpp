@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "rubsweep/ring/normal_form.hpp"
+#include "rubsweep/ring/assembly.hpp"
 
 namespace rubsweep::ring {
 

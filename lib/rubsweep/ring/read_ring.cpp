@@ -1,11 +1,96 @@
 #include "rubsweep/ring/read_ring.hpp"
 
+#include <array>
 #include <numbers>
 
 #include "rubsweep/maps/config/yaml/section.hpp"
 
 namespace rubsweep::config::ring {
 namespace {
+
+using rubsweep::ring::Load;
+using rubsweep::ring::LoadKind;
+using rubsweep::ring::Motion;
+
+constexpr std::array<std::string_view, 2> kinds{"spring_mass", "beam"};
+constexpr yaml::Words<Motion, 3> motions{{"both", "radial", "tangential"},
+                                         {Motion::both, Motion::radial, Motion::tangential}};
+
+Load read_spring_mass(yaml::Section& section, Motion motion) {
+  double mass = model::required, radial = model::required, tangential = model::required;
+  section.field("mass_kg", mass, motion == Motion::radial ? model::not_negative : model::positive);
+  if (motion == Motion::tangential) radial = 0;
+  if (motion == Motion::radial) tangential = 0;
+  if (motion != Motion::tangential) section.field("radial_stiffness_n_per_m", radial, model::not_negative);
+  if (motion != Motion::radial) section.field("tangential_stiffness_n_per_m", tangential, model::positive);
+  return rubsweep::ring::spring_mass(mass, radial, tangential);
+}
+
+Load read_beam_geometry(const yaml::Value& value, const std::optional<double>& ring_radius_m) {
+  yaml::Section section(value);
+  rubsweep::ring::BeamGeometry geometry{model::required, model::required, model::required, model::required};
+  section.field("density_kg_per_m3", geometry.density_kg_per_m3, model::positive);
+  section.field("section_area_m2", geometry.section_area_m2, model::positive);
+  section.field("second_moment_m4", geometry.second_moment_m4, model::positive);
+  section.field("youngs_modulus_pa", geometry.youngs_modulus_pa, model::positive);
+  section.refuse_unknown_keys();
+  if (!ring_radius_m) refuse(value, "needs the length of the beam", "beside ring.radius_m");
+  if (!section.is_sound()) return {};
+  return rubsweep::ring::beam(geometry, *ring_radius_m);
+}
+
+Load read_beam(yaml::Section& section, const std::optional<double>& ring_radius_m) {
+  if (const auto geometry = section.find("geometry")) return read_beam_geometry(*geometry, ring_radius_m);
+  double radial_mass = model::required, flexural_mass = model::required;
+  double radial = model::required, tangential = model::required;
+  std::optional<double> rotary_mass;
+  section.field("radial_mass_kg", radial_mass, model::positive);
+  section.field("flexural_mass_kg", flexural_mass, model::positive);
+  section.field("rotary_mass_kg", rotary_mass, model::not_negative);
+  section.field("radial_stiffness_n_per_m", radial, model::not_negative);
+  section.field("tangential_stiffness_n_per_m", tangential, model::positive);
+  if (!section.is_sound()) return {};
+  Load load = rubsweep::ring::beam(radial_mass, flexural_mass, radial, tangential);
+  if (rotary_mass) load.rotary_mass_kg = *rotary_mass;
+  if (!(load.rotary_mass_kg >= 0 && load.rotary_mass_kg < flexural_mass)) {
+    section.refuse_together("rotary_mass_kg", {"rotary_mass_kg", "radial_mass_kg", "flexural_mass_kg"},
+                            std::to_string(load.rotary_mass_kg) + " kg belong to these masses",
+                            "from 0 to below flexural_mass_kg");
+  }
+  return load;
+}
+
+Load read_load(const yaml::Value& value, const std::optional<double>& ring_radius_m) {
+  yaml::Section section(value);
+  const auto kind = section.require_kind("kind", kinds);
+  double angle = model::required, inclination = 0;
+  Motion motion = Motion::both;
+  section.field("angle_deg", angle, model::any_finite);
+  section.field("inclination_deg", inclination, inclinations);
+  section.field("motion", motion, motions);
+  if (motion != Motion::both && inclination != 0) {
+    section.refuse_together("inclination_deg", {"inclination_deg", "motion"},
+                            "a load with one motion has no inclination", "0, or motion: both");
+  }
+  Load load;
+  if (kind) load = *kind == 0 ? read_spring_mass(section, motion) : read_beam(section, ring_radius_m);
+  load.angle_deg = angle;
+  load.inclination_deg = inclination;
+  load.motion = motion;
+  // Without a kind nobody knows which keys there are.
+  if (kind) section.refuse_unknown_keys();
+  return load;
+}
+
+void print_stiffnesses(yaml::Printer& printer, const Load& load) {
+  const bool beam = load.kind == LoadKind::beam;
+  if (beam || load.motion != Motion::tangential) {
+    printer.number("radial_stiffness_n_per_m", load.radial_stiffness_n_per_m);
+  }
+  if (beam || load.motion != Motion::radial) {
+    printer.number("tangential_stiffness_n_per_m", load.tangential_stiffness_n_per_m);
+  }
+}
 
 constexpr yaml::IntegerRange nodal_diameters{2, 100};
 constexpr model::Range thickness_ratios{.low = 0, .high = 1, .high_open = true};
@@ -48,6 +133,35 @@ rubsweep::ring::Ring read_modal(yaml::Section& section, int diameters) {
 }
 
 }  // namespace
+
+std::vector<Load> read_ring_loads(const yaml::Value& value, const std::optional<double>& ring_radius_m) {
+  std::vector<Load> loads;
+  const auto items = read_list(value, max_ring_loads);
+  if (!items) return loads;
+  for (const yaml::Value& item : *items) loads.push_back(read_load(item, ring_radius_m));
+  return loads;
+}
+
+void print_ring_loads(yaml::Printer& printer, const std::vector<Load>& loads) {
+  printer.open("loads");
+  for (const Load& load : loads) {
+    printer.open_item();
+    printer.word("kind", kinds[load.kind == LoadKind::beam ? 1 : 0]);
+    printer.number("angle_deg", load.angle_deg);
+    printer.number("inclination_deg", load.inclination_deg);
+    printer.field("motion", load.motion, motions);
+    if (load.kind == LoadKind::beam) {
+      printer.number("radial_mass_kg", load.radial_mass_kg);
+      printer.number("flexural_mass_kg", load.flexural_mass_kg);
+      printer.number("rotary_mass_kg", load.rotary_mass_kg);
+    } else {
+      printer.number("mass_kg", load.radial_mass_kg);
+    }
+    print_stiffnesses(printer, load);
+    printer.close();
+  }
+  printer.close();
+}
 
 rubsweep::ring::Ring read_ring(const yaml::Value& value) {
   yaml::Section section(value);

@@ -6,9 +6,19 @@
 #include <vector>
 
 #include "rubsweep/maps/batch/captions.hpp"
+#include "rubsweep/maps/config/study/axis.hpp"
+#include "rubsweep/maps/config/yaml/printer.hpp"
+#include "rubsweep/maps/config/yaml/value.hpp"
+#include "rubsweep/ring/chart.hpp"
 #include "rubsweep/ring/study.hpp"
 
 namespace rubsweep::config::ring {
+
+/// `chart`: {parameter, load, over}. `load` counts from 0, without it every load; `over` is an axis (see
+/// axis.hpp).
+rubsweep::ring::ChartAxis read_ring_chart(const yaml::Value& value,
+                                          const std::vector<rubsweep::ring::Load>& loads);
+void print_ring_chart(yaml::Printer& printer, const rubsweep::ring::ChartAxis& axis, study::AxisPrint how);
 
 /// One complete configuration of `ringstab`: the study and where its files go.
 struct RingConfig {

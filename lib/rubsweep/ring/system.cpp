@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "rubsweep/ring/square.hpp"
-
 namespace rubsweep::ring {
 namespace {
 

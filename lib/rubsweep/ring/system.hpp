@@ -5,6 +5,8 @@
 
 namespace rubsweep::ring {
 
+inline double square(double x) { return x * x; }
+
 /// Elastic ring in one in-plane, inextensible mode of n nodal diameters: w = A cos n phi + B sin n phi,
 /// u = dw/dphi (inward). Source of the model: Lesaffre, Sinou, Thouverez, "Stability analysis of rotating
 /// beams rubbing on an elastic circular structure", JSV 299 (2007) 1005-1032.

@@ -17,8 +17,7 @@
 #include "measurement/dataset/small_study.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/input_file.hpp"
-#include "rubsweep/measurement/recording/delimited_text.hpp"
-#include "rubsweep/measurement/recording/matlab_file.hpp"
+#include "rubsweep/measurement/recording/recording_file.hpp"
 
 namespace rubsweep::dataset {
 namespace {

@@ -11,7 +11,7 @@
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/measurement/diagnose/drawn_machine.hpp"
-#include "rubsweep/measurement/diagnose/other_lines.hpp"
+#include "rubsweep/measurement/diagnose/observed_lines.hpp"
 #include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::diagnose {

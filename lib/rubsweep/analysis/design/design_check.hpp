@@ -8,7 +8,7 @@
 
 #include "rubsweep/analysis/design/dry_whip.hpp"
 #include "rubsweep/analysis/design/kick_threshold.hpp"
-#include "rubsweep/analysis/design/largest_over_speed.hpp"
+#include "rubsweep/analysis/design/unbalance_response.hpp"
 #include "rubsweep/analysis/linear/campbell.hpp"
 #include "rubsweep/analysis/linear/lock_speeds.hpp"
 #include "rubsweep/core/model/machine.hpp"

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/analysis/linear/free_rotor.hpp"
+#include "rubsweep/analysis/linear/whirl_modes.hpp"
 
 namespace rubsweep::linear {
 

@@ -7,7 +7,6 @@
 #include "rubsweep/analysis/page/boundaries.hpp"
 #include "rubsweep/analysis/page/map_table.hpp"
 #include "rubsweep/analysis/page/orbits.hpp"
-#include "rubsweep/analysis/page/walls.hpp"
 #include "rubsweep/maps/batch/captions.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 #include "rubsweep/maps/sweep/written_axis.hpp"

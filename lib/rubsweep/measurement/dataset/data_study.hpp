@@ -7,7 +7,7 @@
 
 #include "rubsweep/measurement/diagnose/candidate.hpp"
 #include "rubsweep/measurement/diagnose/drawn_machine.hpp"
-#include "rubsweep/measurement/diagnose/other_lines.hpp"
+#include "rubsweep/measurement/diagnose/observed_lines.hpp"
 
 namespace rubsweep::dataset {
 

@@ -9,7 +9,6 @@
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 #include "rubsweep/measurement/dataset/read_measurement.hpp"
-#include "rubsweep/measurement/dataset/spread_field.hpp"
 
 namespace rubsweep::config::dataset {
 namespace {

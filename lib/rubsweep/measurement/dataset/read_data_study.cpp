@@ -7,7 +7,6 @@
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/measurement/dataset/read_candidates.hpp"
 #include "rubsweep/measurement/dataset/read_measurement.hpp"
-#include "rubsweep/measurement/dataset/spread_field.hpp"
 
 namespace rubsweep::config::dataset {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <complex>
 
-#include "rubsweep/measurement/recording/turns.hpp"
+#include "rubsweep/measurement/recording/shaft_turns.hpp"
 
 namespace rubsweep::dataset {
 namespace {

@@ -15,7 +15,6 @@
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
-#include "rubsweep/measurement/diagnose/draw_purpose.hpp"
 #include "rubsweep/measurement/diagnose/lasting_motion.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
 

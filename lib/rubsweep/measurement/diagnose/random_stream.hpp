@@ -4,6 +4,18 @@
 
 namespace rubsweep::diagnose {
 
+/// Purposes of the random numbers of a diagnosis.
+enum DrawPurpose : std::uint64_t {
+  of_prior = 100,
+  of_proposal,
+  of_observation,
+  of_tree,
+  of_another_cause,
+  of_kit,
+  of_mean,
+  of_half
+};
+
 /// Random numbers that depend on three numbers alone, so that any thread may make any stream: a seed, the
 /// index of what is drawn, and its purpose, which keeps draws of one index apart. SplitMix64 (Steele, Lea,
 /// Flood 2014) from a start that these numbers are mixed into.

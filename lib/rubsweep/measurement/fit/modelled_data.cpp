@@ -13,7 +13,7 @@
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
-#include "rubsweep/measurement/fit/mode_set.hpp"
+#include "rubsweep/measurement/fit/ramp_phasor.hpp"
 
 namespace rubsweep::fit {
 namespace {

@@ -18,7 +18,7 @@ constexpr std::size_t fewest_equal = 5, fewest_times = 10;
 /// coarse converter, has 2.4 times those of the next value.
 constexpr std::size_t times_as_often = 5;
 constexpr double largest_change = 0.01;
-constexpr double fewest_readings = 20;
+constexpr double fewest_readings_of_a_turn = 20;
 
 /// How readings spread over their values.
 struct Values {
@@ -167,7 +167,7 @@ void add_speed_findings(std::span<const double> turn_begin_s, double sampling_ra
   }
   const double mean_s =
       (turn_begin_s.back() - turn_begin_s.front()) / static_cast<double>(turn_begin_s.size() - 1);
-  if (mean_s * sampling_rate_hz < fewest_readings) {
+  if (mean_s * sampling_rate_hz < fewest_readings_of_a_turn) {
     findings.push_back(fmt::format("{:.3g} readings a turn: motion above {:.3g}X is folded to other orders",
                                    mean_s * sampling_rate_hz, mean_s * sampling_rate_hz / 2));
   }

@@ -13,7 +13,7 @@
 #include "rubsweep/measurement/recording/found_speed.hpp"
 #include "rubsweep/measurement/recording/probe_faults.hpp"
 #include "rubsweep/measurement/recording/sample_clock.hpp"
-#include "rubsweep/measurement/recording/turns.hpp"
+#include "rubsweep/measurement/recording/shaft_turns.hpp"
 #include "rubsweep/measurement/recording/unit.hpp"
 #include "rubsweep/measurement/recording/wild_readings.hpp"
 

@@ -11,7 +11,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/spectrum/hann_window.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/measurement/recording/turns.hpp"
+#include "rubsweep/measurement/recording/shaft_turns.hpp"
 
 namespace rubsweep::scope {
 namespace {

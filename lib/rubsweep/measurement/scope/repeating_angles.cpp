@@ -4,14 +4,14 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
-#include "rubsweep/measurement/recording/turns.hpp"
-#include "rubsweep/measurement/scope/mean_period.hpp"
+#include "rubsweep/measurement/recording/shaft_turns.hpp"
 
 namespace rubsweep::scope {
 namespace {
+
+using Complex = std::complex<double>;
 
 using Complex = std::complex<double>;
 
@@ -125,6 +125,32 @@ double allowed_share(const Eigen::VectorXd& shift_turns, const recording::AngleD
 }
 
 }  // namespace
+
+std::span<const Complex> whole_periods(std::span<const Complex> samples, std::size_t period) {
+  return samples.last(samples.size() / period * period);
+}
+
+std::vector<Complex> mean_period(std::span<const Complex> samples, std::size_t period) {
+  std::vector<Complex> mean(period);
+  for (std::size_t k = 0; k < samples.size(); ++k) mean[k % period] += samples[k];
+  for (Complex& z : mean) z /= static_cast<double>(samples.size() / period);
+  return mean;
+}
+
+std::vector<Complex> lines_of_period(std::span<const Complex> period, int last) {
+  const std::size_t count = period.size();
+  std::vector<Complex> roots(count), lines;
+  for (std::size_t j = 0; j < count; ++j)
+    roots[j] = std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(count));
+  for (int k = -last; k <= last; ++k) {
+    Complex sum = 0;
+    const std::size_t step = k < 0 ? count - static_cast<std::size_t>(-k) : static_cast<std::size_t>(k);
+    for (std::size_t j = 0, root = 0; j < count; ++j, root = (root + step) % count)
+      sum += period[j] * roots[root];
+    lines.push_back(sum / static_cast<double>(count));
+  }
+  return lines;
+}
 
 std::vector<Complex> at_repeating_angles(std::span<const Complex> samples, int samples_per_revolution,
                                          int period, double most_order, const recording::AngleDoubt& doubt) {

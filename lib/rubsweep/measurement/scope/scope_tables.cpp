@@ -11,7 +11,7 @@
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/numerics/straight_line.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/measurement/recording/turns.hpp"
+#include "rubsweep/measurement/recording/shaft_turns.hpp"
 #include "rubsweep/measurement/scope/order_history.hpp"
 
 namespace rubsweep::scope {

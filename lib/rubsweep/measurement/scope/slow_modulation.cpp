@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "rubsweep/core/numerics/straight_line.hpp"
-#include "rubsweep/measurement/scope/mean_period.hpp"
+#include "rubsweep/measurement/scope/repeating_angles.hpp"
 
 namespace rubsweep::scope {
 namespace {

@@ -77,7 +77,7 @@ struct Reading {
   recording::AngleDoubt angle_doubt{};
   double least_share = usual_least_share;
 
-  /// Share of a line that the polynomial through six readings misses at most (recording/turns.hpp).
+  /// Share of a line that the polynomial through six readings misses at most (recording/shaft_turns.hpp).
   double missed_share(double order) const;
 };
 

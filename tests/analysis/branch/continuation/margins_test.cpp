@@ -7,11 +7,109 @@
 #include <numbers>
 #include <vector>
 
+#include "analysis/branch/continuation/plain_maps.hpp"
 #include "analysis/branch/two_mass.hpp"
+#include "rubsweep/analysis/branch/continuation/follow.hpp"
 #include "rubsweep/analysis/branch/continuation/locate.hpp"
+#include "rubsweep/analysis/branch/orbits/multipliers.hpp"
 
 namespace rubsweep::branch::continuation {
 namespace {
+
+/// x -> A(p) x has the orbit 0, and there the monodromy matrix A: diag(p, 2 p^2, 0.5).
+orbits::OrbitProblem linear() {
+  orbits::OrbitProblem problem;
+  problem.low = 0;
+  problem.high = 1;
+  problem.returns = [](double p, Eigen::VectorXd& x, Eigen::MatrixXd* monodromy) {
+    const Eigen::Vector3d diagonal(p, 2 * p * p, 0.5);
+    if (monodromy) *monodromy = diagonal.asDiagonal();
+    x = diagonal.cwiseProduct(x).eval();
+    return p > 0.9 ? orbits::Evaluation::infeasible : orbits::Evaluation::ok;
+  };
+  return problem;
+}
+
+/// The branch runs along p at rest: the slopes are those of the polynomials in p.
+TEST(MarginsMultiplierSlopes, OfPolynomials) {
+  const orbits::OrbitProblem problem = linear();
+  for (const double p : {0.4, 0.8999999}) {  // and beside where there is no machine
+    const auto point = orbit_from(problem, Eigen::Vector3d::Zero(), p);
+    ASSERT_TRUE(point);
+    const double a = p, b = 2 * p * p, c = 0.5, db = 4 * p;
+    const MultiplierTests tests = tests_of_multipliers(point->multipliers);
+    EXPECT_NEAR(tests.unit, (1 - a) * (1 - b) * (1 - c), 1e-14);
+    EXPECT_NEAR(tests.doubling, (1 + a) * (1 + b) * (1 + c), 1e-14);
+    EXPECT_NEAR(tests.torus, (a * b - 1) * (a * c - 1) * (b * c - 1), 1e-14);
+    const MultiplierTests slopes = multiplier_slopes(problem, *point);
+    EXPECT_NEAR(slopes.unit, -(1 - b) * (1 - c) - db * (1 - a) * (1 - c), 3e-4);
+    EXPECT_NEAR(slopes.doubling, (1 + b) * (1 + c) + db * (1 + a) * (1 + c), 3e-4);
+    const double by_torus = (b + a * db) * (a * c - 1) * (b * c - 1) + (a * b - 1) * c * (b * c - 1) +
+                            (a * b - 1) * (a * c - 1) * db * c;
+    EXPECT_NEAR(slopes.torus, by_torus, 3e-4);
+  }
+}
+
+/// Along the logistic map's fixed points 1 - 1 / r the multiplier is 2 - r. The branch is longer than r.
+TEST(MarginsMultiplierSlopes, AlongACurvedBranchPerUnitOfItsLength) {
+  orbits::OrbitProblem problem = test::logistic(1, 1.5, 4);
+  problem.parameter_scale = 2.5;
+  const auto point = orbit_from(problem, test::number(0.5), 2);
+  ASSERT_TRUE(point);
+  EXPECT_NEAR(multiplier_slopes(problem, *point).unit, 2.5 * point->tangent(1), 3e-4);
+  const BranchPoint turned = turned_about(*point);
+  EXPECT_NEAR(multiplier_slopes(problem, turned).unit, -2.5 * point->tangent(1), 3e-4);
+}
+
+/// a (s - r) (s - q) on a step of this length.
+std::optional<double> dip_of_parabola(double a, double r, double q, double length) {
+  const auto value = [&](double s) { return a * (s - r) * (s - q); };
+  const auto slope = [&](double s) { return a * (2 * s - r - q); };
+  return dip_of_cubic({value(0), value(length), slope(0), slope(length)}, length);
+}
+
+/// The lowest point is in the middle of the roots, whatever the sign of the function.
+TEST(MarginsDip, BetweenTwoRoots) {
+  for (const double a : {3.0, -0.2}) {
+    const auto share = dip_of_parabola(a, 0.1, 0.3, 0.5);
+    ASSERT_TRUE(share);
+    EXPECT_NEAR(*share, 0.2 / 0.5, 1e-14);
+    EXPECT_TRUE(dip_of_parabola(a, 0.499, 0.4995, 0.5)) << "at the very end";
+  }
+}
+
+TEST(MarginsDip, NoneWhereOneRootOrNoneIsInside) {
+  EXPECT_FALSE(dip_of_parabola(1, 0.2, 0.7, 0.5));
+  EXPECT_FALSE(dip_of_parabola(1, -0.2, -0.1, 0.5));
+  EXPECT_FALSE(dip_of_parabola(1, 0.6, 0.9, 0.5));
+}
+
+/// (s - 1/2)^2 + c between 0 and 1: what comes near to zero is to be looked at, what stays away is not.
+TEST(MarginsDip, NearlyARoot) {
+  const auto above = [](double c) { return dip_of_cubic({0.25 + c, 0.25 + c, -1, 1}, 1); };
+  EXPECT_TRUE(above(0.01));
+  EXPECT_FALSE(above(0.3));
+}
+
+/// (s - 0.2) (s - 0.5) (s - 0.9): the signs at the ends tell one root, and there are two more.
+TEST(MarginsDip, ThreeRoots) {
+  const auto value = [](double s) { return (s - 0.2) * (s - 0.5) * (s - 0.9); };
+  const auto slope = [](double s) { return 3 * s * s - 3.2 * s + 0.73; };
+  const auto share = dip_of_cubic({value(0), value(1), slope(0), slope(1)}, 1);
+  ASSERT_TRUE(share);
+  EXPECT_NEAR(slope(*share), 0, 1e-14);
+  EXPECT_GT(value(*share), 0) << "the first extremum";
+  // One root, with a turn before it that keeps its distance: s^3 - s + 1 on -1.5 <= s <= 0.
+  EXPECT_FALSE(dip_of_cubic({-0.875, 1, 5.75, -1}, 1.5));
+}
+
+/// The mean of (s - 0.3) (s - 0.6) over 0 <= s <= 1.
+TEST(MarginsDip, OfAQuadraticByItsMean) {
+  const auto share = dip_of_quadratic(0.18, 0.28, 1.0 / 3 - 0.45 + 0.18);
+  ASSERT_TRUE(share);
+  EXPECT_NEAR(*share, 0.45, 1e-14);
+  EXPECT_FALSE(dip_of_quadratic(1, 2, 1.5)) << "a straight line";
+}
 
 /// Events on the one step from the orbit at `first` to that at `last`, angular frequencies of a family
 /// of scenes. Both ends go through the same contact modes, so that nothing but margins leads to it.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"
-#include "rubsweep/analysis/branch/curves/curve_start.hpp"
+#include "rubsweep/analysis/branch/curves/follow_curve.hpp"
 #include "rubsweep/analysis/branch/orbits/plane_orbits.hpp"
 
 namespace rubsweep::test {

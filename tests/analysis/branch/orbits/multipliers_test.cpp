@@ -3,12 +3,25 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
 
 namespace rubsweep::branch::orbits {
 namespace {
+
+TEST(MultipliersMultiplierColumns, TheTwoLargestAndTheLargestModulus) {
+  Eigen::VectorXcd multipliers(3);
+  multipliers << std::complex<double>(-0.75, 1), std::complex<double>(-0.75, -1), 0.25;
+  EXPECT_EQ(multiplier_columns(),
+            ",multiplier_1_re,multiplier_1_im,multiplier_2_re,multiplier_2_im,floquet_modulus");
+  EXPECT_EQ(multiplier_cells(multipliers), ",-0.75,1,-0.75,-1,1.25");
+}
+
+TEST(MultipliersMultiplierColumns, WhatIsNotThereIsEmpty) {
+  EXPECT_EQ(multiplier_cells(Eigen::VectorXcd::Constant(1, -2)), ",-2,0,,,2");
+}
 
 /// Block diagonal: a rotation by `angle` scaled by `modulus`, and two real multipliers.
 Eigen::MatrixXd blocks(double modulus, double angle, double a, double b) {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/response/annular_cell.hpp"
-#include "rubsweep/analysis/branch/continuation/doubling.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
 #include "rubsweep/analysis/branch/orbits/settled_start.hpp"
 #include "rubsweep/core/response/settle.hpp"

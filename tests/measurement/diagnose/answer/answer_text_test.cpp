@@ -2,10 +2,46 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "small_answer.hpp"
 
 namespace rubsweep::diagnose::answer {
 namespace {
+
+TEST(AnswerTextAnswerTables, ListProbabilities) {
+  EXPECT_EQ(probabilities_csv(small_answer()),
+            "candidate,probability\none_side,0.9\nannular,0.06\nnone_of_these,0.04\n");
+}
+
+TEST(AnswerTextAnswerTables, LayTheMotionsSideBySide) {
+  const std::string plane = orbits_csv(small_answer(), small_motion(), true),
+                    probe = orbits_csv(small_answer(), small_motion(), false);
+  EXPECT_TRUE(
+      plane.starts_with("turns,x_m,y_m,simulated_x_m,simulated_y_m\n0.000000,0.0001,5e-05,0.0001,5e-05\n"))
+      << plane;
+  EXPECT_TRUE(probe.starts_with("turns,x_m,simulated_x_m\n0.000000,0.0001,0.0001\n")) << probe;
+  EXPECT_EQ(std::ranges::count(plane, '\n'), 1 + 4 * 64);
+}
+
+TEST(AnswerTextAnswerTables, ListTheLinesThatAreThere) {
+  EXPECT_EQ(compared_lines_csv(small_answer(), small_motion()),
+            "order,recorded_m,simulated_m\n0.5,5e-05,5e-05\n1,0.0001,0.0001\n");
+}
+
+TEST(AnswerTextAnswerJson, SaysAllThatIsKnown) {
+  const auto root = nlohmann::json::parse(answer_json(small_answer()));
+  EXPECT_EQ(root["candidates"][0]["name"], "one_side");
+  EXPECT_DOUBLE_EQ(root["candidates"][0]["probability"], 0.9);
+  EXPECT_DOUBLE_EQ(root["candidates"][0]["numbers"]["clearance_m"]["high_95"], 3e-4);
+  EXPECT_DOUBLE_EQ(root["none_of_these"]["p_value"], 0.37);
+  EXPECT_EQ(root["simulations"]["stands_still"], true);
+  EXPECT_EQ(root["deciding_features"][0]["name"], "energy at 1X");
+  EXPECT_EQ(root["best_motions"][0]["candidate"], "one_side");
+  EXPECT_DOUBLE_EQ(root["next_measurements"][0]["information_bits"], 0.4);
+  EXPECT_DOUBLE_EQ(root["recording"]["speed_hz"], 70);
+}
 
 std::string first_line(const Answer& answer) {
   const std::string text = answer_text(answer);

@@ -12,6 +12,15 @@
 namespace rubsweep::diagnose::features {
 namespace {
 
+TEST(LineFeaturesFeature, IsAddedInOrder) {
+  Features features;
+  add(features, "one", 1);
+  add(features, "two", 2);
+  ASSERT_EQ(features.size(), 2U);
+  EXPECT_EQ(features[1].name, "two");
+  EXPECT_EQ(features[1].value, 2);
+}
+
 TEST(LineFeatures, AreSharesOfTheEnergy) {
   const MotionLines lines = crooked_motion();
   const double all = size_of(lines) * size_of(lines);

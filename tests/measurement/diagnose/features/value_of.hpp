@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "rubsweep/measurement/diagnose/features/feature.hpp"
+#include "rubsweep/measurement/diagnose/features/line_features.hpp"
 
 namespace rubsweep::diagnose::features {
 

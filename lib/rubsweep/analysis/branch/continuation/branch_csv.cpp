@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "rubsweep/analysis/branch/orbits/multiplier_columns.hpp"
+#include "rubsweep/analysis/branch/orbits/multipliers.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
 namespace rubsweep::branch::continuation {

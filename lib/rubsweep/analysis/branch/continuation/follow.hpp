@@ -8,6 +8,12 @@
 
 namespace rubsweep::branch::continuation {
 
+/// First orbit of twice the period beside a period doubling, a small way along the vector whose sign every
+/// period turns: from there `follow` follows the doubled branch away from the doubling. The other side of it
+/// is the same branch shifted by a period. `doubled`: the problem with twice the turns. Empty where none is
+/// found.
+std::optional<BranchPoint> doubled_start(const orbits::OrbitProblem& doubled, const BranchPoint& doubling);
+
 /// Lengths are those of the coordinates of continuation, see BranchPoint.
 struct FollowOptions {
   double first_step = 1e-4, longest_step = 0.02, shortest_step = 1e-10;

@@ -7,11 +7,9 @@
 #include <numbers>
 #include <utility>
 
-#include "rubsweep/analysis/branch/continuation/dip.hpp"
 #include "rubsweep/analysis/branch/continuation/event_roots.hpp"
 #include "rubsweep/analysis/branch/continuation/graze.hpp"
 #include "rubsweep/analysis/branch/continuation/margins.hpp"
-#include "rubsweep/analysis/branch/continuation/multiplier_slopes.hpp"
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
 #include "rubsweep/analysis/branch/continuation/segment.hpp"
 #include "rubsweep/analysis/branch/orbits/multipliers.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "rubsweep/analysis/branch/orbits/multiplier_columns.hpp"
+#include "rubsweep/analysis/branch/orbits/multipliers.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
 namespace rubsweep::branch::curves {

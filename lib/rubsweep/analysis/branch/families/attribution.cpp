@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/core/structure/stability.hpp"
 
 namespace rubsweep::branch::families {
 namespace {
@@ -50,6 +53,24 @@ MapEdge together(const MapEdge& there, const MapEdge& back) {
 }
 
 }  // namespace
+
+std::vector<Quiet> quiet_cells(const sweep::Study& study) {
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  std::vector<bool> grows;
+  for (const double speed_hz : study.grid.speed_hz)
+    grows.push_back(structure::grows(prepared.assembly, 2 * std::numbers::pi * speed_hz));
+  std::vector<Quiet> cells;
+  for (const double unbalance : study.grid.unbalance) {
+    for (std::size_t i = 0; i < grows.size(); ++i) {
+      const scene::Cell cell =
+          scene::build_cell(prepared, study.grid.speed_hz[i], sweep::unbalance_of(study.grid, unbalance));
+      cells.push_back(cell.start != scene::Start::quiet ? Quiet::touches
+                      : grows[i]                        ? Quiet::unstable
+                                                        : Quiet::stable);
+    }
+  }
+  return cells;
+}
 
 bool is_an_end(std::string_view kind) {
   constexpr std::array endings{continuation::Ending::left_range, continuation::Ending::failed,

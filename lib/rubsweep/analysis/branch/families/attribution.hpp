@@ -7,9 +7,19 @@
 #include <vector>
 
 #include "rubsweep/analysis/branch/families/family.hpp"
-#include "rubsweep/analysis/branch/families/quiet_cells.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::branch::families {
+
+/// Kind of quiet motion of a cell, which is there in closed form.
+enum class Quiet {
+  stable,    ///< it touches nothing, and free vibration about it decays
+  unstable,  ///< it touches nothing, but free vibration grows
+  touches,   ///< it would reach a wall, or there is none
+};
+
+/// The quiet motion of every cell of the grid.
+std::vector<Quiet> quiet_cells(const sweep::Study& study);
 
 /// Why two neighbouring cells of a map have different labels.
 enum class Attribution {

@@ -8,7 +8,6 @@
 
 #include "rubsweep/analysis/branch/orbits/approaches.hpp"
 #include "rubsweep/analysis/branch/orbits/even_contacts.hpp"
-#include "rubsweep/analysis/branch/orbits/orbit_accuracy.hpp"
 #include "rubsweep/analysis/branch/orbits/whole_turns.hpp"
 #include "rubsweep/core/numerics/full_turn.hpp"
 #include "rubsweep/core/numerics/recently_used.hpp"

@@ -12,7 +12,6 @@
 
 #include "rubsweep/analysis/branch/orbits/approaches.hpp"
 #include "rubsweep/analysis/branch/orbits/even_contacts.hpp"
-#include "rubsweep/analysis/branch/orbits/orbit_accuracy.hpp"
 #include "rubsweep/analysis/branch/orbits/whole_turns.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/run/impulses.hpp"

@@ -7,6 +7,10 @@
 
 namespace rubsweep::branch::orbits {
 
+/// Largest relative tolerance of a stepper that follows an orbit, and samples of it in a turn.
+inline constexpr double tolerance_of_orbits = 1e-11;
+inline constexpr int samples_per_turn = 128;
+
 /// The problem of closed orbits that `orbits` makes turn by turn, over `order` turns and, where that is even,
 /// over half of them. `Orbits` has advance(turns, parameter, state, monodromy), whose last three are those of
 /// an OrbitMap, facts(parameter, state) and passages(parameter, state).

@@ -2,13 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "rubsweep/core/error.hpp"
 
 namespace rubsweep::diagnose::answer {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
 /// "93 %", or how much below one percent.
 std::string percent(double probability) {
@@ -83,6 +90,91 @@ std::string trust_line(const Answer& answer) {
 }
 
 }  // namespace
+
+std::string probabilities_csv(const Answer& answer) {
+  std::string text = "candidate,probability\n";
+  for (const CandidateAnswer& candidate : answer.candidates)
+    text += fmt::format("{},{:.6g}\n", candidate.name, candidate.probability);
+  return text + fmt::format("none_of_these,{:.6g}\n", answer.none);
+}
+
+std::string orbits_csv(const Answer& answer, const MotionLines& recorded, bool plane) {
+  constexpr int points_of_a_turn = 64, most_turns = 12;
+  if (answer.best.empty()) return {};
+  std::string text = plane ? "turns,x_m,y_m,simulated_x_m,simulated_y_m\n" : "turns,x_m,simulated_x_m\n";
+  response::spectrum::SpectrumWorkspace workspace;
+  const Eigen::VectorXcd seen = waveform_of(recorded, points_of_a_turn, workspace);
+  const Eigen::VectorXcd simulated =
+      waveform_of(answer.best.front().overlay.simulated, points_of_a_turn, workspace);
+  const Eigen::Index count = points_of_a_turn * std::min(recorded.turns, most_turns);
+  for (Eigen::Index k = seen.size() - count; k < seen.size(); ++k) {
+    const double turns = static_cast<double>(k) / points_of_a_turn;
+    text += plane ? fmt::format("{:.6f},{:.7g},{:.7g},{:.7g},{:.7g}\n", turns, seen(k).real(), seen(k).imag(),
+                                simulated(k).real(), simulated(k).imag())
+                  : fmt::format("{:.6f},{:.7g},{:.7g}\n", turns, seen(k).real(), simulated(k).real());
+  }
+  return text;
+}
+
+std::string compared_lines_csv(const Answer& answer, const MotionLines& recorded) {
+  if (answer.best.empty()) return {};
+  constexpr double visible = 1e-3;
+  std::string text = "order,recorded_m,simulated_m\n";
+  const MotionLines& simulated = answer.best.front().overlay.simulated;
+  double largest = 0;
+  for (int k = -recorded.last(); k <= recorded.last(); ++k)
+    if (k != 0) largest = std::max(largest, std::abs(recorded.at(k)));
+  for (int k = -recorded.last(); k <= recorded.last(); ++k) {
+    const double a = std::abs(recorded.at(k)), b = std::abs(simulated.at(k));
+    if (k != 0 && std::max(a, b) > visible * largest)
+      text += fmt::format("{:.6g},{:.7g},{:.7g}\n", static_cast<double>(k) / recorded.turns, a, b);
+  }
+  return text;
+}
+
+std::string answer_json(const Answer& answer) {
+  Json root;
+  const RecordingFacts& recording = answer.recording;
+  root["recording"] = {{"name", recording.name},     {"speed_hz", recording.speed_hz},
+                       {"turns", recording.turns},   {"probes", recording.probes},
+                       {"size_m", recording.size_m}, {"findings", recording.findings}};
+  root["candidates"] = Json::array();
+  for (const CandidateAnswer& candidate : answer.candidates) {
+    Json numbers = Json::object();
+    for (const NumberInterval& number : candidate.numbers)
+      numbers[number.name] = {
+          {"median", number.median}, {"low_95", number.low_95}, {"high_95", number.high_95}};
+    root["candidates"].push_back({{"name", candidate.name},
+                                  {"cause", to_string(candidate.cause)},
+                                  {"probability", candidate.probability},
+                                  {"standard_error", number_or_null(candidate.standard_error)},
+                                  {"numbers", numbers}});
+  }
+  root["none_of_these"] = {{"probability", answer.none},
+                           {"standard_error", number_or_null(answer.none_standard_error)},
+                           {"p_value", answer.p_value},
+                           {"clipped", answer.clipped}};
+  root["simulations"] = {{"motions", answer.cases},
+                         {"rounds", answer.rounds},
+                         {"stands_still", answer.stands_still},
+                         {"interrupted", answer.interrupted}};
+  root["deciding_features"] = Json::array();
+  for (const DecidingFeature& feature : answer.deciding)
+    root["deciding_features"].push_back({{"name", feature.name},
+                                         {"recorded", feature.recorded},
+                                         {"first", feature.first},
+                                         {"first_spread", feature.first_spread},
+                                         {"second", feature.second},
+                                         {"second_spread", feature.second_spread}});
+  root["best_motions"] = Json::array();
+  for (const BestMotion& motion : answer.best)
+    root["best_motions"].push_back(
+        {{"candidate", motion.candidate}, {"unexplained", motion.overlay.unexplained}});
+  root["next_measurements"] = Json::array();
+  for (const inference::NextMeasurement& next : answer.next)
+    root["next_measurements"].push_back({{"name", next.name}, {"information_bits", next.information_bits}});
+  return root.dump(2) + '\n';
+}
 
 std::string_view words_for(Cause cause) {
   switch (cause) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 namespace rubsweep::diagnose::features {
 namespace {
@@ -102,6 +103,8 @@ void add_noise(const HannEnergy& energy, Features& features) {
 }
 
 }  // namespace
+
+void add(Features& features, std::string name, double value) { features.push_back({std::move(name), value}); }
 
 HannEnergy::HannEnergy(const MotionLines& lines, bool plane)
     : turns_(lines.turns), last_(lines.last()), first_(plane ? -last_ : 1) {

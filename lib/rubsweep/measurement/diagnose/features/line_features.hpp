@@ -1,12 +1,22 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
-#include "rubsweep/measurement/diagnose/features/feature.hpp"
 #include "rubsweep/measurement/diagnose/motion_lines.hpp"
 
 namespace rubsweep::diagnose::features {
+
+/// A number that describes a motion and stays the same when the motion is turned, scaled, or recorded from
+/// another mark on the shaft. Of one probe: when it is scaled, or recorded from another mark.
+struct Feature {
+  std::string name;
+  double value = 0;
+};
+using Features = std::vector<Feature>;
+
+void add(Features& features, std::string name, double value);
 
 /// Energy of every line as a Hann window sees it, as a share of all: lines between two whole numbers of
 /// periods stay together. Line k is of order k / turns(). `plane`: two probes; else the motion is real, and

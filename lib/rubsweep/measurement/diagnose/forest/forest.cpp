@@ -8,7 +8,7 @@
 
 #include "rubsweep/core/numerics/dense/cholesky.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
-#include "rubsweep/measurement/diagnose/draw_purpose.hpp"
+#include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose::forest {
 namespace {

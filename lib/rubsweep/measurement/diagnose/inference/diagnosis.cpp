@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "rubsweep/measurement/diagnose/draw_purpose.hpp"
+#include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose::inference {
 namespace {

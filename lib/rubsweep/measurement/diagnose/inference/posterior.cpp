@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "rubsweep/maps/batch/parallel_run.hpp"
-#include "rubsweep/measurement/diagnose/draw_purpose.hpp"
 #include "rubsweep/measurement/diagnose/forest/novelty.hpp"
 #include "rubsweep/measurement/diagnose/inference/other_cause.hpp"
+#include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose::inference {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/measurement/diagnose/draw_purpose.hpp"
+#include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose::inference {
 
