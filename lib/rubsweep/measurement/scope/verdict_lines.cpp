@@ -22,7 +22,7 @@ double leak_at(const Verdict& verdict, double order) {
   return leak;
 }
 
-/// What the orders of lines are multiplied by, as the angles of a recording may be off.
+/// Factor of the orders of lines, as the angles of a recording may be off.
 struct Scale {
   double factor = 1, uncertainty = 0;
 };
