@@ -184,23 +184,31 @@ MatrixXcd FullReference::receptance(const Rotor& rotor, std::size_t line, double
          numerics::dense::solve_banded(dynamic, rotor.forces.cast<std::complex<double>>(), rotor.band);
 }
 
-Eigen::Vector2d FullReference::sizes(const MatrixXcd& value) const {
-  const auto forces = static_cast<Index>(2 * forces_m_.size());
-  return {value.leftCols(forces).norm(), value.rightCols(value.cols() - forces).norm()};
+Eigen::VectorXd FullReference::sizes(const MatrixXcd& value) const {
+  const auto places = static_cast<Index>(forces_m_.size());
+  Eigen::VectorXd sizes(places + 1);
+  // One number for all places would hide a force that moves little behind one that moves much.
+  for (Index i = 0; i < places; ++i) sizes(i) = value.middleCols<2>(2 * i).norm();
+  sizes(places) = value.rightCols(value.cols() - 2 * places).norm();
+  return sizes;
 }
 
 double FullReference::difference(const MatrixXcd& found, const MatrixXcd& exact,
-                                 const Eigen::Vector2d& size) const {
-  const Eigen::Vector2d off = sizes(found - exact);
-  // Loads may be none.
-  return std::max(off(0) / size(0), size(1) > 0 ? share_beside * off(1) / size(1) : 0);
+                                 const Eigen::VectorXd& size) const {
+  const Eigen::VectorXd off = sizes(found - exact);
+  double worst = 0;
+  for (Index i = 0; i < off.size(); ++i) {
+    const double share = i + 1 < off.size() ? 1 : share_beside;
+    if (size(i) > 0) worst = std::max(worst, share * off(i) / size(i));  // loads may be none
+  }
+  return worst;
 }
 
 double FullReference::line_error(const Rotor& reduced, std::size_t line, double enough) const {
   double worst = 0;
   for (int k = points_ - 1; k >= 0 && worst <= enough; --k) {
     // An antiresonance is no reason to keep on adding modes.
-    Eigen::Vector2d size(0, 0);
+    Eigen::VectorXd size = Eigen::VectorXd::Zero(static_cast<Index>(forces_m_.size()) + 1);
     for (int j = std::max(0, k - around_); j <= std::min(points_ - 1, k + around_); ++j)
       size = size.cwiseMax(sizes(exact_[line][static_cast<std::size_t>(j)]));
     const MatrixXcd found = receptance(reduced, line, rad_per_s(k));
@@ -236,9 +244,9 @@ double FullReference::peak_error(const Rotor& reduced, std::size_t line, double 
     }
     const double w = rad_per_s((low + high) / 2);
     const MatrixXcd exact = receptance(full_, line, w, loss), found = receptance(reduced, line, w, loss);
-    Eigen::Vector2d size = sizes(exact).cwiseMax(sizes(found));
-    const Eigen::Vector2d off = sizes(found - exact);
-    worst = std::max(worst, share_beside * std::max(off(0) / size(0), size(1) > 0 ? off(1) / size(1) : 0));
+    const Eigen::VectorXd size = sizes(exact).cwiseMax(sizes(found)), off = sizes(found - exact);
+    for (Index i = 0; i < off.size(); ++i)
+      if (size(i) > 0) worst = std::max(worst, share_beside * off(i) / size(i));
   }
   return worst;
 }

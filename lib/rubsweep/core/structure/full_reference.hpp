@@ -22,10 +22,10 @@ class FullReference {
   FullReference(const BeamShaft& shaft, const model::RotorKit& kit, std::vector<double> responses_m,
                 std::vector<double> forces_m, std::vector<double> loads_m);
 
-  /// Worst difference of a receptance up to kit.modes_up_to_hz, against the largest within a fifth of the
-  /// frequency: at rest, turning with the force, and with supports at the lowest and highest speed of their
-  /// tables; at even steps of log frequency, and by share_beside at the resonances of the reduced rotor and
-  /// under unbalance and loads. A larger one than `enough` ends the look.
+  /// Worst difference of a receptance up to kit.modes_up_to_hz, for each place of a force against its largest
+  /// within a fifth of the frequency: at rest, turning with the force, and with supports at the lowest and
+  /// highest speed of their tables; at even steps of log frequency, and by share_beside at the resonances of
+  /// the reduced rotor and under unbalance and loads. A larger one than `enough` ends the look.
   double receptance_error(const Reduction& reduction, double enough) const;
 
   /// How vibrations that grow come out up to kit.modes_up_to_hz.
@@ -55,8 +55,9 @@ class FullReference {
   Eigen::MatrixXcd receptance(const Rotor& rotor, std::size_t line, double rad_per_s, double loss = 0) const;
   double rad_per_s(double step) const;
   double difference(const Eigen::MatrixXcd& found, const Eigen::MatrixXcd& exact,
-                    const Eigen::Vector2d& size) const;
-  Eigen::Vector2d sizes(const Eigen::MatrixXcd& value) const;
+                    const Eigen::VectorXd& size) const;
+  /// Size of the responses to the forces at each of forces_m_, and last to all loads and unbalances.
+  Eigen::VectorXd sizes(const Eigen::MatrixXcd& value) const;
   double line_error(const Rotor& reduced, std::size_t line, double enough) const;
   double peak_error(const Rotor& reduced, std::size_t line, double enough) const;
 
