@@ -161,7 +161,8 @@ class Agreement(unittest.TestCase):
         for kind, judges in self.judges.items():
             files = [file for file in shipped() if kind_of(file) == kind]
             seeds = [load(printed(KINDS[kind], file, "--print-config")) for file in files]
-            extra = sorted(glob.glob(os.path.join(TOP, "tests", "config", "ring" if kind == "ring" else "", "*.yaml")))
+            tests_of_readers = ["ring"] if kind == "ring" else ["maps", "config"]
+            extra = sorted(glob.glob(os.path.join(TOP, "tests", *tests_of_readers, "*.yaml")))
             for file in extra:
                 if judges.read([file]) == ["ok"]:
                     seeds.append(load(printed(KINDS[kind], file, "--print-config")))
