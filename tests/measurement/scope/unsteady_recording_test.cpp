@@ -83,7 +83,7 @@ TEST(UnsteadyRecording, ALineBesideAFractionOfTheSpeedHasNoPeriod) {
 TEST(UnsteadyRecording, OrdersLieWithinTheirUncertaintiesWhereMarksAreRoundedToReadings) {
   // Marks of sharp edges are known to a reading, and so is the angle to which orders refer.
   unsigned inside = 0, far = 0;
-  for (unsigned seed = 0; seed < 3 * recordings(); ++seed) {
+  for (unsigned seed = 0; seed < recordings(); ++seed) {
     Unsteady put = drawn(3000 + seed);
     put.speed_wander = put.amplitude_wander = 0;
     put.noise_share = 1e-3;
@@ -96,8 +96,8 @@ TEST(UnsteadyRecording, OrdersLieWithinTheirUncertaintiesWhereMarksAreRoundedToR
       }
   }
   RecordProperty("inside", static_cast<int>(inside));
-  EXPECT_GE(inside, 3 * recordings() * 95 / 100);
-  EXPECT_LE(far, recordings() / 8);
+  EXPECT_GE(inside, recordings() * 95 / 100);
+  EXPECT_LE(far, recordings() / 20);
 }
 
 }  // namespace

@@ -158,8 +158,16 @@ Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples
           motion.reading.least_share};
 }
 
+/// Whether both halves of a motion, levelled, hold the same lines.
+bool keeps_lines(const Motion& motion, std::span<const Complex> samples, SpectrumWorkspace& workspace) {
+  const std::vector<Complex> all = motion.levelled_once(samples, 1).samples;
+  const auto halves = std::span(all);
+  return response::spectrum::same_discrete_lines(halves.first(all.size() / 2), halves.last(all.size() / 2),
+                                                 workspace);
+}
+
 /// Shortest period beside which no line is visible, if any, and a longer one that cannot be ruled out; the
-/// samples that show it, without a period at the angles at which turns repeat best.
+/// samples that show it.
 std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
   for (int n = 1; n <= verdict.longest_period; ++n) {
     std::vector<Complex> samples = motion.repeating_after(n);
@@ -168,10 +176,8 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     const Threshold threshold = threshold_of(spectrum);
     if (largest_beside(spectrum, n) > threshold.visible_m) continue;
     // A line near a multiple of 1/n moves slowly as that multiple does.
-    constexpr double hann_noise = 1.23;  // as much more of it than of a window without weights
-    if (n > 1 && !keeps_period(discrete_lines_of(once.samples, motion.per_turn, motion.reading,
-                                                 hann_noise * threshold.visible_m, workspace),
-                               n, once.samples.size() / motion.per_turn))
+    if (n > 1 &&
+        !keeps_period(once.samples, motion.per_turn, motion.reading, n, threshold.visible_m, workspace))
       continue;
     verdict.period = n;
     verdict.turns = spectrum.turns;
@@ -186,21 +192,10 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     }
     return samples;
   }
-  return motion.repeating_after(1);
-}
-
-MeasuredClass aperiodic_class(std::span<const Complex> samples, SpectrumWorkspace& workspace) {
-  const std::size_t half = samples.size() / 2;
-  return response::spectrum::same_discrete_lines(samples.first(half), samples.last(half), workspace)
-             ? MeasuredClass::quasi_periodic
-             : MeasuredClass::aperiodic;
-}
-
-/// Largest line that rounding of the numbers may leave of a shaft that stands still.
-double rounding_of(std::span<const Complex> samples) {
-  double largest = 0;
-  for (const Complex z : samples) largest = std::max(largest, std::abs(z));
-  return 1e-12 * largest;
+  // Angles at which turns repeat best are arbitrary where nothing turns with the shaft: they must tell more.
+  std::vector<Complex> moved = motion.repeating_after(1);
+  if (!keeps_lines(motion, motion.samples, workspace) && keeps_lines(motion, moved, workspace)) return moved;
+  return {motion.samples.begin(), motion.samples.end()};
 }
 
 /// Mean orbit of a period and its lines; without a period the last turns, as many lines as a figure can show,
@@ -267,15 +262,18 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
   verdict.noise_m = first.noise_m;
   verdict.visible_m = first.visible_m;
   std::vector<Complex> samples;
-  if (first.largest_m <= std::max(first.visible_m, rounding_of(displacement_m))) {
+  // Rounding of the numbers may leave a line of a shaft that stands still.
+  const Complex farthest = std::ranges::max(displacement_m, {}, [](Complex z) { return std::abs(z); });
+  if (first.largest_m <= std::max(first.visible_m, 1e-12 * std::abs(farthest))) {
     samples.assign(displacement_m.begin(), displacement_m.end());
     verdict.period = 1;
     verdict.motion = MeasuredClass::at_rest;
   } else {
     samples = find_period(motion, workspace, verdict);
-    verdict.motion = !verdict.period ? aperiodic_class(motion.levelled_once(samples, 1).samples, workspace)
-                     : *verdict.period > 1 ? MeasuredClass::subharmonic
-                                           : MeasuredClass::synchronous;
+    verdict.motion = verdict.period == 1                       ? MeasuredClass::synchronous
+                     : verdict.period                          ? MeasuredClass::subharmonic
+                     : keeps_lines(motion, samples, workspace) ? MeasuredClass::quasi_periodic
+                                                               : MeasuredClass::aperiodic;
   }
   if (!verdict.period)
     verdict.discrete_lines =

@@ -83,7 +83,13 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
   return lines;
 }
 
-bool keeps_period(std::span<const DiscreteLine> lines, int period, std::size_t turns) {
+bool keeps_period(std::span<const Complex> samples, std::size_t samples_per_revolution,
+                  const Reading& reading, int period, double visible_m,
+                  response::spectrum::SpectrumWorkspace& workspace) {
+  constexpr double hann_noise = 1.23;  // of what a window without weights has
+  const auto lines =
+      discrete_lines_of(samples, samples_per_revolution, reading, hann_noise * visible_m, workspace);
+  const std::size_t turns = samples.size() / samples_per_revolution;
   // A motion that is held by the shaft may turn this much against it over the recording.
   constexpr double most_deviations = 2, most_turned = 0.02;
   const double bin = 1 / static_cast<double>(std::min(turns, most_resolved_turns));

@@ -25,10 +25,12 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const std::complex<double>
                                             std::size_t samples_per_revolution, const Reading& reading,
                                             double least_m, response::spectrum::SpectrumWorkspace& workspace);
 
-/// Whether the lines of so many turns that stand within a bin of a multiple of 1 / period may stand there:
+/// Whether the visible lines of a motion that stand within a bin of a multiple of 1 / period may stand there:
 /// within two standard uncertainties and a fiftieth of a turn over the recording. Lines nearest to a whole
 /// order count for nothing.
-bool keeps_period(std::span<const DiscreteLine> lines, int period, std::size_t turns);
+bool keeps_period(std::span<const std::complex<double>> samples, std::size_t samples_per_revolution,
+                  const Reading& reading, int period, double visible_m,
+                  response::spectrum::SpectrumWorkspace& workspace);
 
 /// Uncertainty of every line of the table: noise, what the interpolation of the readings misses, and of a bin
 /// of a motion without a period how far it is from the line that stands there, or what other lines leave in
