@@ -20,7 +20,7 @@ for file in config.yaml map.csv boundaries.csv; do
   expect_contains stderr "map/$file"
   expect_contains stderr 'is not a regular file'
 done
-rm -rf map && cp -r whole map && mkfifo branch/journal.journal
+rm -rf map && cp -r whole map && mkfifo map/families.journal
 refuses 3 "$rubbranch" --map map --quiet
 mkfifo pipe
 refuses 3 "$compare" whole/map.csv pipe

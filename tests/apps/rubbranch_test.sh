@@ -115,7 +115,7 @@ expect_files map boundaries.csv config.yaml contradictions.csv edges.csv familie
 expect_contains stdout 'the orbits of 0 were not found again'
 [[ $(header_of map/boundaries.csv) == family,kind,speed_hz,whirl_ratio ]] || fail 'another header'
 expect_same <(grep '^# digest ' map/boundaries.csv) <(grep '^# digest ' map/map.csv)
-[[ $(count_rows branch/journal.csv "order == 2 and hits == 1 and cells_existing >= cells_reached") == 1 ]] || fail 'no half orbit'
+[[ $(count_rows map/families.csv "order == 2 and hits == 1 and cells_existing >= cells_reached") == 1 ]] || fail 'no half orbit'
 # Its fold at a whirl ratio of 0.4 is the one that the branch of a single cell has.
 upper=$(folds first | tail -n 1)
 grep -q "^0,fold,${upper%?}" map/boundaries.csv || fail "no fold at $upper in map/boundaries.csv"
