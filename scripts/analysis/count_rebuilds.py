@@ -11,12 +11,12 @@ from command import run_program
 from rubplot.failure import Failure
 
 TOP = os.path.realpath(os.path.join(os.path.dirname(__file__), "..", ".."))
-LIB = "lib/rubsweep/"
+CORE = "lib/rubsweep/core/"
 DEFAULTS = (
-    LIB + "error.hpp", LIB + "model/stop.hpp", LIB + "scene/scene.hpp", LIB + "contact/wall.cpp",
-    LIB + "integrate/run/turn.hpp", LIB + "integrate/run/scaled_system.hpp",
-    LIB + "integrate/exact/modes/linear_mode.hpp", LIB + "numerics/modal_form.hpp",
-    LIB + "response/motion/motion.hpp", LIB + "sweep/row.hpp", "examples/one_cell.cpp")
+    CORE + "error.hpp", CORE + "model/stop.hpp", CORE + "scene/scene.hpp", CORE + "contact/wall.cpp",
+    CORE + "integrate/run/turn.hpp", CORE + "integrate/run/scaled_system.hpp",
+    CORE + "integrate/exact/modes/linear_mode.hpp", CORE + "numerics/modal_form.hpp",
+    CORE + "response/motion/motion.hpp", "lib/rubsweep/maps/sweep/row.hpp", "examples/one_cell.cpp")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 # Folders from which files are included by name.
 FOLDERS = ("lib", "tests", "apps", "studies")
