@@ -96,13 +96,18 @@ batch::ResultFiles files_of(const RubbranchArguments& arguments, const config::R
   return files;
 }
 
-int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
+void check_cell(const RubbranchArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
   ask("rubbranch", config.questions, arguments.quiet);
   ask_about("rubbranch", sweep::unbalance_of(study.grid, arguments.cell.unbalance), study.machine,
             arguments.quiet);
   require_speed("--cell", arguments.cell.speed_hz, study.machine);
   if (arguments.along == "speed_hz" && arguments.to) require_speed("--to", *arguments.to, study.machine);
+}
+
+int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
+  const sweep::Study& study = config.study;
+  check_cell(arguments, config);
   const BranchFamily family = branch_family(arguments, config);
   std::optional<BranchPlane> plane;
   if (!arguments.curve.empty()) plane = branch_plane(arguments, config);

@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Matrix2d;
+using Eigen::MatrixXd;
 using Eigen::Vector2d;
 
 /// Exact at multiples of 90 degrees.
@@ -47,8 +48,6 @@ void add_load(Matrices& matrices, const System& system, const Load& load, Index 
 }
 
 }  // namespace
-
-using Eigen::MatrixXd;
 
 NormalForm normal_form(const System& system) {
   const Matrices matrices = assemble(system);

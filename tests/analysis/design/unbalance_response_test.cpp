@@ -15,6 +15,9 @@
 namespace rubsweep::design {
 namespace {
 
+using namespace std::complex_literals;
+using Complex = std::complex<double>;
+
 /// Quiet whirl of a Jeffcott rotor of 50 Hz: largest at 1 / sqrt(1 - 2 zeta^2), 1 / (2 zeta sqrt(1 -
 /// zeta^2)).
 TEST(UnbalanceResponseLargestOverSpeed, FindsAResonanceAThousandTimesNarrowerThanTheSteps) {
@@ -84,9 +87,6 @@ TEST(UnbalanceResponse, OfATableIsThatOfTheNumbersTypedIn) {
         << hz;
   }
 }
-
-using namespace std::complex_literals;
-using Complex = std::complex<double>;
 
 /// Largest distance from the middle over a turn, doubled.
 double traced_axis(const Eigen::Vector2cd& amplitude) {

@@ -23,6 +23,7 @@ namespace {
 
 using report::map_comments, report::map_header, report::map_line;
 using sweep::Row;
+using enum CellVerdict;
 
 Row row(double speed_hz, double whirl_ratio, response::motion::MotionClass motion_class,
         std::optional<int> order) {
@@ -74,8 +75,6 @@ std::vector<CellVerdict> verdicts(const MapComparison& comparison) {
   for (const ComparedCell& cell : comparison.cells) verdicts.push_back(cell.verdict);
   return verdicts;
 }
-
-using enum CellVerdict;
 
 TEST_F(CompareMaps, EqualMapsAreEqual) {
   const MapComparison comparison = compare(cells(), cells(), 0);

@@ -12,6 +12,7 @@ namespace rubsweep::scope {
 namespace {
 
 using Complex = std::complex<double>;
+using std::numbers::pi;
 
 TEST(RepeatingAnglesMeanPeriod, TheLastWholePeriodsCount) {
   const std::vector<Complex> samples{9, 1, 2, 3, 5};
@@ -36,9 +37,6 @@ TEST(RepeatingAnglesMeanPeriod, LinesAreThoseThatWerePutIn) {
     EXPECT_LT(std::abs(lines[static_cast<std::size_t>(k + 6)] - truth), 1e-14) << k;
   }
 }
-
-using std::numbers::pi;
-using Complex = std::complex<double>;
 
 constexpr int turns = 32;
 

@@ -17,6 +17,7 @@ struct Unsteady {
   double speed_wander = 0;                  ///< largest relative departure of the speed
   double amplitude_wander = 0;              ///< the same of the amplitude
   double other_order = 0, other_share = 0;  ///< a line beside 1X, as a share of it
+  double other_swing = 0;                   ///< relative swing of that line, once over the recording
   double noise_share = 5e-3;                ///< of every reading
   double readings_per_turn = 20;
   int turns = 32;
@@ -64,7 +65,9 @@ inline recording::Recording recorded(const Unsteady& put, unsigned seed) {
     const double share = static_cast<double>(k) / count;
     const double size = 100 * (1 + put.amplitude_wander * amplitude.at(share));
     std::complex<double> z = size * std::polar(1.0, 2 * std::numbers::pi * angle);
-    z += 100 * put.other_share * std::polar(1.0, 2 * std::numbers::pi * put.other_order * angle + phase);
+    const double swing = 1 + put.other_swing * std::sin(2 * std::numbers::pi * share + 2 * phase);
+    z += 100 * put.other_share * swing *
+         std::polar(1.0, 2 * std::numbers::pi * put.other_order * angle + phase);
     table.channels[0].values.push_back(read(z.real() + 100 * put.noise_share * normal(random)));
     table.channels[1].values.push_back(read(z.imag() + 100 * put.noise_share * normal(random)));
     table.channels[2].values.push_back((angle - std::floor(angle) < 0.12 ? -9 : -1) + 0.05 * normal(random));

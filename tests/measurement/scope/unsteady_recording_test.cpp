@@ -48,6 +48,21 @@ TEST(UnsteadyRecording, AHalfOrderOfAPerCentIsFound) {
   EXPECT_EQ(wrong, 0u);
 }
 
+TEST(UnsteadyRecording, AStrongHalfOrderThatSwingsIsNeverSynchronous) {
+  unsigned synchronous = 0, half = 0;
+  for (unsigned seed = 0; seed < recordings(); ++seed) {
+    Unsteady put = drawn(4000 + seed);
+    put.other_order = 0.5;
+    put.other_share = 0.3;
+    put.other_swing = 0.2;
+    const Verdict verdict = judge(recorded(put, seed));
+    synchronous += verdict.motion == MeasuredClass::synchronous;
+    half += verdict.period == 2;
+  }
+  RecordProperty("half", static_cast<int>(half));
+  EXPECT_EQ(synchronous, 0u);
+}
+
 TEST(UnsteadyRecording, ALineThatNoPeriodHasIsFoundOnAMachineThatWanders) {
   unsigned synchronous = 0, periodic = 0;
   for (unsigned seed = 0; seed < recordings(); ++seed) {

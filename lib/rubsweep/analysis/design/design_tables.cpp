@@ -14,6 +14,8 @@
 namespace rubsweep::design {
 namespace {
 
+using batch::csv_number;
+
 std::string_view verdict(bool met) { return met ? "ok" : "NOT MET"; }
 
 std::string speed(double hz) { return model::speed_text(hz, 5); }
@@ -126,7 +128,6 @@ std::string kick_lines(const DesignCheck& check) {
                             failed > 0 ? fmt::format(", {} failed", failed) : "");
 }
 
-using batch::csv_number;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// One line of the page, as numbers.

@@ -16,6 +16,9 @@
 namespace rubsweep::linear {
 namespace {
 
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
 FreeRotor free_jeffcott(const model::JeffcottRotor& rotor) {
   const structure::Assembly assembly = structure::assemble_jeffcott(rotor, {});
   const structure::LinearSystem& disc = assembly.system;
@@ -54,9 +57,6 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
   }
   return free;
 }
-
-using std::numbers::pi;
-using Complex = std::complex<double>;
 
 constexpr double same_root = 1e-7;    ///< share of its size: rounding of a double root, far below any split
 constexpr double least_whirl = 1e-7;  ///< share of the size of a root: rounding of a double overdamped one

@@ -47,8 +47,8 @@ std::optional<Orbits> record_orbits(const sweep::Study& study, const MapTable& m
 /// A wall as it is drawn with an orbit, in metres from the rotor's rest position.
 struct Wall {
   bool around = false;                   ///< around the rotor, else flat
-  std::array<double, 2> normal{0, 1};    ///< of a flat wall: from the rest position towards it
-  std::array<double, 2> centre_m{0, 0};  ///< of one around the rotor
+  std::array<double, 2> normal{0, 1};    ///< flat wall: from the rest position towards it
+  std::array<double, 2> centre_m{0, 0};  ///< wall around the rotor
   double clearance_m = 0;
   bool at_orbit = true;  ///< it stands at the point of the shaft whose orbit is drawn
 

@@ -12,6 +12,7 @@
 namespace rubsweep::trace {
 namespace {
 
+using batch::csv_number;
 using model::LengthUnit;
 using response::spectrum::SpectralLine;
 
@@ -51,8 +52,6 @@ std::string effort_text(const integrate::run::Effort& effort, long revolutions) 
   if (effort.adaptive_turns > 0) text += fmt::format("; {} revolutions by a stepper", effort.adaptive_turns);
   return text;
 }
-
-using batch::csv_number;
 
 void append(std::string& line, std::initializer_list<double> numbers) {
   for (const double number : numbers) {

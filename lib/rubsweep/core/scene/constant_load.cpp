@@ -3,13 +3,6 @@
 #include "rubsweep/core/numerics/dense/lu.hpp"
 
 namespace rubsweep::scene {
-
-Eigen::VectorXd static_load_n(const PreparedMachine& prepared) {
-  Eigen::VectorXd load = prepared.machine.gravity_m_per_s2 * prepared.assembly.system.weight_kg;
-  if (prepared.assembly.static_n.size() > 0) load += prepared.assembly.static_n;
-  return load;
-}
-
 namespace {
 
 bool counts_from_sag(const model::Machine& machine) {
@@ -18,6 +11,12 @@ bool counts_from_sag(const model::Machine& machine) {
 }
 
 }  // namespace
+
+Eigen::VectorXd static_load_n(const PreparedMachine& prepared) {
+  Eigen::VectorXd load = prepared.machine.gravity_m_per_s2 * prepared.assembly.system.weight_kg;
+  if (prepared.assembly.static_n.size() > 0) load += prepared.assembly.static_n;
+  return load;
+}
 
 Eigen::VectorXd constant_load_n(const PreparedMachine& prepared) {
   if (counts_from_sag(prepared.machine)) return Eigen::VectorXd::Zero(prepared.assembly.system.coordinates());

@@ -65,6 +65,17 @@ Index band_of(std::initializer_list<const Eigen::MatrixXd*> matrices) {
   return band;
 }
 
+/// Largest share of `sizes` that differences make; the last one counts by `share_of_last`. Sizes may be 0, as
+/// of loads where there are none.
+double largest_share(const Eigen::VectorXd& differences, const Eigen::VectorXd& sizes, double share_of_last) {
+  double largest = 0;
+  for (Index i = 0; i < sizes.size(); ++i) {
+    const double counts = i + 1 < sizes.size() ? 1 : share_of_last;
+    if (sizes(i) > 0) largest = std::max(largest, counts * differences(i) / sizes(i));
+  }
+  return largest;
+}
+
 bool any_grows(const Eigen::VectorXcd& rates, double share) {
   return std::ranges::any_of(rates, [=](const auto& rate) { return rate.real() > share * std::abs(rate); });
 }
@@ -193,17 +204,6 @@ Eigen::VectorXd FullReference::sizes(const MatrixXcd& value) const {
   return sizes;
 }
 
-double FullReference::difference(const MatrixXcd& found, const MatrixXcd& exact,
-                                 const Eigen::VectorXd& size) const {
-  const Eigen::VectorXd off = sizes(found - exact);
-  double worst = 0;
-  for (Index i = 0; i < off.size(); ++i) {
-    const double share = i + 1 < off.size() ? 1 : share_beside;
-    if (size(i) > 0) worst = std::max(worst, share * off(i) / size(i));  // loads may be none
-  }
-  return worst;
-}
-
 double FullReference::line_error(const Rotor& reduced, std::size_t line, double enough) const {
   double worst = 0;
   for (int k = points_ - 1; k >= 0 && worst <= enough; --k) {
@@ -211,8 +211,8 @@ double FullReference::line_error(const Rotor& reduced, std::size_t line, double 
     Eigen::VectorXd size = Eigen::VectorXd::Zero(static_cast<Index>(forces_m_.size()) + 1);
     for (int j = std::max(0, k - around_); j <= std::min(points_ - 1, k + around_); ++j)
       size = size.cwiseMax(sizes(exact_[line][static_cast<std::size_t>(j)]));
-    const MatrixXcd found = receptance(reduced, line, rad_per_s(k));
-    worst = std::max(worst, difference(found, exact_[line][static_cast<std::size_t>(k)], size));
+    const MatrixXcd off = receptance(reduced, line, rad_per_s(k)) - exact_[line][static_cast<std::size_t>(k)];
+    worst = std::max(worst, largest_share(sizes(off), size, share_beside));
   }
   return worst;
 }
@@ -244,9 +244,8 @@ double FullReference::peak_error(const Rotor& reduced, std::size_t line, double 
     }
     const double w = rad_per_s((low + high) / 2);
     const MatrixXcd exact = receptance(full_, line, w, loss), found = receptance(reduced, line, w, loss);
-    const Eigen::VectorXd size = sizes(exact).cwiseMax(sizes(found)), off = sizes(found - exact);
-    for (Index i = 0; i < off.size(); ++i)
-      if (size(i) > 0) worst = std::max(worst, share_beside * off(i) / size(i));
+    const Eigen::VectorXd size = sizes(exact).cwiseMax(sizes(found));
+    worst = std::max(worst, share_beside * largest_share(sizes(found - exact), size, 1));
   }
   return worst;
 }

@@ -31,7 +31,7 @@ class FullReference {
   /// How vibrations that grow come out up to kit.modes_up_to_hz.
   struct Growth {
     double error = 0;       ///< worst difference of rate or frequency of one that grows in either
-    bool mistaken = false;  ///< at some speed it is but for one of full matrices and reduced rotor
+    bool mistaken = false;  ///< at some speed full matrices and reduced rotor disagree whether any does
   };
   Growth growth(const Reduction& reduction) const;
 
@@ -54,8 +54,6 @@ class FullReference {
   Rotor reduced_rotor(const Reduction& reduction) const;
   Eigen::MatrixXcd receptance(const Rotor& rotor, std::size_t line, double rad_per_s, double loss = 0) const;
   double rad_per_s(double step) const;
-  double difference(const Eigen::MatrixXcd& found, const Eigen::MatrixXcd& exact,
-                    const Eigen::VectorXd& size) const;
   /// Size of the responses to the forces at each of forces_m_, and last to all loads and unbalances.
   Eigen::VectorXd sizes(const Eigen::MatrixXcd& value) const;
   double line_error(const Rotor& reduced, std::size_t line, double enough) const;

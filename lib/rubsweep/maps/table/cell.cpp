@@ -124,7 +124,7 @@ std::optional<double> number_in(std::string_view cell, const NumberStyle& style)
   }
   if (const std::size_t exponent = point.find_first_of("Dd");
       exponent != std::string::npos && point.find_first_of("+-", exponent) == exponent + 1)
-    point[exponent] = 'e';  // of Fortran
+    point[exponent] = 'e';  // Fortran writes 1.0D+03
   cell = point;
   if (cell.front() == '+') cell.remove_prefix(1);
   double value = 0;

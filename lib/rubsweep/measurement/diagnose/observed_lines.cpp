@@ -27,9 +27,6 @@ void add_line(std::span<Complex> samples, int order, Complex amplitude) {
   }
 }
 
-using Complex = std::complex<double>;
-using std::numbers::pi;
-
 /// z = x + iy after each of both was multiplied: conj(z) has the lines conj(A_-k).
 MotionLines with_gains(const MotionLines& lines, double x_gain, double y_gain) {
   MotionLines seen = lines;

@@ -51,9 +51,6 @@ WindowWeights window_weights(double turns) {
           (inverse.cast<Complex>() * mirrored.transpose()).transpose()};
 }
 
-using std::numbers::pi;
-using Complex = std::complex<double>;
-
 /// A mode follows the speed where |rate of the shaft| / |distance from resonance|^2 is below this: what is
 /// left out is the square of it.
 constexpr double far_from_resonance = 1e-4;

@@ -15,7 +15,7 @@ namespace rubsweep::fit {
 struct ModeSet {
   Eigen::VectorXcd values;                       ///< 2 n eigenvalues in 1/s
   Eigen::MatrixXcd vectors;                      ///< 2 n x 2 n
-  Eigen::PartialPivLU<Eigen::MatrixXcd> factor;  ///< of vectors
+  Eigen::PartialPivLU<Eigen::MatrixXcd> factor;  ///< factors of the matrix of eigenvectors
   Eigen::MatrixXd inverse_mass;                  ///< n x n
 
   Eigen::VectorXcd force(const Eigen::VectorXcd& newtons) const;

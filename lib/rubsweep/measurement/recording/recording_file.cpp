@@ -15,6 +15,7 @@
 namespace rubsweep::recording {
 namespace {
 
+using matlab::Variable;
 using table::Fault;
 
 /// Seconds since the first stamp; stamps without a date begin again at midnight.
@@ -102,8 +103,6 @@ Channels read_text(std::string_view text) {
   if (text.starts_with("LabVIEW Measurement")) read_labview_head(text, layout, table);
   return table;
 }
-
-using matlab::Variable;
 
 /// Most channels of one matrix: a picture has more.
 constexpr std::size_t most_channels = 256;

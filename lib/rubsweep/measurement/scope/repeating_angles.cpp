@@ -13,8 +13,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-using Complex = std::complex<double>;
-
 /// Values of Legendre's polynomials of degree 1 to `degree` at places from -1 to 1, each column about its
 /// mean.
 Eigen::MatrixXd polynomials(const Eigen::VectorXd& places, int degree) {

@@ -166,8 +166,8 @@ bool keeps_lines(const Motion& motion, std::span<const Complex> samples, Spectru
                                                  workspace);
 }
 
-/// Shortest period beside which no line is visible, if any, and a longer one that cannot be ruled out; the
-/// samples that show it.
+/// Finds the shortest period beside which no line is visible, if any, a longer one that cannot be ruled out,
+/// and the class. Returns the samples that show them.
 std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
   for (int n = 1; n <= verdict.longest_period; ++n) {
     std::vector<Complex> samples = motion.repeating_after(n);
@@ -179,6 +179,7 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     if (n > 1 &&
         !keeps_period(once.samples, motion.per_turn, motion.reading, n, threshold.visible_m, workspace))
       continue;
+    verdict.motion = n == 1 ? MeasuredClass::synchronous : MeasuredClass::subharmonic;
     verdict.period = n;
     verdict.turns = spectrum.turns;
     verdict.noise_m = threshold.noise_m;
@@ -193,8 +194,12 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     return samples;
   }
   // Angles at which turns repeat best are arbitrary where nothing turns with the shaft: they must tell more.
-  std::vector<Complex> moved = motion.repeating_after(1);
-  if (!keeps_lines(motion, motion.samples, workspace) && keeps_lines(motion, moved, workspace)) return moved;
+  verdict.motion = MeasuredClass::quasi_periodic;
+  if (!keeps_lines(motion, motion.samples, workspace)) {
+    std::vector<Complex> moved = motion.repeating_after(1);
+    if (keeps_lines(motion, moved, workspace)) return moved;
+    verdict.motion = MeasuredClass::aperiodic;
+  }
   return {motion.samples.begin(), motion.samples.end()};
 }
 
@@ -270,10 +275,6 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
     verdict.motion = MeasuredClass::at_rest;
   } else {
     samples = find_period(motion, workspace, verdict);
-    verdict.motion = verdict.period == 1                       ? MeasuredClass::synchronous
-                     : verdict.period                          ? MeasuredClass::subharmonic
-                     : keeps_lines(motion, samples, workspace) ? MeasuredClass::quasi_periodic
-                                                               : MeasuredClass::aperiodic;
   }
   if (!verdict.period)
     verdict.discrete_lines =

@@ -86,7 +86,7 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
 bool keeps_period(std::span<const Complex> samples, std::size_t samples_per_revolution,
                   const Reading& reading, int period, double visible_m,
                   response::spectrum::SpectrumWorkspace& workspace) {
-  constexpr double hann_noise = 1.23;  // of what a window without weights has
+  constexpr double hann_noise = 1.23;  // noise of a line, over that without weights
   const auto lines =
       discrete_lines_of(samples, samples_per_revolution, reading, hann_noise * visible_m, workspace);
   const std::size_t turns = samples.size() / samples_per_revolution;

@@ -10,6 +10,9 @@
 namespace rubsweep::branch::continuation {
 namespace {
 
+using test::number;
+using test::one_number;
+
 /// The two-cycle of the logistic map is born at 3, has the multiplier 4 + 2 r - r^2 and doubles at 1 +
 /// sqrt(6).
 TEST(FollowDoublingDoubledStart, TheTwoCycleOfTheLogisticMap) {
@@ -30,9 +33,6 @@ TEST(FollowDoublingDoubledStart, TheTwoCycleOfTheLogisticMap) {
     EXPECT_NEAR(point.multipliers(0).real(), 4 + 2 * r - r * r, 1e-8);
   }
 }
-
-using test::number;
-using test::one_number;
 
 Branch followed(const orbits::OrbitProblem& problem, const Eigen::VectorXd& near, double parameter) {
   const auto start = orbit_from(problem, near, parameter);

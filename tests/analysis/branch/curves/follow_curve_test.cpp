@@ -12,6 +12,10 @@
 namespace rubsweep::branch::curves {
 namespace {
 
+using test::cusp_plane;
+using test::plain_plane;
+using test::plain_plane_of_one_number;
+
 continuation::BranchEvent event_at(continuation::EventKind kind, double state) {
   continuation::BranchEvent event;
   event.kind = kind;
@@ -69,10 +73,6 @@ TEST(FollowCurveCurveStart, AGrazeBeginsWhereItTouches) {
   EXPECT_NEAR(start->point.place.phase_rad, 0.3, 1e-9);
   EXPECT_NEAR(start->point.place.first, 0.2, 1e-10);
 }
-
-using test::cusp_plane;
-using test::plain_plane;
-using test::plain_plane_of_one_number;
 
 Eigen::VectorXd number(double x) { return Eigen::VectorXd::Constant(1, x); }
 

@@ -13,6 +13,8 @@
 namespace rubsweep::diagnose::features {
 namespace {
 
+using std::numbers::pi;
+
 Eigen::VectorXcd circle(int count) {
   Eigen::VectorXcd z(count);
   for (int k = 0; k < count; ++k) z(k) = std::polar(2.0, 2 * std::numbers::pi * k / count);
@@ -49,8 +51,6 @@ TEST(DescribedMotionWaveformFeatures, OfOneProbeAreItsMoments) {
   EXPECT_NEAR(value_of(features, "skewness of signal"), 0, 1e-12);
   EXPECT_NEAR(value_of(features, "largest signal"), std::sqrt(2.0), 0.02);
 }
-
-using std::numbers::pi;
 
 TEST(DescribedMotion, HasTheSameFeaturesHoweverItIsTurnedScaledAndMarked) {
   response::spectrum::SpectrumWorkspace workspace;

@@ -184,7 +184,7 @@ class EvenGrazeSearch {
     return std::nullopt;
   }
 
-  /// Where that touches on the way: the motion that the corner's state settles on a little beside it.
+  /// The motion that the corner's state settles on a little beside it, for branches that touch on the way.
   std::optional<BranchPoint> beyond_by_settling(const Position& corner) const {
     constexpr int returns = 300;
     for (double away = other_side; away >= last_penetration / 4; away /= 4) {

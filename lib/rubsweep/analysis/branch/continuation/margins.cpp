@@ -15,6 +15,9 @@
 namespace rubsweep::branch::continuation {
 namespace {
 
+using contact::Mode;
+using integrate::run::ModeSwitch;
+
 constexpr double near_zero = 0.5;  ///< share of the end that is nearer to zero
 
 /// a + b t + c t^2 + d t^3 for 0 <= t <= 1.
@@ -64,9 +67,6 @@ std::optional<double> dip_of_signed(Cubic f) {
   if (f.a < 0) f = {-f.a, -f.b, -f.c, -f.d};
   return dip_of(f);
 }
-
-using contact::Mode;
-using integrate::run::ModeSwitch;
 
 double period_of(const orbits::OrbitProblem& problem) { return 2 * std::numbers::pi * problem.order; }
 

@@ -55,7 +55,7 @@ Correction correct_at(const orbits::OrbitProblem& problem, const Eigen::VectorXd
 Eigen::VectorXd next_step(const orbits::OrbitProblem& problem, const BranchPoint& point,
                           const Eigen::VectorXd& direction, double difference_step = usual_difference_step);
 
-/// Size of that step as a change of the parameter.
+/// Size of that step as a change of the parameter; 0 where it cannot be told.
 double rounding_of_parameter(const orbits::OrbitProblem& problem, const BranchPoint& point);
 
 /// Fills what belongs to an orbit found: its tangent, on the side of `direction`, its multipliers and their

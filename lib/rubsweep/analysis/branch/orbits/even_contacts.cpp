@@ -60,12 +60,13 @@ double penetration_at(const scene::Scene& scene, const Eigen::VectorXd& state, i
 
 void EvenContacts::settle(OrbitFacts& facts) const {
   facts.even = list();
-  for (const EvenContact& even : facts.even)
-    facts.hits -= static_cast<int>(std::erase_if(facts.switches, [&](const ModeSwitch& at) {
-      return at.contact == even.contact && at.from == contact::Mode::open;
-    }));
-  for (const EvenContact& even : facts.even)
-    std::erase_if(facts.switches, [&](const ModeSwitch& at) { return at.contact == even.contact; });
+  for (const EvenContact& even : facts.even) {
+    std::erase_if(facts.switches, [&](const ModeSwitch& at) {
+      if (at.contact != even.contact) return false;
+      if (at.from == contact::Mode::open) --facts.hits;
+      return true;
+    });
+  }
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const int contact = static_cast<int>(i);
     if (ranges_[i].least + ranges_[i].largest > 0 &&

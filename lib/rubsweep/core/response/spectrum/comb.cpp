@@ -33,8 +33,6 @@ double amplitude_at(std::span<const Complex> z, int samples_per_revolution, doub
   return std::abs(sum) / count;  // the weights 1 - cos have mean 1
 }
 
-using Complex = std::complex<double>;
-
 constexpr int largest_multiple = 16;
 constexpr auto fewest_turns = static_cast<std::size_t>(fewest_comb_turns);
 

@@ -146,10 +146,6 @@ std::optional<std::vector<double>> find_column(yaml::Section& section, std::size
   return found;
 }
 
-}  // namespace
-
-namespace {
-
 std::string in_small_letters(std::string_view text) {
   std::string small(text);
   std::ranges::transform(small, small.begin(),

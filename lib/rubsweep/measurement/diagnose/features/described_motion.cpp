@@ -54,8 +54,6 @@ void add_bends(const std::string& name, const ArrayXd& x, Features& features) {
   add(features, "skewness of acceleration " + name, (bend / size).cube().mean());
 }
 
-using Complex = std::complex<double>;
-
 /// A line's phase with a length below 1, which is less where the line is weak; nothing where none is seen.
 class Arrows {
  public:
@@ -104,8 +102,6 @@ void add_phases_of_one_probe(const Arrows& arrow, Features& features) {
     add_phase(fmt::format("phase of {}/2 to {} times {}/2", r.half_orders, r.times, r.of),
               arrow(r.half_orders) * std::conj(std::pow(arrow(r.of), r.times)), features);
 }
-
-using Complex = std::complex<double>;
 
 void add_direction(const std::string& name, double angle_rad, Features& features) {
   add(features, "cosine of " + name, std::cos(angle_rad));
