@@ -93,10 +93,16 @@ bool keeps_period(std::span<const Complex> samples, std::size_t samples_per_revo
   // A motion that is held by the shaft may turn this much against it over the recording.
   constexpr double most_deviations = 2, most_turned = 0.02;
   const double bin = 1 / static_cast<double>(std::min(turns, most_resolved_turns));
+  const auto nearest = [&](const DiscreteLine& line) { return std::lround(line.order * period); };
   return std::ranges::all_of(lines, [&](const DiscreteLine& line) {
-    const double place = line.order * period, off = std::abs(place - std::round(place)) / period;
-    const bool whole = std::lround(place) % period == 0;
-    return whole || off > bin || off <= most_deviations * line.order_uncertainty + most_turned * bin;
+    const double off = std::abs(line.order - static_cast<double>(nearest(line)) / period);
+    const bool whole = nearest(line) % period == 0;
+    if (whole || off > bin || off <= most_deviations * line.order_uncertainty + most_turned * bin)
+      return true;
+    // Sidebands of a line that swings stand beside it.
+    return std::ranges::any_of(lines, [&](const DiscreteLine& larger) {
+      return nearest(larger) == nearest(line) && larger.amplitude_m > line.amplitude_m;
+    });
   });
 }
 

@@ -26,8 +26,8 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const std::complex<double>
                                             double least_m, response::spectrum::SpectrumWorkspace& workspace);
 
 /// Whether the visible lines of a motion that stand within a bin of a multiple of 1 / period may stand there:
-/// within two standard uncertainties and a fiftieth of a turn over the recording. Lines nearest to a whole
-/// order count for nothing.
+/// within two standard uncertainties and a fiftieth of a turn over the recording. Of the lines about one
+/// multiple the largest counts, lines nearest to a whole order count for nothing.
 bool keeps_period(std::span<const std::complex<double>> samples, std::size_t samples_per_revolution,
                   const Reading& reading, int period, double visible_m,
                   response::spectrum::SpectrumWorkspace& workspace);
