@@ -21,7 +21,6 @@
 #include "rubsweep_arguments.hpp"
 #include "shared/child_process.hpp"
 #include "shared/exit_code.hpp"
-#include "shared/forecast.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
 #include "shared/missing_cells.hpp"
@@ -55,7 +54,7 @@ std::string shard_is_done(const RubsweepArguments& arguments, const sweep::Grid&
 
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   refuse_fading(arguments, config.study);
-  report::refuse_more_memory_than(machine_memory_bytes(), config.study,
+  report::refuse_more_memory_than(batch::machine_memory_bytes(), config.study,
                                   {batch::thread_count(arguments.threads)});
   batch::require_threads(arguments.threads, 1);
   const std::filesystem::path output = arguments.output.value_or(config.output_directory);

@@ -22,6 +22,7 @@
 #include "rubsweep/analysis/trace/trace_run.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
 #include "rubsweep/maps/config/cell_config.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
@@ -32,7 +33,6 @@
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
 #include "rubtrace_arguments.hpp"
 #include "shared/exit_code.hpp"
-#include "shared/forecast.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
 #include "shared/premises.hpp"
@@ -74,7 +74,7 @@ int cannot_start(scene::Start start) {
 void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::size_t stops,
                                       Eigen::Index coordinates) {
   const double needed = trace::trace_bytes(options, stops, coordinates),
-               there = static_cast<double>(machine_memory_bytes());
+               there = static_cast<double>(batch::machine_memory_bytes());
   if (needed <= there) return;
   throw ConfigError(fmt::format(
       "--revolutions: {} revolutions take about {:.3g} GB of memory, this machine has {:.3g} GB, allowed: "

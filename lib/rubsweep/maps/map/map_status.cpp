@@ -78,7 +78,8 @@ std::size_t cells_in(const Finished& finished, const std::string& name) {
 
 /// State of the process that writes a journal: the processes of MPI write one each, and the first of them
 /// alone holds a lock.
-std::string work_on(const std::string& name, const Holders& holders, const Finished& before, const Finished& now) {
+std::string work_on(const std::string& name, const Holders& holders, const Finished& before,
+                    const Finished& now) {
   const std::string rate = rate_text(cells_in(before, name), cells_in(now, name));
   if (const auto holder = holders.find(name); holder != holders.end())
     return "at work: " + holder->second + rate;
