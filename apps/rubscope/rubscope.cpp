@@ -76,7 +76,7 @@ int look(const RubscopeArguments& arguments) {
     throw ConfigError(file.string() +
                       ": the speed changes, allowed with --compare: a steady one, or from_s and to_s");
   scope::Verdict verdict;
-  if (!changing) verdict = scope::judge(recording, arguments.least_line);
+  if (!changing) verdict = scope::judge(recording, arguments.thresholds);
   scope::ScopeTables tables = changing
                                   ? scope::tables_of_run(recording, arguments.orders, arguments.shown)
                                   : scope::tables_of(recording, verdict, arguments.orders, arguments.shown);

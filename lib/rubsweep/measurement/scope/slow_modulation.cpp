@@ -14,7 +14,7 @@ using Complex = std::complex<double>;
 using std::numbers::pi;
 
 constexpr std::size_t fewest_levelled = 4, periods_a_cosine = 8;
-constexpr double most_of_a_line = 0.2, most_of_the_motion = 0.1, most_drift = 0.5;
+constexpr double most_drift = 0.5;
 
 /// Slow part of some values about their mean.
 std::vector<double> slow_part(const std::vector<double>& values) {
@@ -41,8 +41,7 @@ struct Slow {
   double square = 0;  ///< mean
 };
 
-/// Slow part, empty where its mean square is above a bound.
-Slow slow_part_within(const std::vector<Complex>& amplitudes, double bound) {
+Slow slow_part_of(const std::vector<Complex>& amplitudes) {
   std::vector<double> real, imaginary;
   for (const Complex a : amplitudes) {
     real.push_back(a.real());
@@ -55,7 +54,7 @@ Slow slow_part_within(const std::vector<Complex>& amplitudes, double bound) {
     slow.amplitudes.emplace_back(real[j], imaginary[j]);
     slow.square += std::norm(slow.amplitudes.back()) / static_cast<double>(real.size());
   }
-  return slow.square <= bound ? slow : Slow{};
+  return slow;
 }
 
 Complex mean_of(const std::vector<Complex>& amplitudes) {
@@ -95,7 +94,7 @@ void add_line(const std::vector<Complex>& amplitudes, int order, std::size_t len
 }  // namespace
 
 Levelled without_slow_modulation(std::span<const Complex> samples, int samples_per_revolution, int period,
-                                 double most_order, std::size_t repeats) {
+                                 double most_order, double most_modulation, std::size_t repeats) {
   Levelled levelled{.samples = {samples.begin(), samples.end()}};
   const auto length = static_cast<std::size_t>(period * samples_per_revolution);
   const auto whole = std::span(levelled.samples).last(samples.size() / length * length);
@@ -114,18 +113,25 @@ Levelled without_slow_modulation(std::span<const Complex> samples, int samples_p
   }
   std::vector<Complex> taken(whole.size());
   const auto centre = static_cast<std::size_t>(last);
-  double squares = 0;
+  const double most_of_a_line = std::min(2 * most_modulation, 1.0);
+  double squares = 0, refused = 0;
   for (std::size_t i = 0; i < lines; ++i) {
     const double bound = i == centre ? most_drift * most_drift * energy
                                      : most_of_a_line * most_of_a_line * std::norm(mean_of(amplitudes[i]));
-    const Slow slow =
-        slow_part_within(repeats > 1 ? without_repetition(amplitudes[i], repeats) : amplitudes[i], bound);
-    if (slow.amplitudes.empty()) continue;
+    const Slow slow = slow_part_of(repeats > 1 ? without_repetition(amplitudes[i], repeats) : amplitudes[i]);
+    if (!(slow.square <= bound)) {
+      if (i != centre) refused += slow.square;
+      continue;
+    }
     add_line(slow.amplitudes, static_cast<int>(i) - last, length, taken);
     // A gap voltage that drifts is no motion.
     if (i != centre) squares += slow.square;
   }
-  if (!(squares <= most_of_the_motion * most_of_the_motion * energy)) return levelled;
+  levelled.refused_m = std::sqrt(refused);
+  if (!(squares <= most_modulation * most_modulation * energy)) {
+    levelled.refused_m = std::sqrt(refused + squares);
+    return levelled;
+  }
   for (std::size_t k = 0; k < taken.size(); ++k) whole[k] -= taken[k];
   levelled.modulation_m = std::sqrt(squares);
   return levelled;
