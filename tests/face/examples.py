@@ -25,6 +25,7 @@ output.write_text(
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <exception>
 #include <filesystem>

@@ -9,15 +9,15 @@
 #include "rubsweep/measurement/diagnose/drawn_machine.hpp"
 #include "rubsweep/measurement/diagnose/spread.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::diagnosis {
 
 /// A rotor as far as it is known.
 struct DiagnosedMachine {
   diagnose::FixedNumbers fixed{};
   diagnose::Spread natural_frequency_hz{}, damping_ratio{};  ///< of a Jeffcott rotor
   std::optional<diagnose::Spread> eccentricity_m{};          ///< unbalance, where it was fitted
-  std::vector<std::string> remarks{};  ///< where an interval comes from when it is not the file's
-  std::string text{};                  ///< of all files that were read
+  std::vector<std::string> remarks{};   ///< where an interval comes from when it is not the file's
+  std::string text{};                   ///< of all files that were read
   std::vector<model::RotorKit> kits{};  ///< of a rotor kit: draws of what is not known
 };
 
@@ -31,4 +31,4 @@ DiagnosedMachine read_diagnosed_machine(const std::filesystem::path& file, std::
 /// as diagnose::known_kit.
 void prepare_kits(const std::filesystem::path& file, double speed_hz, DiagnosedMachine& diagnosed);
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::diagnosis

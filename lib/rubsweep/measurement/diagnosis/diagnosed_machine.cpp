@@ -1,4 +1,4 @@
-#include "diagnosed_machine.hpp"
+#include "rubsweep/measurement/diagnosis/diagnosed_machine.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "rubsweep/measurement/diagnose/fitted_parameters.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
 
-namespace rubsweep::apps {
+namespace rubsweep::diagnosis {
 namespace {
 
 namespace fs = std::filesystem;
@@ -165,4 +165,4 @@ DiagnosedMachine read_diagnosed_machine(const fs::path& file, std::uint64_t seed
   return diagnosed;
 }
 
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::diagnosis
