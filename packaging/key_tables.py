@@ -1,6 +1,7 @@
 """key_tables.py RUBSWEEP RINGSTAB DOCUMENT: writes the tables of keys behind the marker of docs/keys.md anew, as the programs
 print them with --keys."""
 
+import re
 import subprocess
 import sys
 
@@ -14,6 +15,14 @@ def rows(text):
     return [(lines[i], lines[i + 1].strip(), *_facts(lines[i + 2].strip())) for i in range(0, len(lines) - 2, 3)]
 
 
+def _with_unit(allowed, unit):
+    """The unit stands behind the numbers: before what may stand in their place."""
+    if not unit:
+        return allowed
+    numbers, rest = re.match(r"(.*?)((?:, or | with kind).*|)$", allowed).groups()
+    return f"{numbers} {'in ' if numbers.endswith('a number') else ''}{unit}{rest}"
+
+
 def _facts(line):
     """Allowed values with their unit, and the default or `required`, with the version where it is not the first."""
     allowed, unit, fallback, since = "", "", "", ""
@@ -21,12 +30,12 @@ def _facts(line):
         if i == 0:
             allowed = part
         elif part.startswith("in "):
-            unit = f" {part[3:]}"
+            unit = part[3:]
         elif part.startswith("since "):
             since = f" ({part})"
         else:
             fallback = part[len("default "):] if part.startswith("default ") else part
-    return allowed + unit, (fallback + since).strip()
+    return _with_unit(allowed, unit), (fallback + since).strip()
 
 
 def tables(text):

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "rubsweep/maps/config/keys/ring_form.hpp"
+#include "rubsweep/ring/read_ring_config.hpp"
 #include "shared/command_line.hpp"
 #include "shared/key_questions.hpp"
 
@@ -32,7 +32,7 @@ RingstabArguments parse_ringstab_arguments(int argc, const char* const* argv) {
     verification.quiet = given.count("quiet") != 0;
     return verification;
   }
-  if (auto answer = key_answer(given, config::keys::ring_form(), "Configuration of ringstab")) {
+  if (auto answer = key_answer(given, config::ring::ring_form(), "Configuration of ringstab")) {
     RingstabArguments question;
     question.key_answer = std::move(answer);
     return question;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "map_options.hpp"
-#include "rubsweep/maps/config/keys/run_form.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"
 #include "rubsweep/maps/config/templates/templates.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 #include "rubsweep/maps/report/map_columns.hpp"
@@ -27,17 +27,18 @@ po::options_description visible_options() {
   add_map_files(options);
   add_threads(options, "threads; 0: one per processor");
   add_set(options);
-  options.add_options()("init", po::value<std::string>()->value_name("KIND"),
-                        "instead: print a commented configuration to begin with: one_side, both_sides, annular, "
-                        "rotor_kit or ross")(
-      "motion-kinds",
-      "instead: print the kinds of motion, their colours and signs, as CSV")(
+  options.add_options()(
+      "init", po::value<std::string>()->value_name("KIND"),
+      "instead: print a commented configuration to begin with: one_side, both_sides, annular, "
+      "rotor_kit or ross")("motion-kinds",
+                           "instead: print the kinds of motion, their colours and signs, as CSV")(
       "status", po::value<std::string>()->value_name("DIR"),
       "instead: say how far the map in DIR is, of which shards, and who is at work")(
       "watch", po::value<std::string>()->value_name("DIR"),
-      "instead: show the map in DIR while it is computed, and what each process does, until nobody is at work")(
-      "export-matrices", po::value<std::string>()->value_name("DIR"),
-      "instead: write the rotor kit as matrices of all its elements into DIR, with a configuration that reads them");
+      "instead: show the map in DIR while it is computed, and what each process does, until nobody is at "
+      "work")("export-matrices", po::value<std::string>()->value_name("DIR"),
+              "instead: write the rotor kit as matrices of all its elements into DIR, with a configuration "
+              "that reads them");
   add_fresh(options);
   options.add_options()(
       "shard", po::value<std::string>()->value_name("I/N"),
@@ -113,7 +114,7 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
     watch.watched = given["watch"].as<std::string>();
     return watch;
   }
-  if (auto answer = key_answer(given, config::keys::run_form(), "Configuration of rubsweep")) {
+  if (auto answer = key_answer(given, config::run_form(), "Configuration of rubsweep")) {
     RubsweepArguments question;
     question.key_answer = std::move(answer);
     return question;
@@ -134,8 +135,10 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
   arguments.progress = progress_of(given);
   read_division(given, arguments);
   if (given.count("export-matrices") != 0) {
-    if (arguments.action != Action::run || arguments.merge || arguments.shard || arguments.report || arguments.figure)
-      throw UsageError("--export-matrices runs nothing: it excludes every other question, --shard and pictures");
+    if (arguments.action != Action::run || arguments.merge || arguments.shard || arguments.report ||
+        arguments.figure)
+      throw UsageError(
+          "--export-matrices runs nothing: it excludes every other question, --shard and pictures");
     arguments.matrices = given["export-matrices"].as<std::string>();
   }
   return arguments;

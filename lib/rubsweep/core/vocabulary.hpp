@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace rubsweep {
 
@@ -20,5 +22,24 @@ inline constexpr auto enumerators_of = [] {
   for (std::size_t i = 0; i < count; ++i) enumerators[i] = static_cast<Enum>(i);
   return enumerators;
 }();
+
+/// Words of a file for the values of an enumeration. Reader and printer share one table.
+template <class Enum, std::size_t count>
+struct Words {
+  std::array<std::string_view, count> texts;
+  std::array<Enum, count> values;
+};
+
+/// The words that `to_string` has for every value of an enumeration.
+template <class Enum>
+constexpr auto words_of() {
+  constexpr auto word = [](Enum value) { return to_string(value); };
+  constexpr auto& values = enumerators_of<Enum, word>;
+  Words<Enum, values.size()> words{{}, values};
+  std::ranges::transform(values, words.texts.begin(), word);
+  return words;
+}
+
+inline constexpr Words<bool, 2> off_or_on{{"off", "on"}, {false, true}};
 
 }  // namespace rubsweep

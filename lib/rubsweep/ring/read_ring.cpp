@@ -12,10 +12,6 @@ using rubsweep::ring::Load;
 using rubsweep::ring::LoadKind;
 using rubsweep::ring::Motion;
 
-constexpr std::array<std::string_view, 2> kinds{"spring_mass", "beam"};
-constexpr yaml::Words<Motion, 3> motions{{"both", "radial", "tangential"},
-                                         {Motion::both, Motion::radial, Motion::tangential}};
-
 Load read_spring_mass(yaml::Section& section, Motion motion) {
   double mass = model::required, radial = model::required, tangential = model::required;
   section.field("mass_kg", mass, motion == Motion::radial ? model::not_negative : model::positive);
@@ -28,11 +24,8 @@ Load read_spring_mass(yaml::Section& section, Motion motion) {
 
 Load read_beam_geometry(const yaml::Value& value, const std::optional<double>& ring_radius_m) {
   yaml::Section section(value);
-  rubsweep::ring::BeamGeometry geometry{model::required, model::required, model::required, model::required};
-  section.field("density_kg_per_m3", geometry.density_kg_per_m3, model::positive);
-  section.field("section_area_m2", geometry.section_area_m2, model::positive);
-  section.field("second_moment_m4", geometry.second_moment_m4, model::positive);
-  section.field("youngs_modulus_pa", geometry.youngs_modulus_pa, model::positive);
+  rubsweep::ring::BeamGeometry geometry;
+  read_fields(section, geometry);
   section.refuse_unknown_keys();
   if (!ring_radius_m) refuse(value, "needs the length of the beam", "beside ring.radius_m");
   if (!section.is_sound()) return {};
@@ -92,18 +85,10 @@ void print_stiffnesses(yaml::Printer& printer, const Load& load) {
   }
 }
 
-constexpr yaml::IntegerRange nodal_diameters{2, 100};
-constexpr model::Range thickness_ratios{.low = 0, .high = 1, .high_open = true};
-
 rubsweep::ring::Ring read_geometry(const yaml::Value& value, int diameters) {
   yaml::Section section(value);
-  rubsweep::ring::RingGeometry geometry{model::required, model::required, model::required, model::required,
-                                        model::required};
-  section.field("radius_m", geometry.radius_m, model::positive);
-  section.field("thickness_m", geometry.thickness_m, model::positive);
-  section.field("width_m", geometry.width_m, model::positive);
-  section.field("density_kg_per_m3", geometry.density_kg_per_m3, model::positive);
-  section.field("youngs_modulus_pa", geometry.youngs_modulus_pa, model::positive);
+  rubsweep::ring::RingGeometry geometry;
+  read_fields(section, geometry);
   section.refuse_unknown_keys();
   if (!section.is_sound()) return {};
   if (geometry.thickness_m >= geometry.radius_m) {
@@ -118,8 +103,7 @@ rubsweep::ring::Ring read_modal(yaml::Section& section, int diameters) {
   section.field("modal_mass_kg", ring.modal_mass_kg, model::positive);
   section.field("thickness_ratio", ring.thickness_ratio, thickness_ratios);
   section.field("radius_m", ring.radius_m, model::positive);
-  section.require_exactly_one(
-      {"modal_stiffness_n_per_m", "natural_frequency_hz", "natural_frequency_rad_per_s"});
+  section.require_exactly_one(stiffness_keys);
   std::optional<double> stiffness, hertz, radians;
   section.field("modal_stiffness_n_per_m", stiffness, model::positive);
   section.field("natural_frequency_hz", hertz, model::positive);
@@ -166,7 +150,7 @@ void print_ring_loads(yaml::Printer& printer, const std::vector<Load>& loads) {
 rubsweep::ring::Ring read_ring(const yaml::Value& value) {
   yaml::Section section(value);
   int diameters = 2;
-  if (section.require("nodal_diameters", describe(nodal_diameters))) {
+  if (section.require("nodal_diameters", yaml::describe(nodal_diameters))) {
     section.field("nodal_diameters", diameters, nodal_diameters);
   }
   rubsweep::ring::Ring ring;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 #include "rubsweep/ring/system.hpp"
@@ -11,6 +14,14 @@ namespace rubsweep::config::ring {
 
 inline constexpr std::size_t max_ring_loads = 64;
 inline constexpr model::Range inclinations{.low = -90, .high = 90};
+inline constexpr std::array<std::string_view, 2> kinds{"spring_mass", "beam"};
+inline constexpr Words<rubsweep::ring::Motion, 3> motions{
+    {"both", "radial", "tangential"},
+    {rubsweep::ring::Motion::both, rubsweep::ring::Motion::radial, rubsweep::ring::Motion::tangential}};
+inline constexpr yaml::IntegerRange nodal_diameters{2, 100};
+inline constexpr model::Range thickness_ratios{.low = 0, .high = 1, .high_open = true};
+inline constexpr std::array<std::string_view, 3> stiffness_keys{
+    "modal_stiffness_n_per_m", "natural_frequency_hz", "natural_frequency_rad_per_s"};
 
 /// `loads`: each of kind spring_mass {mass_kg, radial_stiffness_n_per_m, tangential_stiffness_n_per_m} or
 /// beam, by modal data {radial_mass_kg, flexural_mass_kg, rotary_mass_kg, both stiffnesses} or geometry

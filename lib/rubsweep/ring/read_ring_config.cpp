@@ -23,12 +23,6 @@ namespace {
 
 using rubsweep::ring::Parameter;
 
-constexpr yaml::Words<Parameter, 5> parameters{
-    {"friction_coefficient", "angle_deg", "inclination_deg", "radial_stiffness_n_per_m",
-     "tangential_stiffness_n_per_m"},
-    {Parameter::friction_coefficient, Parameter::angle_deg, Parameter::inclination_deg,
-     Parameter::radial_stiffness_n_per_m, Parameter::tangential_stiffness_n_per_m}};
-
 model::Range range_of(Parameter parameter) {
   switch (parameter) {
     case Parameter::friction_coefficient:
@@ -65,9 +59,6 @@ void check_system(const rubsweep::ring::System& system, const yaml::Section& sec
                             "masses and a friction coefficient with regular inertia");
   }
 }
-
-/// Faster than any rotor turns; far beyond, eigenvalues are rounding.
-constexpr model::Range speeds_rpm{.low = 0, .high = 1e7};
 
 RingConfig read_sections(const yaml::Value& root) {
   yaml::Section section(root, root_form);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/maps/batch/captions.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/study/axis.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
@@ -13,6 +14,14 @@
 #include "rubsweep/ring/study.hpp"
 
 namespace rubsweep::config::ring {
+inline constexpr Words<rubsweep::ring::Parameter, 5> parameters{
+    {"friction_coefficient", "angle_deg", "inclination_deg", "radial_stiffness_n_per_m",
+     "tangential_stiffness_n_per_m"},
+    {rubsweep::ring::Parameter::friction_coefficient, rubsweep::ring::Parameter::angle_deg,
+     rubsweep::ring::Parameter::inclination_deg, rubsweep::ring::Parameter::radial_stiffness_n_per_m,
+     rubsweep::ring::Parameter::tangential_stiffness_n_per_m}};
+/// Faster than any rotor turns; far beyond, eigenvalues are rounding.
+inline constexpr model::Range speeds_rpm{.low = 0, .high = 1e7};
 
 /// `chart`: {parameter, load, over}. `load` counts from 0, without it every load; `over` is an axis (see
 /// axis.hpp).
@@ -31,6 +40,9 @@ struct RingConfig {
 /// Reads a configuration of `ringstab`: ring, loads, friction_coefficient, preload_n (0), speed_rpm, chart
 /// (optional), output. Problems, overrides and errors as in read_run_config.hpp. Speeds are sorted.
 RingConfig read_ring_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// All keys of such a configuration.
+keys::Form ring_form();
 
 /// The same for a text; `name` stands for the file in messages. Throws ConfigError.
 RingConfig read_ring_config_text(std::string_view text, const std::string& name,

@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/core/model/key.hpp"
+
 namespace rubsweep::ring {
 
 inline double square(double x) { return x * x; }
@@ -59,13 +61,32 @@ Load beam(double radial_mass_kg, double flexural_mass_kg, double radial_stiffnes
 
 /// Section and material of a beam of constant section.
 struct BeamGeometry {
-  double density_kg_per_m3, section_area_m2, second_moment_m4, youngs_modulus_pa;
+  double density_kg_per_m3 = model::required, section_area_m2 = model::required,
+         second_moment_m4 = model::required, youngs_modulus_pa = model::required;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    using model::key, model::positive;
+    visit("density_kg_per_m3", self.density_kg_per_m3, key(positive, "density"));
+    visit("section_area_m2", self.section_area_m2, key(positive, "area of the section"));
+    visit("second_moment_m4", self.second_moment_m4, key(positive, "second moment of area"));
+    visit("youngs_modulus_pa", self.youngs_modulus_pa, key(positive, "Young's modulus"));
+  }
 };
 Load beam(const BeamGeometry& geometry, double length_m);
 
 /// Ring of rectangular section, `thickness_m` in the radial direction. radius_m: of the centre line.
 struct RingGeometry {
-  double radius_m, thickness_m, width_m, density_kg_per_m3, youngs_modulus_pa;
+  double radius_m = model::required, thickness_m = model::required, width_m = model::required,
+         density_kg_per_m3 = model::required, youngs_modulus_pa = model::required;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    using model::key, model::positive;
+    visit("radius_m", self.radius_m, key(positive, "mean radius"));
+    visit("thickness_m", self.thickness_m, key(positive, "thickness"));
+    visit("width_m", self.width_m, key(positive, "width"));
+    visit("density_kg_per_m3", self.density_kg_per_m3, key(positive, "density"));
+    visit("youngs_modulus_pa", self.youngs_modulus_pa, key(positive, "Young's modulus"));
+  }
 };
 Ring ring(const RingGeometry& geometry, int nodal_diameters);
 

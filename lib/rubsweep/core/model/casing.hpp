@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
@@ -12,9 +13,11 @@ struct Casing {
   double damping_ratio = required;      ///< of the mount: c / (2 sqrt(k m))
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("mass_kg", self.mass_kg, positive);
-    visit("stiffness_n_per_m", self.stiffness_n_per_m, positive);
-    visit("damping_ratio", self.damping_ratio, not_negative);
+    visit("mass_kg", self.mass_kg, key(positive, "mass of the casing"));
+    visit("stiffness_n_per_m", self.stiffness_n_per_m,
+          key(positive, "stiffness of its mount, the same in x and y"));
+    visit("damping_ratio", self.damping_ratio,
+          key(not_negative, "damping of its mount as a fraction of critical damping"));
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/physical_range.hpp"
 #include "rubsweep/core/model/range.hpp"
 
@@ -15,10 +16,11 @@ struct DiscGeometry {
   double density_kg_per_m3 = required;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("outer_diameter_m", self.outer_diameter_m, physical::diameter_m);
-    visit("inner_diameter_m", self.inner_diameter_m, physical::hole_m);
-    visit("width_m", self.width_m, physical::length_m);
-    visit("density_kg_per_m3", self.density_kg_per_m3, physical::density_kg_per_m3);
+    visit("outer_diameter_m", self.outer_diameter_m, key(physical::diameter_m, "outer diameter of the disc"));
+    visit("inner_diameter_m", self.inner_diameter_m, key(physical::hole_m, "diameter of its bore"));
+    visit("width_m", self.width_m, key(physical::length_m, "width of the disc"));
+    visit("density_kg_per_m3", self.density_kg_per_m3,
+          key(physical::density_kg_per_m3, "density of the disc"));
   }
 
   double mass_kg() const {

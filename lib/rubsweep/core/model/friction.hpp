@@ -5,6 +5,7 @@
 #include <string_view>
 #include <variant>
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
@@ -24,7 +25,9 @@ struct ConstantFriction {
   static constexpr Range coefficient_range{.low = 0, .high = 10};
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("coefficient", self.coefficient, coefficient_range);
+    visit("coefficient", self.coefficient,
+          key(coefficient_range,
+              "dry friction, against the slip; it holds the surfaces together where it can"));
   }
 };
 
@@ -36,7 +39,9 @@ struct OneWayFriction {
   double coefficient = required;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("one_way", self.coefficient, ConstantFriction::coefficient_range);
+    visit("one_way", self.coefficient,
+          newer_key(ConstantFriction::coefficient_range,
+                    "friction in the direction of shaft rotation whatever the slip"));
   }
 };
 
@@ -51,11 +56,14 @@ struct StribeckCurve {
   double viscous_s_per_m = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("static", self.static_coefficient, ConstantFriction::coefficient_range);
-    visit("kinetic", self.kinetic, ConstantFriction::coefficient_range);
-    visit("peak_speed_m_per_s", self.peak_speed_m_per_s, positive);
-    visit("settle_speed_m_per_s", self.settle_speed_m_per_s, positive);
-    visit("viscous_s_per_m", self.viscous_s_per_m, not_negative);
+    visit("static", self.static_coefficient,
+          key(ConstantFriction::coefficient_range, "largest coefficient of a measured curve"));
+    visit("kinetic", self.kinetic, key(ConstantFriction::coefficient_range, "coefficient behind the fall"));
+    visit("peak_speed_m_per_s", self.peak_speed_m_per_s,
+          key(positive, "slip speed of the largest coefficient"));
+    visit("settle_speed_m_per_s", self.settle_speed_m_per_s,
+          key(positive, "slip speed at which the fall has ended"));
+    visit("viscous_s_per_m", self.viscous_s_per_m, key(not_negative, "slope of the coefficient beyond"));
   }
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/range.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::model {
 
@@ -13,13 +15,17 @@ struct HertzBody {
   static constexpr Range poisson_range{.low = 0, .high = 0.5};
 
   static void visit_material(auto& self, auto&& visit) {
-    visit("youngs_modulus_pa", self.youngs_modulus_pa, positive);
-    visit("poisson_ratio", self.poisson_ratio, poisson_range);
+    visit("youngs_modulus_pa", self.youngs_modulus_pa, key(positive, "Young's modulus"));
+    visit("poisson_ratio", self.poisson_ratio, key(poisson_range, "Poisson's ratio"));
   }
 };
 
 enum class HertzShape { cylinder, flat, hole };  ///< the casing's: convex, plane, or around the rotor
 enum class HertzHalfWidth { textbook, paper };   ///< which formula gives the width of the contact
+inline constexpr Words<HertzShape, 3> hertz_shapes{
+    {"cylinder", "flat", "hole"}, {HertzShape::cylinder, HertzShape::flat, HertzShape::hole}};
+inline constexpr Words<HertzHalfWidth, 2> hertz_half_widths{
+    {"textbook", "paper"}, {HertzHalfWidth::textbook, HertzHalfWidth::paper}};
 
 /// Parallel cylinders that touch along a line: where the stiffness of a contact comes from.
 struct HertzLine {
@@ -29,6 +35,25 @@ struct HertzLine {
   HertzShape casing_shape = HertzShape::cylinder;
   double design_force_n = required;  ///< the stiffness is the secant at this force
   HertzHalfWidth half_width = HertzHalfWidth::textbook;
+
+  /// `keys` is the section that is read, the printer or the table of keys (config/keys/table.hpp).
+  static void visit_keys(auto& self, auto& keys) {
+    keys.field("length_m", self.length_m, key(positive, "length of the contact along the shaft"));
+    keys.map("rotor", "surface of the rotor", [&](auto& body) {
+      body.field("radius_m", self.rotor.radius_m, key(positive, "radius of the rotor's surface"));
+      HertzBody::visit_material(self.rotor, fields_into(body));
+    });
+    keys.map("casing", "surface of the casing", [&](auto& body) {
+      body.field("shape", self.casing_shape, key(hertz_shapes, "shape of the casing's surface"));
+      body.beside("shape", {"cylinder", "hole"}, self.casing_shape != HertzShape::flat, [&] {
+        body.field("radius_m", self.casing.radius_m, key(positive, "radius of the casing's surface"));
+      });
+      HertzBody::visit_material(self.casing, fields_into(body));
+    });
+    keys.field("design_force_n", self.design_force_n,
+               key(positive, "force at which the stiffness is the secant"));
+    keys.field("half_width", self.half_width, key(hertz_half_widths, "formula of the width of the contact"));
+  }
 };
 
 }  // namespace rubsweep::model

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
@@ -18,8 +19,12 @@ struct Kick {
   std::optional<double> phase_deg = std::nullopt;  ///< empty: 0
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("force_n", self.force_n, not_negative);
-    visit("duration_s", self.duration_s, positive);
+    visit("force_n", self.force_n, key(not_negative, "largest force of the half-sine pulse"));
+    visit("duration_s", self.duration_s, key(positive, "length of the pulse"));
+    visit("angle_deg", self.angle_deg,
+          key(any_finite, "direction, from +x towards +y", "(wall of the first stop)"));
+    visit("phase_deg", self.phase_deg,
+          key(any_finite, "how far the shaft has turned on from the smallest gap when it comes", "0"));
   }
 };
 

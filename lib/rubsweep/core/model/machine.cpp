@@ -15,7 +15,7 @@ namespace rubsweep::model {
 namespace {
 
 auto requiring(std::string prefix) {
-  return [prefix = std::move(prefix)](const char* name, double value, const Range& range) {
+  return [prefix = std::move(prefix)](const char* name, const auto& value, const Range& range) {
     require(prefix + name, value, range);
   };
 }
@@ -26,24 +26,12 @@ void validate(const Friction& friction, const std::string& path) {
 }
 
 void validate(const ContactDamping& damping, const std::string& path) {
-  std::visit(overloaded{[&](const NominalRestitution& nominal) {
-                          require(path + "restitution", nominal.value, Stop::restitution_range);
-                        },
-                        [&](const DeliveredRestitution& delivered) {
-                          require(path + "restitution_delivered", delivered.value,
-                                  Stop::restitution_delivered_range);
-                        },
-                        [&](const RestitutionByRotorMass& printed) {
-                          require(path + "restitution_by_rotor_mass", printed.value, Stop::restitution_range);
-                        },
-                        [&](const ExplicitDamping& given) {
-                          require(path + "damping_ns_per_m", given.damping_ns_per_m, not_negative);
-                        }},
+  std::visit([&](const auto& given) { std::decay_t<decltype(given)>::visit_fields(given, requiring(path)); },
              damping);
 }
 
 void validate(const OneSideGeometry& flat, double, const std::string& path) {
-  require(path + "angle_deg", flat.angle_deg, any_finite);
+  OneSideGeometry::visit_fields(flat, requiring(path));
 }
 
 void validate(const AnnularGeometry& annular, double clearance_m, const std::string& path) {
@@ -58,27 +46,20 @@ void validate(const AnnularGeometry& annular, double clearance_m, const std::str
 void validate(const Stop& stop, const std::string& path) {
   std::visit([&](const auto& geometry) { validate(geometry, stop.clearance_m, path); }, stop.geometry);
   Stop::visit_fields(stop, requiring(path));
-  if (stop.contact_mass_kg) require(path + "contact_mass_kg", *stop.contact_mass_kg, positive);
+  Stop::visit_mass(stop, requiring(path));
   validate(stop.damping, path);
   validate(stop.friction, path + "friction.");
   if (stop.casing) Casing::visit_fields(*stop.casing, requiring(path + "casing."));
 }
 
-void validate(const BodyState& body, const std::string& path) {
-  BodyState::visit_fields(body,
-                          [&](const char* name, const std::optional<double>& value, const Range& range) {
-                            if (value) require(path + name, *value, range);
-                          });
-}
-
 void validate(const Start& start, const Machine& machine) {
-  validate(start.rotor, "start.");
+  BodyState::visit_fields(start.rotor, requiring("start."));
   for (std::size_t i = 0; i < start.casings.size(); ++i) {
     if (!start.casings[i]) continue;
     const std::string path = fmt::format("start.casings.{}", i);
     if (i >= machine.stops.size() || !machine.stops[i].casing)
       throw ConfigError(path + ": there is no such casing, or it is rigid, allowed: a casing that moves");
-    validate(*start.casings[i], path + ".");
+    BodyState::visit_fields(*start.casings[i], requiring(path + "."));
   }
   if (machine.kick) throw ConfigError("start: is given beside a kick, allowed: one of the two");
 }
@@ -91,7 +72,8 @@ void validate_position(const Machine& machine, const std::optional<double>& posi
     if (position_m)
       throw ConfigError(path + ": a Jeffcott rotor has no places along its shaft, allowed: nothing");
   } else if (position_m || needed) {
-    require(path, position_m.value_or(required), Range{.low = 0, .high = furthest_place_m(shaft_length_m(*kit))});
+    require(path, position_m.value_or(required),
+            Range{.low = 0, .high = furthest_place_m(shaft_length_m(*kit))});
   }
 }
 
@@ -116,8 +98,6 @@ void validate(const Machine& machine) {
   }
   if (machine.kick) {
     Kick::visit_fields(*machine.kick, requiring("kick."));
-    if (machine.kick->angle_deg) require("kick.angle_deg", *machine.kick->angle_deg, any_finite);
-    if (machine.kick->phase_deg) require("kick.phase_deg", *machine.kick->phase_deg, any_finite);
     validate_position(machine, machine.kick->position_m, false, "kick.position_m");
   }
   require("gravity_m_per_s2", machine.gravity_m_per_s2, not_negative);

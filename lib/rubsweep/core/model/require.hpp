@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "rubsweep/core/model/range.hpp"
@@ -15,5 +16,10 @@ struct PartProblem {
 
 /// Throws ConfigError that names the key `path` where `value` is missing (NaN) or outside of the range.
 void require(const std::string& path, double value, const Range& range);
+
+/// The same where there is a value.
+inline void require(const std::string& path, const std::optional<double>& value, const Range& range) {
+  if (value) require(path, *value, range);
+}
 
 }  // namespace rubsweep::model

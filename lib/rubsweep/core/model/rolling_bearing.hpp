@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
@@ -17,10 +18,12 @@ struct RollingBearing {
   static constexpr double most_balls = 1000;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("pitch_diameter_m", self.pitch_diameter_m, positive);
-    visit("ball_diameter_m", self.ball_diameter_m, positive);
-    visit("balls", self.balls, Range{.low = 1, .high = most_balls});
-    visit("contact_angle_deg", self.contact_angle_deg, Range{.low = 0, .high = 90, .high_open = true});
+    visit("pitch_diameter_m", self.pitch_diameter_m,
+          key(positive, "diameter of the circle of the balls' centres"));
+    visit("ball_diameter_m", self.ball_diameter_m, key(positive, "diameter of a ball"));
+    visit("balls", self.balls, key(Range{.low = 1, .high = most_balls}, "number of balls"));
+    visit("contact_angle_deg", self.contact_angle_deg,
+          key(Range{.low = 0, .high = 90, .high_open = true}, "contact angle"));
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
@@ -17,10 +18,15 @@ struct JeffcottRotor {
   double rotating_damping_ratio = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("mass_kg", self.mass_kg, positive);
-    visit("natural_frequency_hz", self.natural_frequency_hz, positive);
-    visit("damping_ratio", self.damping_ratio, not_negative);
-    visit("rotating_damping_ratio", self.rotating_damping_ratio, not_negative);
+    visit("mass_kg", self.mass_kg, key(positive, "mass of the disc: the modal mass there"));
+    visit("natural_frequency_hz", self.natural_frequency_hz,
+          key(positive, "undamped natural frequency, sqrt(k/m)/(2 pi)"));
+    visit(
+        "damping_ratio", self.damping_ratio,
+        key(not_negative, "damping as a fraction of critical damping, c / (2 sqrt(k m)); of a kit by mode"));
+    visit("rotating_damping_ratio", self.rotating_damping_ratio,
+          newer_key(not_negative,
+                    "the same of the damping that turns with the shaft, in its material and joints"));
   }
 };
 

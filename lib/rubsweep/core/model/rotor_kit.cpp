@@ -18,10 +18,6 @@
 namespace rubsweep::model {
 namespace {
 
-void require(const std::string& path, const std::optional<double>& value, const Range& range) {
-  if (value) require(path, *value, range);
-}
-
 template <class Part>
 void require_fields(const Part& part, const std::string& path) {
   Part::visit_fields(part, [&](const char* name, const auto& value, const Range& range) {
@@ -43,7 +39,8 @@ void require_parts(const std::vector<Part>& parts, const std::string& path, cons
     const std::string name = fmt::format("{}{}.{}.", path, list, i);
     Part::visit_fields(parts[i], [&](const char* key, const auto& value, const Range& range) {
       if (key != std::string_view("position_m")) return require(name + key, value, range);
-      if (is_on_shaft(parts[i])) require(name + key, value, Range{.low = 0, .high = furthest_place_m(length_m)});
+      if (is_on_shaft(parts[i]))
+        require(name + key, value, Range{.low = 0, .high = furthest_place_m(length_m)});
     });
   }
 }

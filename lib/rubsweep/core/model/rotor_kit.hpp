@@ -6,10 +6,12 @@
 #include <variant>
 #include <vector>
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/physical_range.hpp"
 #include "rubsweep/core/model/range.hpp"
 #include "rubsweep/core/model/shaft_segment.hpp"
 #include "rubsweep/core/model/support.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::model {
 
@@ -29,14 +31,22 @@ struct Disc {
   double skew_phase_deg = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("position_m", self.position_m, not_negative);
-    visit("mass_kg", self.mass_kg, physical::mass_kg);
-    visit("polar_inertia_kg_m2", self.polar_inertia_kg_m2, physical::inertia_kg_m2);
-    visit("diametral_inertia_kg_m2", self.diametral_inertia_kg_m2, physical::inertia_kg_m2);
-    visit("eccentricity_ratio", self.eccentricity_ratio, physical::per_eccentricity);
-    visit("eccentricity_phase_deg", self.eccentricity_phase_deg, any_finite);
-    visit("skew_rad_per_m", self.skew_rad_per_m, physical::per_eccentricity);
-    visit("skew_phase_deg", self.skew_phase_deg, any_finite);
+    visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
+    visit("mass_kg", self.mass_kg, key(physical::mass_kg, "mass of the disc"));
+    visit("polar_inertia_kg_m2", self.polar_inertia_kg_m2,
+          key(physical::inertia_kg_m2, "moment of inertia about the axis"));
+    visit("diametral_inertia_kg_m2", self.diametral_inertia_kg_m2,
+          key(physical::inertia_kg_m2, "moment of inertia about a diameter"));
+    visit("eccentricity_ratio", self.eccentricity_ratio,
+          key(physical::per_eccentricity,
+              "distance of the centre of mass from the axis, per metre of the cell's eccentricity"));
+    visit("eccentricity_phase_deg", self.eccentricity_phase_deg,
+          key(any_finite, "angle of that distance from the mark on the shaft, with the rotation"));
+    visit(
+        "skew_rad_per_m", self.skew_rad_per_m,
+        key(physical::per_eccentricity, "lean of the axis of inertia, per metre of the cell's eccentricity"));
+    visit("skew_phase_deg", self.skew_phase_deg,
+          key(any_finite, "angle of that lean from the mark on the shaft"));
   }
 };
 
@@ -47,9 +57,10 @@ struct PointMass {
   std::optional<double> mass_y_kg = std::nullopt;  ///< of the motion in y, where it is another than in x
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("position_m", self.position_m, not_negative);
-    visit("mass_kg", self.mass_kg, physical::mass_kg);
-    visit("mass_y_kg", self.mass_y_kg, physical::mass_kg);
+    visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
+    visit("mass_kg", self.mass_kg, key(physical::mass_kg, "mass"));
+    visit("mass_y_kg", self.mass_y_kg,
+          key(physical::mass_kg, "mass of the motion in y, where it is another", "mass_kg"));
   }
 };
 
@@ -59,8 +70,9 @@ struct Housing {
   std::optional<double> mass_y_kg = std::nullopt;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("mass_kg", self.mass_kg, physical::moving_mass_kg);
-    visit("mass_y_kg", self.mass_y_kg, physical::moving_mass_kg);
+    visit("mass_kg", self.mass_kg, key(physical::moving_mass_kg, "mass"));
+    visit("mass_y_kg", self.mass_y_kg,
+          key(physical::moving_mass_kg, "mass of the motion in y, where it is another", "mass_kg"));
   }
 };
 
@@ -91,20 +103,35 @@ struct Coupling {
   double stiff_axis_phase_deg = 0;  ///< from the mark on the shaft
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("position_m", self.position_m, positive);
-    visit("lateral_stiffness_n_per_m", self.lateral_stiffness_n_per_m, physical::holding_stiffness);
-    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, physical::holding_stiffness);
-    visit("parallel_offset_m", self.parallel_offset_m, physical::amplitude_m);
-    visit("parallel_phase_deg", self.parallel_phase_deg, any_finite);
-    visit("angular_offset_rad", self.angular_offset_rad, physical::tilt_rad);
-    visit("angular_phase_deg", self.angular_phase_deg, any_finite);
-    visit("parallel_misalignment_m", self.parallel_misalignment_m, physical::amplitude_m);
-    visit("parallel_misalignment_angle_deg", self.parallel_misalignment_angle_deg, any_finite);
-    visit("angular_misalignment_rad", self.angular_misalignment_rad, physical::tilt_rad);
-    visit("angular_misalignment_angle_deg", self.angular_misalignment_angle_deg, any_finite);
-    visit("lateral_asymmetry_ratio", self.lateral_asymmetry_ratio, asymmetry_range);
-    visit("angular_asymmetry_ratio", self.angular_asymmetry_ratio, asymmetry_range);
-    visit("stiff_axis_phase_deg", self.stiff_axis_phase_deg, any_finite);
+    visit("position_m", self.position_m, key(positive, "place inside the shaft"));
+    visit("lateral_stiffness_n_per_m", self.lateral_stiffness_n_per_m,
+          key(physical::holding_stiffness, "stiffness against displacement of its ends"));
+    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad,
+          key(physical::holding_stiffness, "stiffness against tilting of its ends"));
+    visit("parallel_offset_m", self.parallel_offset_m,
+          key(physical::amplitude_m, "distance of the axes of halves that are bored off their centres"));
+    visit("parallel_phase_deg", self.parallel_phase_deg,
+          key(any_finite, "angle of that distance from the mark on the shaft"));
+    visit("angular_offset_rad", self.angular_offset_rad,
+          key(physical::tilt_rad, "lean of the axis of the end behind it"));
+    visit("angular_phase_deg", self.angular_phase_deg,
+          key(any_finite, "angle of that lean from the mark on the shaft"));
+    visit("parallel_misalignment_m", self.parallel_misalignment_m,
+          key(physical::amplitude_m,
+              "distance at which the machine behind it stands beside the one before it"));
+    visit("parallel_misalignment_angle_deg", self.parallel_misalignment_angle_deg,
+          key(any_finite, "direction of that distance, from +x towards +y"));
+    visit("angular_misalignment_rad", self.angular_misalignment_rad,
+          key(physical::tilt_rad, "lean of the axis of the machine behind it"));
+    visit("angular_misalignment_angle_deg", self.angular_misalignment_angle_deg,
+          key(any_finite, "direction of that lean, from +x towards +y"));
+    visit("lateral_asymmetry_ratio", self.lateral_asymmetry_ratio,
+          key(asymmetry_range,
+              "share by which the lateral stiffness is larger along its stiff axis, and smaller across it"));
+    visit("angular_asymmetry_ratio", self.angular_asymmetry_ratio,
+          key(asymmetry_range, "the same of the angular stiffness"));
+    visit("stiff_axis_phase_deg", self.stiff_axis_phase_deg,
+          key(any_finite, "angle of the stiff axis from the mark on the shaft"));
   }
 };
 
@@ -115,9 +142,9 @@ struct StaticLoad {
   double force_y_n = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("position_m", self.position_m, not_negative);
-    visit("force_x_n", self.force_x_n, physical::force_n);
-    visit("force_y_n", self.force_y_n, physical::force_n);
+    visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
+    visit("force_x_n", self.force_x_n, key(physical::force_n, "force in x"));
+    visit("force_y_n", self.force_y_n, key(physical::force_n, "force in y"));
   }
 };
 
@@ -142,8 +169,10 @@ struct Torsion {
   double drive_damping_nms_per_rad = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("drive_stiffness_nm_per_rad", self.drive_stiffness_nm_per_rad, physical::holding_stiffness);
-    visit("drive_damping_nms_per_rad", self.drive_damping_nms_per_rad, physical::damping);
+    visit("drive_stiffness_nm_per_rad", self.drive_stiffness_nm_per_rad,
+          key(physical::holding_stiffness, "stiffness between rotor and drive"));
+    visit("drive_damping_nms_per_rad", self.drive_damping_nms_per_rad,
+          key(physical::damping, "damping between rotor and drive"));
   }
 };
 
@@ -153,8 +182,8 @@ struct Sensor {
   double angle_deg = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("position_m", self.position_m, not_negative);
-    visit("angle_deg", self.angle_deg, any_finite);
+    visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
+    visit("angle_deg", self.angle_deg, key(any_finite, "direction it looks in, from +x towards +y"));
   }
 };
 
@@ -188,6 +217,30 @@ struct RotorKit {
   static constexpr int most_modes = 40;
   static constexpr int most_elements = 400;
   static constexpr int most_parts = 400;  ///< of each list
+
+  /// Keys beside the parts.
+  static void visit_fields(auto& self, auto&& visit) {
+    constexpr Words<bool, 2> origins{{"axis", "sag"}, {false, true}};
+    constexpr NumberOrList ratios{damping_ratio_range, most_parts};
+    visit("damping_ratio", self.damping_ratio,
+          key(ratios, "structural damping, of mode 1, 2, ...; the last value goes on", "0"));
+    visit("rotating_damping_ratio", self.rotating_damping_ratio,
+          newer_key(ratios, "the same of the damping that turns with the shaft; not beside pedestals", "0"));
+    visit("mass_damping_per_s", self.mass_damping_per_s,
+          newer_key(physical::rate_per_s,
+                    "damping of shaft, discs and point masses: so many times their mass"));
+    visit("clearances_from", self.clearances_from_sag,
+          newer_key(
+              origins,
+              "where clearances and displacements count from: the axis, or where weight and loads leave it"));
+    visit("modes", self.modes,
+          key(IntegerOr{{1, most_modes}, "auto"}, "bending modes kept in each plane", "auto"));
+    visit("modes_up_to_hz", self.modes_up_to_hz,
+          key(physical::frequency_hz,
+              "frequency up to which modes: auto compares the reduced rotor with the full one"));
+    visit("elements", self.elements,
+          key(IntegerRange{1, most_elements}, "least number of beam elements along the whole shaft"));
+  }
 };
 
 /// True when the supports leave the shaft, taken as rigid, and the housings no free motion in the plane of x

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/core/model/key.hpp"
+#include "rubsweep/core/model/physical_range.hpp"
 #include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
@@ -37,6 +39,13 @@ struct NodeUnbalance {
   double mass_kg = required;
   double eccentricity_ratio = 1;
   double phase_deg = 0;  ///< from the mark on the shaft, in the direction of rotation
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("mass_kg", self.mass_kg, key(physical::mass_kg, "mass that stands off"));
+    visit("eccentricity_ratio", self.eccentricity_ratio,
+          key(physical::per_eccentricity, "distance from the axis, per metre of the cell's eccentricity"));
+    visit("phase_deg", self.phase_deg, key(any_finite, "angle of that distance"));
+  }
 };
 
 /// Matrices of a rotor by another program: mass q'' + (damping + w gyroscopic) q' + stiffness q = forces at

@@ -3,9 +3,11 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/physical_range.hpp"
 #include "rubsweep/core/model/range.hpp"
 #include "rubsweep/core/model/require.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::model {
 
@@ -15,6 +17,17 @@ enum class ShearCoefficient {
   hutchinson,  ///< Hutchinson, J. Appl. Mech. 68, 2001
   none         ///< no shear: sections stay normal to the axis
 };
+constexpr std::string_view to_string(ShearCoefficient coefficient) {
+  switch (coefficient) {
+    case ShearCoefficient::cowper:
+      return "cowper";
+    case ShearCoefficient::hutchinson:
+      return "hutchinson";
+    case ShearCoefficient::none:
+      return "none";
+  }
+  return "";
+}
 
 /// Round section and material of a segment of shaft, or of a further layer around or inside it. Both ends of
 /// a layer turn with those of its segment.
@@ -37,17 +50,36 @@ struct ShaftLayer {
   bool gyroscopic = true;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("outer_diameter_m", self.outer_diameter_m, physical::diameter_m);
-    visit("inner_diameter_m", self.inner_diameter_m, physical::hole_m);
-    visit("outer_diameter_end_m", self.outer_diameter_end_m, physical::diameter_m);
-    visit("inner_diameter_end_m", self.inner_diameter_end_m, physical::hole_m);
-    visit("stiffness_outer_diameter_m", self.stiffness_outer_diameter_m, physical::diameter_m);
-    visit("stiffness_inner_diameter_m", self.stiffness_inner_diameter_m, physical::hole_m);
-    visit("youngs_modulus_pa", self.youngs_modulus_pa, physical::modulus_pa);
-    visit("shear_modulus_pa", self.shear_modulus_pa, physical::modulus_pa);
-    visit("density_kg_per_m3", self.density_kg_per_m3, physical::density_kg_per_m3);
-    visit("mass_damping_per_s", self.mass_damping_per_s, physical::rate_per_s);
-    visit("stiffness_damping_s", self.stiffness_damping_s, physical::duration_s);
+    visit("outer_diameter_m", self.outer_diameter_m, key(physical::diameter_m, "outer diameter"));
+    visit("inner_diameter_m", self.inner_diameter_m, key(physical::hole_m, "diameter of the bore"));
+    visit("outer_diameter_end_m", self.outer_diameter_end_m,
+          key(physical::diameter_m, "outer diameter at the end, to which it changes linearly", "(no taper)"));
+    visit("inner_diameter_end_m", self.inner_diameter_end_m,
+          key(physical::hole_m, "bore at the end, to which it changes linearly", "(no taper)"));
+    visit("stiffness_outer_diameter_m", self.stiffness_outer_diameter_m,
+          key(physical::diameter_m,
+              "outer diameter that bends and shears, where it is another than that with mass",
+              "outer_diameter_m"));
+    visit("stiffness_inner_diameter_m", self.stiffness_inner_diameter_m,
+          key(physical::hole_m, "bore of the section that bends and shears", "inner_diameter_m"));
+    visit("youngs_modulus_pa", self.youngs_modulus_pa, key(physical::modulus_pa, "Young's modulus"));
+    visit("shear_modulus_pa", self.shear_modulus_pa, key(physical::modulus_pa, "shear modulus"));
+    visit("density_kg_per_m3", self.density_kg_per_m3, key(physical::density_kg_per_m3, "density"));
+    visit("mass_damping_per_s", self.mass_damping_per_s,
+          key(physical::rate_per_s, "damping against motion in space: this times the mass matrix"));
+    visit("stiffness_damping_s", self.stiffness_damping_s,
+          key(physical::duration_s,
+              "damping against bending: this times the stiffness matrix; it does not turn"));
+  }
+
+  /// Keys beside the numbers.
+  static void visit_words(auto& self, auto&& visit) {
+    visit(
+        "shear_coefficient", self.shear_coefficient,
+        newer_key(words_of<ShearCoefficient>(), "formula of the shear coefficient, or a beam without shear"));
+    visit("rotary_inertia", self.rotary_inertia,
+          newer_key(off_or_on, "inertia of the section against tilting"));
+    visit("gyroscopic", self.gyroscopic, newer_key(off_or_on, "gyroscopic moment of the section"));
   }
 };
 
@@ -58,7 +90,7 @@ struct ShaftSegment : ShaftLayer {
   std::vector<ShaftLayer> layers{};  ///< beside the segment's own section, over all of its length
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("length_m", self.length_m, physical::length_m);
+    visit("length_m", self.length_m, key(physical::length_m, "length of the segment"));
     ShaftLayer::visit_fields(self, visit);
   }
 };

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
@@ -15,10 +16,12 @@ struct BodyState {
 
   static void visit_fields(auto& self, auto&& visit) {
     constexpr Range displacement{.low = -1e2, .high = 1e2}, velocity{.low = -1e6, .high = 1e6};
-    visit("x_m", self.x_m, displacement);
-    visit("y_m", self.y_m, displacement);
-    visit("vx_m_per_s", self.vx_m_per_s, velocity);
-    visit("vy_m_per_s", self.vy_m_per_s, velocity);
+    visit("x_m", self.x_m,
+          newer_key(displacement, "displacement in x from the unloaded position", "(quiet whirl)"));
+    visit("y_m", self.y_m,
+          newer_key(displacement, "displacement in y from the unloaded position", "(quiet whirl)"));
+    visit("vx_m_per_s", self.vx_m_per_s, newer_key(velocity, "velocity in x", "(quiet whirl)"));
+    visit("vy_m_per_s", self.vy_m_per_s, newer_key(velocity, "velocity in y", "(quiet whirl)"));
   }
 };
 

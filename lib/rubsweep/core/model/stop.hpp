@@ -7,6 +7,7 @@
 #include "rubsweep/core/model/casing.hpp"
 #include "rubsweep/core/model/friction.hpp"
 #include "rubsweep/core/model/hertz.hpp"
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
@@ -15,6 +16,11 @@ namespace rubsweep::model {
 /// counted from +x towards +y.
 struct OneSideGeometry {
   double angle_deg = required;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("angle_deg", self.angle_deg,
+          key(any_finite, "direction from the rest position to the wall, from +x towards +y"));
+  }
 };
 
 /// Annular stop, a round hole around the rotor. `offset_m` leads from the centre of the hole to the rotor's
@@ -25,22 +31,47 @@ struct AnnularGeometry {
 
 using StopGeometry = std::variant<OneSideGeometry, AnnularGeometry>;
 
+inline constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
+
 /// Sources of the damping constant of a contact; exactly one is given.
 struct NominalRestitution {
   double value = required;  ///< e of the unclamped oscillator; the clamp returns more (physics of ElastoGap)
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("restitution", self.value,
+          key(restitution_range, "nominal restitution, from which the damping constant follows"));
+  }
 };
-/// Nominal restitution with the mass of the rotor alone in d = 2 zeta sqrt(m K), as Ishibashi & Kawai print it (eq. 15).
-/// The reduced mass bounces, so that this damps far more against a light casing.
+/// Nominal restitution with the mass of the rotor alone in d = 2 zeta sqrt(m K), as Ishibashi & Kawai print
+/// it (eq. 15). The reduced mass bounces, so that this damps far more against a light casing.
 struct RestitutionByRotorMass {
   double value = required;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("restitution_by_rotor_mass", self.value,
+          newer_key(restitution_range, "the same with the mass of the rotor alone in d = 2 zeta sqrt(m K)"));
+  }
 };
 struct DeliveredRestitution {
   double value = required;  ///< e that the clamped law really returns in one free impact
+
+  /// The clamped law delivers e^{-4/3} = 0.26360 at critical damping and more below it.
+  static constexpr Range range{.low = 0.2636, .high = 1};
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("restitution_delivered", self.value, key(range, "restitution that a free impact really has"));
+  }
 };
 struct ExplicitDamping {
   double damping_ns_per_m = required;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("damping_ns_per_m", self.damping_ns_per_m,
+          key(not_negative, "damping constant of the contact itself"));
+  }
 };
-using ContactDamping = std::variant<NominalRestitution, DeliveredRestitution, ExplicitDamping, RestitutionByRotorMass>;
+using ContactDamping =
+    std::variant<NominalRestitution, RestitutionByRotorMass, DeliveredRestitution, ExplicitDamping>;
 
 /// One place where the rotor can touch: geometry, contact law and the casing behind it.
 struct Stop {
@@ -59,14 +90,19 @@ struct Stop {
   std::optional<HertzLine> hertz = std::nullopt;  ///< where stiffness_n_per_m came from
                                                   ///< (contact::hertz_stiffness_n_per_m); changes no force
 
-  static constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
-  /// The clamped law delivers e^{-4/3} = 0.26360 at critical damping and more below it.
-  static constexpr Range restitution_delivered_range{.low = 0.2636, .high = 1};
-
   static void visit_fields(auto& self, auto&& visit) {
-    visit("clearance_m", self.clearance_m, positive);
-    visit("stiffness_n_per_m", self.stiffness_n_per_m, positive);
-    visit("contact_radius_m", self.contact_radius_m, not_negative);
+    visit("clearance_m", self.clearance_m,
+          key(positive, "travel of the rotor from its unloaded position to the first touch"));
+    visit("stiffness_n_per_m", self.stiffness_n_per_m, key(positive, "stiffness of the contact"));
+    visit("contact_radius_m", self.contact_radius_m,
+          key(not_negative, "radius of the surface that rubs; its speed is this times the shaft speed"));
+  }
+
+  /// Keys behind those of the damping.
+  static void visit_mass(auto& self, auto&& visit) {
+    visit("contact_mass_kg", self.contact_mass_kg,
+          key(positive, "mass behind a restitution, before it is reduced with the casing's",
+              "(mass of the Jeffcott rotor, or modal mass of a kit's first mode)"));
   }
 };
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/physical_range.hpp"
 #include "rubsweep/core/model/range.hpp"
 #include "rubsweep/core/model/require.hpp"
@@ -20,11 +21,13 @@ struct Pedestal {
   double damping_y_ns_per_m = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("mass_kg", self.mass_kg, physical::moving_mass_kg);
-    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, physical::holding_stiffness);
-    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, physical::holding_stiffness);
-    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, physical::damping);
-    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, physical::damping);
+    visit("mass_kg", self.mass_kg, key(physical::moving_mass_kg, "mass of the housing"));
+    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m,
+          key(physical::holding_stiffness, "stiffness of its mount in x"));
+    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m,
+          key(physical::holding_stiffness, "stiffness of its mount in y"));
+    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, key(physical::damping, "damping of its mount in x"));
+    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, key(physical::damping, "damping of its mount in y"));
   }
 };
 
@@ -40,10 +43,14 @@ struct BearingFault {
   static constexpr double most_per_revolution = 1000;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("impulse_ns", self.impulse_ns, physical::impulse_ns);
-    visit("multiple", self.multiple, Range{.low = 0, .high = most_per_revolution, .low_open = true});
-    visit("angle_deg", self.angle_deg, any_finite);
-    visit("phase_deg", self.phase_deg, Range{.low = 0, .high = 360, .high_open = true});
+    visit("impulse_ns", self.impulse_ns, key(physical::impulse_ns, "impulse of each strike on the shaft"));
+    visit("multiple", self.multiple,
+          key(Range{.low = 0, .high = most_per_revolution, .low_open = true}, "strikes per revolution"));
+    visit("angle_deg", self.angle_deg,
+          key(any_finite, "direction of the strikes from +x towards +y; it does not turn"));
+    visit("phase_deg", self.phase_deg,
+          key(Range{.low = 0, .high = 360, .high_open = true},
+              "when the first strike comes, as a share of 360 of the time between two"));
   }
 };
 
@@ -74,18 +81,25 @@ struct Support {
   std::string name;  ///< name of the element in the file it was read from; for messages
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("position_m", self.position_m, not_negative);
-    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, physical::cross_stiffness);
-    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, physical::cross_stiffness);
-    visit("stiffness_xy_n_per_m", self.stiffness_xy_n_per_m, physical::cross_stiffness);
-    visit("stiffness_yx_n_per_m", self.stiffness_yx_n_per_m, physical::cross_stiffness);
-    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, physical::cross_damping);
-    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, physical::cross_damping);
-    visit("damping_xy_ns_per_m", self.damping_xy_ns_per_m, physical::cross_damping);
-    visit("damping_yx_ns_per_m", self.damping_yx_ns_per_m, physical::cross_damping);
-    visit("mass_x_kg", self.mass_x_kg, physical::added_mass_kg);
-    visit("mass_y_kg", self.mass_y_kg, physical::added_mass_kg);
-    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad, physical::stiffness);
+    visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
+    visit("stiffness_x_n_per_m", self.stiffness_x_n_per_m, key(physical::cross_stiffness, "stiffness in x"));
+    visit("stiffness_y_n_per_m", self.stiffness_y_n_per_m, key(physical::cross_stiffness, "stiffness in y"));
+    visit("stiffness_xy_n_per_m", self.stiffness_xy_n_per_m,
+          key(physical::cross_stiffness, "force in -x per displacement in y"));
+    visit("stiffness_yx_n_per_m", self.stiffness_yx_n_per_m,
+          key(physical::cross_stiffness, "force in -y per displacement in x"));
+    visit("damping_x_ns_per_m", self.damping_x_ns_per_m, key(physical::cross_damping, "damping in x"));
+    visit("damping_y_ns_per_m", self.damping_y_ns_per_m, key(physical::cross_damping, "damping in y"));
+    visit("damping_xy_ns_per_m", self.damping_xy_ns_per_m,
+          key(physical::cross_damping, "force in -x per velocity in y"));
+    visit("damping_yx_ns_per_m", self.damping_yx_ns_per_m,
+          key(physical::cross_damping, "force in -y per velocity in x"));
+    visit("mass_x_kg", self.mass_x_kg,
+          key(physical::added_mass_kg, "mass of fluid that moves with the shaft in x"));
+    visit("mass_y_kg", self.mass_y_kg,
+          key(physical::added_mass_kg, "mass of fluid that moves with the shaft in y"));
+    visit("angular_stiffness_nm_per_rad", self.angular_stiffness_nm_per_rad,
+          key(physical::stiffness, "stiffness against tilting of the shaft, to the ground"));
   }
 };
 

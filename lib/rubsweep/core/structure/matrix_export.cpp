@@ -131,6 +131,7 @@ model::Machine machine_by_matrices(const model::Machine& machine) {
   by_matrices.point_masses.clear();
   by_matrices.housings.clear();
   by_matrices.couplings.clear();
+  by_matrices.mass_damping_per_s = 0;
   model::Machine exported = machine;
   exported.rotor = std::move(by_matrices);
   return exported;

@@ -12,6 +12,12 @@
 
 namespace rubsweep::config {
 
+keys::Key base_of_map() {
+  return newer_key(keys::may(std::string(yaml::base_key), keys::text(),
+                             "file that this map is written over, relative to the one it stands in",
+                             "(none)"));
+}
+
 void refuse_foreign(const yaml::Node& root, std::initializer_list<std::string_view> theirs,
                     std::initializer_list<std::string_view> ours, std::string_view program,
                     yaml::Diagnostics& diagnostics) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
 
@@ -17,6 +18,9 @@ namespace rubsweep::config {
 /// cannot be had.
 yaml::Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
                         const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics);
+
+/// `base` of any map.
+keys::Key base_of_map();
 
 /// Refuses a configuration of another program, of which every key would be unknown: one that has a key of
 /// `theirs` and none of `ours`. Throws ConfigError.

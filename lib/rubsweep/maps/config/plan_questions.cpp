@@ -82,7 +82,7 @@ std::optional<Question> sag_onto_stop(const sweep::Study& study) {
 void add_restitutions(const sweep::Study& study, std::vector<Question>& questions) {
   for (std::size_t i = 0; i < study.machine.stops.size(); ++i) {
     const auto* nominal = std::get_if<model::NominalRestitution>(&study.machine.stops[i].damping);
-    const double least = model::Stop::restitution_delivered_range.low;
+    const double least = model::DeliveredRestitution::range.low;
     if (nominal == nullptr || nominal->value >= least) continue;
     const double ratio = contact::nominal_damping_ratio(nominal->value);
     questions.push_back(

@@ -1,6 +1,7 @@
 #include "rubsweep/maps/config/read_run_config.hpp"
 
 #include "rubsweep/maps/config/file.hpp"
+#include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/output.hpp"
 #include "rubsweep/maps/config/plan_questions.hpp"
 #include "rubsweep/maps/config/study/captions.hpp"
@@ -30,6 +31,14 @@ RunConfig read_sections(const yaml::Value& root) {
 }
 
 }  // namespace
+
+keys::Form run_form() {
+  return keys::map_of(keys::joined({study::caption_keys(),
+                                    {base_of_map()},
+                                    study::study_keys(),
+                                    {keys::must("output", run_output_form(), "where results go")}}),
+                      {study::kick_or_start()});
+}
 
 model::Machine read_machine_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides) {

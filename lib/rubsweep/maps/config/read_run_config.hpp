@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/core/model/machine.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config {
@@ -26,6 +27,9 @@ RunConfig read_run_config(const std::filesystem::path& file, const std::vector<s
 /// ConfigError.
 RunConfig read_run_config_text(std::string_view text, const std::string& name,
                                const std::vector<std::string>& overrides);
+
+/// All keys of such a configuration.
+keys::Form run_form();
 
 /// The machine alone of such a text, without what is refused or asked as a likely slip of units, which would
 /// prepare the machine several times: for many machines of one configuration that was read. Throws

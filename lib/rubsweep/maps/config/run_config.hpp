@@ -16,6 +16,13 @@ struct RunConfig {
   double warn_over_clearances = 10;  ///< cells whose rotor moves farther are counted and warned of
   batch::Captions captions{};
   std::vector<std::string> questions{};  ///< questions about likely slips of units (see unit_slips.hpp)
+
+  /// Keys of `output` beside the directory.
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("warn_over_clearances", self.warn_over_clearances,
+          model::newer_key(model::positive,
+                           "motions beyond so many clearances of the first stop are counted and warned of"));
+  }
 };
 
 }  // namespace rubsweep::config

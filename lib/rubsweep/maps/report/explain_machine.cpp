@@ -58,7 +58,7 @@ std::string explain_damping(const model::Stop& stop, const scene::Contact& conta
     text += fmt::format("; a free impact returns {:.4g} of its speed", contact::delivered_restitution(ratio));
   } else {
     text += fmt::format("; beyond critical, so that a free impact returns less than {:.4g} of its speed",
-                        model::Stop::restitution_delivered_range.low);
+                        model::DeliveredRestitution::range.low);
   }
   return text + ")\n";
 }

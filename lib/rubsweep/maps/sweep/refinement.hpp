@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "rubsweep/core/model/key.hpp"
+
 namespace rubsweep::sweep {
 
 struct Grid;
@@ -13,6 +15,14 @@ struct Grid;
 struct Refinement {
   int levels = 1;  ///< the lattice holds every 2^levels-th cell of each axis, and the last
   int probes = 0;  ///< further cells inside every block of the lattice, so that islands are met
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("levels", self.levels,
+          key(model::IntegerRange{1, 12}, "the map begins with every 2^levels-th cell of both axes",
+              model::needed));
+    visit("probes", self.probes,
+          key(model::IntegerRange{0, 1000}, "further cells inside every block between those lines"));
+  }
 };
 
 /// A cell that was not computed, in a span of labels.

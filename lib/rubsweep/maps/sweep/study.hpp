@@ -7,6 +7,7 @@
 #include "rubsweep/core/integrate/run/options.hpp"
 #include "rubsweep/core/model/machine.hpp"
 #include "rubsweep/core/response/motion/options.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/sweep/basin_sampling.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 #include "rubsweep/maps/sweep/threshold.hpp"
@@ -16,11 +17,22 @@ namespace rubsweep::sweep {
 /// Whether each cell is run again with other kicks to tell how firmly it holds its class (see is_robust and
 /// robust_share).
 enum class Robustness { off, on, probability };
+inline constexpr Words<Robustness, 3> robustness_words{
+    {"off", "on", "probability"}, {Robustness::off, Robustness::on, Robustness::probability}};
 
 /// Kicks beside that of the configuration, for Robustness::probability.
 struct Neighbours {
   int count = 8;       ///< even: half of them weaker, half stronger
   double part = 0.01;  ///< largest relative change of the force, in (0, 1)
+
+  static void visit_fields(auto& self, auto&& visit) {
+    using model::newer_key;
+    visit("robustness_neighbours", self.count,
+          newer_key(model::IntegerRange{2, 1000, true}, "how many other kicks, half of them weaker"));
+    visit("robustness_part", self.part,
+          newer_key(model::Range{.low = 0, .high = 1, .low_open = true, .high_open = true},
+                    "largest relative change of the force"));
+  }
 };
 
 /// Everything that decides the numbers of a map: never paths, threads or times.
@@ -40,6 +52,17 @@ struct Study {
   /// where they are not allowed. The reader of the study sets it, and leaves it empty where nothing varies
   /// keys. Threads may share it.
   std::function<Study(std::span<const KeyValue>)> with_keys{};
+
+  /// Keys of `response` behind those of ResponseOptions.
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("robustness", self.robustness,
+          model::key(robustness_words, "more runs of each cell with other kicks: two, or many"));
+    Neighbours::visit_fields(self.neighbours, visit);
+    visit(
+        "hertz_iterations", self.hertz_iterations,
+        model::newer_key(model::IntegerRange{0, 20},
+                         "how often a cell whose force leaves the range of a hertz stiffness is run again"));
+  }
 };
 
 }  // namespace rubsweep::sweep

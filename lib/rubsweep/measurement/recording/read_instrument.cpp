@@ -19,7 +19,7 @@ using rubsweep::recording::Probe;
 using rubsweep::recording::RunOut;
 
 constexpr std::string_view root_form = "a map with probes, keyphasor or speed_hz, time or sampling_rate_hz";
-constexpr yaml::Words<Mark, 2> marks{{"dark", "bright"}, {Mark::dark, Mark::bright}};
+constexpr Words<Mark, 2> marks{{"dark", "bright"}, {Mark::dark, Mark::bright}};
 
 /// Least angle between two probes, in degrees, as of a simulated pair.
 constexpr double least_angle_deg = 10;
@@ -61,7 +61,7 @@ RunOut read_run_out(const yaml::Value& value) {
   RunOut run_out{model::required, model::required, false};
   section.field("from_s", run_out.from_s, model::any_finite);
   section.field("to_s", run_out.to_s, model::any_finite);
-  constexpr yaml::Words<bool, 2> kinds{{"waveform", "vector"}, {false, true}};
+  constexpr Words<bool, 2> kinds{{"waveform", "vector"}, {false, true}};
   section.field("subtract", run_out.vector, kinds);
   section.refuse_unknown_keys();
   return run_out;

@@ -14,7 +14,12 @@ TEST(Form, SaysWhatIsAllowed) {
   EXPECT_EQ(allowed(list_of(number({}), 6, 6)), "list of 6, each: a number");
   EXPECT_EQ(allowed(list_of(map_of({}), 1, 16)), "list of 1 to 16 maps");
   EXPECT_EQ(allowed(numbered(map_of({}), 16)), "map from numbers, 0 to 15");
-  EXPECT_EQ(allowed(any_of({word({"rigid"}), map_of({}), map_of({})})), "rigid, or map");
+  EXPECT_EQ(allowed(any_of({word({"rigid"}), map_of({}), map_of({})})), "rigid, or a map");
+  EXPECT_EQ(allowed(any_of({map_of({}), map_of({})})), "map");
+  EXPECT_EQ(allowed(any_of({word({"auto"}), integer(1, 40)})), "auto, or an integer from 1 to 40");
+  EXPECT_EQ(allowed(any_of({number({}), list_of(number({}), 1, 9)})),
+            "a number, or a list of 1 to 9 such numbers");
+  EXPECT_EQ(allowed(any_of({text(80), map_of({})})), "a text of at most 80 bytes, or a map");
 }
 
 TEST(Form, NewerKeysSaySo) {

@@ -123,6 +123,8 @@ TEST(MatrixRotor, HasStopsSensorsAndLoadsAtNodesAlone) {
 TEST(MatrixRotor, RefusesPartsThatNeedTheShaftItself) {
   const MatrixFiles files;
   files.write(structure::book_rotor());
+  EXPECT_NE(files.message({"rotor.mass_damping_per_s=2"}).find("is part of what the damping matrix says"),
+            std::string::npos);
   EXPECT_EQ(files.message({"rotor.bow={mode: 1, amplitude_m: 1e-4}"}),
             "--set rotor.bow={mode: 1, amplitude_m: 1e-4}: rotor.bow: needs the shaft's own stiffness, which "
             "matrices do "

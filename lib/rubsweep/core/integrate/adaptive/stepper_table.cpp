@@ -57,20 +57,21 @@ constexpr std::string_view dopri5 = "dopri5 (Dormand-Prince 5(4), dense output o
 constexpr StepperRow make_row(Stepper stepper) {
   switch (stepper) {
     case Stepper::automatic:
-      return {stepper, "auto", dopri5, make<Dopri5OrRosenbrock4>};
+      return {stepper, to_string(stepper), dopri5, make<Dopri5OrRosenbrock4>};
     case Stepper::dopri5:
-      return {stepper, "dopri5", dopri5, make<Dopri5>};
+      return {stepper, to_string(stepper), dopri5, make<Dopri5>};
     case Stepper::cash_karp54:
-      return {stepper, "cash_karp54", "cash_karp54 (order 5(4), states inside a step by re-stepping)",
+      return {stepper, to_string(stepper), "cash_karp54 (order 5(4), states inside a step by re-stepping)",
               make<ReStepping<odeint::runge_kutta_cash_karp54<State>>>};
     case Stepper::rkf78:
-      return {stepper, "rkf78", "rkf78 (order 8(7), states inside a step by re-stepping)",
+      return {stepper, to_string(stepper), "rkf78 (order 8(7), states inside a step by re-stepping)",
               make<ReStepping<odeint::runge_kutta_fehlberg78<State>>>};
     case Stepper::bulirsch_stoer:
-      return {stepper, "bulirsch_stoer",
+      return {stepper, to_string(stepper),
               "bulirsch_stoer (variable order, states inside a step by re-stepping)", make<BulirschStoer>};
     case Stepper::rosenbrock4:
-      return {stepper, "rosenbrock4", "rosenbrock4 (implicit, order 4(3), dense output)", make<Rosenbrock4>};
+      return {stepper, to_string(stepper), "rosenbrock4 (implicit, order 4(3), dense output)",
+              make<Rosenbrock4>};
   }
   return {};
 }

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/range.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::integrate::run {
 
@@ -38,6 +40,24 @@ constexpr std::string_view to_string(Method method) {
   return "";
 }
 
+constexpr std::string_view to_string(Stepper stepper) {
+  switch (stepper) {
+    case Stepper::automatic:
+      return "auto";
+    case Stepper::dopri5:
+      return "dopri5";
+    case Stepper::cash_karp54:
+      return "cash_karp54";
+    case Stepper::rkf78:
+      return "rkf78";
+    case Stepper::bulirsch_stoer:
+      return "bulirsch_stoer";
+    case Stepper::rosenbrock4:
+      return "rosenbrock4";
+  }
+  return "";
+}
+
 constexpr std::string_view to_string(ContactHandling contact) {
   switch (contact) {
     case ContactHandling::located:
@@ -59,6 +79,23 @@ struct SolverOptions {
   static constexpr model::Range relative_tolerance_range{.low = 1e-14, .high = 1e-2};
   static constexpr model::Range smoothing_range = model::positive;
   static constexpr long max_steps_low = 1000;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    using model::key;
+    visit("method", self.method,
+          key(words_of<Method>(),
+              "closed forms and Taylor pieces (exact), steppers (adaptive), or exact wherever it applies "
+              "(auto)"));
+    visit("stepper", self.stepper, key(words_of<Stepper>(), "stepper of the adaptive solver's turns"));
+    visit("contact", self.contact,
+          key(words_of<ContactHandling>(),
+              "changes of contact mode found to rounding, or a law that is blended"));
+    visit("relative_tolerance", self.relative_tolerance,
+          key(relative_tolerance_range, "tolerance of the adaptive solver's turns"));
+    visit("smoothing_m", self.smoothing_m, key(smoothing_range, "width of the blend of contact: smoothed"));
+    visit("max_steps_per_revolution", self.max_steps_per_revolution,
+          key(model::IntegerRange{max_steps_low, 1'000'000'000}, "steps that end a run as step_limit"));
+  }
 };
 
 /// `automatic` takes the implicit stepper where friction alone would change the slip faster than this many

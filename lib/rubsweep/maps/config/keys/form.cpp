@@ -22,6 +22,26 @@ std::string counted(std::size_t least, std::size_t most) {
   return least == most ? std::to_string(most) : fmt::format("{} to {}", least, most);
 }
 
+/// Allowed values beside others, of which `first` is named before.
+std::string one_of_several(const Form& form, const Form& first) {
+  switch (form.kind) {
+    case Kind::integer:
+      return fmt::format("an {}integer from {} to {}", form.even ? "even " : "", form.low, form.high);
+    case Kind::text:
+      return fmt::format("a text of at most {} bytes", form.most);
+    case Kind::list:
+      if (form.forms[0].kind == Kind::number && first.kind == Kind::number &&
+          allowed_number(form.forms[0].range) == allowed_number(first.range))
+        return fmt::format("a list of {} such numbers", counted(form.least, form.most));
+      return "a " + allowed(form);
+    case Kind::map:
+    case Kind::numbered:
+      return "a " + allowed(form);
+    default:
+      return allowed(form);
+  }
+}
+
 Form of_kind(Kind kind) {
   Form form;
   form.kind = kind;
@@ -51,6 +71,7 @@ Form word(std::vector<std::string> words) {
   form.words = std::move(words);
   return form;
 }
+Form one_of(std::span<const std::string_view> words) { return word({words.begin(), words.end()}); }
 Form text(std::size_t most) {
   Form form = of_kind(Kind::text);
   form.most = most;
@@ -94,9 +115,27 @@ Key beside(Key key, Condition when) {
   key.when = std::move(when);
   return key;
 }
+Key newer_key(Key key) {
+  key.since = "0.1.0+";
+  return key;
+}
 std::vector<Key> newer(std::vector<Key> keys) {
-  for (Key& key : keys) key.since = "0.1.0+";
+  for (Key& key : keys) key = newer_key(std::move(key));
   return keys;
+}
+
+Choice either(std::span<const std::string_view> names) {
+  Choice choice;
+  for (const std::string_view name : names) choice.ways.push_back({{std::string(name)}, {}});
+  return choice;
+}
+Choice choice_of(const std::vector<std::vector<Key>>& ways) {
+  Choice choice;
+  for (const std::vector<Key>& keys : ways) {
+    Way& way = choice.ways.emplace_back();
+    for (const Key& key : keys) (key.required ? way.required : way.optional).push_back(key.name);
+  }
+  return choice;
 }
 
 bool is_chosen(const Form& map, std::string_view name) {
@@ -108,7 +147,7 @@ bool is_chosen(const Form& map, std::string_view name) {
 }
 
 std::string allowed(const Form& form) {
-  std::vector<std::string> forms;
+  std::string text;
   switch (form.kind) {
     case Kind::number:
       return allowed_number(form.range);
@@ -127,12 +166,12 @@ std::string allowed(const Form& form) {
       return fmt::format("map from numbers, 0 to {}", form.most - 1);
     case Kind::any_of:
       for (const Form& one : form.forms) {
-        std::string words = allowed(one);
-        if (forms.empty() || forms.back() != words) forms.push_back(std::move(words));
+        std::string more = one_of_several(one, form.forms[0]);
+        if (text != more && !text.ends_with("or " + more)) text += text.empty() ? more : ", or " + more;
       }
-      return fmt::format("{}", fmt::join(forms, ", or "));
+      if (text == one_of_several(form.forms[0], form.forms[0])) text = allowed(form.forms[0]);
   }
-  return "";
+  return text;
 }
 
 }  // namespace rubsweep::config::keys

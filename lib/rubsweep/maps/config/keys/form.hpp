@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,6 +72,7 @@ Form number(const model::Range& range);
 Form integer(long low, long high);
 Form even_integer(long low, long high);
 Form word(std::vector<std::string> words);
+Form one_of(std::span<const std::string_view> words);
 Form text(std::size_t most = 4096);
 Form list_of(Form item, std::size_t least, std::size_t most);
 Form map_of(std::vector<Key> keys, std::vector<Choice> choices = {});
@@ -85,6 +87,12 @@ Key may(std::string name, Form form, std::string meaning, std::string fallback =
 Key beside(Key key, Condition when);
 /// The same keys, known since the version after 0.1.0.
 std::vector<Key> newer(std::vector<Key> keys);
+Key newer_key(Key key);
+
+/// Ways of one key each.
+Choice either(std::span<const std::string_view> names);
+/// Ways of several keys each, of which those without a default are needed.
+Choice choice_of(const std::vector<std::vector<Key>>& ways);
 
 /// Whether a choice of a map says when a key of it is given.
 bool is_chosen(const Form& map, std::string_view name);

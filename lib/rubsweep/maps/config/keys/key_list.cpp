@@ -10,13 +10,52 @@
 namespace rubsweep::config::keys {
 namespace {
 
-void add_row(std::vector<KeyRow>& rows, KeyRow row) {
-  const auto same = std::ranges::find(rows, row.path, &KeyRow::path);
-  if (same == rows.end()) {
-    rows.push_back(std::move(row));
-  } else if (same->allowed != row.allowed) {
-    same->allowed += " or " + row.allowed;
+/// A row, and what may stand there beside which kinds of the map that holds the key.
+struct Merged {
+  KeyRow row;
+  struct Case {
+    Form form;
+    std::string kind;  ///< empty: none is named
+  };
+  std::vector<Case> cases;
+};
+
+std::string allowed_in(const std::vector<Merged::Case>& cases) {
+  const bool words = std::ranges::all_of(cases, [](const auto& one) { return one.form.kind == Kind::word; });
+  Form all = cases[0].form;
+  if (words && cases.size() > 1) {
+    for (const auto& one : cases) {
+      for (const std::string& more : one.form.words)
+        if (std::ranges::count(all.words, more) == 0) all.words.push_back(more);
+    }
+    return allowed(all);
   }
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (const auto& [form, kind] : cases) {
+    const std::string text = allowed(form);
+    const auto same = std::ranges::find(texts, text, &std::pair<std::string, std::string>::first);
+    if (same == texts.end()) texts.emplace_back(text, kind);
+  }
+  std::string result = texts[0].first;
+  for (std::size_t i = 1; i < texts.size(); ++i) {
+    result += texts[i - 1].second.empty() ? ", or "
+                                          : fmt::format(" with kind: {}, otherwise ", texts[i - 1].second);
+    result += texts[i].first;
+  }
+  return result;
+}
+
+void add_row(std::vector<Merged>& rows, KeyRow row, const Form& form, const std::string& kind) {
+  const auto path_of = [](const Merged& one) -> const std::string& { return one.row.path; };
+  const auto same = std::ranges::find(rows, row.path, path_of);
+  Merged& merged = same == rows.end() ? rows.emplace_back(Merged{std::move(row), {}}) : *same;
+  merged.cases.push_back({form, kind});
+}
+
+/// The word of a map that begins with its kind.
+std::string kind_of(const Form& map) {
+  const bool named = !map.keys.empty() && map.keys[0].name == "kind" && map.keys[0].form.words.size() == 1;
+  return named ? map.keys[0].form.words[0] : "";
 }
 
 std::string fallback_of(const Form& map, const Key& key) {
@@ -24,7 +63,7 @@ std::string fallback_of(const Form& map, const Key& key) {
   return is_chosen(map, key.name) ? "one of several" : "required";
 }
 
-void add_keys(std::vector<KeyRow>& rows, const Form& form, const std::string& path) {
+void add_keys(std::vector<Merged>& rows, const Form& form, const std::string& path) {
   switch (form.kind) {
     case Kind::any_of:
       for (const Form& one : form.forms) add_keys(rows, one, path);
@@ -36,8 +75,9 @@ void add_keys(std::vector<KeyRow>& rows, const Form& form, const std::string& pa
     case Kind::map:
       for (const Key& key : form.keys) {
         const std::string at = path.empty() ? key.name : path + "." + key.name;
-        add_row(rows, {at, std::string(unit_of(key.name)), allowed(key.form), fallback_of(form, key),
-                       key.meaning, key.since});
+        add_row(rows,
+                {at, std::string(unit_of(key.name)), "", fallback_of(form, key), key.meaning, key.since},
+                key.form, kind_of(form));
         add_keys(rows, key.form, at);
       }
       break;
@@ -62,8 +102,13 @@ std::string general(std::string_view path) {
 }  // namespace
 
 std::vector<KeyRow> key_list(const Form& root) {
+  std::vector<Merged> all;
+  add_keys(all, root, "");
   std::vector<KeyRow> rows;
-  add_keys(rows, root, "");
+  for (Merged& one : all) {
+    one.row.allowed = allowed_in(one.cases);
+    rows.push_back(std::move(one.row));
+  }
   return rows;
 }
 

@@ -8,6 +8,7 @@
 #include "rubsweep/core/contact/stribeck_curve.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
 namespace rubsweep::config::machine {
@@ -77,16 +78,21 @@ model::Friction read_friction(const yaml::Value& value) {
     friction = read_curve(section);
     if (section.is_sound()) refuse_driving(section, "static", friction);
   }
-  if (const auto coefficient = section.find("coefficient")) {
-    const auto number = read_number(*coefficient, model::ConstantFriction::coefficient_range);
-    friction = model::ConstantFriction{number.value_or(0)};
-  }
-  if (const auto coefficient = section.find("one_way")) {
-    const auto number = read_number(*coefficient, model::ConstantFriction::coefficient_range);
-    friction = model::OneWayFriction{number.value_or(0)};
-  }
+  if (section.find("coefficient")) read_fields(section, friction.emplace<model::ConstantFriction>());
+  if (section.find("one_way")) read_fields(section, friction.emplace<model::OneWayFriction>());
   section.refuse_unknown_keys();
   return friction;
+}
+
+keys::Form friction_form() {
+  using namespace keys;
+  const std::vector<std::vector<Key>> ways{
+      {must("stribeck", list_of(number(model::any_finite), 6, 6),
+            "g1 to g6 of mu(v) = g1 (tanh g2 v - tanh g3 v) + g4 tanh g5 v + g6 v")},
+      keys_of<model::ConstantFriction>(),
+      keys_of<model::OneWayFriction>(),
+      keys_of<model::StribeckCurve>()};
+  return any_of({one_of({&none, 1}), map_of(joined(ways), {choice_of(ways)})});
 }
 
 void print_friction(yaml::Printer& printer, const model::Friction& friction) {
@@ -96,18 +102,13 @@ void print_friction(yaml::Printer& printer, const model::Friction& friction) {
     printer.close();
   };
   std::visit(overloaded{[&](const model::NoFriction&) { printer.word("friction", none); },
-                        [&](const model::ConstantFriction& constant) {
-                          map([&] { printer.number("coefficient", constant.coefficient); });
-                        },
-                        [&](const model::OneWayFriction& one_way) {
-                          map([&] { printer.number("one_way", one_way.coefficient); });
-                        },
                         [&](const model::StribeckFriction& stribeck) {
                           map([&] {
                             if (stribeck.curve) return print_fields(printer, *stribeck.curve);
                             printer.numbers("stribeck", stribeck.gamma);
                           });
-                        }},
+                        },
+                        [&](const auto& law) { map([&] { print_fields(printer, law); }); }},
              friction);
 }
 

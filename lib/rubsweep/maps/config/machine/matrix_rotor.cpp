@@ -31,6 +31,8 @@ constexpr std::pair<std::string_view, std::string_view> excluded[]{
     {"bow", "needs the shaft's own stiffness, which matrices do not part from that of its supports"},
     {"torsion", "needs the polar inertia, which matrices of lateral motion do not hold"}};
 
+constexpr std::string_view mass_damping_key = "mass_damping_per_s";
+
 bool refuse_excluded(yaml::Section& section) {
   bool any = false;
   for (const auto& [name, why] : excluded) {
@@ -57,6 +59,11 @@ bool has_bodies(const model::ShaftMatrices& matrices) {
 }
 
 }  // namespace
+
+bool is_excluded_by_matrices(std::string_view name) {
+  return name == mass_damping_key ||
+         std::ranges::any_of(excluded, [&](const auto& one) { return one.first == name; });
+}
 
 void refuse_between_nodes(const yaml::Value& value, const model::RotorKit& kit) {
   if (!kit.matrices) return;
@@ -88,7 +95,11 @@ model::RotorKit read_matrix_rotor(yaml::Section& section) {
   const bool any_excluded = refuse_excluded(section);
   const auto supports = section.find("supports");
   if (supports) read_supports(*supports, kit);
-  if (!any_excluded) read_kit_rest(section, kit);
+  if (!any_excluded) {
+    read_kit_rest(section, kit);
+    if (const auto value = section.find(mass_damping_key))
+      refuse(*value, "is part of what the damping matrix says", "a rotor of kind: rotor_kit");
+  }
   for (const std::string_view name : {"supports", "static_loads", "sensors"}) {
     if (const auto value = section.find(name)) refuse_between_nodes(*value, kit);
   }

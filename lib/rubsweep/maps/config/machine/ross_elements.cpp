@@ -9,14 +9,13 @@
 #include "rubsweep/core/model/disc_inertia.hpp"
 #include "rubsweep/core/model/rpm.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
-#include "rubsweep/maps/config/yaml/words.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
 
 constexpr yaml::IntegerRange node_numbers{0, 100'000};
-constexpr yaml::Words<bool, 2> flags{{"false", "true"}, {false, true}};
-constexpr yaml::Words<model::ShearCoefficient, 2> shear_methods{
+constexpr Words<bool, 2> flags{{"false", "true"}, {false, true}};
+constexpr Words<model::ShearCoefficient, 2> shear_methods{
     {"cowper", "hutchinson"}, {model::ShearCoefficient::cowper, model::ShearCoefficient::hutchinson}};
 
 /// A key that says "not given" by null is as good as none.
@@ -26,8 +25,8 @@ std::optional<yaml::Value> given(yaml::Section& section, std::string_view name) 
 }
 
 int read_node(yaml::Section& section) {
-  const auto value = section.require("n", describe(node_numbers));
-  const auto number = value ? read_integer(*value, node_numbers) : std::nullopt;
+  const auto value = section.require("n", yaml::describe(node_numbers));
+  const auto number = value ? yaml::read_integer(*value, node_numbers) : std::nullopt;
   return number ? static_cast<int>(*number) : 0;
 }
 
@@ -272,7 +271,7 @@ AtNode<RossSupport> read_ross_support(const RossElement& element, bool whirl_tab
   if (whirl_tables && refuse_whirl_table(section)) return support;
   read_coefficients(section, support.part.support);
   if (const auto link = given(section, "n_link")) {
-    if (const auto node = read_integer(*link, node_numbers))
+    if (const auto node = yaml::read_integer(*link, node_numbers))
       support.part.linked_node = static_cast<int>(*node);
   }
   // Classes that compute their coefficients save what they computed them from, too.

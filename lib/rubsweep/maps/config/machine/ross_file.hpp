@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rubsweep/core/model/rotor_kit.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
 namespace rubsweep::config::machine {
@@ -13,5 +14,6 @@ namespace rubsweep::config::machine {
 /// rotor kit what such a file does not say (read_kit_rest). The result is a rotor kit with the elements of
 /// the file.
 model::RotorKit read_ross_rotor(yaml::Section& section);
+std::vector<keys::Key> ross_keys();
 
 }  // namespace rubsweep::config::machine

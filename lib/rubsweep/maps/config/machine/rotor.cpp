@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/matrix_rotor.hpp"
 #include "rubsweep/maps/config/machine/ross_file.hpp"
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
@@ -71,6 +72,26 @@ void read_rotor(const yaml::Value& value, model::Machine& machine) {
     machine.rotor = read_jeffcott(section);
   }
   section.refuse_unknown_keys();
+}
+
+keys::Form rotor_form() {
+  using namespace keys;
+  const auto of_kind = [](std::string_view kind, std::vector<Key> keys, std::vector<Choice> choices = {}) {
+    return map_of(
+        joined({{must("kind", one_of({&kind, 1}),
+                      "kind of rotor: one disc on a massless shaft (jeffcott), a shaft line, a file of "
+                      "ROSS, or matrices")},
+                std::move(keys)}),
+        std::move(choices));
+  };
+  std::vector<Key> constants = newer(
+      {must(std::string(rotor_stiffness_key), number(model::positive), "stiffness of the shaft at the disc"),
+       must(std::string(rotor_damping_key), number(model::not_negative), "damping constant of the disc")});
+  return any_of({of_kind("jeffcott", joined({keys_of<model::JeffcottRotor>(), std::move(constants)}),
+                         {either(std::array{frequency_key, rotor_stiffness_key}),
+                          either(std::array{ratio_key, rotor_damping_key})}),
+                 of_kind("rotor_kit", rotor_kit_keys()), of_kind("ross", ross_keys()),
+                 of_kind("matrices", matrix_rotor_keys())});
 }
 
 void print_rotor(yaml::Printer& printer, const model::Machine& machine, MatrixPrint matrices) {

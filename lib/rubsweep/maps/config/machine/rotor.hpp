@@ -4,6 +4,7 @@
 
 #include "rubsweep/core/model/machine.hpp"
 #include "rubsweep/core/model/rotor.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/machine/printed_matrices.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
@@ -23,6 +24,7 @@ model::JeffcottRotor read_jeffcott(yaml::Section& section);
 /// `rotor`: {kind: jeffcott, ...}, see read_jeffcott, or {kind: rotor_kit, ...}, see rotor_kit.hpp, or {kind:
 /// ross, ...}, see ross_file.hpp, or {kind: matrices, ...}, see matrix_rotor.hpp. Fills machine.rotor.
 void read_rotor(const yaml::Value& value, model::Machine& machine);
+keys::Form rotor_form();
 void print_rotor(yaml::Printer& printer, const model::Machine& machine,
                  MatrixPrint matrices = MatrixPrint::inside);
 

@@ -17,13 +17,6 @@ namespace rubsweep::config::machine {
 namespace {
 
 constexpr std::size_t most_parts = model::RotorKit::most_parts;
-constexpr std::string_view automatic = "auto";
-constexpr yaml::Words<bool, 2> clearance_origins{{"axis", "sag"}, {false, true}};
-constexpr yaml::IntegerRange mode_counts{1, model::RotorKit::most_modes};
-constexpr yaml::IntegerRange element_counts{1, model::RotorKit::most_elements};
-
-/// Whether a table may stand for this number of a support.
-bool is_coefficient(std::string_view name) { return name != "position_m" && !name.starts_with("angular"); }
 
 /// Whether a table stands for the coefficients of a part, which it then has.
 template <class Part>
@@ -48,7 +41,7 @@ void read_part(yaml::Section& section, Part& part, const model::Range& range) {
   if constexpr (std::is_same_v<Part, model::Support>) on_shaft = !section.find("at_housing");
   if constexpr (std::is_same_v<Part, model::Disc>) read_disc_geometry(section, part);
   const bool by_table = read_table(section, part);
-  Part::visit_fields(part, [&](std::string_view name, auto& field, const model::Range& allowed) {
+  Part::visit_fields(part, [&](std::string_view name, auto& field, const auto& allowed) {
     if (by_table && is_coefficient(name)) return;
     if (name == "position_m") {
       if (on_shaft) section.field(name, field, range);
@@ -117,28 +110,6 @@ void read_support(yaml::Section& section, model::Support& support, const model::
   if (section.find("at_housing") && section.find("position_m"))
     section.require_exactly_one({"position_m", "at_housing"});
   refuse_problem(section, model::housing_problem(support));
-}
-
-void read_damping_ratio(const yaml::Value& value, std::vector<double>& ratios) {
-  if (value.node.kind == yaml::Node::Kind::list) {
-    ratios = read_number_list(value, model::RotorKit::damping_ratio_range, most_parts);
-  } else if (const auto ratio = read_number(value, model::RotorKit::damping_ratio_range)) {
-    ratios = {*ratio};
-  }
-}
-
-void read_rotating_damping_ratio(const yaml::Value& value, model::RotorKit& kit) {
-  read_damping_ratio(value, kit.rotating_damping_ratio);
-  if (model::has_rotating_damping(kit) && model::has_pedestals(kit))
-    refuse(value, "turns with the shaft, and pedestals do not", "0 beside pedestals");
-}
-
-void read_modes(const yaml::Value& value, model::RotorKit& kit) {
-  if (value.node.kind == yaml::Node::Kind::scalar && value.node.text == automatic) {
-    kit.modes.reset();
-  } else if (const auto count = read_integer(value, mode_counts)) {
-    kit.modes = static_cast<int>(*count);
-  }
 }
 
 template <class Part>
@@ -230,13 +201,10 @@ void read_kit_rest(yaml::Section& section, model::RotorKit& kit) {
   list("sensors", kit.sensors);
   if (const auto value = section.find("bow")) kit.bow = read_bow(*value, places(kit));
   read_inner(section, "torsion", kit.torsion);
-  if (const auto value = section.find("damping_ratio")) read_damping_ratio(*value, kit.damping_ratio);
-  if (const auto value = section.find("rotating_damping_ratio")) read_rotating_damping_ratio(*value, kit);
-  section.field("mass_damping_per_s", kit.mass_damping_per_s, model::physical::rate_per_s);
-  section.field("clearances_from", kit.clearances_from_sag, clearance_origins);
-  if (const auto value = section.find("modes")) read_modes(*value, kit);
-  section.field("modes_up_to_hz", kit.modes_up_to_hz, model::physical::frequency_hz);
-  section.field("elements", kit.elements, element_counts);
+  read_fields(section, kit);
+  if (const auto value = section.find("rotating_damping_ratio");
+      value && model::has_rotating_damping(kit) && model::has_pedestals(kit))
+    refuse(*value, "turns with the shaft, and pedestals do not", "0 beside pedestals");
 }
 
 model::RotorKit read_rotor_kit(yaml::Section& section) {
@@ -283,17 +251,11 @@ void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit, MatrixP
   print_parts(printer, "sensors", kit.sensors, nothing);
   if (kit.bow) print_bow(printer, *kit.bow);
   print_inner(printer, "torsion", kit.torsion);
-  printer.numbers("damping_ratio", kit.damping_ratio);
-  printer.numbers("rotating_damping_ratio", kit.rotating_damping_ratio);
-  if (kit.mass_damping_per_s != 0) printer.number("mass_damping_per_s", kit.mass_damping_per_s);
-  printer.field("clearances_from", kit.clearances_from_sag, clearance_origins);
-  if (kit.modes) {
-    printer.integer("modes", *kit.modes);
-  } else {
-    printer.word("modes", automatic);
-  }
-  printer.number("modes_up_to_hz", kit.modes_up_to_hz);
-  if (!kit.matrices) printer.integer("elements", kit.elements);
+  model::RotorKit::visit_fields(kit, [&](std::string_view name, const auto& field, const auto& key) {
+    const bool left_out = name == "mass_damping_per_s" ? kit.mass_damping_per_s == 0
+                                                       : name == "elements" && kit.matrices != nullptr;
+    if (!left_out) printer.field(name, field, key);
+  });
 }
 
 }  // namespace rubsweep::config::machine

@@ -11,22 +11,8 @@
 namespace rubsweep::config::machine {
 namespace {
 
-constexpr std::size_t most_layers = 16;
-constexpr yaml::Words<model::ShearCoefficient, 3> shear_coefficients{
-    {"cowper", "hutchinson", "none"},
-    {model::ShearCoefficient::cowper, model::ShearCoefficient::hutchinson, model::ShearCoefficient::none}};
-constexpr yaml::Words<bool, 2> on_off{{"off", "on"}, {false, true}};
-
-/// Reader and printer share this list.
-template <class Fields>
-void visit_words(Fields& fields, auto& layer) {
-  fields.field("shear_coefficient", layer.shear_coefficient, shear_coefficients);
-  fields.field("rotary_inertia", layer.rotary_inertia, on_off);
-  fields.field("gyroscopic", layer.gyroscopic, on_off);
-}
-
 void read_words(yaml::Section& section, model::ShaftLayer& layer) {
-  visit_words(section, layer);
+  model::ShaftLayer::visit_words(layer, model::fields_into(section));
   if (!section.is_sound()) return;
   if (const auto problem = model::diameter_problem(layer))
     section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
@@ -44,12 +30,10 @@ model::BowPoints read_bow_points(yaml::Section& section, const model::Range& ran
   return points;
 }
 
-constexpr std::array<std::string_view, 4> defects{"outer_race", "inner_race", "ball", "cage"};
-
 std::optional<double> read_strikes(const yaml::Value& value) {
   yaml::Section section(value);
   model::RollingBearing bearing;
-  const auto defect = section.require_kind("defect", defects);
+  const auto defect = section.require_kind("defect", bearing_defects);
   read_fields(section, bearing);
   section.refuse_unknown_keys();
   if (section.is_sound() && bearing.ball_diameter_m >= bearing.pitch_diameter_m) {
@@ -77,13 +61,13 @@ void read_segment(yaml::Section& section, model::ShaftSegment& segment) {
 }
 
 void print_segment(yaml::Printer& printer, const model::ShaftSegment& segment) {
-  visit_words(printer, segment);
+  model::ShaftLayer::visit_words(segment, model::fields_into(printer));
   if (segment.layers.empty()) return;
   printer.open("layers");
   for (const model::ShaftLayer& layer : segment.layers) {
     printer.open_item();
     print_fields(printer, layer);
-    visit_words(printer, layer);
+    model::ShaftLayer::visit_words(layer, model::fields_into(printer));
     printer.close();
   }
   printer.close();
@@ -123,7 +107,7 @@ void print_bow(yaml::Printer& printer, const model::Bow& bow) {
 void read_disc_geometry(yaml::Section& section, model::Disc& disc) {
   const auto value = section.find("geometry");
   if (!value) return;
-  for (const std::string_view number : {"mass_kg", "polar_inertia_kg_m2", "diametral_inertia_kg_m2"}) {
+  for (const std::string_view number : disc_inertias) {
     if (section.find(number)) section.require_exactly_one({number, "geometry"});
   }
   yaml::Section inner(*value);

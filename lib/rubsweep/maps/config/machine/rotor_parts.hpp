@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "rubsweep/core/model/rotor_kit.hpp"
 #include "rubsweep/core/model/shaft_segment.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
@@ -7,6 +10,12 @@
 #include "rubsweep/maps/config/yaml/value.hpp"
 
 namespace rubsweep::config::machine {
+
+inline constexpr std::size_t most_layers = 16;
+inline constexpr std::array<std::string_view, 3> disc_inertias{"mass_kg", "polar_inertia_kg_m2",
+                                                               "diametral_inertia_kg_m2"};
+/// In the order of model::BearingDefect.
+inline constexpr std::array<std::string_view, 4> bearing_defects{"outer_race", "inner_race", "ball", "cage"};
 
 /// Keys of a segment of `rotor.shaft` beside its numbers: shear_coefficient (cowper, hutchinson or none),
 /// rotary_inertia and gyroscopic (on or off), and `layers`, a list of sections of the same length.

@@ -29,7 +29,6 @@ constexpr std::string_view matrix_form = "a map with file, or the text of a Matr
 constexpr std::string_view freedoms_form = "a map with file, or one with node, direction and position_m";
 constexpr std::string_view unbalance_form =
     "a map with file, one with node, direction, real_kg and imaginary_kg, or a list of maps";
-constexpr std::array<std::string_view, 4> directions{"x", "y", "rx", "ry"};
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Key of a column of the tables beside matrices: its name as it is.
@@ -186,11 +185,9 @@ std::optional<std::string> node_at(const Freedoms& freedoms, double position_m, 
 void read_node_unbalance(const yaml::Value& item, const Freedoms& freedoms, ShaftMatrices& matrices) {
   yaml::Section section(item);
   model::NodeUnbalance unbalance;
-  section.require_exactly_one({"node", "position_m"});
+  section.require_exactly_one(node_or_place);
   const auto node = section.find("node"), place = section.find("position_m");
-  section.field("mass_kg", unbalance.mass_kg, model::physical::mass_kg);
-  section.field("eccentricity_ratio", unbalance.eccentricity_ratio, model::physical::per_eccentricity);
-  section.field("phase_deg", unbalance.phase_deg, model::any_finite);
+  read_fields(section, unbalance);
   section.refuse_unknown_keys();
   if (!section.is_sound()) return;
   std::optional<std::string> found;

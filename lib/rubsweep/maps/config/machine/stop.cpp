@@ -10,6 +10,7 @@
 #include "rubsweep/core/model/casing.hpp"
 #include "rubsweep/core/model/magnitude.hpp"
 #include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/friction.hpp"
 #include "rubsweep/maps/config/machine/hertz.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
@@ -44,10 +45,6 @@ void print_casing(yaml::Printer& printer, const std::optional<model::Casing>& ca
   printer.close();
 }
 
-constexpr std::string_view nominal_key = "restitution";
-constexpr std::string_view rotor_mass_key = "restitution_by_rotor_mass";
-constexpr std::string_view delivered_key = "restitution_delivered";
-constexpr std::string_view explicit_key = "damping_ns_per_m";
 constexpr std::string_view stiffness_key = "stiffness_n_per_m";
 constexpr std::string_view hertz_key = "hertz";
 
@@ -71,7 +68,7 @@ model::StopGeometry read_geometry(yaml::Section& section) {
   }
   if (stop_kinds[*kind] == annular_kind) return read_annular(section);
   model::OneSideGeometry wall;
-  section.field("angle_deg", wall.angle_deg, model::any_finite);
+  read_fields(section, wall);
   return wall;
 }
 
@@ -87,37 +84,15 @@ void refuse_offset_beyond_clearance(const yaml::Section& section, const model::S
              stop.geometry);
 }
 
-model::ContactDamping read_damping(yaml::Section& section) {
-  model::ContactDamping damping;
-  section.require_exactly_one({nominal_key, rotor_mass_key, delivered_key, explicit_key});
-  if (const auto value = section.find(nominal_key)) {
-    damping = model::NominalRestitution{read_number(*value, model::Stop::restitution_range).value_or(1)};
-  }
-  if (const auto value = section.find(rotor_mass_key)) {
-    damping = model::RestitutionByRotorMass{read_number(*value, model::Stop::restitution_range).value_or(1)};
-  }
-  if (const auto value = section.find(delivered_key)) {
-    damping = model::DeliveredRestitution{
-        read_number(*value, model::Stop::restitution_delivered_range).value_or(1)};
-  }
-  if (const auto value = section.find(explicit_key)) {
-    damping = model::ExplicitDamping{read_number(*value, model::not_negative).value_or(0)};
-  }
+template <class... Dampings>
+model::ContactDamping read_damping(yaml::Section& section, std::variant<Dampings...> damping) {
+  const std::array names{model::name_of<Dampings>()...};
+  section.require_exactly_one(names);
+  const auto read = [&]<class Damping>(Damping given) {
+    if (section.find(model::name_of<Damping>())) read_fields(section, given), damping = given;
+  };
+  (read(Dampings{}), ...);
   return damping;
-}
-
-void print_damping(yaml::Printer& printer, const model::ContactDamping& damping) {
-  std::visit(
-      overloaded{
-          [&](const model::NominalRestitution& nominal) { printer.number(nominal_key, nominal.value); },
-          [&](const model::RestitutionByRotorMass& printed) {
-            printer.number(rotor_mass_key, printed.value);
-          },
-          [&](const model::DeliveredRestitution& delivered) {
-            printer.number(delivered_key, delivered.value);
-          },
-          [&](const model::ExplicitDamping& given) { printer.number(explicit_key, given.damping_ns_per_m); }},
-      damping);
 }
 
 /// The stiffness is given, or follows from hertz.
@@ -163,8 +138,8 @@ model::Stop read_stop(const yaml::Value& value, const std::optional<model::Range
   }
   read_contact(section, stop);
   refuse_offset_beyond_clearance(section, stop);
-  stop.damping = read_damping(section);
-  section.field("contact_mass_kg", stop.contact_mass_kg, model::positive);
+  stop.damping = read_damping(section, stop.damping);
+  model::Stop::visit_mass(stop, model::fields_into(section));
   if (const auto friction = section.find("friction")) stop.friction = read_friction(*friction);
   if (const auto casing = section.find("casing")) stop.casing = read_casing(*casing);
   section.refuse_unknown_keys();
@@ -175,7 +150,7 @@ void print_stop(yaml::Printer& printer, const model::Stop& stop) {
   printer.open_item();
   std::visit(overloaded{[&](const model::OneSideGeometry& flat) {
                           printer.word("kind", one_side_kind);
-                          printer.number("angle_deg", flat.angle_deg);
+                          print_fields(printer, flat);
                         },
                         [&](const model::AnnularGeometry& annular) {
                           printer.word("kind", annular_kind);
@@ -184,8 +159,8 @@ void print_stop(yaml::Printer& printer, const model::Stop& stop) {
              stop.geometry);
   printer.field("position_m", stop.position_m, model::any_finite);
   print_contact(printer, stop);
-  print_damping(printer, stop.damping);
-  printer.field("contact_mass_kg", stop.contact_mass_kg, model::positive);
+  std::visit([&](const auto& damping) { print_fields(printer, damping); }, stop.damping);
+  model::Stop::visit_mass(stop, model::fields_into(printer));
   print_friction(printer, stop.friction);
   print_casing(printer, stop.casing);
   printer.close();
@@ -199,6 +174,34 @@ std::vector<model::Stop> read_stops(const yaml::Value& value, const std::optiona
   if (!items) return stops;
   for (const yaml::Value& item : *items) stops.push_back(read_stop(item, places));
   return stops;
+}
+
+keys::Form stops_form() {
+  using namespace keys;
+  const Condition flat{"kind", {std::string(one_side_kind)}}, round{"kind", {std::string(annular_kind)}};
+  const KeysOf<model::ContactDamping> damping;
+  return list_of(
+      map_of(
+          joined({{must("kind", one_of(stop_kinds), "flat wall, or a round wall around the rotor"),
+                   beside(keys_of<model::OneSideGeometry>()[0], flat),
+                   beside(may("offset_m", list_of(number(model::any_finite), 2, 2),
+                              "[x, y] of the rotor's rest position against the centre of the stop", "[0, 0]"),
+                          round),
+                   may("position_m", number(model::not_negative),
+                       "place along the shaft, of a rotor kit only", "(required of a kit)")},
+                  keys_of<model::Stop>(),
+                  {must(std::string(hertz_key), map_of(keys_of<model::HertzLine>()),
+                        "line contact of Hertz that the stiffness follows from")},
+                  joined(damping.ways),
+                  keys_by([](Table& table) {
+                    const model::Stop defaults;
+                    model::Stop::visit_mass(defaults, model::fields_into(table));
+                  }),
+                  {may("friction", friction_form(), "friction of the surfaces", "none"),
+                   may("casing", any_of({one_of({&rigid, 1}), map_of(keys_of<model::Casing>())}),
+                       "casing behind the stop", "rigid")}}),
+          {either(std::array{stiffness_key, hertz_key}), choice_of(damping.ways)}),
+      1, max_stops);
 }
 
 void print_stops(yaml::Printer& printer, const std::vector<model::Stop>& stops) {

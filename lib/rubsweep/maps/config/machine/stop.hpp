@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rubsweep/core/model/stop.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 
@@ -17,6 +18,7 @@ inline constexpr std::size_t max_stops = 16;
 /// are optional. `places`: allowed positions along the shaft of a rotor kit; position_m is then required,
 /// else it is unknown.
 std::vector<model::Stop> read_stops(const yaml::Value& value, const std::optional<model::Range>& places);
+keys::Form stops_form();
 void print_stops(yaml::Printer& printer, const std::vector<model::Stop>& stops);
 
 }  // namespace rubsweep::config::machine

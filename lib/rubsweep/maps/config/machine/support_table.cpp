@@ -13,6 +13,7 @@
 
 #include "rubsweep/core/model/magnitude.hpp"
 #include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/table_file.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
@@ -61,6 +62,10 @@ constexpr std::array<std::array<Name, 5>, model::support_coefficients.size()> na
     {{{"myy", 1}, {"myy_kg", 1}}},
 }};
 
+constexpr std::array<std::string_view, 3> speed_keys{"speed_hz", "speed_rpm", "speed_rad_per_s"};
+
+bool is_needed(std::string_view column) { return column == "kxx" || column == "kyy"; }
+
 std::vector<double> read_column(const yaml::Value& value, const model::Range& range, double in_si) {
   std::vector<double> numbers;
   const auto items = read_list(value, model::SupportTable::most_points);
@@ -78,10 +83,9 @@ std::vector<double> read_column(const yaml::Value& value, const model::Range& ra
 
 /// The column of speeds in whatever unit it is given.
 std::optional<yaml::Value> find_speeds(yaml::Section& section) {
-  constexpr std::string_view hz = "speed_hz", rpm = "speed_rpm", rad_per_s = "speed_rad_per_s";
-  section.require_exactly_one({hz, rpm, rad_per_s});
+  section.require_exactly_one(speed_keys);
   std::optional<yaml::Value> found;
-  for (const std::string_view name : {hz, rpm, rad_per_s})
+  for (const std::string_view name : speed_keys)
     if (const auto value = section.find(name); value && !found) found.emplace(*value);
   return found;
 }
@@ -255,7 +259,7 @@ std::optional<model::SupportTable> read_support_table(const yaml::Value& value) 
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     auto column = find_column(section, c, rows);
     const std::string_view name = model::support_coefficients[c];
-    if (!column && (name == "kxx" || name == "kyy"))
+    if (!column && is_needed(name))
       section.require(
           name,
           fmt::format("numbers under {0}, {0}_n_per_m, {0}_n_per_mm, {0}_n_per_um or {0}_lbf_per_in", name));
@@ -266,6 +270,29 @@ std::optional<model::SupportTable> read_support_table(const yaml::Value& value) 
   order_rows(table, *speeds);
   if (!section.is_sound()) return std::nullopt;
   return table;
+}
+
+keys::Form support_table_form() {
+  using namespace keys;
+  const auto numbers = [](const model::Range& range) {
+    return list_of(number(range), 1, model::SupportTable::most_points);
+  };
+  const Form speeds = numbers(model::not_negative);
+  std::vector<Key> columns{must("speed_hz", speeds, "speeds, all rising or all falling"),
+                           must("speed_rpm", speeds, "the same in revolutions per minute"),
+                           must("speed_rad_per_s", speeds, "the same in radians per second")};
+  std::vector<Choice> choices{either(speed_keys)};
+  for (const auto& column : names) {
+    Choice& choice = choices.emplace_back(std::vector<Way>{}, !is_needed(column[0].text));
+    for (const Name& name : column) {
+      if (name.text.empty()) continue;
+      columns.push_back(must(std::string(name.text), numbers({}),
+                             "coefficient at these speeds, in the unit of its name or in SI"));
+      choice.ways.push_back({{std::string(name.text)}, {}});
+    }
+  }
+  return any_of({map_of({must("file", text(), "file of these columns, its name relative to this one")}),
+                 map_of(std::move(columns), std::move(choices))});
 }
 
 void print_support_table(yaml::Printer& printer, const model::SupportTable& table) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "rubsweep/core/model/support_table.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 
@@ -18,6 +19,7 @@ void resolve_tables(yaml::Node& root, yaml::Diagnostics& diagnostics);
 /// kxx_n_per_mm, kxx_n_per_um, kxx_lbf_per_in, cxx_ns_per_m, cxx_ns_per_mm, cxx_lbf_s_per_in, mxx_kg. kxx and
 /// kyy must be given, what is left out is 0. Empty after a problem.
 std::optional<model::SupportTable> read_support_table(const yaml::Value& value);
+keys::Form support_table_form();
 void print_support_table(yaml::Printer& printer, const model::SupportTable& table);
 
 }  // namespace rubsweep::config::machine

@@ -41,7 +41,7 @@ AxisValues read_spaced(yaml::Section& section, const model::Range& range, double
   section.field("to", to, range);
   long count = 0;
   constexpr yaml::IntegerRange counts{1, max_axis_values};
-  if (section.require("count", describe(counts))) section.field("count", count, counts);
+  if (section.require("count", yaml::describe(counts))) section.field("count", count, counts);
   if (!section.is_sound()) return {};
   if (!to && count != 1) section.require("to", model::describe(range));
   if (!to) return {std::vector<double>(1, from / units_per_si), std::nullopt};
@@ -122,6 +122,30 @@ AxisValues read_axis(const yaml::Value& value, const model::Range& range, double
   AxisValues result = read_axis_values(section, range, units_per_si);
   section.refuse_unknown_keys();
   return result;
+}
+
+std::vector<keys::Key> spaced_keys(const model::Range& range) {
+  using namespace keys;
+  Form values = list_of(number(range), 1, max_axis_values);
+  values.different = true;
+  return {must("from", number(range), "first value"),
+          may("to", number(range), "last value, included", "(from, of a count of 1)"),
+          must("count", integer(1, max_axis_values), "how many values there are, both ends included"),
+          newer_key(may("scale", one_of(scales.texts),
+                        "spacing: equal differences, or equal ratios of values > 0", "linear")),
+          newer_key(
+              must("step", number(model::positive),
+                   "distance between the values, in place of their count: each is the double nearest to its "
+                   "decimal")),
+          must("values", std::move(values), "the values themselves, all different")};
+}
+
+keys::Choice spaced_ways() {
+  return {{{{"values"}, {}}, {{"from", "count"}, {"to", "scale"}}, {{"from", "to", "step"}, {}}}};
+}
+
+keys::Form axis_form(const model::Range& range) {
+  return keys::any_of({keys::number(range), keys::map_of(spaced_keys(range), {spaced_ways()})});
 }
 
 void print_axis_values(yaml::Printer& printer, const std::vector<double>& values,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rubsweep/maps/batch/axis.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
@@ -13,7 +14,7 @@ namespace rubsweep::config::study {
 
 /// Spacing of numbers from one end to the other.
 enum class Scale { linear, log };
-inline constexpr yaml::Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
+inline constexpr Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
 
 inline constexpr std::string_view axis_forms =
     "a number, {from, to, count}, {from, to, step} or {values: [...]}";
@@ -38,6 +39,11 @@ AxisValues read_axis(const yaml::Value& value, const model::Range& range, double
 
 /// The same for a section that has keys of its own beside them.
 AxisValues read_axis_values(yaml::Section& section, const model::Range& range, double units_per_si = 1);
+
+/// The same as keys: of a map, how they exclude each other, and of an axis that may be a number.
+std::vector<keys::Key> spaced_keys(const model::Range& range);
+keys::Choice spaced_ways();
+keys::Form axis_form(const model::Range& range);
 
 /// The entries of an axis as they were written, into a map that is open: from, to, count and scale, or step,
 /// where `spacing` says how `values` are made, else the values.

@@ -20,10 +20,14 @@ struct Caption {
   std::string batch::Captions::*text;
   std::size_t longest;
   bool many_lines;
+  std::string_view meaning;
 };
-constexpr std::array captions_there_are{Caption{"title", &batch::Captions::title, longest_line, false},
-                                        Caption{"author", &batch::Captions::author, longest_line, false},
-                                        Caption{"note", &batch::Captions::note, yaml::max_text_bytes, true}};
+constexpr std::array captions_there_are{
+    Caption{"title", &batch::Captions::title, longest_line, false,
+            "what the results are called where they are shown"},
+    Caption{"author", &batch::Captions::author, longest_line, false, "who made them"},
+    Caption{"note", &batch::Captions::note, yaml::max_text_bytes, true,
+            "anything else, of several lines where needed"}};
 
 /// The first character that is not shown as it is, escaped; empty without one.
 std::string hidden_in(std::string_view text, bool many_lines) {
@@ -54,6 +58,14 @@ void read_captions(yaml::Section& root, batch::Captions& captions) {
       captions.*caption.text = *std::move(text);
     }
   }
+}
+
+std::vector<keys::Key> caption_keys() {
+  std::vector<keys::Key> keys;
+  for (const Caption& caption : captions_there_are)
+    keys.push_back(keys::may(std::string(caption.name), keys::text(caption.longest),
+                             std::string(caption.meaning), "(none)"));
+  return newer(std::move(keys));
 }
 
 void print_captions(yaml::Printer& printer, const batch::Captions& captions) {

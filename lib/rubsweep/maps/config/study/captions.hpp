@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rubsweep/maps/batch/captions.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
@@ -10,6 +11,9 @@ namespace rubsweep::config::study {
 /// not be shown as written: control characters (in a note all but its line ends), and those that turn the
 /// direction of writing.
 void read_captions(yaml::Section& root, batch::Captions& captions);
+
+/// The keys that read_captions reads.
+std::vector<keys::Key> caption_keys();
 
 /// Prints the captions that are not empty.
 void print_captions(yaml::Printer& printer, const batch::Captions& captions);

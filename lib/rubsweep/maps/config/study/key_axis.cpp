@@ -79,6 +79,18 @@ std::vector<sweep::KeyAxis> read_key_axes(yaml::Section& sweep) {
   return axes;
 }
 
+std::vector<keys::Key> key_axis_keys() {
+  using namespace keys;
+  return newer({must("key", text(), "key of a number of the configuration, as --set names it"),
+                must("keys", list_of(text(), 1, most_keys), "several keys that change together"),
+                may("factors", list_of(number({}), 1, most_keys), "share of each key in the value, in order",
+                    "(all 1)")});
+}
+
+std::vector<keys::Choice> key_axis_choices() {
+  return {{{{{"key"}, {"factors"}}, {{"keys"}, {"factors"}}}}, spaced_ways()};
+}
+
 void print_key_axis(yaml::Printer& printer, const sweep::KeyAxis& axis, AxisPrint how) {
   const bool plain = std::ranges::all_of(axis.factors, [](double factor) { return factor == 1; });
   if (axis.keys.size() == 1 && plain) {

@@ -21,6 +21,10 @@ std::vector<sweep::KeyAxis> read_key_axes(yaml::Section& sweep);
 /// The keys, factors and values of one axis, from a section that may have keys of its own beside them.
 sweep::KeyAxis read_key_axis(yaml::Section& section);
 
+/// The keys beside the values, and how all exclude each other.
+std::vector<keys::Key> key_axis_keys();
+std::vector<keys::Choice> key_axis_choices();
+
 /// The entries of one axis, into a section that is open.
 void print_key_axis(yaml::Printer& printer, const sweep::KeyAxis& axis, AxisPrint how);
 void print_key_axes(yaml::Printer& printer, const std::vector<sweep::KeyAxis>& axes, AxisPrint how);

@@ -40,7 +40,7 @@ void refuse_rated_speed(yaml::Section& sweep) {
 }  // namespace
 
 void read_speeds(yaml::Section& sweep, sweep::Grid& grid) {
-  sweep.require_exactly_one({"speed_hz", speed_rpm_key});
+  sweep.require_exactly_one(speed_keys);
   const auto hz = sweep.find("speed_hz"), rpm = sweep.find(speed_rpm_key);
   AxisValues axis;
   if (hz) {

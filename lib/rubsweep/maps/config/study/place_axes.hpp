@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "rubsweep/core/model/machine.hpp"
@@ -14,6 +15,7 @@ namespace rubsweep::config::study {
 inline constexpr std::string_view speed_rpm_key = "speed_rpm", unbalance_key = "unbalance_g_mm",
                                   grade_key = "balance_grade_mm_per_s", rated_hz_key = "rated_speed_hz",
                                   rated_rpm_key = "rated_speed_rpm";
+inline constexpr std::array speed_keys{std::string_view("speed_hz"), speed_rpm_key};
 
 /// `speed_hz` or `speed_rpm` of `sweep` into the speeds of `grid`, in Hz.
 void read_speeds(yaml::Section& sweep, sweep::Grid& grid);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
@@ -10,6 +11,7 @@ namespace rubsweep::config::study {
 /// fit into the longest run, two turns of the largest order into a window, four samples into its shortest
 /// period.
 void read_response(const yaml::Value& value, sweep::Study& study);
+keys::Form response_form();
 void print_response(yaml::Printer& printer, const sweep::Study& study);
 
 }  // namespace rubsweep::config::study

@@ -6,6 +6,8 @@
 #include <array>
 #include <string>
 
+#include "rubsweep/maps/config/keys/table.hpp"
+#include "rubsweep/maps/config/machine/stop.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
 namespace rubsweep::config::study {
@@ -47,11 +49,16 @@ model::Kick read_kick(const yaml::Value& value, const std::optional<model::Range
   yaml::Section section(value);
   model::Kick kick;
   read_fields(section, kick);
-  section.field("angle_deg", kick.angle_deg, model::any_finite);
-  section.field("phase_deg", kick.phase_deg, model::any_finite);
   if (places) section.field("position_m", kick.position_m, *places);
   section.refuse_unknown_keys();
   return kick;
+}
+
+keys::Form kick_form() {
+  using namespace keys;
+  return map_of(joined({keys_of<model::Kick>(),
+                        {may("position_m", number(model::not_negative),
+                             "place along the shaft, of a rotor kit only", "(first stop)")}}));
 }
 
 void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, double longest_run_s) {
@@ -65,8 +72,6 @@ void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, doub
 void print_kick(yaml::Printer& printer, const model::Kick& kick) {
   printer.open("kick");
   print_fields(printer, kick);
-  printer.field("angle_deg", kick.angle_deg, model::any_finite);
-  printer.field("phase_deg", kick.phase_deg, model::any_finite);
   printer.field("position_m", kick.position_m, model::any_finite);
   printer.close();
 }
@@ -83,6 +88,16 @@ model::Start read_start(const yaml::Value& value, const std::vector<model::Stop>
   if (const auto casings = section.find("casings")) start.casings = read_casings(*casings, stops);
   section.refuse_unknown_keys();
   return start;
+}
+
+keys::Form start_form() {
+  using namespace keys;
+  return any_of(
+      {one_of({&at_rest, 1}),
+       map_of(joined(
+           {keys_of<model::BodyState>(),
+            {newer_key(may("casings", numbered(map_of(keys_of<model::BodyState>()), machine::max_stops),
+                           "states of moving casings, by the number of their stop", "(none)"))}}))});
 }
 
 void print_start(yaml::Printer& printer, const model::Start& start) {

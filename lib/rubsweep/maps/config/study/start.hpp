@@ -5,6 +5,7 @@
 #include "rubsweep/core/model/kick.hpp"
 #include "rubsweep/core/model/start.hpp"
 #include "rubsweep/core/model/stop.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 
@@ -13,14 +14,16 @@ namespace rubsweep::config::study {
 /// `kick`: {force_n, duration_s, angle_deg, phase_deg}, the angles optional; and position_m where there are
 /// `places` along the shaft of a rotor kit, optional too.
 model::Kick read_kick(const yaml::Value& value, const std::optional<model::Range>& places);
+keys::Form kick_form();
 /// A kick that no run outlasts leaves nothing to look at: `longest_run_s` is that of the slowest shaft.
 void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, double longest_run_s);
 
 void print_kick(yaml::Printer& printer, const model::Kick& kick);
 
-/// `start`: rest, or {x_m, y_m, vx_m_per_s, vy_m_per_s, casings}, each optional; `casings` maps the number of a stop
-/// whose casing moves to the same of that casing. `{}` starts on the quiet whirl, not kicked.
+/// `start`: rest, or {x_m, y_m, vx_m_per_s, vy_m_per_s, casings}, each optional; `casings` maps the number of
+/// a stop whose casing moves to the same of that casing. `{}` starts on the quiet whirl, not kicked.
 model::Start read_start(const yaml::Value& value, const std::vector<model::Stop>& stops);
+keys::Form start_form();
 void print_start(yaml::Printer& printer, const model::Start& start);
 
 }  // namespace rubsweep::config::study

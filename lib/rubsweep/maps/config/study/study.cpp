@@ -61,4 +61,21 @@ sweep::Study read_study(yaml::Section& root) {
   return study;
 }
 
+std::vector<keys::Key> study_keys() {
+  using namespace keys;
+  return {
+      must("rotor", machine::rotor_form(), "the rotor"),
+      must("stops", machine::stops_form(), "places where it can touch; the whirl ratio refers to the first"),
+      may("kick", kick_form(), "half-sine pulse that starts a run", "(none)"),
+      may("start", start_form(), "state in which every run begins, instead of a kick", "(none)"),
+      may("gravity_m_per_s2", number(model::not_negative),
+          "acceleration along -y; clearances count from the unloaded position", "0"),
+      must("sweep", sweep_form(), "cells of the map: speeds, unbalances and other axes"),
+      newer_key(may("study", study_form(), "what is asked of every cell besides its motion", "(a map)")),
+      may("solver", solver_form(), "how motions are computed"),
+      may("response", response_form(), "how long runs are and what is looked for in them")};
+}
+
+keys::Choice kick_or_start() { return {{{{"kick"}, {}}, {{"start"}, {}}}, true}; }
+
 }  // namespace rubsweep::config::study

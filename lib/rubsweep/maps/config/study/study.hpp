@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
@@ -7,5 +8,7 @@ namespace rubsweep::config::study {
 
 /// Everything of a configuration but `output`, from the sections of its root. Study::with_keys is left empty.
 sweep::Study read_study(yaml::Section& root);
+std::vector<keys::Key> study_keys();
+keys::Choice kick_or_start();
 
 }  // namespace rubsweep::config::study

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "rubsweep/maps/basin/low_discrepancy.hpp"
+#include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/study/key_axis.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
@@ -21,6 +22,8 @@ constexpr std::string_view basin_kind = "basin";
 constexpr std::string_view map_kind = "map";
 constexpr std::array kinds{threshold_kind, basin_kind, map_kind};
 constexpr model::Range tolerances{.low = 1e-12, .high = 0.5};
+
+constexpr yaml::IntegerRange sample_counts{1, 1'000'000};
 
 sweep::ThresholdScan read_threshold(yaml::Section& section) {
   sweep::ThresholdScan scan{read_key_axis(section)};
@@ -59,10 +62,10 @@ sweep::DrawnKey read_drawn_key(const yaml::Value& value) {
 }
 
 sweep::BasinSampling read_basin(yaml::Section& section) {
-  constexpr yaml::IntegerRange counts{1, 1'000'000};
   sweep::BasinSampling sampling;
   long samples = 0;
-  if (section.require("samples", describe(counts))) section.field("samples", samples, counts);
+  if (section.require("samples", yaml::describe(sample_counts)))
+    section.field("samples", samples, sample_counts);
   sampling.samples = static_cast<std::size_t>(samples);
   const auto over = section.require("over", "a list of {key: PATH, from, to}");
   if (!over) return sampling;
@@ -86,6 +89,34 @@ void read_study_kind(const yaml::Value& value, sweep::Study& study) {
   if (kinds[*kind] == threshold_kind) study.threshold = read_threshold(section);
   if (kinds[*kind] == basin_kind) study.basin = read_basin(section);
   section.refuse_unknown_keys();
+}
+
+keys::Form study_form() {
+  using namespace keys;
+  const auto kind = [](std::string_view word, std::string meaning) {
+    return must("kind", one_of({&word, 1}), std::move(meaning));
+  };
+  Form drawn =
+      map_of({must("key", text(), "key that is drawn, as --set names it"),
+              must("from", number({}), "one end of its interval"), must("to", number({}), "the other end"),
+              may("scale", one_of(scales.texts), "evenly, or evenly in ratios", "linear")});
+  return any_of(
+      {map_of({kind(map_kind, "map")}),
+       map_of(
+           joined(
+               {{kind(threshold_kind,
+                      "after which numbers of a key rub goes on (threshold), where starts lead (basin), or "
+                      "nothing more (map)"),
+                 may("tolerance", number(tolerances),
+                     "to which a beginning or an end of rub is bisected, relative to it",
+                     written(sweep::ThresholdScan{}.tolerance, tolerances))},
+                key_axis_keys(),
+                spaced_keys({})}),
+           key_axis_choices()),
+       map_of({kind(basin_kind, "basin"),
+               must("samples", form_of(sample_counts), "how many starts each cell is run from"),
+               must("over", list_of(std::move(drawn), 1, basin::most_dimensions),
+                    "box that they are drawn from, key by key")})});
 }
 
 void print_study_kind(yaml::Printer& printer, const sweep::Study& study, AxisPrint how) {

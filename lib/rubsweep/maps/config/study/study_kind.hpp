@@ -13,6 +13,8 @@ namespace rubsweep::config::study {
 /// none.
 void read_study_kind(const yaml::Value& value, sweep::Study& study);
 
+keys::Form study_form();
+
 /// Nothing for a study that asks no more than a map.
 void print_study_kind(yaml::Printer& printer, const sweep::Study& study, AxisPrint how);
 

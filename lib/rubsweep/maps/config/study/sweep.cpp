@@ -6,6 +6,7 @@
 
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/model/support_path.hpp"
+#include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/study/key_axis.hpp"
 #include "rubsweep/maps/config/study/place_axes.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
@@ -13,18 +14,10 @@
 namespace rubsweep::config::study {
 namespace {
 
-void visit_refinement(auto& refinement, auto&& visit) {
-  constexpr yaml::IntegerRange levels{1, 12}, probes{0, 1000};
-  visit("levels", refinement.levels, levels);
-  visit("probes", refinement.probes, probes);
-}
-
 sweep::Refinement read_refinement(const yaml::Value& value) {
   yaml::Section section(value);
   sweep::Refinement refinement;
-  section.require("levels", "an integer from 1 to 12");
-  visit_refinement(refinement,
-                   [&](auto name, auto& field, const auto& allowed) { section.field(name, field, allowed); });
+  read_fields(section, refinement);
   section.refuse_unknown_keys();
   return refinement;
 }
@@ -81,6 +74,37 @@ sweep::Grid read_sweep(const yaml::Value& value, const model::Machine& machine) 
   return grid;
 }
 
+keys::Form sweep_form() {
+  using namespace keys;
+  const Form speeds = axis_form(model::positive), unbalances = axis_form(model::not_negative),
+             over_keys =
+                 map_of(joined({key_axis_keys(), spaced_keys(model::any_finite)}), key_axis_choices());
+  return map_of(
+      joined(
+          {{must("speed_hz", speeds, "shaft speeds, in revolutions per second"),
+            must("whirl_ratio", unbalances,
+                 "unbalance: excursion of the quiet motion / clearance left at the first stop"),
+            must("eccentricity_m", unbalances, "unbalance by the eccentricity of the disc")},
+           newer({must(std::string(speed_rpm_key), speeds, "shaft speeds, in revolutions per minute"),
+                  must(std::string(unbalance_key), unbalances, "unbalance by U: the eccentricity is U / m"),
+                  must(std::string(grade_key), unbalances,
+                       "unbalance by the balance quality grade G of ISO 21940-11, at the rated speed"),
+                  must(std::string(rated_hz_key), number(model::positive), "speed that a grade is taken at"),
+                  must(std::string(rated_rpm_key), number(model::positive),
+                       "the same, in revolutions per minute"),
+                  may("x", over_keys, "axis over other keys of the configuration", "(none)"),
+                  may("y", over_keys, "a second axis over other keys", "(none)"),
+                  may("z", over_keys, "a third axis over other keys", "(none)"),
+                  may("refine", map_of(keys_of<sweep::Refinement>()),
+                      "a map without most of its cells, split where neighbours differ", "(none)")})}),
+      {either(speed_keys),
+       {.ways = {{{"whirl_ratio"}, {}},
+                 {{"eccentricity_m"}, {}},
+                 {{std::string(unbalance_key)}, {}},
+                 {{std::string(grade_key), std::string(rated_hz_key)}, {}},
+                 {{std::string(grade_key), std::string(rated_rpm_key)}, {}}}}});
+}
+
 void print_sweep(yaml::Printer& printer, const sweep::Grid& grid, AxisPrint how) {
   printer.open("sweep");
   print_place_axis(printer, "speed_hz", grid.written_speed, grid.speed_hz, how);
@@ -88,9 +112,7 @@ void print_sweep(yaml::Printer& printer, const sweep::Grid& grid, AxisPrint how)
   print_key_axes(printer, grid.axes, how);
   if (grid.refinement) {
     printer.open("refine");
-    visit_refinement(*grid.refinement, [&](auto name, const auto& field, const auto& allowed) {
-      printer.field(name, field, allowed);
-    });
+    print_fields(printer, *grid.refinement);
     printer.close();
   }
   printer.close();

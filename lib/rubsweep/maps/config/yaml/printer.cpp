@@ -59,6 +59,10 @@ void Printer::field(std::string_view name, const std::optional<double>& value, c
   if (value) number(name, *value);
 }
 
+void Printer::field(std::string_view name, const std::optional<int>& value, const model::IntegerOr& range) {
+  value ? integer(name, *value) : word(name, range.word);
+}
+
 void Printer::integer(std::string_view name, long value) { line(name, fmt::format("{}", value)); }
 
 void Printer::word(std::string_view name, std::string_view value) { line(name, value); }

@@ -2,13 +2,15 @@
 
 #include <concepts>
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
-#include "rubsweep/maps/config/yaml/words.hpp"
 
 namespace rubsweep::config::yaml {
 
@@ -48,6 +50,21 @@ class Printer {
     }
   }
 
+  void field(std::string_view name, const std::optional<int>& value, const model::IntegerOr& range);
+  void field(std::string_view name, const std::vector<double>& values, const model::NumberOrList&) {
+    numbers(name, values);
+  }
+  template <class Visit>
+  void map(std::string_view name, std::string_view /*meaning*/, Visit&& visit) {
+    open(name);
+    visit(*this);
+    close();
+  }
+  template <class Visit>
+  void beside(std::string_view, std::initializer_list<std::string>, bool holds, Visit&& visit) {
+    if (holds) visit();
+  }
+
   const std::string& yaml() const { return yaml_; }
 
  private:
@@ -61,9 +78,7 @@ class Printer {
 /// Prints every field that the struct's own list names.
 template <class Struct>
 void print_fields(Printer& printer, const Struct& source) {
-  Struct::visit_fields(source, [&](std::string_view name, const auto& field, const model::Range& range) {
-    printer.field(name, field, range);
-  });
+  Struct::visit_fields(source, model::fields_into(printer));
 }
 
 }  // namespace rubsweep::config::yaml

@@ -45,9 +45,9 @@ std::optional<Value> Section::require(std::string_view name, std::string_view al
   return value;
 }
 
-void Section::require_exactly_one(std::initializer_list<std::string_view> names) {
+void Section::require_exactly_one(std::span<const std::string_view> names) {
   if (!is_map()) return;
-  const std::string allowed = "exactly one of " + describe(std::vector<std::string_view>(names));
+  const std::string allowed = "exactly one of " + describe(names);
   std::vector<std::string_view> given;
   for (const std::string_view name : names) {
     if (lookup(name) != nullptr) given.push_back(name);
@@ -75,6 +75,26 @@ void Section::field(std::string_view name, double& target, const model::Range& r
 
 void Section::field(std::string_view name, std::optional<double>& target, const model::Range& range) {
   if (const auto value = find(name)) target = read_number(*value, range);
+}
+
+void Section::field(std::string_view name, std::optional<int>& target, const model::IntegerOr& range) {
+  const auto value = find(name);
+  if (!value) return;
+  if (value->node.kind == Node::Kind::scalar && value->node.text == range.word) {
+    target.reset();
+  } else if (const auto number = read_integer(*value, range)) {
+    target = static_cast<int>(*number);
+  }
+}
+
+void Section::field(std::string_view name, std::vector<double>& target, const model::NumberOrList& range) {
+  const auto value = find(name);
+  if (!value) return;
+  if (value->node.kind == Node::Kind::list) {
+    target = read_number_list(*value, range, range.most);
+  } else if (const auto number = read_number(*value, range)) {
+    target = {*number};
+  }
 }
 
 std::optional<std::size_t> Section::require_kind(std::string_view name,

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
-#include "rubsweep/maps/config/yaml/words.hpp"
 
 namespace rubsweep::config::yaml {
 
@@ -32,7 +32,10 @@ class Section {
 
   /// More or less than one of these keys is a problem; more of them with the place of each. Does not make
   /// them known.
-  void require_exactly_one(std::initializer_list<std::string_view> names);
+  void require_exactly_one(std::span<const std::string_view> names);
+  void require_exactly_one(std::initializer_list<std::string_view> names) {
+    require_exactly_one(std::span(names.begin(), names.size()));
+  }
 
   /// Reads a number; one whose present value is NaN (model::required) must be given.
   void field(std::string_view name, double& target, const model::Range& range);
@@ -45,11 +48,38 @@ class Section {
     }
   }
 
+  /// The same, where it may have to be given.
+  template <std::signed_integral Integer>
+  void field(std::string_view name, Integer& target, const model::Key<IntegerRange>& key) {
+    const IntegerRange& range = key;
+    if (key.without != model::needed || require(name, describe(range))) field(name, target, range);
+  }
+
   template <class Enum, std::size_t count>
   void field(std::string_view name, Enum& target, const Words<Enum, count>& words) {
     if (const auto value = find(name)) {
       if (const auto index = read_word(*value, words.texts)) target = words.values[*index];
     }
+  }
+
+  /// An integer, or the word for none.
+  void field(std::string_view name, std::optional<int>& target, const model::IntegerOr& range);
+  void field(std::string_view name, std::vector<double>& target, const model::NumberOrList& range);
+
+  /// A map that must be given: `visit` reads its keys.
+  template <class Visit>
+  void map(std::string_view name, std::string_view /*meaning*/, Visit&& visit) {
+    const auto value = require(name, "a map");
+    if (!value) return;
+    Section inner(*value);
+    visit(inner);
+    inner.refuse_unknown_keys();
+  }
+
+  /// Keys that stand only where `holds`, beside these words of another key.
+  template <class Visit>
+  void beside(std::string_view, std::initializer_list<std::string>, bool holds, Visit&& visit) {
+    if (holds) visit();
   }
 
   /// Index of the kind of something among those there are; the key must be given.
@@ -78,9 +108,7 @@ class Section {
 /// Reads every field that the struct's own list names.
 template <class Struct>
 void read_fields(Section& section, Struct& target) {
-  Struct::visit_fields(target, [&](std::string_view name, auto& field, const model::Range& range) {
-    section.field(name, field, range);
-  });
+  Struct::visit_fields(target, model::fields_into(section));
 }
 
 }  // namespace rubsweep::config::yaml

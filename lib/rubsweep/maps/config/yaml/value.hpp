@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/range.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
@@ -19,12 +20,7 @@ struct Value {
   Diagnostics& diagnostics;
 };
 
-/// Closed interval of allowed integers.
-struct IntegerRange {
-  long low;
-  long high;
-  bool even = false;  ///< true: odd numbers are not allowed
-};
+using model::IntegerRange;
 
 /// Allowed values, in words that finish "allowed: ".
 std::string describe(const IntegerRange& range);
