@@ -27,6 +27,8 @@ constexpr double last_join = 2 * std::numbers::pi - 1e-9;
 constexpr double before_the_end = 1e-6;
 /// Largest number of pieces before the next search for such a stretch, where there was none.
 constexpr int longest_wait = 64;
+/// Pieces in a row that stick after which a mode is made for that place of a ring, which costs as much.
+constexpr int pieces_worth_a_mode = 16;
 
 /// Work of a turn that several methods make together.
 double most_work_of_a_turn(const run::SolverOptions& options) {
@@ -47,6 +49,14 @@ bool may_be_in_pieces(const scene::Scene& scene, const run::SolverOptions& optio
          std::ranges::all_of(scene.contacts, [](const scene::Contact& c) { return contact::linear(c.wall); });
 }
 
+/// Whether dry friction may hold the rotor at a place of a ring, whose surface stands.
+bool may_stick_in_a_ring(const scene::Scene& scene) {
+  return scene.impulses.empty() && std::ranges::any_of(scene.contacts, [](const scene::Contact& c) {
+           return contact::annular(c.wall) && c.surface_speed_m_per_s == 0 &&
+                  contact::dry_coefficient(c.friction) != 0;
+         });
+}
+
 /// Exact turns; Taylor pieces where there is no closed form; a stepper's where one
 /// was asked for by name.
 template <int N>
@@ -58,6 +68,7 @@ class HybridRun {
         options_(options),
         run_(scene, std::move(modes), options.max_steps_per_revolution),
         in_pieces_(may_be_in_pieces(scene, options)),
+        sticks_in_rings_(may_stick_in_a_ring(scene)),
         stiff_(scene_, options),
         end_of_pulses_rad_(end_of_pulses_rad(scene)) {}
 
@@ -138,13 +149,21 @@ class HybridRun {
     for (;;) {
       const run::Outcome ending = taylor_->go_on(report);
       if (ending != run::Outcome::ok || taylor_->at_end_of_turn()) return ending;
-      if (taylor_->sticks() && stick(request, report) &&
+      if (taylor_->sticks() && lasts() && stick(request, report) &&
           work_so_far() - before > most_work_of_a_turn(options_))
         return run::Outcome::step_limit;
-      const bool may_join = !taylor_->sticks() && taylor_->phase_rad() < last_join;
+      const bool may_join = in_pieces_ && !taylor_->sticks() && taylor_->phase_rad() < last_join;
       if (may_join && run_.join(taylor_->phase_rad(), taylor_->section(), taylor_->modes(), report))
         return ending;
     }
+  }
+
+  /// Whether a contact has stuck for so long that a mode for its place in a ring is worth making.
+  bool lasts() {
+    if (!sticks_in_rings_) return true;
+    if (std::exchange(switches_of_stuck_, taylor_->effort().switches) != taylor_->effort().switches)
+      stuck_pieces_ = 0;
+    return ++stuck_pieces_ > pieces_worth_a_mode;
   }
 
   /// Takes closed forms as long as friction holds the touching contacts. False, with nothing changed, where
@@ -202,11 +221,21 @@ class HybridRun {
   }
 
   run::Outcome advance_by_series(const run::TurnRequest& request, run::TurnReport& report) {
-    const run::Outcome outcome = taylor_->advance(request, report);
+    const run::Outcome outcome =
+        sticks_in_rings_ ? advance_beside_rings(request, report) : taylor_->advance(request, report);
     if (outcome != run::Outcome::ok) return finish(report, outcome);
     ++taylor_turns_;
     finish(report, run::Outcome::ok);
     return made_away(report);
+  }
+
+  /// Taylor pieces, and closed forms where the rotor sticks.
+  run::Outcome advance_beside_rings(const run::TurnRequest& request, run::TurnReport& report) {
+    taylor_->begin(request, report);
+    pieces_to_wait_ = wait_ = 0;
+    const run::Outcome outcome = make_piece(request, report, work_so_far());
+    if (outcome == run::Outcome::ok) taylor_->finish(report);
+    return outcome;
   }
 
   run::Outcome advance_adaptively(const run::TurnRequest& request, run::TurnReport& report) {
@@ -252,7 +281,10 @@ class HybridRun {
   scene::Scene scene_;
   run::SolverOptions options_;
   exact::ExactRun<N> run_;
-  bool in_pieces_ = false;  ///< turns whose friction leaves saturation are
+  bool in_pieces_ = false;        ///< turns whose friction leaves saturation are
+  bool sticks_in_rings_ = false;  ///< may_stick_in_a_ring
+  long switches_of_stuck_ = 0;    ///< of the pieces, at the last look whether a contact sticks
+  int stuck_pieces_ = 0;          ///< since the last of them
   StiffTurns stiff_;
   std::unique_ptr<TaylorRun> taylor_;                 ///< made when first needed
   std::unique_ptr<exact::StickingStretch> sticking_;  ///< made when first needed

@@ -50,8 +50,7 @@ void TaylorRun<N>::resume(std::span<const double> section, long revolution) {
 }
 
 template <int N>
-run::Outcome TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report,
-                                   double end_phase) {
+void TaylorRun<N>::begin(const run::TurnRequest& request, run::TurnReport& report, double end_phase) {
   report.clear();
   ask(request);
   if (samples_wanted_ > 0) report.samples.resize(static_cast<std::size_t>(samples_wanted_) * state_.size());
@@ -59,6 +58,12 @@ run::Outcome TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnRep
   if (!entered_) enter_by_state();
   entered_ = true;
   begin_tangents(request.tangent_vectors, request.tangent_accuracy);
+}
+
+template <int N>
+run::Outcome TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report,
+                                   double end_phase) {
+  begin(request, report, end_phase);
   run::Outcome ending = run::Outcome::ok;
   while (ending == run::Outcome::ok && !clock_.turn_is_over()) {
     if (clock_.impulse_is_due()) apply_impulses(report);

@@ -37,6 +37,9 @@ class TaylorRun {
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = numerics::full_turn);
+  /// Begins a revolution that `go_on` makes in pieces and `finish` completes, of a scene without impulses.
+  void begin(const run::TurnRequest& request, run::TurnReport& report,
+             double end_phase = numerics::full_turn);
 
   /// As SeriesOptions::accuracy, from the next piece on.
   void set_series_accuracy(double accuracy) { motion_.set_accuracy(accuracy); }
@@ -49,14 +52,15 @@ class TaylorRun {
   /// TurnRequest::tangent_vectors).
   void join(const run::TurnRequest& request, long revolution, double phase_rad, std::span<const double> state,
             const std::vector<contact::Mode>& modes, const Eigen::MatrixXd& tangent_vectors);
-  /// One piece of the turn that was joined; `report` goes on. After `ok` the run is at `phase_rad()`.
+  /// One piece of the turn that was begun or joined; `report` goes on. After `ok` the run is at
+  /// `phase_rad()`.
   run::Outcome go_on(run::TurnReport& report) {
     const bool may_go_on = effort_.steps < step_limit_ && expansions_ < expansion_limit_;
     return may_go_on ? step(report) : run::Outcome::step_limit;
   }
   /// Whether the last piece reached the end of the turn.
   bool at_end_of_turn() const { return clock_.turn_is_over(); }
-  /// Completes the report of a turn that was joined and is at its end.
+  /// Completes the report of a turn that was begun or joined and is at its end.
   void finish(run::TurnReport& report) { end(report, run::Outcome::ok); }
 
   double phase_rad() const { return clock_.time(); }
