@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "map_outcome.hpp"
+#include "map_status.hpp"
 #include "merge.hpp"
 #include "motion_kinds_csv.hpp"
 #include "rubsweep/maps/batch/captions.hpp"
@@ -14,7 +15,6 @@
 #include "rubsweep/maps/config/read_run_config.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
-#include "rubsweep/maps/map/map_status.hpp"
 #include "rubsweep/maps/map/written_file.hpp"
 #include "rubsweep/maps/report/describe_footprint.hpp"
 #include "rubsweep/maps/report/explain_study.hpp"
@@ -125,7 +125,7 @@ int perform(const RubsweepArguments& arguments) {
     return done;
   }
   if (arguments.status) {
-    print("{}", map::map_status(*arguments.status));
+    print("{}", map_status(*arguments.status));
     return done;
   }
   if (arguments.watched) {

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "map_status.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/finished_cells.hpp"
 #include "rubsweep/maps/config/read_run_config.hpp"
-#include "rubsweep/maps/map/map_status.hpp"
 #include "rubsweep/maps/report/terminal_map.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 #include "shared/program.hpp"
@@ -59,8 +59,8 @@ struct Screen {
 
 Screen look(const fs::path& directory) {
   // Asked first, so that the last screen is drawn after the end.
-  const bool at_work = map::is_at_work(directory);
-  const std::string status = map::map_status(directory);  // waits two seconds where somebody is at work
+  const bool at_work = is_at_work(directory);
+  const std::string status = map_status(directory);  // waits two seconds where somebody is at work
   return {status, picture(directory), at_work};
 }
 

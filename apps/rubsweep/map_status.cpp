@@ -1,4 +1,4 @@
-#include "rubsweep/maps/map/map_status.hpp"
+#include "map_status.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 #include "rubsweep/maps/batch/journal.hpp"
 #include "rubsweep/maps/map/share.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,10 +116,10 @@ std::string map_status(const fs::path& directory) {
   std::size_t shards = 0;
   for (const auto& [name, cells] : finished.by_journal) {
     names.insert(name);
-    shards = std::max(shards, share_count_of(name));
+    shards = std::max(shards, map::share_count_of(name));
   }
-  for (const auto& [name, holder] : holders) shards = std::max(shards, share_count_of(name));
-  for (std::size_t i = 1; i <= shards; ++i) names.insert(share_name(Share{i - 1, shards}));
+  for (const auto& [name, holder] : holders) shards = std::max(shards, map::share_count_of(name));
+  for (std::size_t i = 1; i <= shards; ++i) names.insert(map::share_name(map::Share{i - 1, shards}));
   for (const std::string& name : names) {
     const bool begun = finished.by_journal.contains(name);
     text += fmt::format("  {:24} {:>8}  {}\n", name, begun ? std::to_string(cells_in(finished, name)) : "-",
@@ -128,4 +128,4 @@ std::string map_status(const fs::path& directory) {
   return text;
 }
 
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

@@ -1,12 +1,15 @@
-#include "rubsweep/maps/map/map_status.hpp"
+#include "rubsweep/map_status.hpp"
 
 #include <gtest/gtest.h>
 
 #include "maps/batch/message_of.hpp"
 #include "maps/map/small_map.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 namespace {
+
+using map::Share;
+using map::SmallMap;
 
 TEST(MapStatus, SaysWhereNoMapWasBegunAndWhereItIsWhole) {
   const SmallMap map;
@@ -36,7 +39,7 @@ TEST(MapStatus, CountsACellThatTwoJournalsHoldOnce) {
 
 TEST(MapStatus, NamesWhoIsAtWork) {
   const SmallMap map;
-  const MapDirectory directory = map.begin();
+  const map::MapDirectory directory = map.begin();
   const batch::Journal journal = directory.journal();
   const std::string text = map_status(map.path);
   EXPECT_NE(text.find("0 of 4 cells are finished (0 %), 0 cells/s\n"), std::string::npos) << text;
@@ -44,4 +47,4 @@ TEST(MapStatus, NamesWhoIsAtWork) {
 }
 
 }  // namespace
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps
