@@ -14,10 +14,8 @@ namespace {
 
 using namespace keys;
 
-constexpr std::size_t most_parts = model::RotorKit::most_parts;
-
 Form parts_of(std::vector<Key> keys, std::vector<Choice> choices = {}) {
-  return list_of(map_of(std::move(keys), std::move(choices)), 1, most_parts);
+  return list_of(map_of(std::move(keys), std::move(choices)), 1, model::RotorKit::most_parts);
 }
 
 Form shaft() {
@@ -50,7 +48,7 @@ Form fault() {
 Form supports() {
   std::vector<Key> numbers = keys_of<model::Support>(), coefficients = numbers;
   std::erase_if(coefficients, [](const Key& key) { return !is_coefficient(key.name); });
-  const Form housing = integer(0, static_cast<long>(most_parts) - 1);
+  const Form housing = integer(0, static_cast<long>(model::RotorKit::most_parts) - 1);
   const Key table =
       newer_key(must("table", support_table_form(), "coefficients over the speed, in place of the numbers"));
   return parts_of(
@@ -67,7 +65,9 @@ Form supports() {
 }
 
 Form bow() {
-  const auto numbers = [](const model::Range& range) { return list_of(number(range), 1, most_parts); };
+  const auto numbers = [](const model::Range& range) {
+    return list_of(number(range), 1, model::RotorKit::most_parts);
+  };
   const std::vector<std::vector<Key>> ways{
       {must("mode", integer(1, model::RotorKit::most_modes), "mode whose shape it has, 1 the lowest"),
        must("amplitude_m", number(model::physical::amplitude_m), "largest deflection of that shape")},

@@ -1,4 +1,4 @@
-#include "rubsweep/ring/ring_csv.hpp"
+#include "ring_csv.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,10 @@
 
 #include "rubsweep/maps/batch/csv_table.hpp"
 
-namespace rubsweep::ring {
+namespace rubsweep::apps {
+
+using namespace ring;
+
 namespace {
 
 using batch::csv_number;
@@ -137,4 +140,4 @@ std::string chart_onsets_csv(const Study& study, const std::vector<std::optional
   return text;
 }
 
-}  // namespace rubsweep::ring
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/ring/ring_summary.hpp"
+#include "ring_summary.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,10 @@
 #include <cmath>
 #include <map>
 
-namespace rubsweep::ring {
+namespace rubsweep::apps {
+
+using namespace ring;
+
 namespace {
 
 double rpm(double rad_per_s) { return rad_per_s / rad_per_s_of_rpm; }
@@ -118,4 +121,4 @@ std::string explain_ring(const Study& study) {
   return text;
 }
 
-}  // namespace rubsweep::ring
+}  // namespace rubsweep::apps
