@@ -219,7 +219,7 @@ ColumnKey key_of_support(const table::Heading& heading) {
   const std::string in_words = heading.name + (heading.unit.empty() ? "" : " [" + heading.unit + ']');
   if (name == "speed" && heading.unit.empty())
     return {"speed", fmt::format("'{}' says no unit", yaml::shown(in_words)),
-            "rpm, Hz or rad/s behind it or below it"};
+            "rpm, Hz or rad/s behind it or below it, or as speed_unit beside file"};
   if (heading.unit.empty()) return {name};
   const bool stiffness = ending.starts_with("_n_per") || ending == "_lbf_per_in";
   const bool damping = ending.starts_with("_ns_per") || ending == "_lbf_s_per_in";
@@ -237,6 +237,33 @@ ColumnKey key_of_support(const table::Heading& heading) {
   return {stem + std::string(ending)};
 }
 
+/// Takes `speed_unit` out of a map with a file: the unit of speeds where the file says none.
+void resolve_table(yaml::Node& table, const std::string& path, yaml::Diagnostics& diagnostics) {
+  const yaml::Node* given = child(&table, "file") == nullptr ? nullptr : child(&table, "speed_unit");
+  if (given == nullptr) return resolve_table_file(table, path, key_of_support, diagnostics);
+  const yaml::Node written = *given;
+  const yaml::Value value{written, path + ".speed_unit", diagnostics};
+  const auto unit = read_text(value);
+  const auto place = given - table.items.data();
+  table.keys.erase(table.keys.begin() + place);
+  table.items.erase(table.items.begin() + place);
+  constexpr std::array<std::string_view, 3> units{"rpm", "Hz", "rad/s"};
+  if (!unit) return;
+  if (std::ranges::find(units, *unit) == units.end())
+    return refuse(value, fmt::format("'{}' is no unit of speeds", yaml::shown(*unit)), "rpm, Hz or rad/s");
+  bool is_needed = false;
+  const auto key_of = [&](const table::Heading& heading) {
+    ColumnKey key = key_of_support(heading);
+    if (key.key != "speed" || !heading.unit.empty()) return key;
+    is_needed = true;
+    return key_of_support({heading.name, *unit});
+  };
+  const std::size_t problems = diagnostics.count();
+  resolve_table_file(table, path, key_of, diagnostics);
+  if (!is_needed && diagnostics.count() == problems)
+    refuse(value, "is given, and the file says the unit of its speeds", "no speed_unit");
+}
+
 }  // namespace
 
 void resolve_tables(yaml::Node& root, yaml::Diagnostics& diagnostics) {
@@ -244,7 +271,7 @@ void resolve_tables(yaml::Node& root, yaml::Diagnostics& diagnostics) {
   if (supports == nullptr || supports->kind != yaml::Node::Kind::list) return;
   for (std::size_t i = 0; i < supports->items.size(); ++i) {
     if (yaml::Node* table = child(&supports->items[i], "table"))
-      resolve_table_file(*table, fmt::format("rotor.supports.{}.table", i), key_of_support, diagnostics);
+      resolve_table(*table, fmt::format("rotor.supports.{}.table", i), diagnostics);
   }
 }
 
@@ -291,8 +318,11 @@ keys::Form support_table_form() {
       choice.ways.push_back({{std::string(name.text)}, {}});
     }
   }
-  return any_of({map_of({must("file", text(), "file of these columns, its name relative to this one")}),
-                 map_of(std::move(columns), std::move(choices))});
+  return any_of(
+      {map_of({must("file", text(), "file of these columns, its name relative to this one"),
+               newer_key(may("speed_unit", word({"rpm", "Hz", "rad/s"}),
+                             "unit of the speeds of a file that says none", "(that of the file)"))}),
+       map_of(std::move(columns), std::move(choices))});
 }
 
 void print_support_table(yaml::Printer& printer, const model::SupportTable& table) {
