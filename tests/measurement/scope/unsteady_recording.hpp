@@ -22,6 +22,7 @@ struct Unsteady {
   double noise_share = 5e-3;                ///< of every reading
   double step_um = 1e-3;                    ///< of the converter; 1X has 100 um
   double edge_readings = 0;                 ///< that the edge of the mark lasts
+  double mark_noise_v = 0.05;               ///< of eight
   double readings_per_turn = 20;
   int turns = 32;
 };
@@ -83,7 +84,7 @@ inline recording::Recording recorded(const Unsteady& put, unsigned seed) {
         std::polar(1.0, 2 * std::numbers::pi * (put.other_order + put.near_bins / put.turns) * angle - phase);
     table.channels[0].values.push_back(read(z.real() + 100 * put.noise_share * normal(random)));
     table.channels[1].values.push_back(read(z.imag() + 100 * put.noise_share * normal(random)));
-    table.channels[2].values.push_back(mark_v(angle) + 0.05 * normal(random));
+    table.channels[2].values.push_back(mark_v(angle) + put.mark_noise_v * normal(random));
     // A hundred small steps of a turn that follows its own speed.
     for (int i = 0; i < 4; ++i)
       angle += (1 + put.speed_wander * speed.at(share + 0.25 * i / count)) / (4 * put.readings_per_turn);

@@ -136,16 +136,12 @@ struct Motion {
   }
   /// Samples without slow modulation of their lines of whole orders, whatever the period of so many turns is.
   Levelled levelled_once(std::span<const Complex> motion, int turns) const {
-    return without_slow_modulation(motion, static_cast<int>(per_turn), 1, most_order_looked_at(),
-                                   reading.thresholds.most_modulation, static_cast<std::size_t>(turns));
+    return levelled(motion, {.repeats = turns});
   }
-  /// The same of all lines of the period.
-  Levelled levelled(const Levelled& once, int turns) const {
-    if (turns == 1) return once;
-    Levelled all = without_slow_modulation(once.samples, static_cast<int>(per_turn), turns,
-                                           most_order_looked_at(), reading.thresholds.most_modulation);
-    all.modulation_m = std::hypot(once.modulation_m, all.modulation_m);
-    return all;
+  Levelled levelled(std::span<const Complex> motion, SlowModulation slow) const {
+    slow.most_order = most_order_looked_at();
+    slow.most_modulation = reading.thresholds.most_modulation;
+    return without_slow_modulation(motion, static_cast<int>(per_turn), slow);
   }
 };
 
@@ -171,21 +167,25 @@ bool keeps_lines(const Motion& motion, std::span<const Complex> samples, Spectru
 std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
   for (int n = 1; n <= verdict.longest_period; ++n) {
     std::vector<Complex> samples = motion.repeating_after(n);
-    const Levelled once = motion.levelled_once(samples, n), levelled = motion.levelled(once, n);
+    const Levelled once = motion.levelled_once(samples, n);
+    // The lines of a longer period may swell without turning, and then as they like.
+    const Levelled steady = n == 1 ? once : motion.levelled(once.samples, {.period = n, .in_phase = true});
+    const Levelled levelled = n == 1 ? once : motion.levelled(steady.samples, {.period = n});
     if (n == 1) verdict.refused_modulation_m = once.refused_m;
     const Lines spectrum = spectrum_of_periods(motion, levelled.samples, n, workspace);
     const Threshold threshold = threshold_of(spectrum);
     if (largest_beside(spectrum, n) > threshold.visible_m) continue;
     // A line near a multiple of 1/n moves slowly as that multiple does.
     if (n > 1 &&
-        !keeps_period(once.samples, motion.per_turn, motion.reading, n, threshold.visible_m, workspace))
+        !keeps_period(steady.samples, motion.per_turn, motion.reading, n, threshold.visible_m, workspace))
       continue;
     verdict.motion = n == 1 ? MeasuredClass::synchronous : MeasuredClass::subharmonic;
     verdict.period = n;
     verdict.turns = spectrum.turns;
     verdict.noise_m = threshold.noise_m;
     verdict.visible_m = threshold.visible_m;
-    verdict.modulation_m = levelled.modulation_m;
+    verdict.modulation_m = n == 1 ? once.modulation_m
+                                  : std::hypot(once.modulation_m, steady.modulation_m, levelled.modulation_m);
     verdict.refused_modulation_m = 0;
     verdict.beside_m = largest_beside(spectrum, n);
     verdict.seen_m = threshold.seen_m;
