@@ -9,6 +9,7 @@
 #include "rubsweep/core/integrate/exact/modes/machine_modes.hpp"
 #include "rubsweep/core/integrate/exact/sticking_stretch.hpp"
 #include "rubsweep/core/integrate/run/coordinates.hpp"
+#include "rubsweep/core/integrate/run/pulse_times.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
 #include "rubsweep/core/integrate/run/work_bound.hpp"
 #include "rubsweep/core/integrate/stiff_turns.hpp"
@@ -33,13 +34,6 @@ constexpr int pieces_worth_a_mode = 16;
 /// Work of a turn that several methods make together.
 double most_work_of_a_turn(const run::SolverOptions& options) {
   return run::work_of_an_expansion * static_cast<double>(run::most_pieces_of_a_turn(options));
-}
-
-/// End of the last pulse, radians from the start of revolution 0.
-double end_of_pulses_rad(const scene::Scene& scene) {
-  double end_s = 0;
-  for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
-  return end_s * scene.speed_rad_per_s;
 }
 
 /// Whether turns are handed on in the middle: between flat stops, by Taylor's series.
@@ -70,7 +64,7 @@ class HybridRun {
         in_pieces_(may_be_in_pieces(scene, options)),
         sticks_in_rings_(may_stick_in_a_ring(scene)),
         stiff_(scene_, options),
-        end_of_pulses_rad_(end_of_pulses_rad(scene)) {}
+        end_of_pulses_rad_(run::pulses_end_s(scene) * scene.speed_rad_per_s) {}
 
   run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
     if (stiff_.due()) {
@@ -93,6 +87,9 @@ class HybridRun {
  private:
   using TaylorRun = taylor::TaylorRun<N>;
 
+  /// State of the run: what makes the next turn.
+  enum class Maker { closed_forms, series, stepper };
+
   long pieces_so_far() const { return taylor_ ? taylor_->effort().steps : 0; }
 
   run::Outcome made_stiffly(run::TurnReport& report) {
@@ -104,14 +101,15 @@ class HybridRun {
 
   /// Closed forms where there are any, and what takes their place.
   run::Outcome advance_explicitly(const run::TurnRequest& request, run::TurnReport& report) {
-    if (!away_) {
+    if (maker_ == Maker::closed_forms) {
       const run::Outcome outcome = run_.advance(request, report);
       const bool unsaturated = outcome == run::Outcome::unsaturated;
       if (unsaturated && in_pieces_) return go_on_in_pieces(request, report);
       if (!unsaturated && outcome != run::Outcome::no_closed_form) return finish(report, outcome);
       leave();
     }
-    return adaptive_ ? advance_adaptively(request, report) : advance_by_series(request, report);
+    return maker_ == Maker::stepper ? advance_adaptively(request, report)
+                                    : advance_by_series(request, report);
   }
 
   /// Makes a turn in which friction leaves saturation: Taylor pieces until it is saturated again, and closed
@@ -191,25 +189,19 @@ class HybridRun {
   /// Work of this run without that of its stepper.
   double work_so_far() const {
     run::Effort effort = run_.effort();
-    if (taylor_) effort = sum(effort, taylor_->effort());
-    if (taylor_) {
-      effort.taylor_pieces = taylor_->effort().steps;
-      effort.taylor_work = taylor_->effort().taylor_work;
-    }
+    if (taylor_) effort = effort + taylor_->effort();
     return run::work(effort) +
            run::work_of_a_step * (sticking_ ? static_cast<double>(sticking_->steps()) : 0);
   }
 
-  void begin_absence() {
-    away_ = true;
+  /// From closed forms to what takes their place, for a while.
+  void leave() {
     absent_ = 0;
     absence_ = std::min(2 * absence_, longest_absence);
-  }
-
-  void leave() {
-    begin_absence();
-    if (options_.stepper != run::Stepper::automatic || options_.contact != run::ContactHandling::located)
-      return start_stepper();
+    const bool by_name =
+        options_.stepper != run::Stepper::automatic || options_.contact != run::ContactHandling::located;
+    maker_ = by_name ? Maker::stepper : Maker::series;
+    if (by_name) return start_stepper();
     if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
     run_.put_section(section_);
     taylor_->resume(section_, run_.revolution());
@@ -257,20 +249,15 @@ class HybridRun {
   }
 
   void come_back() {
-    past_ = sum(past_, adaptive_effort_);
+    past_ = past_ + adaptive_effort_;
     adaptive_effort_ = {};
     adaptive_ = nullptr;
-    away_ = false;
+    maker_ = Maker::closed_forms;
   }
 
   run::Outcome finish(run::TurnReport& report, run::Outcome outcome) {
-    report.effort = sum(sum(sum(past_, adaptive_effort_), stiff_.effort()), run_.effort());
-    if (taylor_) {
-      report.effort = sum(report.effort, taylor_->effort());
-      report.effort.taylor_pieces = taylor_->effort().steps;
-      report.effort.creep_pieces = taylor_->effort().creep_pieces;
-      report.effort.taylor_work = taylor_->effort().taylor_work;
-    }
+    report.effort = past_ + adaptive_effort_ + stiff_.effort() + run_.effort();
+    if (taylor_) report.effort = report.effort + taylor_->effort();
     if (sticking_) report.effort.steps += sticking_->steps();
     report.effort.taylor_turns = taylor_turns_;
     report.effort.adaptive_turns = adaptive_turns_;
@@ -289,11 +276,11 @@ class HybridRun {
   std::unique_ptr<TaylorRun> taylor_;                 ///< made when first needed
   std::unique_ptr<exact::StickingStretch> sticking_;  ///< made when first needed
   exact::StickingStretch::StretchState held_;
-  double end_of_pulses_rad_ = 0;
+  double end_of_pulses_rad_ = 0;       ///< from the start of revolution 0
   int pieces_to_wait_ = 0, wait_ = 0;  ///< before the next look for a stretch that sticks
   run::Cursor adaptive_;               ///< empty while no stepper is at work
-  bool away_ = false;                  ///< from closed forms
-  std::vector<double> section_;        ///< where the run left them
+  Maker maker_ = Maker::closed_forms;
+  std::vector<double> section_;  ///< where the run left them
   int absence_ = 1, absent_ = 0;
   long taylor_turns_ = 0, adaptive_turns_ = 0, switches_ = 0;
   run::Effort past_, adaptive_effort_;
