@@ -13,9 +13,9 @@
 #include "design_check.hpp"
 #include "experiment.hpp"
 #include "experiment_questions.hpp"
+#include "experiment_tables.hpp"
 #include "motion_summary.hpp"
 #include "rubsweep/analysis/linear/experiment.hpp"
-#include "rubsweep/analysis/linear/experiment_tables.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
 #include "rubsweep/analysis/trace/probe_period.hpp"
 #include "rubsweep/analysis/trace/trace_csv.hpp"
@@ -109,10 +109,10 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
                            const sweep::Study& study, const model::ShownLengths& shown,
                            response::motion::Workspace& workspace, batch::ResultFiles& files) {
-  files["sensors.csv"] = linear::sensors_csv({.from_hz = speed_hz,
-                                              .sample_s = probes.sample_s,
-                                              .samples = static_cast<int>(trace.readings_m.rows())},
-                                             trace.readings_m);
+  files["sensors.csv"] = sensors_csv({.from_hz = speed_hz,
+                                      .sample_s = probes.sample_s,
+                                      .samples = static_cast<int>(trace.readings_m.rows())},
+                                     trace.readings_m);
   const auto pair = trace::pair_of(probes.angle_deg, places_of_sensors(study.machine));
   if (!pair) return "probes    no two of them see one place from two directions\n";
   const auto z = trace::displacement_of(trace.readings_m, *pair, probes.angle_deg);

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/terminal_map.hpp"
+#include "character_map.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/report/map_summary.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 constexpr std::size_t most_rows = 20, label_width = 14;
@@ -91,11 +91,13 @@ std::size_t middle_of(std::size_t i, std::size_t parts, std::size_t values) {
 
 }  // namespace
 
-void TerminalMap::add(std::string_view map_line) { add(motion_name(map_line), kind_in(map_line)); }
+void CharacterMap::add(std::string_view map_line) {
+  add(report::motion_name(map_line), report::kind_in(map_line));
+}
 
-void TerminalMap::add_unfinished() { add("unfinished", unfinished); }
+void CharacterMap::add_unfinished() { add("unfinished", unfinished); }
 
-void TerminalMap::add(const std::string& name, const response::motion::MotionKind& kind) {
+void CharacterMap::add(const std::string& name, const response::motion::MotionKind& kind) {
   const auto known = std::ranges::find(names_, name);
   cells_.push_back(static_cast<std::uint16_t>(known - names_.begin()));
   if (known != names_.end()) return;
@@ -103,7 +105,7 @@ void TerminalMap::add(const std::string& name, const response::motion::MotionKin
   kinds_.push_back(&kind);
 }
 
-std::string TerminalMap::text(std::size_t width, bool coloured) const {
+std::string CharacterMap::text(std::size_t width, bool coloured) const {
   const std::size_t speeds = grid_.speed_hz.size(), unbalances = grid_.unbalance.size();
   if (cells_.size() != speeds * unbalances || cells_.empty()) return "";
   const std::size_t room = std::max<std::size_t>(width, label_width + 20) - label_width - 1;
@@ -139,7 +141,7 @@ std::string TerminalMap::text(std::size_t width, bool coloured) const {
   return text + legend + '\n';
 }
 
-std::optional<std::size_t> TerminalMap::typical_rub() const {
+std::optional<std::size_t> CharacterMap::typical_rub() const {
   struct Count {
     std::size_t cells = 0, column = 0, row = 0;
   };
@@ -174,4 +176,4 @@ std::optional<std::size_t> TerminalMap::typical_rub() const {
   return nearest;
 }
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

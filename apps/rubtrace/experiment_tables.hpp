@@ -5,7 +5,7 @@
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/core/model/length_text.hpp"
 
-namespace rubsweep::linear {
+namespace rubsweep::apps {
 
 /// Preliminary experiments on a rotor as texts: sensor readings, and parameters identified from them.
 struct ExperimentTables {
@@ -16,10 +16,10 @@ struct ExperimentTables {
 };
 
 /// t_s, speed_hz, shaft_angle_rad, then sensor_i_m: samples x sensors of a run at this speed.
-std::string sensors_csv(const LinearRun& run, const Eigen::MatrixXd& signal_m);
+std::string sensors_csv(const linear::LinearRun& run, const Eigen::MatrixXd& signal_m);
 
-ExperimentTables tables_of(const FreeResponse& response);
+ExperimentTables tables_of(const linear::FreeResponse& response);
 /// The summary says amplitudes as asked for, in m otherwise.
-ExperimentTables tables_of(const RunUp& run_up, const model::ShownLengths& shown = {});
+ExperimentTables tables_of(const linear::RunUp& run_up, const model::ShownLengths& shown = {});
 
-}  // namespace rubsweep::linear
+}  // namespace rubsweep::apps

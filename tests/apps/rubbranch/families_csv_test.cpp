@@ -1,10 +1,13 @@
-#include "rubsweep/analysis/branch/families/families_csv.hpp"
+#include "rubbranch/families_csv.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace rubsweep::branch::families {
+namespace rubsweep::apps {
+
+using namespace branch::families;
+
 namespace {
 
 sweep::Grid grid() {
@@ -77,4 +80,4 @@ TEST(FamiliesCsvOutline, CellsThatMeetInACorner) {
 }
 
 }  // namespace
-}  // namespace rubsweep::branch::families
+}  // namespace rubsweep::apps

@@ -7,7 +7,7 @@
 #include "rubsweep/analysis/ramp/ramp_record.hpp"
 #include "rubsweep/core/model/length_text.hpp"
 
-namespace rubsweep::ramp {
+namespace rubsweep::apps {
 
 /// A run-up or run-down through rub as texts. Lengths in m, forces in N, times in s, speeds in Hz.
 struct RampTables {
@@ -20,11 +20,11 @@ struct RampTables {
 };
 
 /// Speeds between which neighbouring cells all rub, in the order of the points.
-std::vector<RubbingSpan> rubbing_spans(std::span<const line::LinePoint> points);
+std::vector<ramp::RubbingSpan> rubbing_spans(std::span<const line::LinePoint> points);
 
-/// The summary says lengths as asked for, in m otherwise. `quasi_static`: the cells of the same speeds one after the
-/// other, in the order of the ramp.
-RampTables tables_of(const RampRecord& record, std::span<const line::LinePoint> quasi_static,
+/// The summary says lengths as asked for, in m otherwise. `quasi_static`: the cells of the same speeds one
+/// after the other, in the order of the ramp.
+RampTables tables_of(const ramp::RampRecord& record, std::span<const line::LinePoint> quasi_static,
                      const model::ShownLengths& shown = {});
 
-}  // namespace rubsweep::ramp
+}  // namespace rubsweep::apps

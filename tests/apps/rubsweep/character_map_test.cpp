@@ -1,4 +1,4 @@
-#include "rubsweep/maps/report/terminal_map.hpp"
+#include "rubsweep/character_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "rubsweep/maps/report/map_csv.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 namespace {
 
 using response::motion::MotionClass;
@@ -15,13 +15,13 @@ std::string line(MotionClass motion_class, std::optional<int> order = {}) {
   sweep::Row row;
   row.motion_class = motion_class;
   row.order = order;
-  return map_line(row);
+  return report::map_line(row);
 }
 
 const sweep::Grid small_grid{{50, 60, 70}, sweep::UnbalanceMeasure::whirl_ratio, {0.2, 0.6}};
 
-TerminalMap small_map() {
-  TerminalMap map(small_grid);
+CharacterMap small_map() {
+  CharacterMap map(small_grid);
   map.add(line(MotionClass::non_contact));
   map.add(line(MotionClass::chaotic));
   map.add(line(MotionClass::unsettled));
@@ -31,7 +31,7 @@ TerminalMap small_map() {
   return map;
 }
 
-TEST(TerminalMap, HasACharacterForEachCellUnbalanceUpward) {
+TEST(CharacterMap, HasACharacterForEachCellUnbalanceUpward) {
   EXPECT_EQ(small_map().text(80, false),
             "           0.6 2+2\n"
             "           0.2 .*?\n"
@@ -40,8 +40,8 @@ TEST(TerminalMap, HasACharacterForEachCellUnbalanceUpward) {
             "  2 subharmonic 1/2  ? unsettled\n");
 }
 
-TEST(TerminalMap, LeavesUnfinishedCellsBlankAndOutOfTheLegend) {
-  TerminalMap map(small_grid);
+TEST(CharacterMap, LeavesUnfinishedCellsBlankAndOutOfTheLegend) {
+  CharacterMap map(small_grid);
   for (int i = 0; i < 2; ++i) {
     map.add(line(MotionClass::chaotic));
     map.add_unfinished();
@@ -57,7 +57,7 @@ TEST(TerminalMap, LeavesUnfinishedCellsBlankAndOutOfTheLegend) {
   EXPECT_EQ(map.name(*map.typical_rub()), "chaotic");
 }
 
-TEST(TerminalMap, IsInTheUnitsOfThePerson) {
+TEST(CharacterMap, IsInTheUnitsOfThePerson) {
   sweep::Grid written = small_grid;
   written.measure = sweep::UnbalanceMeasure::eccentricity_m;
   written.written_speed = {.key = "speed_rpm", .unit = "rpm", .units_per_si = 60};
@@ -65,7 +65,7 @@ TEST(TerminalMap, IsInTheUnitsOfThePerson) {
                                .unit = "g mm",
                                .units_per_si = 1000,
                                .spacing = batch::Spacing{200, 600, 2, true}};
-  TerminalMap map(written);
+  CharacterMap map(written);
   for (int i = 0; i < 6; ++i) map.add(line(MotionClass::chaotic));
   EXPECT_EQ(map.text(80, false),
             "           600 ***\n"
@@ -75,7 +75,7 @@ TEST(TerminalMap, IsInTheUnitsOfThePerson) {
             "  * chaotic\n");
 }
 
-TEST(TerminalMap, ColoursChangeNoCharacter) {
+TEST(CharacterMap, ColoursChangeNoCharacter) {
   std::string text = small_map().text(80, true);
   EXPECT_NE(text.find("\x1b[48;2;204;102;119m"), std::string::npos);
   for (std::size_t begin = 0; (begin = text.find('\x1b')) != std::string::npos;)
@@ -83,28 +83,28 @@ TEST(TerminalMap, ColoursChangeNoCharacter) {
   EXPECT_EQ(text, small_map().text(80, false));
 }
 
-TEST(TerminalMap, TheTypicalRubIsOfTheMostFrequentSettledKind) {
-  const TerminalMap map = small_map();
+TEST(CharacterMap, TheTypicalRubIsOfTheMostFrequentSettledKind) {
+  const CharacterMap map = small_map();
   ASSERT_TRUE(map.typical_rub());
   EXPECT_EQ(map.name(*map.typical_rub()), "subharmonic 1/2");
-  TerminalMap quiet(small_grid);
+  CharacterMap quiet(small_grid);
   for (int i = 0; i < 6; ++i) quiet.add(line(i < 5 ? MotionClass::unsettled : MotionClass::non_contact));
   EXPECT_FALSE(quiet.typical_rub());
 }
 
-TEST(TerminalMap, TheTypicalRubLiesInTheMiddle) {
+TEST(CharacterMap, TheTypicalRubLiesInTheMiddle) {
   sweep::Grid row{{}, sweep::UnbalanceMeasure::eccentricity_m, {1e-4}};
   for (int i = 0; i < 9; ++i) row.speed_hz.push_back(50 + i);
-  TerminalMap map(row);
+  CharacterMap map(row);
   for (int i = 0; i < 9; ++i) map.add(line(i < 2 ? MotionClass::non_contact : MotionClass::chaotic));
   EXPECT_EQ(map.typical_rub(), 5u);
 }
 
-TEST(TerminalMap, ALargeMapIsThinnedToTheRoomThereIs) {
+TEST(CharacterMap, ALargeMapIsThinnedToTheRoomThereIs) {
   sweep::Grid large{{}, sweep::UnbalanceMeasure::whirl_ratio, {}};
   for (int i = 0; i < 300; ++i) large.speed_hz.push_back(50 + i);
   for (int i = 0; i < 50; ++i) large.unbalance.push_back(0.01 * i);
-  TerminalMap map(large);
+  CharacterMap map(large);
   for (int i = 0; i < 300 * 50; ++i)
     map.add(line(i % 300 < 150 ? MotionClass::non_contact : MotionClass::chaotic));
   const std::string text = map.text(60, false);
@@ -114,11 +114,11 @@ TEST(TerminalMap, ALargeMapIsThinnedToTheRoomThereIs) {
   EXPECT_EQ(std::count(first.begin(), first.end(), '*'), 23);
 }
 
-TEST(TerminalMap, OfAnotherNumberOfCellsShowsNothing) {
-  TerminalMap map(small_grid);
+TEST(CharacterMap, OfAnotherNumberOfCellsShowsNothing) {
+  CharacterMap map(small_grid);
   map.add(line(MotionClass::chaotic));
   EXPECT_EQ(map.text(80, false), "");
 }
 
 }  // namespace
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

@@ -1,8 +1,11 @@
-#include "rubsweep/analysis/ramp/ramp_tables.hpp"
+#include "rubtrace/ramp_tables.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rubsweep::ramp {
+namespace rubsweep::apps {
+
+using namespace ramp;
+
 namespace {
 
 using response::motion::MotionClass;
@@ -52,11 +55,12 @@ TEST(RampTables, HaveARowForEachPoint) {
   EXPECT_EQ(tables.spectrogram_csv, "t_s,speed_hz,order,amplitude_m\n");
   EXPECT_EQ(tables.quasi_static_csv, "speed_hz,class,order,peak_displacement_m\n15,non_contact,,0.002\n");
   EXPECT_EQ(tables.rub_csv, "source,from_hz,to_hz\nramp,15,15.625\n");
-  EXPECT_EQ(tables.summary,
-            "peak      0.005 m at 15.5 Hz (930 rpm), largest contact force 7 N\nrubs      15 to 15.625 Hz (900 to "
-            "937.5 rpm)\nsteadily  "
-            "nowhere\n");
+  EXPECT_EQ(
+      tables.summary,
+      "peak      0.005 m at 15.5 Hz (930 rpm), largest contact force 7 N\nrubs      15 to 15.625 Hz (900 to "
+      "937.5 rpm)\nsteadily  "
+      "nowhere\n");
 }
 
 }  // namespace
-}  // namespace rubsweep::ramp
+}  // namespace rubsweep::apps

@@ -10,14 +10,14 @@
 #include "rubsweep/core/response/motion/motion_kind.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 
-namespace rubsweep::report {
+namespace rubsweep::apps {
 
 /// A map in characters, for a terminal: one for each cell, or for the middle cell of each block where there
 /// are more cells than room. Two bytes are kept of a cell.
-class TerminalMap {
+class CharacterMap {
  public:
   /// The grid must outlive it.
-  explicit TerminalMap(const sweep::Grid& grid) : grid_(grid) {}
+  explicit CharacterMap(const sweep::Grid& grid) : grid_(grid) {}
 
   /// A line of map.csv; all of them in the order of the file.
   void add(std::string_view map_line);
@@ -45,4 +45,4 @@ class TerminalMap {
   std::vector<std::uint16_t> cells_;                        ///< number of its name
 };
 
-}  // namespace rubsweep::report
+}  // namespace rubsweep::apps

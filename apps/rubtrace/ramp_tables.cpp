@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/ramp/ramp_tables.hpp"
+#include "ramp_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,10 @@
 #include "rubsweep/core/response/motion/classify.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
-namespace rubsweep::ramp {
+namespace rubsweep::apps {
+
+using namespace ramp;
+
 namespace {
 
 using batch::csv_number;
@@ -114,11 +117,11 @@ RampTables tables_of(const RampRecord& record, std::span<const line::LinePoint> 
     peak_m = std::max(peak_m, at.peak_displacement_m);
     force_n = std::max(force_n, at.peak_contact_force_n);
   }
-  tables.summary =
-      fmt::format("peak      {} at {}, largest contact force {:.4g} N\n",
-                  model::length_text(peak_m, shown, model::LengthUnit::m), model::speed_text(peak_hz, 5), force_n) +
-      spans_text("rubs", spans) + spans_text("steadily", steady);
+  tables.summary = fmt::format("peak      {} at {}, largest contact force {:.4g} N\n",
+                               model::length_text(peak_m, shown, model::LengthUnit::m),
+                               model::speed_text(peak_hz, 5), force_n) +
+                   spans_text("rubs", spans) + spans_text("steadily", steady);
   return tables;
 }
 
-}  // namespace rubsweep::ramp
+}  // namespace rubsweep::apps

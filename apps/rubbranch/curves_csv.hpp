@@ -6,11 +6,11 @@
 
 #include "rubsweep/analysis/branch/curves/curve.hpp"
 
-namespace rubsweep::branch::curves {
+namespace rubsweep::apps {
 
 /// A curve and the event that it starts from.
 struct CurveFrom {
-  Curve curve;
+  branch::curves::Curve curve;
   std::size_t branch = 0;
   std::size_t event = 0;  ///< row of events.csv, from 0
 };
@@ -29,4 +29,4 @@ std::string meetings_csv(const std::vector<CurveFrom>& curves);
 std::string curves_summary(const std::string& parameter, const std::string& curve_parameter,
                            const std::vector<CurveFrom>& curves);
 
-}  // namespace rubsweep::branch::curves
+}  // namespace rubsweep::apps

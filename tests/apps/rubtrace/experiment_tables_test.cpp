@@ -1,8 +1,11 @@
-#include "rubsweep/analysis/linear/experiment_tables.hpp"
+#include "rubtrace/experiment_tables.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rubsweep::linear {
+namespace rubsweep::apps {
+
+using namespace linear;
+
 namespace {
 
 const LinearRun ramp{.from_hz = 10, .rate_hz_per_s = 4, .sample_s = 0.5, .samples = 2};
@@ -76,4 +79,4 @@ TEST(ExperimentTables, OfARunUpThatPassesNoCriticalSpeed) {
 }
 
 }  // namespace
-}  // namespace rubsweep::linear
+}  // namespace rubsweep::apps

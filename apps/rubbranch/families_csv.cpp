@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/branch/families/families_csv.hpp"
+#include "families_csv.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,10 @@
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
-namespace rubsweep::branch::families {
+namespace rubsweep::apps {
+
+using namespace branch::families;
+
 namespace {
 
 /// Corner of cells, counted in halves of cells: corner (i, j) is below and left of cell (i, j).
@@ -246,4 +249,4 @@ std::string families_summary(const sweep::Grid& grid, const Families& families, 
   return text;
 }
 
-}  // namespace rubsweep::branch::families
+}  // namespace rubsweep::apps

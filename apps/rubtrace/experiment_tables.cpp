@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/linear/experiment_tables.hpp"
+#include "experiment_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,10 @@
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
-namespace rubsweep::linear {
+namespace rubsweep::apps {
+
+using namespace linear;
+
 namespace {
 
 using batch::csv_number;
@@ -124,4 +127,4 @@ ExperimentTables tables_of(const RunUp& run_up, const model::ShownLengths& shown
   return tables;
 }
 
-}  // namespace rubsweep::linear
+}  // namespace rubsweep::apps

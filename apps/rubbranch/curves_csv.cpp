@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/branch/curves/curves_csv.hpp"
+#include "curves_csv.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,11 @@
 #include "rubsweep/analysis/branch/orbits/multipliers.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 
-namespace rubsweep::branch::curves {
+namespace rubsweep::apps {
+
+using namespace branch;
+using namespace branch::curves;
+
 namespace {
 
 using batch::csv_number;
@@ -90,4 +94,4 @@ std::string curves_summary(const std::string& parameter, const std::string& curv
   return text;
 }
 
-}  // namespace rubsweep::branch::curves
+}  // namespace rubsweep::apps

@@ -1,11 +1,15 @@
-#include "rubsweep/analysis/branch/curves/curves_csv.hpp"
+#include "rubbranch/curves_csv.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-namespace rubsweep::branch::curves {
+namespace rubsweep::apps {
+
+using namespace branch;
+using namespace branch::curves;
+
 namespace {
 
 CurvePoint point_at(double first, double second, double arclength) {
@@ -51,4 +55,4 @@ TEST(CurvesCsv, CommentsAndSummarySayHowACurveEnds) {
 }
 
 }  // namespace
-}  // namespace rubsweep::branch::curves
+}  // namespace rubsweep::apps
