@@ -130,7 +130,11 @@ Form table() {
     }
     choices.push_back(std::move(names));
   }
-  return any_of({map_of({must("file", text(), "file of these columns, its name relative to this one")}),
+  Key unit = may("speed_unit", word({"rpm", "Hz", "rad/s"}), "unit of the speeds of a file that says none",
+                 "(that of the file)");
+  unit.since = "0.1.0+";
+  return any_of({map_of({must("file", text(), "file of these columns, its name relative to this one"),
+                         std::move(unit)}),
                  map_of(std::move(columns), std::move(choices))});
 }
 
