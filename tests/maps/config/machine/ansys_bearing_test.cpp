@@ -49,7 +49,7 @@ TEST(AnsysBearing, IsReadInTheUnitsOfItsFlags) {
   EXPECT_EQ(in_si->items[1].items[1].place.line, 9);
   EXPECT_EQ(in_si->items[1].items[1].place.column, 3);
   EXPECT_EQ(in_si->items[1].items[1].place.file, 3);
-  EXPECT_EQ(written(*read_ansys_bearing(with_units(" 2 1 0\n"), 0)).substr(0, 49),
+  EXPECT_EQ(written(*read_ansys_bearing(with_units(" 2 1 0\n"), 0)).substr(0, 48),
             "speed_rad_per_s: 500 1000\nkxx_lbf_per_in: 100000");
   EXPECT_EQ(written(*read_ansys_bearing(with_units(" 2 0\n"), 0)).substr(0, 33),
             "speed_rpm: 500 1000\nkxx_n_per_m: ");
@@ -66,11 +66,10 @@ TEST(AnsysBearing, TitlesMayBeLeftOut) {
 TEST(AnsysBearing, OneThatIsNotWholeIsRefused) {
   EXPECT_EQ(fault_of(with_units(" 3 0 0\n")),
             "4:1: counts 3 speeds, and 6 lines follow, allowed: three lines for each speed");
-  EXPECT_EQ(fault_of(with_units(" 2 0 2\n")), "4:6: '2' is no flag of units, allowed: 0 or 1");
+  EXPECT_EQ(fault_of(with_units(" 2 0 2\n")), "4:1: '2' is no flag of units, allowed: 0 or 1");
   std::string text = with_units(" 2 0 0\n");
   text.replace(text.find("2.5000000E+05"), 13, "");
-  EXPECT_EQ(fault_of(text),
-            "9:1: is no line of a bearing of ANSYS with K11, K12, K21 and K22, allowed: 4 numbers");
+  EXPECT_EQ(fault_of(text), "9:1: is no line of a bearing of ANSYS, allowed: 4 numbers");
 }
 
 TEST(AnsysBearing, AnotherTextIsNone) {

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <functional>
 #include <numbers>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,41 +27,33 @@ constexpr std::string_view table_forms =
 constexpr double newtons_per_lbf = 4.4482216152605, metres_per_inch = 0.0254;
 constexpr double lbf_per_in = newtons_per_lbf / metres_per_inch;
 
-/// Name of a column and how many SI units its numbers count in.
-struct Name {
-  std::string_view text;
+/// Ending of the name of a column, and how many SI units its numbers count in; the second one is printed.
+struct Unit {
+  std::string_view ending;
   double in_si = 0;
 };
+constexpr std::array<Unit, 5> of_stiffness{
+    {{"", 1}, {"_n_per_m", 1}, {"_n_per_mm", 1e3}, {"_n_per_um", 1e6}, {"_lbf_per_in", lbf_per_in}}};
+constexpr std::array<Unit, 4> of_damping{
+    {{"", 1}, {"_ns_per_m", 1}, {"_ns_per_mm", 1e3}, {"_lbf_s_per_in", lbf_per_in}}};
+constexpr std::array<Unit, 2> of_mass{{{"", 1}, {"_kg", 1}}};
 
-/// In the order of model::support_coefficients; the second name of each is printed.
-constexpr std::array<std::array<Name, 5>, model::support_coefficients.size()> names{{
-    {{{"kxx", 1},
-      {"kxx_n_per_m", 1},
-      {"kxx_n_per_mm", 1e3},
-      {"kxx_n_per_um", 1e6},
-      {"kxx_lbf_per_in", lbf_per_in}}},
-    {{{"kxy", 1},
-      {"kxy_n_per_m", 1},
-      {"kxy_n_per_mm", 1e3},
-      {"kxy_n_per_um", 1e6},
-      {"kxy_lbf_per_in", lbf_per_in}}},
-    {{{"kyx", 1},
-      {"kyx_n_per_m", 1},
-      {"kyx_n_per_mm", 1e3},
-      {"kyx_n_per_um", 1e6},
-      {"kyx_lbf_per_in", lbf_per_in}}},
-    {{{"kyy", 1},
-      {"kyy_n_per_m", 1},
-      {"kyy_n_per_mm", 1e3},
-      {"kyy_n_per_um", 1e6},
-      {"kyy_lbf_per_in", lbf_per_in}}},
-    {{{"cxx", 1}, {"cxx_ns_per_m", 1}, {"cxx_ns_per_mm", 1e3}, {"cxx_lbf_s_per_in", lbf_per_in}}},
-    {{{"cxy", 1}, {"cxy_ns_per_m", 1}, {"cxy_ns_per_mm", 1e3}, {"cxy_lbf_s_per_in", lbf_per_in}}},
-    {{{"cyx", 1}, {"cyx_ns_per_m", 1}, {"cyx_ns_per_mm", 1e3}, {"cyx_lbf_s_per_in", lbf_per_in}}},
-    {{{"cyy", 1}, {"cyy_ns_per_m", 1}, {"cyy_ns_per_mm", 1e3}, {"cyy_lbf_s_per_in", lbf_per_in}}},
-    {{{"mxx", 1}, {"mxx_kg", 1}}},
-    {{{"myy", 1}, {"myy_kg", 1}}},
-}};
+/// Names of a column of model::support_coefficients with their units; they stay.
+const std::vector<std::pair<std::string, double>>& names_of(std::size_t column) {
+  static const auto all = [] {
+    std::array<std::vector<std::pair<std::string, double>>, model::support_coefficients.size()> names;
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      const std::string coefficient(model::support_coefficients[c]);
+      const std::span<const Unit> units = coefficient[0] == 'k'   ? std::span<const Unit>(of_stiffness)
+                                          : coefficient[0] == 'c' ? std::span<const Unit>(of_damping)
+                                                                  : of_mass;
+      for (const auto& [ending, in_si] : units)
+        names[c].emplace_back(coefficient + std::string(ending), in_si);
+    }
+    return names;
+  }();
+  return all[column];
+}
 
 constexpr std::array<std::string_view, 3> speed_keys{"speed_hz", "speed_rpm", "speed_rad_per_s"};
 
@@ -134,8 +127,8 @@ std::optional<std::vector<double>> find_column(yaml::Section& section, std::size
                                                std::size_t points) {
   std::optional<std::vector<double>> found;
   std::string_view first;
-  for (const auto& [name, in_si] : names[column]) {
-    const auto value = name.empty() ? std::nullopt : section.find(name);
+  for (const auto& [name, in_si] : names_of(column)) {
+    const auto value = section.find(name);
     if (!value) continue;
     if (found) {
       refuse(*value, fmt::format("given beside {}", first), "one of them");
@@ -159,38 +152,23 @@ std::string in_small_letters(std::string_view text) {
 
 /// Ending of a key, by the unit of a column; of those with M or k for millions and thousands as they are.
 std::string_view ending_of(std::string_view unit) {
-  using Ending = std::pair<std::string_view, std::string_view>;
-  constexpr std::array<Ending, 25> endings{{{"n/m", "_n_per_m"},
-                                            {"n/mm", "_n_per_mm"},
-                                            {"n/um", "_n_per_um"},
-                                            {"kN/m", "_n_per_mm"},
-                                            {"kN/mm", "_n_per_um"},
-                                            {"MN/m", "_n_per_um"},
-                                            {"lbf/in", "_lbf_per_in"},
-                                            {"lb/in", "_lbf_per_in"},
-                                            {"ns/m", "_ns_per_m"},
-                                            {"kg/s", "_ns_per_m"},
-                                            {"ns/mm", "_ns_per_mm"},
-                                            {"kNs/m", "_ns_per_mm"},
-                                            {"lbfs/in", "_lbf_s_per_in"},
-                                            {"lbs/in", "_lbf_s_per_in"},
-                                            {"kg", "_kg"},
-                                            {"rpm", "_rpm"},
-                                            {"1/min", "_rpm"},
-                                            {"rev/min", "_rpm"},
-                                            {"r/min", "_rpm"},
-                                            {"min1", "_rpm"},
-                                            {"u/min", "_rpm"},
-                                            {"hz", "_hz"},
-                                            {"rev/s", "_hz"},
-                                            {"rad/s", "_rad_per_s"},
-                                            {"1/s", "_hz"}}};
+  // Each unit, and then its ending.
+  constexpr std::array<std::string_view, 50> endings{
+      "n/m",        "_n_per_m",    "n/mm",       "_n_per_mm", "n/um",          "_n_per_um",  "kN/m",
+      "_n_per_mm",  "kN/mm",       "_n_per_um",  "MN/m",      "_n_per_um",     "lbf/in",     "_lbf_per_in",
+      "lb/in",      "_lbf_per_in", "ns/m",       "_ns_per_m", "kg/s",          "_ns_per_m",  "ns/mm",
+      "_ns_per_mm", "kNs/m",       "_ns_per_mm", "lbfs/in",   "_lbf_s_per_in", "lbs/in",     "_lbf_s_per_in",
+      "kg",         "_kg",         "rpm",        "_rpm",      "1/min",         "_rpm",       "rev/min",
+      "_rpm",       "r/min",       "_rpm",       "min1",      "_rpm",          "u/min",      "_rpm",
+      "hz",         "_hz",         "rev/s",      "_hz",       "rad/s",         "_rad_per_s", "1/s",
+      "_hz"};
   const std::string plain = table::plain_unit(unit), small = in_small_letters(plain);
-  for (const auto& [written, ending] : endings) {
+  for (std::size_t i = 0; i < endings.size(); i += 2) {
+    const std::string_view written = endings[i];
     const bool as_it_is =
         written.find_first_of("Mk") != std::string_view::npos && written.find('N') != std::string_view::npos;
     const bool milli = plain.starts_with("mN");
-    if (as_it_is ? plain == written : small == written && !milli) return ending;
+    if (as_it_is ? plain == written : small == written && !milli) return endings[i + 1];
   }
   return {};
 }
@@ -332,7 +310,7 @@ void print_support_table(yaml::Printer& printer, const model::SupportTable& tabl
     const std::string_view name = model::support_coefficients[c];
     const bool needed = name == "kxx" || name == "kyy";
     if (!needed && std::ranges::all_of(table.columns[c], [](double value) { return value == 0; })) continue;
-    printer.numbers(names[c][1].text, table.columns[c]);
+    printer.numbers(names_of(c)[1].first, table.columns[c]);
   }
   printer.close();
 }
