@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "rubdiagnose_arguments.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
@@ -16,7 +15,6 @@
 #include "rubsweep/maps/config/yaml/file_bytes.hpp"
 #include "rubsweep/measurement/diagnose/answer/answer_text.hpp"
 #include "rubsweep/measurement/diagnosis/diagnose_recording.hpp"
-#include "rubsweep/measurement/recording/read_instrument.hpp"
 #include "rubsweep/measurement/recording/recording_file.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
@@ -47,16 +45,10 @@ Input read_input(const RubdiagnoseArguments& arguments) {
     list = config::yaml::read_config_bytes(*arguments.candidates);
     questions.candidates = config::dataset::read_candidate_file_text(list, questions.list);
   }
-  const std::string description = config::yaml::read_config_bytes(arguments.instrument);
-  const recording::Instrument instrument =
-      config::recording::read_instrument_text(description, arguments.instrument.string());
-  const std::string bytes = batch::read_input(arguments.recording);
-  diagnosis::RecordedProblem recorded = diagnosis::recorded_problem(
-      std::move(machine),
-      recording::make_recording(recording::read_recording_file(arguments.recording, bytes), instrument,
-                                questions.name),
-      instrument, questions);
-  std::string digest = config::digest_of(recorded.text + list + description + bytes);
+  recording::ReadRecording read = recording::read_recording(arguments.recording, arguments.instrument);
+  diagnosis::RecordedProblem recorded =
+      diagnosis::recorded_problem(std::move(machine), std::move(read.recording), read.instrument, questions);
+  std::string digest = config::digest_of(recorded.text + list + read.text);
   return {std::move(recorded), std::move(digest)};
 }
 
