@@ -287,13 +287,12 @@ keys::Form support_table_form() {
                            must("speed_rpm", speeds, "the same in revolutions per minute"),
                            must("speed_rad_per_s", speeds, "the same in radians per second")};
   std::vector<Choice> choices{either(speed_keys)};
-  for (const auto& column : names) {
-    Choice& choice = choices.emplace_back(std::vector<Way>{}, !is_needed(column[0].text));
-    for (const Name& name : column) {
-      if (name.text.empty()) continue;
-      columns.push_back(must(std::string(name.text), numbers({}),
-                             "coefficient at these speeds, in the unit of its name or in SI"));
-      choice.ways.push_back({{std::string(name.text)}, {}});
+  for (std::size_t c = 0; c < model::support_coefficients.size(); ++c) {
+    Choice& choice = choices.emplace_back(std::vector<Way>{}, !is_needed(model::support_coefficients[c]));
+    for (const auto& [name, in_si] : names_of(c)) {
+      columns.push_back(
+          must(name, numbers({}), "coefficient at these speeds, in the unit of its name or in SI"));
+      choice.ways.push_back({{name}, {}});
     }
   }
   return any_of(
