@@ -59,7 +59,7 @@ TEST(WhirlModes, OfSupportsByATableAreThoseOfTheNumbersTypedIn) {
 }
 
 /// One mass of 1 kg with 20 Hz on a film that damps by three times the critical, and by 0.99 of it at 25 Hz
-/// alone; beside it so many fast masses that nothing else whirls below 1 kHz.
+/// alone; beside it pairs of masses, the first one with 2 Hz, so that two modes are slow at all speeds.
 FreeRotor on_a_film(const std::vector<double>& speeds_hz, Eigen::Index beside) {
   const double rate = 2 * pi * 20;
   model::Support film = structure::isotropic_support(0, 0);
@@ -75,6 +75,7 @@ FreeRotor on_a_film(const std::vector<double>& speeds_hz, Eigen::Index beside) {
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n), one = Eigen::MatrixXd::Identity(n, n);
   Eigen::VectorXd rates = Eigen::VectorXd::LinSpaced(n, 2 * pi * 1000, 2 * pi * 3000);
   rates.head<2>().setConstant(rate);
+  if (beside > 0) rates.segment<2>(2).setConstant(2 * pi * 2);
   rotor.full.system = {one, none, none, rates.cwiseAbs2().asDiagonal(), {n / 2, n / 2}};
   rotor.full.tables.push_back(structure::tabled_support(film));
   rotor.full.tables.front().map = one.topRows(2);
@@ -84,13 +85,15 @@ FreeRotor on_a_film(const std::vector<double>& speeds_hz, Eigen::Index beside) {
 }
 
 void expect_the_pair_at_25_hz(const WhirlProblem& problem) {
-  const auto modes = problem.at(25).modes;
-  ASSERT_GE(modes.size(), 2U);
-  for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_NEAR(modes[k].damping_ratio(), 0.99, 1e-9);
-    EXPECT_NEAR(modes[k].frequency_hz(), 20 * std::sqrt(1 - 0.99 * 0.99), 1e-7);
+  int strongly_damped = 0;
+  for (const WhirlMode& mode : problem.at(25).modes) {
+    if (mode.damping_ratio() < 0.5) continue;
+    ++strongly_damped;
+    EXPECT_NEAR(mode.damping_ratio(), 0.99, 1e-9);
+    EXPECT_NEAR(mode.frequency_hz(), 20 * std::sqrt(1 - 0.99 * 0.99), 1e-7);
   }
-  for (const WhirlMode& mode : problem.at(50).modes) EXPECT_GT(mode.frequency_hz(), 999);
+  EXPECT_EQ(strongly_damped, 2);
+  for (const WhirlMode& mode : problem.at(50).modes) EXPECT_LT(mode.damping_ratio(), 0.5);
 }
 
 TEST(WhirlModes, ThatStrongDampersLeaveAtOneSpeedOnlyAreFoundThere) {
