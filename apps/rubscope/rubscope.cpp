@@ -11,7 +11,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/input_file.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
-#include "rubsweep/maps/config/cell_config.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"
 #include "rubsweep/maps/config/yaml/file_bytes.hpp"
 #include "rubsweep/measurement/recording/read_instrument.hpp"

@@ -14,10 +14,8 @@ namespace {
 
 using namespace keys;
 
-constexpr std::size_t most_parts = model::RotorKit::most_parts;
-
 Form parts_of(std::vector<Key> keys, std::vector<Choice> choices = {}) {
-  return list_of(map_of(std::move(keys), std::move(choices)), 1, most_parts);
+  return list_of(map_of(std::move(keys), std::move(choices)), 1, model::RotorKit::most_parts);
 }
 
 Form shaft() {
@@ -50,7 +48,7 @@ Form fault() {
 Form supports() {
   std::vector<Key> numbers = keys_of<model::Support>(), coefficients = numbers;
   std::erase_if(coefficients, [](const Key& key) { return !is_coefficient(key.name); });
-  const Form housing = integer(0, static_cast<long>(most_parts) - 1);
+  const Form housing = integer(0, static_cast<long>(model::RotorKit::most_parts) - 1);
   const Key table =
       newer_key(must("table", support_table_form(), "coefficients over the speed, in place of the numbers"));
   return parts_of(
@@ -67,7 +65,9 @@ Form supports() {
 }
 
 Form bow() {
-  const auto numbers = [](const model::Range& range) { return list_of(number(range), 1, most_parts); };
+  const auto numbers = [](const model::Range& range) {
+    return list_of(number(range), 1, model::RotorKit::most_parts);
+  };
   const std::vector<std::vector<Key>> ways{
       {must("mode", integer(1, model::RotorKit::most_modes), "mode whose shape it has, 1 the lowest"),
        must("amplitude_m", number(model::physical::amplitude_m), "largest deflection of that shape")},
@@ -82,22 +82,26 @@ Form bow() {
 
 }  // namespace
 
-std::vector<Key> rotor_kit_keys() {
+std::vector<Key> kit_rest_keys() {
   return joined(
-      {{must("shaft", shaft(), "segments of the shaft, one behind the other"),
-        may("discs", discs(), "rigid discs on the shaft"),
-        must("supports", supports(), "bearings of shaft and housings"),
-        may("couplings", parts_of(keys_of<model::Coupling>()), "elastic joints of the shaft"),
-        newer_key(may("point_masses", parts_of(keys_of<model::PointMass>()),
-                      "masses without inertia against tilting")),
-        newer_key(may("housings", parts_of(keys_of<model::Housing>()),
-                      "bodies beside the shaft that move in x and y, held by supports")),
-        newer_key(may("static_loads", parts_of(keys_of<model::StaticLoad>()), "forces that do not change")),
+      {{newer_key(may("static_loads", parts_of(keys_of<model::StaticLoad>()), "forces that do not change")),
         may("sensors", parts_of(keys_of<model::Sensor>()), "proximity probes"),
         may("bow", bow(), "residual bow: it turns with the shaft and is not scaled by the cell", "(none)"),
         may("torsion", map_of(keys_of<model::Torsion>()),
             "twist of the rotor against a drive of constant speed", "(none)")},
        keys_of<model::RotorKit>()});
+}
+
+std::vector<Key> rotor_kit_keys() {
+  return joined({{must("shaft", shaft(), "segments of the shaft, one behind the other"),
+                  may("discs", discs(), "rigid discs on the shaft"),
+                  must("supports", supports(), "bearings of shaft and housings"),
+                  may("couplings", parts_of(keys_of<model::Coupling>()), "elastic joints of the shaft"),
+                  newer_key(may("point_masses", parts_of(keys_of<model::PointMass>()),
+                                "masses without inertia against tilting")),
+                  newer_key(may("housings", parts_of(keys_of<model::Housing>()),
+                                "bodies beside the shaft that move in x and y, held by supports"))},
+                 kit_rest_keys()});
 }
 
 }  // namespace rubsweep::config::machine

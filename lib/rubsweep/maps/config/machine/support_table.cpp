@@ -28,39 +28,27 @@ constexpr double lbf_per_in = newtons_per_lbf / metres_per_inch;
 
 /// Name of a column and how many SI units its numbers count in.
 struct Name {
-  std::string_view text;
+  std::string text;
   double in_si = 0;
 };
 
-/// In the order of model::support_coefficients; the second name of each is printed.
-constexpr std::array<std::array<Name, 5>, model::support_coefficients.size()> names{{
-    {{{"kxx", 1},
-      {"kxx_n_per_m", 1},
-      {"kxx_n_per_mm", 1e3},
-      {"kxx_n_per_um", 1e6},
-      {"kxx_lbf_per_in", lbf_per_in}}},
-    {{{"kxy", 1},
-      {"kxy_n_per_m", 1},
-      {"kxy_n_per_mm", 1e3},
-      {"kxy_n_per_um", 1e6},
-      {"kxy_lbf_per_in", lbf_per_in}}},
-    {{{"kyx", 1},
-      {"kyx_n_per_m", 1},
-      {"kyx_n_per_mm", 1e3},
-      {"kyx_n_per_um", 1e6},
-      {"kyx_lbf_per_in", lbf_per_in}}},
-    {{{"kyy", 1},
-      {"kyy_n_per_m", 1},
-      {"kyy_n_per_mm", 1e3},
-      {"kyy_n_per_um", 1e6},
-      {"kyy_lbf_per_in", lbf_per_in}}},
-    {{{"cxx", 1}, {"cxx_ns_per_m", 1}, {"cxx_ns_per_mm", 1e3}, {"cxx_lbf_s_per_in", lbf_per_in}}},
-    {{{"cxy", 1}, {"cxy_ns_per_m", 1}, {"cxy_ns_per_mm", 1e3}, {"cxy_lbf_s_per_in", lbf_per_in}}},
-    {{{"cyx", 1}, {"cyx_ns_per_m", 1}, {"cyx_ns_per_mm", 1e3}, {"cyx_lbf_s_per_in", lbf_per_in}}},
-    {{{"cyy", 1}, {"cyy_ns_per_m", 1}, {"cyy_ns_per_mm", 1e3}, {"cyy_lbf_s_per_in", lbf_per_in}}},
-    {{{"mxx", 1}, {"mxx_kg", 1}}},
-    {{{"myy", 1}, {"myy_kg", 1}}},
-}};
+/// Names of each column in the order of model::support_coefficients: without a unit, then with each unit, of
+/// which the first is printed.
+const std::vector<std::vector<Name>>& names() {
+  static const std::vector<std::vector<Name>> all = [] {
+    const std::vector<Name> stiffness{
+        {"_n_per_m", 1}, {"_n_per_mm", 1e3}, {"_n_per_um", 1e6}, {"_lbf_per_in", lbf_per_in}},
+        damping{{"_ns_per_m", 1}, {"_ns_per_mm", 1e3}, {"_lbf_s_per_in", lbf_per_in}}, mass{{"_kg", 1}};
+    std::vector<std::vector<Name>> columns;
+    for (const std::string_view plain : model::support_coefficients) {
+      auto& column = columns.emplace_back(std::vector<Name>{{std::string(plain), 1}});
+      for (const Name& unit : plain[0] == 'k' ? stiffness : plain[0] == 'c' ? damping : mass)
+        column.push_back({column[0].text + unit.text, unit.in_si});
+    }
+    return columns;
+  }();
+  return all;
+}
 
 constexpr std::array<std::string_view, 3> speed_keys{"speed_hz", "speed_rpm", "speed_rad_per_s"};
 
@@ -134,8 +122,8 @@ std::optional<std::vector<double>> find_column(yaml::Section& section, std::size
                                                std::size_t points) {
   std::optional<std::vector<double>> found;
   std::string_view first;
-  for (const auto& [name, in_si] : names[column]) {
-    const auto value = name.empty() ? std::nullopt : section.find(name);
+  for (const auto& [name, in_si] : names()[column]) {
+    const auto value = section.find(name);
     if (!value) continue;
     if (found) {
       refuse(*value, fmt::format("given beside {}", first), "one of them");
@@ -160,31 +148,31 @@ std::string in_small_letters(std::string_view text) {
 /// Ending of a key, by the unit of a column; of those with M or k for millions and thousands as they are.
 std::string_view ending_of(std::string_view unit) {
   using Ending = std::pair<std::string_view, std::string_view>;
-  constexpr std::array<Ending, 25> endings{{{"n/m", "_n_per_m"},
-                                            {"n/mm", "_n_per_mm"},
-                                            {"n/um", "_n_per_um"},
-                                            {"kN/m", "_n_per_mm"},
-                                            {"kN/mm", "_n_per_um"},
-                                            {"MN/m", "_n_per_um"},
-                                            {"lbf/in", "_lbf_per_in"},
-                                            {"lb/in", "_lbf_per_in"},
-                                            {"ns/m", "_ns_per_m"},
-                                            {"kg/s", "_ns_per_m"},
-                                            {"ns/mm", "_ns_per_mm"},
-                                            {"kNs/m", "_ns_per_mm"},
-                                            {"lbfs/in", "_lbf_s_per_in"},
-                                            {"lbs/in", "_lbf_s_per_in"},
-                                            {"kg", "_kg"},
-                                            {"rpm", "_rpm"},
-                                            {"1/min", "_rpm"},
-                                            {"rev/min", "_rpm"},
-                                            {"r/min", "_rpm"},
-                                            {"min1", "_rpm"},
-                                            {"u/min", "_rpm"},
-                                            {"hz", "_hz"},
-                                            {"rev/s", "_hz"},
-                                            {"rad/s", "_rad_per_s"},
-                                            {"1/s", "_hz"}}};
+  constexpr std::array endings{Ending{"n/m", "_n_per_m"},
+                               Ending{"n/mm", "_n_per_mm"},
+                               Ending{"n/um", "_n_per_um"},
+                               Ending{"kN/m", "_n_per_mm"},
+                               Ending{"kN/mm", "_n_per_um"},
+                               Ending{"MN/m", "_n_per_um"},
+                               Ending{"lbf/in", "_lbf_per_in"},
+                               Ending{"lb/in", "_lbf_per_in"},
+                               Ending{"ns/m", "_ns_per_m"},
+                               Ending{"kg/s", "_ns_per_m"},
+                               Ending{"ns/mm", "_ns_per_mm"},
+                               Ending{"kNs/m", "_ns_per_mm"},
+                               Ending{"lbfs/in", "_lbf_s_per_in"},
+                               Ending{"lbs/in", "_lbf_s_per_in"},
+                               Ending{"kg", "_kg"},
+                               Ending{"rpm", "_rpm"},
+                               Ending{"1/min", "_rpm"},
+                               Ending{"rev/min", "_rpm"},
+                               Ending{"r/min", "_rpm"},
+                               Ending{"min1", "_rpm"},
+                               Ending{"u/min", "_rpm"},
+                               Ending{"hz", "_hz"},
+                               Ending{"rev/s", "_hz"},
+                               Ending{"rad/s", "_rad_per_s"},
+                               Ending{"1/s", "_hz"}};
   const std::string plain = table::plain_unit(unit), small = in_small_letters(plain);
   for (const auto& [written, ending] : endings) {
     const bool as_it_is =
@@ -282,13 +270,12 @@ keys::Form support_table_form() {
                            must("speed_rpm", speeds, "the same in revolutions per minute"),
                            must("speed_rad_per_s", speeds, "the same in radians per second")};
   std::vector<Choice> choices{either(speed_keys)};
-  for (const auto& column : names) {
+  for (const auto& column : names()) {
     Choice& choice = choices.emplace_back(std::vector<Way>{}, !is_needed(column[0].text));
     for (const Name& name : column) {
-      if (name.text.empty()) continue;
-      columns.push_back(must(std::string(name.text), numbers({}),
-                             "coefficient at these speeds, in the unit of its name or in SI"));
-      choice.ways.push_back({{std::string(name.text)}, {}});
+      columns.push_back(
+          must(name.text, numbers({}), "coefficient at these speeds, in the unit of its name or in SI"));
+      choice.ways.push_back({{name.text}, {}});
     }
   }
   return any_of({map_of({must("file", text(), "file of these columns, its name relative to this one")}),
@@ -299,10 +286,10 @@ void print_support_table(yaml::Printer& printer, const model::SupportTable& tabl
   printer.open("table");
   printer.numbers("speed_hz", table.speed_hz);
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    const std::string_view name = model::support_coefficients[c];
-    const bool needed = name == "kxx" || name == "kyy";
-    if (!needed && std::ranges::all_of(table.columns[c], [](double value) { return value == 0; })) continue;
-    printer.numbers(names[c][1].text, table.columns[c]);
+    if (!is_needed(model::support_coefficients[c]) &&
+        std::ranges::all_of(table.columns[c], [](double value) { return value == 0; }))
+      continue;
+    printer.numbers(names()[c][1].text, table.columns[c]);
   }
   printer.close();
 }
