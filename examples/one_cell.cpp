@@ -7,8 +7,8 @@
 //
 //     rubtrace configs/minimal.yaml --speed-hz 70 --whirl-ratio 0.2
 //
-// must say the same. A program that would rather read a file takes config::read_run_config (target
-// rubsweep::maps).
+// must say the same. A program that would rather read a file takes config::read_run_config of
+// rubsweep/configuration.hpp (target rubsweep::maps).
 
 #include <cstdio>
 #include <cstdlib>
@@ -16,9 +16,9 @@
 #include <string>
 #include <string_view>
 
-#include "rubsweep/core/model/machine.hpp"
-#include "rubsweep/core/response/settle.hpp"
-#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/cell.hpp"
+#include "rubsweep/machine.hpp"
+#include "rubsweep/settle.hpp"
 
 namespace {
 

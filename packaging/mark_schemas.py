@@ -10,10 +10,11 @@ MARK = "# yaml-language-server: $schema="
 
 def schema_of(path):
     """Name of the schema of a configuration by its file; empty for a part of others, and for those of rubdata and rubdiagnose."""
-    name = os.path.basename(path)
-    if name == "stop.yaml" or os.path.basename(os.path.dirname(path)) == "recordings":
+    folder = os.path.basename(os.path.dirname(path))
+    if os.path.basename(path) == "stop.yaml" or folder == "recordings":
         return ""
-    return "ringstab.schema.json" if name.startswith("ring") else "rubsweep.schema.json"
+    of_ring = folder == "ring" or os.path.basename(path).startswith("ring_")
+    return "ringstab.schema.json" if of_ring else "rubsweep.schema.json"
 
 
 def marked(text, line):

@@ -45,5 +45,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS rubsweep)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "library of rubsweep: headers, archives, CMake package
 Headers and static libraries of the simulator of rotors that rub, and a CMake
 package that finds them: find_package(rubsweep COMPONENTS core), then
-rubsweep::core, or maps, analysis, measurement and ring. examples/one_cell.cpp is a whole program on it.")
+rubsweep::core, or maps, analysis and measurement. examples/ has whole programs on it.")
 include(CPack)

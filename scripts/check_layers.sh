@@ -50,6 +50,7 @@ declare -A below=(
   [diagnose/inference]='diagnose/features diagnose/forest'
   [diagnose/answer]='diagnose/inference'
   [dataset]='diagnose recording'
+  [diagnosis]='dataset diagnose/answer scope'
   [response/motion]='response/spectrum integrate'
   [response/proof]='response/motion integrate/exact/tube'
   [response/rotating]='response/proof'

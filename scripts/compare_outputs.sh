@@ -63,7 +63,7 @@ while (($# > 0)); do
 done
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 ((${#configs[@]} > 0)) || recordings=on
-((${#configs[@]} > 0)) || configs=("$PWD"/configs/*.yaml "$PWD"/configs/{benchmark,gallery}/*.yaml "$PWD"/configs/hard_case/one_side.yaml)
+((${#configs[@]} > 0)) || configs=("$PWD"/configs/*.yaml "$PWD"/configs/{benchmark,gallery,ring}/*.yaml "$PWD"/configs/hard_case/one_side.yaml)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

@@ -8,10 +8,12 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <variant>
 
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
+#include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/quiet_motion.hpp"
 
 namespace rubsweep::bench {
@@ -102,8 +104,14 @@ void LongDoubleRun::choose_modes() {
 LongDoubleRun::Motion LongDoubleRun::motion(const Contact& c, const State& state) const {
   const Eigen::Matrix<Real, 2, 1> d = c.relative * displacements(state) + c.offset,
                                   v = c.relative * velocities(state);
-  Eigen::Matrix<Real, 2, 1> normal = contact::normal_at(c.law.wall, {0, 1}).cast<Real>();
-  if (contact::annular(c.law.wall) && d.norm() > 0) normal = d / d.norm();
+  const auto normal = std::visit(overloaded{[](const contact::FlatWall& flat) -> Eigen::Matrix<Real, 2, 1> {
+                                              return flat.normal.cast<Real>();
+                                            },
+                                            [&](const contact::AnnularWall&) -> Eigen::Matrix<Real, 2, 1> {
+                                              if (d.norm() == 0) return {0, 1};
+                                              return d / d.norm();
+                                            }},
+                                 c.law.wall);
   return {normal, d.dot(normal) - c.clearance, v.dot(normal), normal(0) * v(1) - normal(1) * v(0)};
 }
 

@@ -9,13 +9,13 @@
 #include <string>
 #include <string_view>
 
+#include "ring_csv.hpp"
+#include "ring_summary.hpp"
 #include "ringstab_arguments.hpp"
 #include "rubsweep/maps/batch/line_log.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
 #include "rubsweep/ring/read_ring_config.hpp"
-#include "rubsweep/ring/ring_csv.hpp"
-#include "rubsweep/ring/ring_summary.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
@@ -40,11 +40,11 @@ constexpr std::array<std::string_view, 7> file_names{"config.yaml",         "eig
 /// Computes the chart and adds its files; false when a signal came first.
 bool chart(const RingstabArguments& arguments, const ring::Study& study, const batch::ResultSource& source,
            const fs::path& directory, batch::ResultFiles& files, Lines& lines) {
-  const std::string comments = ring::ring_comments();
+  const std::string comments = ring_comments();
   const fs::path partial = directory / "chart.partial.csv";
   fs::remove(partial);
   batch::LineLog finished(partial);
-  finished.append(batch::growing_table_head(source) + comments + ring::chart_header(*study.chart));
+  finished.append(batch::growing_table_head(source) + comments + chart_header(*study.chart));
   const batch::ProgressMode mode = arguments.quiet ? batch::ProgressMode::never : arguments.progress;
   batch::Progress progress(study.chart->values.size(), mode);
   const std::atomic<bool>& stop = catch_interrupts();
@@ -67,7 +67,7 @@ bool chart(const RingstabArguments& arguments, const ring::Study& study, const b
       study.system, *study.chart, ring::speeds_rad_per_s(study), arguments.threads,
       [&](const ring::ChartLine& line) {
         const std::lock_guard lock(mutex);
-        finished.append(ring::chart_rows(study, line));
+        finished.append(chart_rows(study, line));
         progress.advance();
       },
       stop);
@@ -77,8 +77,8 @@ bool chart(const RingstabArguments& arguments, const ring::Study& study, const b
     say(interrupted);
     return false;
   }
-  files["chart.csv"] = comments + ring::chart_csv(study, lines);
-  files["chart_onsets.csv"] = comments + ring::chart_onsets_csv(study, lines);
+  files["chart.csv"] = comments + chart_csv(study, lines);
+  files["chart_onsets.csv"] = comments + chart_onsets_csv(study, lines);
   return true;
 }
 
@@ -92,20 +92,19 @@ int run(const RingstabArguments& arguments, const config::ring::RingConfig& conf
   end_on_interrupts("nothing was written");
   const batch::ResultSource source{"ringstab", config::ring::ring_study_digest(study),
                                    batch::caption_lines(config.captions)};
-  const std::string comments = ring::ring_comments();
+  const std::string comments = ring_comments();
   count_in_summary("speeds", study.speeds_rpm.size());
   std::optional<WorkingTime> working(std::in_place, "ringstab", "computes eigenvalues", !arguments.quiet);
   const ring::Analysis analysis = ring::analyse(study.system, ring::speeds_rad_per_s(study));
-  batch::ResultFiles files{
-      {"config.yaml", config::ring::print_ring_config(config)},
-      {"eigenvalues.csv", comments + ring::eigenvalues_csv(analysis.track)},
-      {"onsets.csv", comments + ring::onsets_csv(analysis.onsets)},
-      {"critical_speeds.csv", comments + ring::critical_speeds_csv(analysis.critical_speeds)}};
-  std::string summary = ring::ring_summary(study, analysis);
+  batch::ResultFiles files{{"config.yaml", config::ring::print_ring_config(config)},
+                           {"eigenvalues.csv", comments + eigenvalues_csv(analysis.track)},
+                           {"onsets.csv", comments + onsets_csv(analysis.onsets)},
+                           {"critical_speeds.csv", comments + critical_speeds_csv(analysis.critical_speeds)}};
+  std::string summary = ring_summary(study, analysis);
   if (study.system.ring.radius_m) {
-    const auto loads = ring::static_loads(study);
-    files["static_load.csv"] = comments + ring::static_load_csv(study, loads);
-    summary += ring::validity_summary(study, loads);
+    const auto loads = static_loads(study);
+    files["static_load.csv"] = comments + static_load_csv(study, loads);
+    summary += validity_summary(study, loads);
   }
   working.reset();
   Lines lines;
@@ -113,7 +112,7 @@ int run(const RingstabArguments& arguments, const config::ring::RingConfig& conf
   batch::write_result_files(files, file_names, directory, source);
   fs::remove(directory / "chart.partial.csv");
   if (!arguments.quiet) {
-    print("{}{}{}", summary, ring::chart_summary(lines), batch::files_line(files, directory));
+    print("{}{}{}", summary, chart_summary(lines), batch::files_line(files, directory));
   }
   count_in_summary("chart_lines", lines.size());
   const bool all_ok =
@@ -145,7 +144,7 @@ int perform(const RingstabArguments& arguments) {
       config::ring::read_ring_config(arguments.config, arguments.overrides);
   ask("ringstab", config.questions, arguments.quiet);
   return act(arguments, {.size = [&] { return size_of(config.study); },
-                         .explanation = [&] { return ring::explain_ring(config.study); },
+                         .explanation = [&] { return explain_ring(config.study); },
                          .configuration = [&] { return config::ring::print_ring_config(config); },
                          .run = [&] { return run(arguments, config); }});
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <variant>
 
+#include "rubsweep/core/overloaded.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
@@ -68,13 +69,12 @@ std::array<StartNumber, 2> read_plane(const std::string& text) {
 }
 
 std::array<StartNumber, 2> usual_plane(const model::Stop& first) {
-  std::array<double, 2> normal{1, 0};
-  if (const auto* flat = std::get_if<model::OneSideGeometry>(&first.geometry)) {
-    const double angle = flat->angle_deg * std::numbers::pi / 180;
-    normal = {std::cos(angle), std::sin(angle)};
-  } else if (const auto* ring = std::get_if<model::AnnularGeometry>(&first.geometry)) {
-    normal = ring->offset_m;
-  }
+  const auto normal = std::visit(overloaded{[](const model::OneSideGeometry& flat) {
+                                              const double angle = flat.angle_deg * std::numbers::pi / 180;
+                                              return std::array<double, 2>{std::cos(angle), std::sin(angle)};
+                                            },
+                                            [](const model::AnnularGeometry& ring) { return ring.offset_m; }},
+                                 first.geometry);
   return read_plane(std::abs(normal[1]) > std::abs(normal[0]) ? "y,vy" : "x,vx");
 }
 

@@ -82,16 +82,15 @@ int nothing_to_follow(const std::string& why) {
 
 batch::ResultFiles files_of(const RubbranchArguments& arguments, const config::RunConfig& config,
                             const std::vector<branch::continuation::Branch>& branches,
-                            const std::vector<branch::curves::CurveFrom>& curves) {
+                            const std::vector<CurveFrom>& curves) {
   const std::string comments = branch::continuation::branch_comments(arguments.along, branches);
   batch::ResultFiles files{{"config.yaml", config::print_config(config)},
                            {"branch.csv", comments + branch::continuation::branch_csv(branches)},
                            {"events.csv", comments + branch::continuation::branch_events_csv(branches)}};
   if (!arguments.curve.empty()) {
-    const std::string curve_comments =
-        branch::curves::curve_comments(arguments.along, arguments.curve, curves);
-    files["curves.csv"] = curve_comments + branch::curves::curves_csv(curves);
-    files["meetings.csv"] = curve_comments + branch::curves::meetings_csv(curves);
+    const std::string head = curve_comments(arguments.along, arguments.curve, curves);
+    files["curves.csv"] = head + curves_csv(curves);
+    files["meetings.csv"] = head + meetings_csv(curves);
   }
   return files;
 }
@@ -144,7 +143,7 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
       branch::continuation::follow_both_ways(problem, *start, options)};
   if (arguments.switch_at_doublings) add_doubled(family, closing, options, study, workspace, branches);
 
-  std::vector<branch::curves::CurveFrom> curves;
+  std::vector<CurveFrom> curves;
   if (plane)
     curves = curves_of(branches, *plane, {family.low, family.high}, study, arguments.most_points, workspace);
 
@@ -158,8 +157,7 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
       {"rubbranch", config::study_digest(study), batch::caption_lines(config.captions)});
   if (!arguments.quiet) {
     print("{}{}{}", branch::continuation::branch_summary(arguments.along, branches),
-          branch::curves::curves_summary(arguments.along, arguments.curve, curves),
-          batch::files_line(files, directory));
+          curves_summary(arguments.along, arguments.curve, curves), batch::files_line(files, directory));
   }
   return done;
 }

@@ -23,12 +23,11 @@ branch::continuation::BranchEvent with_its_own_period(branch::continuation::Bran
 
 }  // namespace
 
-std::vector<branch::curves::CurveFrom> curves_of(const std::vector<branch::continuation::Branch>& branches,
-                                                 const BranchPlane& plane,
-                                                 const branch::orbits::ParameterRange& first,
-                                                 const sweep::Study& study, int most_points,
-                                                 response::motion::Workspace& workspace) {
-  std::vector<branch::curves::CurveFrom> curves;
+std::vector<CurveFrom> curves_of(const std::vector<branch::continuation::Branch>& branches,
+                                 const BranchPlane& plane, const branch::orbits::ParameterRange& first,
+                                 const sweep::Study& study, int most_points,
+                                 response::motion::Workspace& workspace) {
+  std::vector<CurveFrom> curves;
   branch::curves::CurveOptions options;
   options.most_points = most_points;
   std::size_t row = 0;
@@ -49,7 +48,7 @@ std::vector<branch::curves::CurveFrom> curves_of(const std::vector<branch::conti
                         parameter));
         continue;
       }
-      const bool known = std::ranges::any_of(curves, [&](const branch::curves::CurveFrom& other) {
+      const bool known = std::ranges::any_of(curves, [&](const CurveFrom& other) {
         return other.curve.kind == event.kind && other.curve.order == order &&
                branch::curves::lies_on(start->system, other.curve, start->point);
       });

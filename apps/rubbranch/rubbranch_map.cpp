@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "families_csv.hpp"
 #include "rubsweep/analysis/branch/families/attribution.hpp"
 #include "rubsweep/analysis/branch/families/contradiction.hpp"
-#include "rubsweep/analysis/branch/families/families_csv.hpp"
 #include "rubsweep/analysis/branch/families/family.hpp"
 #include "rubsweep/analysis/branch/journal/family_journal.hpp"
 #include "rubsweep/core/error.hpp"
@@ -131,18 +131,18 @@ int run_on_map(const RubbranchArguments& arguments) {
   const auto edges = branch::families::attribute(study.grid, labels, families.list,
                                                  branch::families::quiet_cells(study), quiet_label);
   batch::write_result_files(
-      {{"families.csv", branch::families::families_csv(study.grid, families.list)},
-       {"edges.csv", branch::families::edges_csv(study.grid, labels, edges)},
-       {"boundaries.csv", branch::families::boundaries_csv(study.grid, families.list)},
-       {"contradictions.csv", branch::families::contradictions_csv(study.grid, labels, checks)}},
+      {{"families.csv", families_csv(study.grid, families.list)},
+       {"edges.csv", edges_csv(study.grid, labels, edges)},
+       {"boundaries.csv", boundaries_csv(study.grid, families.list)},
+       {"contradictions.csv", contradictions_csv(study.grid, labels, checks)}},
       map::family_files, output,
       {"rubbranch", map.digest, batch::caption_lines(config.captions), sources_beside(output, directory)});
   journal.remove();
   count_in_summary("families", families.list.size());
   if (!arguments.quiet) {
     print("{}{}files     {}: boundaries.csv contradictions.csv edges.csv families.csv\n",
-          branch::families::families_summary(study.grid, families, proven.size(), edges),
-          branch::families::contradictions_summary(checks), output.string());
+          families_summary(study.grid, families, proven.size(), edges), contradictions_summary(checks),
+          output.string());
   }
   return families.not_followed.empty() ? done : some_cells_failed;
 }

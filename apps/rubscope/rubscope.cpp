@@ -9,13 +9,9 @@
 
 #include "rubscope_arguments.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
-#include "rubsweep/measurement/recording/read_instrument.hpp"
-#include "rubsweep/measurement/recording/recording.hpp"
 #include "rubsweep/measurement/recording/recording_file.hpp"
 #include "rubsweep/measurement/scope/comparison.hpp"
 #include "rubsweep/measurement/scope/order_history.hpp"
@@ -63,12 +59,8 @@ int look(const RubscopeArguments& arguments) {
                           ? std::optional(config::read_cell_config(compared->config, compared->overrides))
                           : std::nullopt;
   if (config) ask("rubscope", config->questions, arguments.quiet);
-  const std::string description = config::yaml::read_config_bytes(arguments.instrument);
-  const recording::Instrument instrument =
-      config::recording::read_instrument_text(description, arguments.instrument.string());
-  const std::string text = batch::read_input(file);
-  const recording::Recording recording =
-      recording::make_recording(recording::read_recording_file(file, text), instrument, file.string());
+  const recording::ReadRecording read = recording::read_recording(file, arguments.instrument);
+  const recording::Recording& recording = read.recording;
   std::optional<WorkingTime> working(std::in_place, "rubscope", "looks at the recording", !arguments.quiet);
   count_in_summary("turns", static_cast<std::size_t>(recording.turns()));
   const bool changing = recording.turns() >= scope::history_turns && scope::speed_changes(recording);
@@ -76,7 +68,7 @@ int look(const RubscopeArguments& arguments) {
     throw ConfigError(file.string() +
                       ": the speed changes, allowed with --compare: a steady one, or from_s and to_s");
   scope::Verdict verdict;
-  if (!changing) verdict = scope::judge(recording, arguments.least_line);
+  if (!changing) verdict = scope::judge(recording, arguments.thresholds);
   scope::ScopeTables tables = changing
                                   ? scope::tables_of_run(recording, arguments.orders, arguments.shown)
                                   : scope::tables_of(recording, verdict, arguments.orders, arguments.shown);
@@ -95,7 +87,7 @@ int look(const RubscopeArguments& arguments) {
   {
     const InterruptsWait whole_set;
     batch::write_result_files(files, file_names, arguments.directory,
-                              {"rubscope", config::digest_of(description + text), {}});
+                              {"rubscope", config::digest_of(read.text), {}});
     end_on_interrupts("the files are written");
   }
   if (!arguments.quiet) print("{}{}", tables.summary, batch::files_line(files, arguments.directory));

@@ -23,6 +23,10 @@ po::options_description visible_options() {
                         "orders of the Bode plot, multiples of 1/8; 1,2 unless given")(
       "least-line", po::value<double>()->value_name("PERCENT"),
       "smallest line that counts for a period, in per cent of the largest one; 0.5 unless given")(
+      "most-modulation", po::value<double>()->value_name("PERCENT"),
+      "what lines may slowly vary by, in per cent of the motion, and still belong to their period; one line "
+      "by "
+      "twice as much of itself; 10 unless given")(
       "compare", po::value<std::string>()->value_name("CONFIG.yaml"),
       "lay the recording over a simulated motion, that of --cell, by the first sensor of a rotor kit or by "
       "the rotor")("cell", po::value<std::string>()->value_name("SPEED_HZ,UNBALANCE"),
@@ -49,6 +53,14 @@ std::vector<double> orders_of(std::string_view text) {
     if (part.size() == text.size()) return orders;
     text.remove_prefix(part.size() + 1);
   }
+}
+
+void set_share(const po::variables_map& given, const char* name, double& share) {
+  const auto percent = not_negative_number(given, name);
+  if (!percent) return;
+  if (!(*percent < 100))
+    throw UsageError(fmt::format("--{}: {:g}, allowed: from 0 to below 100 (per cent)", name, *percent));
+  share = *percent / 100;
 }
 
 std::optional<ComparedCell> compared_of(const po::variables_map& given) {
@@ -101,11 +113,8 @@ RubscopeArguments parse_rubscope_arguments(int argc, const char* const* argv) {
   RubscopeArguments arguments{recording_arguments(given, "rubscope RECORDING", "_scope")};
   if (arguments.action != Action::run) return arguments;
   if (given.count("orders")) arguments.orders = orders_of(given["orders"].as<std::string>());
-  if (const auto percent = not_negative_number(given, "least-line")) {
-    if (!(*percent < 100))
-      throw UsageError(fmt::format("--least-line: {:g}, allowed: from 0 to below 100 (per cent)", *percent));
-    arguments.least_line = *percent / 100;
-  }
+  set_share(given, "least-line", arguments.thresholds.least_share);
+  set_share(given, "most-modulation", arguments.thresholds.most_modulation);
   arguments.compared = compared_of(given);
   arguments.shown = shown_lengths_of(given);
   arguments.figure = figure_of(given);

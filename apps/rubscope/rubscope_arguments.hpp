@@ -22,7 +22,7 @@ struct ComparedCell {
 
 struct RubscopeArguments : RecordingArguments {
   std::vector<double> orders = {1, 2};           ///< of the Bode plot, multiples of 1/8
-  double least_line = scope::usual_least_share;  ///< smallest line that counts, as a share of the largest one
+  scope::Thresholds thresholds = {};
   std::optional<ComparedCell> compared = {};
   model::ShownLengths shown = {};  ///< in the printed text
   std::optional<Figure> figure = {};

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "report_program.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/map/finished_map.hpp"
 #include "rubsweep/maps/report/map_summary.hpp"
 #include "rubsweep/maps/report/require_plane.hpp"
@@ -20,20 +18,6 @@
 #include "terminal_map.hpp"
 
 namespace rubsweep::apps {
-
-namespace {
-
-/// Cells of a map in all and of each motion, as the table on the terminal names them.
-void count_cells(const std::filesystem::path& map) {
-  std::map<std::string, std::size_t> counts;
-  for (batch::CsvReader rows(map); rows.next();) {
-    ++counts["cells"];
-    ++counts[report::motion_name(batch::csv_row(rows.cells()))];
-  }
-  for (const auto& [name, cells] : counts) count_in_summary(name, cells);
-}
-
-}  // namespace
 
 void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study) {
   if (arguments.fade && study.robustness != sweep::Robustness::probability)
@@ -56,7 +40,10 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
                map::MapDirectory& directory) {
   const sweep::Study& study = config.study;
   directory.paint(study.grid);
-  if (summary_is_wanted()) count_cells(directory.map());
+  if (summary_is_wanted() && summary.cells() > 0) {
+    count_in_summary("cells", summary.cells());
+    for (const auto& [name, cells] : summary.cells_by_name()) count_in_summary(name, cells);
+  }
   const bool shown = !arguments.quiet && arguments.progress != batch::ProgressMode::never;
   const TerminalView view =
       shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};

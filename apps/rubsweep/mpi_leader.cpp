@@ -11,10 +11,10 @@
 #include "mpi_messages.hpp"
 #include "rubsweep/maps/batch/lap_time.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/report/describe_footprint.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/sweep/run_cells.hpp"
-#include "shared/forecast.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
 
@@ -38,7 +38,7 @@ MpiLeader::MpiLeader(MapJob& job, int ranks)
   log_.progress().expect({speeds, sweep::cell_count(grid) / speeds, job.directory->missing()});
   // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
   if (log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks})))
-    pilots_ = pilot_count(cells, static_cast<std::size_t>(threads) * static_cast<std::size_t>(ranks));
+    pilots_ = batch::pilot_count(cells, static_cast<std::size_t>(threads) * static_cast<std::size_t>(ranks));
 }
 
 std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
@@ -164,7 +164,7 @@ void MpiLeader::note(std::size_t cell, const std::string& line) {
   if (pilots_ == 0 || finished < pilots_) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
   const std::size_t left = job_.directory->missing().size() - finished;
-  if (const std::string text = forecast(finished, elapsed.count(), left); !text.empty())
+  if (const std::string text = batch::forecast(finished, elapsed.count(), left); !text.empty())
     log_.progress().say(text);
   pilots_ = 0;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "map_outcome.hpp"
+#include "map_status.hpp"
 #include "merge.hpp"
 #include "motion_kinds_csv.hpp"
 #include "rubsweep/maps/batch/captions.hpp"
@@ -14,14 +15,12 @@
 #include "rubsweep/maps/config/read_run_config.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
-#include "rubsweep/maps/map/map_status.hpp"
 #include "rubsweep/maps/map/written_file.hpp"
 #include "rubsweep/maps/report/describe_footprint.hpp"
 #include "rubsweep/maps/report/explain_study.hpp"
 #include "rubsweep_arguments.hpp"
 #include "shared/child_process.hpp"
 #include "shared/exit_code.hpp"
-#include "shared/forecast.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
 #include "shared/missing_cells.hpp"
@@ -55,7 +54,7 @@ std::string shard_is_done(const RubsweepArguments& arguments, const sweep::Grid&
 
 int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   refuse_fading(arguments, config.study);
-  report::refuse_more_memory_than(machine_memory_bytes(), config.study,
+  report::refuse_more_memory_than(batch::machine_memory_bytes(), config.study,
                                   {batch::thread_count(arguments.threads)});
   batch::require_threads(arguments.threads, 1);
   const std::filesystem::path output = arguments.output.value_or(config.output_directory);
@@ -126,7 +125,7 @@ int perform(const RubsweepArguments& arguments) {
     return done;
   }
   if (arguments.status) {
-    print("{}", map::map_status(*arguments.status));
+    print("{}", map_status(*arguments.status));
     return done;
   }
   if (arguments.watched) {

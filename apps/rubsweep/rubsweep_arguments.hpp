@@ -22,9 +22,10 @@ struct RubsweepArguments : StudyArguments {
   bool report = false;                   ///< also make report.html of the finished map
   /// Directory whose results are only to be checked for completeness.
   std::optional<std::filesystem::path> verified = {};
-  std::optional<std::string> key_answer = {};        ///< only print this: keys, a schema, a configuration to begin with
-  bool motion_kinds = false;                         ///< only print the table of motions and their colours
-  std::optional<std::filesystem::path> status = {};  ///< only say how far the map in this directory is
+  std::optional<std::string> key_answer =
+      {};                     ///< only print this: keys, a schema, a configuration to begin with
+  bool motion_kinds = false;  ///< only print the table of motions and their colours
+  std::optional<std::filesystem::path> status = {};   ///< only say how far the map in this directory is
   std::optional<std::filesystem::path> watched = {};  ///< only show the map in this directory as it grows
   /// Directory that only gets the matrices of the rotor.
   std::optional<std::filesystem::path> matrices = {};

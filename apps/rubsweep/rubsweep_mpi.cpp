@@ -28,7 +28,6 @@
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/figure.hpp"
-#include "shared/forecast.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
 #include "shared/premises.hpp"
@@ -177,7 +176,7 @@ int lead(MapJob& job, int ranks) {
 int run(int argc, char** argv) {
   const int rank = mpi::rank(), ranks = mpi::ranks();
   const std::size_t memory_bytes =
-      mpi::smallest(machine_memory_bytes() / static_cast<std::size_t>(mpi::ranks_on_this_machine()));
+      mpi::smallest(batch::machine_memory_bytes() / static_cast<std::size_t>(mpi::ranks_on_this_machine()));
   std::optional<MapJob> job;
   int code = 0;
   hold_summary(true);

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <variant>
 
+#include "character_map.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/report/cells_of_rows.hpp"
-#include "rubsweep/maps/report/terminal_map.hpp"
 #include "shell_word.hpp"
 
 namespace rubsweep::apps {
@@ -49,9 +49,9 @@ std::string rubtrace_command(const std::filesystem::path& directory, const sweep
                      speed_option(grid, place.speed_hz), unbalance_option(grid, place.unbalance), keys);
 }
 
-/// Reads a map; true where cells that are next to each other in characters are neighbours: a map that somebody
-/// sorted anew is not shown.
-bool read_map(const std::filesystem::path& path, const sweep::Grid& grid, report::TerminalMap& map) {
+/// Reads a map; true where cells that are next to each other in characters are neighbours: a map that
+/// somebody sorted anew is not shown.
+bool read_map(const std::filesystem::path& path, const sweep::Grid& grid, CharacterMap& map) {
   batch::CsvReader rows(path);
   report::CellsOfRows cells(rows, grid);
   bool sorted = true;
@@ -79,13 +79,13 @@ bool shows_colours() {
 }
 
 std::string map_in_characters(const std::filesystem::path& path, const sweep::Grid& grid) {
-  report::TerminalMap map(grid);
+  CharacterMap map(grid);
   return read_map(path, grid, map) ? map.text(terminal_width(), shows_colours()) : "";
 }
 
 TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid& grid, bool has_report) {
   if (::isatty(STDOUT_FILENO) == 0) return {};
-  report::TerminalMap map(grid);
+  CharacterMap map(grid);
   const bool in_order = read_map(path, grid, map);
   TerminalView view{in_order ? map.text(terminal_width(), shows_colours()) : "", {}};
   if (in_order && view.map.empty()) return view;

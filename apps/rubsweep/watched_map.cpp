@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
+#include "character_map.hpp"
+#include "map_status.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/finished_cells.hpp"
 #include "rubsweep/maps/config/read_run_config.hpp"
-#include "rubsweep/maps/map/map_status.hpp"
-#include "rubsweep/maps/report/terminal_map.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 #include "shared/program.hpp"
 #include "terminal_map.hpp"
@@ -28,7 +28,7 @@ std::string cells_under_way(const fs::path& directory, const sweep::Grid& grid) 
     if (name.starts_with("map.") && name.ends_with(".journal")) finished.add(entry.path());
   }
   if (finished.count() == 0 || sweep::disordered_axis(grid)) return "";
-  report::TerminalMap map(grid);
+  CharacterMap map(grid);
   for (std::size_t cell = 0; cell < sweep::cell_count(grid); ++cell) {
     if (finished.contains(cell)) {
       map.add(finished.text(cell));
@@ -59,8 +59,8 @@ struct Screen {
 
 Screen look(const fs::path& directory) {
   // Asked first, so that the last screen is drawn after the end.
-  const bool at_work = map::is_at_work(directory);
-  const std::string status = map::map_status(directory);  // waits two seconds where somebody is at work
+  const bool at_work = is_at_work(directory);
+  const std::string status = map_status(directory);  // waits two seconds where somebody is at work
   return {status, picture(directory), at_work};
 }
 
@@ -87,7 +87,8 @@ void watch_map(const fs::path& directory) {
   const bool again = ::isatty(STDOUT_FILENO) != 0;
   for (bool first = true;; first = false) {
     const Screen screen = look_again(directory);
-    if (again) std::fputs((first ? "\x1b[2J" + std::string(from_the_top) : std::string(from_the_top)).c_str(), stdout);
+    if (again)
+      std::fputs((first ? "\x1b[2J" + std::string(from_the_top) : std::string(from_the_top)).c_str(), stdout);
     std::fputs(screen.picture.c_str(), stdout);  // with its colours
     print("{}", screen.status);
     std::fflush(stdout);

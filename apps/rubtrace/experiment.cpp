@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "experiment_tables.hpp"
+#include "ramp_tables.hpp"
 #include "rubsweep/analysis/line/follow_line.hpp"
 #include "rubsweep/analysis/linear/campbell.hpp"
 #include "rubsweep/analysis/linear/campbell_tables.hpp"
 #include "rubsweep/analysis/linear/experiment.hpp"
-#include "rubsweep/analysis/linear/experiment_tables.hpp"
 #include "rubsweep/analysis/ramp/ramp_record.hpp"
-#include "rubsweep/analysis/ramp/ramp_tables.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
@@ -52,7 +52,7 @@ struct Outcome {
   integrate::run::Outcome run = integrate::run::Outcome::ok;  ///< of a run-up with stops
 };
 
-Outcome outcome_of(linear::ExperimentTables tables) {
+Outcome outcome_of(ExperimentTables tables) {
   return {{{"sensors.csv", std::move(tables.sensors_csv)},
            {"bode.csv", std::move(tables.bode_csv)},
            {"identification.csv", std::move(tables.identification_csv)}},
@@ -98,7 +98,7 @@ Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study, const
   const integrate::run::Outcome run =
       ramp::run_ramp(machine, ramp, study.solver, ramp_samples,
                      [&](const ramp::RampStretch& stretch) { record.add(stretch); });
-  ramp::RampTables tables = ramp::tables_of(record, steady_motions(ramp, study, machine), shown);
+  RampTables tables = tables_of(record, steady_motions(ramp, study, machine), shown);
   return {{{"envelope.csv", std::move(tables.envelope_csv)},
            {"orbits.csv", std::move(tables.orbits_csv)},
            {"spectrogram.csv", std::move(tables.spectrogram_csv)},
@@ -123,9 +123,9 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   if (arguments.campbell) return campbell_diagram(*arguments.campbell, described);
   const linear::Sampling sampling{.sample_s = arguments.sample_s, .noise_m = arguments.noise_m};
   if (const auto& ramp = arguments.run_up) {
-    return outcome_of(linear::tables_of(linear::run_up(machine, ramp->from_hz, ramp->to_hz,
-                                                       ramp->rate_hz_per_s, ramp->eccentricity_m, sampling),
-                                        arguments.shown));
+    return outcome_of(tables_of(linear::run_up(machine, ramp->from_hz, ramp->to_hz, ramp->rate_hz_per_s,
+                                               ramp->eccentricity_m, sampling),
+                                arguments.shown));
   }
   if (!machine.machine.kick) throw UsageError("--free-response: the configuration has no kick");
   const double slowest_hz = linear::lowest_frequency_hz(machine);
@@ -134,7 +134,7 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
         fmt::format("--sample-s: {} s are too long to see {:.4g} Hz, allowed: less than {:.4g} s",
                     sampling.sample_s, slowest_hz, 1 / (2 * slowest_hz)));
   }
-  return outcome_of(linear::tables_of(linear::free_response(machine, arguments.duration_s, sampling)));
+  return outcome_of(tables_of(linear::free_response(machine, arguments.duration_s, sampling)));
 }
 
 /// Picture that rubplot draws of it, and its heading, for which rpm would be too long: they stand at the

@@ -35,8 +35,9 @@ std::string motion_text(const sweep::Row& row) {
 }  // namespace
 
 std::string motion_summary(const sweep::Row& row, const model::ShownLengths& shown) {
-  return fmt::format("cell      {}, whirl ratio {}, eccentricity {}\nmotion    {}\n", model::speed_text(row.speed_hz),
-                     number_or_none(row.whirl_ratio), length_or_none(row.eccentricity_m, shown), motion_text(row));
+  return fmt::format("cell      {}, whirl ratio {}, eccentricity {}\nmotion    {}\n",
+                     model::speed_text(row.speed_hz), number_or_none(row.whirl_ratio),
+                     length_or_none(row.eccentricity_m, shown), motion_text(row));
 }
 
 }  // namespace rubsweep::apps

@@ -13,15 +13,16 @@
 #include "design_check.hpp"
 #include "experiment.hpp"
 #include "experiment_questions.hpp"
+#include "experiment_tables.hpp"
 #include "motion_summary.hpp"
 #include "rubsweep/analysis/linear/experiment.hpp"
-#include "rubsweep/analysis/linear/experiment_tables.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
 #include "rubsweep/analysis/trace/probe_period.hpp"
 #include "rubsweep/analysis/trace/trace_csv.hpp"
 #include "rubsweep/analysis/trace/trace_run.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
@@ -32,7 +33,6 @@
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
 #include "rubtrace_arguments.hpp"
 #include "shared/exit_code.hpp"
-#include "shared/forecast.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
 #include "shared/premises.hpp"
@@ -74,7 +74,7 @@ int cannot_start(scene::Start start) {
 void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::size_t stops,
                                       Eigen::Index coordinates) {
   const double needed = trace::trace_bytes(options, stops, coordinates),
-               there = static_cast<double>(machine_memory_bytes());
+               there = static_cast<double>(batch::machine_memory_bytes());
   if (needed <= there) return;
   throw ConfigError(fmt::format(
       "--revolutions: {} revolutions take about {:.3g} GB of memory, this machine has {:.3g} GB, allowed: "
@@ -109,10 +109,10 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
                            const sweep::Study& study, const model::ShownLengths& shown,
                            response::motion::Workspace& workspace, batch::ResultFiles& files) {
-  files["sensors.csv"] = linear::sensors_csv({.from_hz = speed_hz,
-                                              .sample_s = probes.sample_s,
-                                              .samples = static_cast<int>(trace.readings_m.rows())},
-                                             trace.readings_m);
+  files["sensors.csv"] = sensors_csv({.from_hz = speed_hz,
+                                      .sample_s = probes.sample_s,
+                                      .samples = static_cast<int>(trace.readings_m.rows())},
+                                     trace.readings_m);
   const auto pair = trace::pair_of(probes.angle_deg, places_of_sensors(study.machine));
   if (!pair) return "probes    no two of them see one place from two directions\n";
   const auto z = trace::displacement_of(trace.readings_m, *pair, probes.angle_deg);

@@ -61,7 +61,7 @@ class Table:
         self.unexpected = 0
 
     def run(self, stem, *settings):
-        return RingRun(self._ringstab, os.path.join(TOP, "configs", stem + ".yaml"), settings)
+        return RingRun(self._ringstab, os.path.join(TOP, "configs", "ring", stem.removeprefix("ring_") + ".yaml"), settings)
 
     def row(self, figure, claim, measured, holds, otherwise=None):
         """One claim; `otherwise` is what is known of a claim that does not hold: ERRATUM or ASSUMED_BEAM."""

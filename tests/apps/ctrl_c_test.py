@@ -16,7 +16,7 @@ annulus = configs / "reference/figure12_annulus_offset.yaml"
 stop = configs / "benchmark/one_side.yaml"
 cell = ("--speed-hz", "70", "--whirl-ratio", "0.9")
 hang_s = 120
-chart = (configs / "ring_figure20.yaml").read_text(encoding="utf-8").replace("count: 179", "count: 9000")
+chart = (configs / "ring/figure20.yaml").read_text(encoding="utf-8").replace("count: 179", "count: 9000")
 chart = chart.replace("count: 301", "count: 401")
 
 # A map, an experiment and a recording of long work, which are made beforehand: name -> commands.

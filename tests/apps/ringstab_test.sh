@@ -2,7 +2,7 @@
 # ringstab from the command line: what it writes, its errors, every shipped ring configuration.
 source "$(dirname "$0")/support.sh"
 
-config=$top/configs/ring_figure10.yaml
+config=$top/configs/ring/figure10.yaml
 small=(--set 'speed_rpm={from: 0, to: 1500, count: 151}')
 
 expect_help threads check explain print-config progress
@@ -13,7 +13,7 @@ expect_usage_error '--threads: allowed: a number from 0 to 1024' "$config" --thr
 expect_exit 3 nowhere.yaml
 
 # Every shipped configuration is accepted, and so is what --print-config makes of it.
-for shipped in "$top"/configs/ring_*.yaml; do
+for shipped in "$top"/configs/ring/*.yaml; do
   [[ $(head -c 2 "$shipped") == '# ' ]] || fail "$shipped does not begin with its purpose"
   expect_matches "$shipped" '^# Run time: '
   expect_exit 0 "$shipped" --check

@@ -28,6 +28,12 @@ expect_exit 0 run.csv --orders 0.5 --quiet
 expect_empty stdout
 [[ $(count_rows run_scope/bode.csv 'order == 0.5') -gt 50 ]] || fail 'no 1/2 in the Bode plot'
 
+# Thresholds in per cent.
+expect_exit 0 run.csv --least-line 80 --most-modulation 0 --output coarse
+expect_contains stdout 'synchronous'
+expect_exit 1 run.csv --most-modulation 100
+expect_contains stderr '--most-modulation: 100, allowed: from 0 to below 100 (per cent)'
+
 # A stretch of it.
 { cat run.yaml; echo 'to_s: 0.2'; } >short.yaml
 expect_exit 0 run.csv --instrument short.yaml --output short

@@ -56,7 +56,7 @@ expect_exit 0 "$minimal" --set sweep.eccentricity_m=2 --output far
 expect_contains stderr 'question: what was the unbalance meant to be?'
 
 # Each program knows the files of the other.
-ring=$top/configs/ring_figure10.yaml
+ring=$top/configs/ring/figure10.yaml
 expect_exit 2 "$ring" --check
 expect_contains stderr 'ring: belongs to a configuration of ringstab, allowed: ringstab with this file'
 code=0

@@ -66,7 +66,7 @@ expect_whole trace events.csv motion.csv section.csv spectrum.csv trajectory.csv
 source=trace
 expect_fault 'section.csv: is missing, it was written with events.csv' rm section.csv
 expect_fault 'trajectory.csv: is not as it was written' sed -i '300s/1/2/' trajectory.csv
-"$ringstab" "$top/configs/ring_figure10.yaml" --set speed_rpm.count=5 --quiet --output ring || fail 'no ring'
+"$ringstab" "$top/configs/ring/figure10.yaml" --set speed_rpm.count=5 --quiet --output ring || fail 'no ring'
 expect_exit 0 --verify ring
 expect_contains stdout config.yaml
 source=ring

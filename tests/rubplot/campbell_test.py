@@ -43,6 +43,13 @@ class Labels(unittest.TestCase):
         self.assertIn("'84.86'", labels[2])
         self.assertIn("right offset -0.8, 0.8", labels[2])
 
+    def test_a_label_stands_beside_the_curves(self):
+        rows = [{"speed_hz": 60.0}]
+        self.assertIn("right offset -0.8, 0.8", next(campbell.label_lines(rows, 100)))
+        self.assertIn("right offset -0.8, 0.8", next(campbell.label_lines(rows, 100, curves=[point(1, 0, 9), point(1, 100, 9)])))
+        crossing = [point(1, 57, 50), point(1, 58, 90)]
+        self.assertIn("left offset 0.8, -0.8", next(campbell.label_lines(rows, 100, curves=crossing)))
+
     def test_labels_of_an_axis_that_begins_late_stand_in_the_picture(self):
         self.assertEqual(campbell.place_of_1x([], 180, 100), 100 + 0.94 * 80)
         self.assertEqual(campbell.place_of_1x([{"speed_hz": 178.0}], 180, 100), 100 + 0.85 * 80)

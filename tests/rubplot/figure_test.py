@@ -55,7 +55,7 @@ class Computed(figures.FigureTest):
         self.program("ringstab", "exit 0\n")
         code, _, said = self.figure("ring-03", "--configs", self.path("none"))
         self.assertEqual(code, 3)
-        self.assertIn("none/ring_figure03.yaml: published figures need the sources of rubsweep, or --configs DIR", said)
+        self.assertIn("none/ring/figure03.yaml: published figures need the sources of rubsweep, or --configs DIR", said)
 
     def test_panels_of_a_ring(self):
         self.program("ringstab", "mkdir -p $3\nprintf 'speed_rpm,mode,real_per_s,imaginary_rad_per_s\\n0,ring forward,1,10\\n"

@@ -57,7 +57,7 @@ def picture(given):
             "curves": curve_lines(curves, per_hz),
             # One beside the picture where there is none, as gnuplot warns of empty files.
             "critical": ["%.17g" % row["speed_hz"] for row in critical] or ["-1"],
-            "labels.gp": [*sizes, *name_lines(curves, top, per_hz), *label_lines(critical, fastest, per_hz, slowest, top),
+            "labels.gp": [*sizes, *name_lines(curves, top, per_hz), *label_lines(critical, fastest, per_hz, slowest, top, curves),
                           *lock_lines(locks, top, per_hz)],
             "shapes": shape_lines(shown),
             "shaft": shaft_lines(config),
@@ -91,14 +91,15 @@ def name_lines(rows, top, per_hz=1):
         yield _label(per_hz * cluster[0]["speed_hz"], place, text, "left offset 0.6, 0")
 
 
-def label_lines(rows, fastest, per_hz=1, slowest=0, top=None):
+def label_lines(rows, fastest, per_hz=1, slowest=0, top=None, curves=()):
     """Critical speeds as gnuplot's labels; speeds that lie together get one, at their middle. It stands above to the left
     of the line, below to the right where the next one is close, above to the right beside the axis; where another label
-    has that place, on the other side, or further above or below."""
+    has that place, or a curve goes through it, on the other side, or further above or below."""
     width, height = fastest - slowest or 1, top or 1.5 * fastest or 1
     clusters = list(_clusters(sorted(rows, key=lambda row: row["speed_hz"]), "speed_hz", 0, SAME_SPEED))
     middles = [sum(row["speed_hz"] for row in cluster) / len(cluster) for cluster in clusters]
     taken = []
+    drawn = [((speed - slowest) / width, frequency / height) for speed, frequency in _points_between(curves)]
     for middle, following in zip(middles, [*middles[1:], float("inf")]):
         text = "%.4g" % (per_hz * middle)
         above, below = [("right", -0.8, 0.8 + step) for step in STEPS], [("left", 0.8, -0.8 - step) for step in STEPS]
@@ -110,7 +111,7 @@ def label_lines(rows, fastest, per_hz=1, slowest=0, top=None):
         places = [place for pair in zip(first, second) for place in pair]
         boxes = [_box((middle - slowest) / width, middle / height, text, place) for place in places]
         free = [i for i, box in enumerate(boxes) if _inside(box) and not any(_meet(box, other) for other in taken)]
-        chosen = free[0] if free else 0
+        chosen = min(free, key=lambda i: sum(_holds(boxes[i], point) for point in drawn), default=0)
         taken.append(boxes[chosen])
         side, across, up = places[chosen]
         yield _label(per_hz * middle, middle, text, f"{side} offset {across:g}, {up:g} boxed")
@@ -121,6 +122,21 @@ def _box(x, y, text, place):
     side, across, up = place
     left = x + across * LETTER[0] - (len(text) * LETTER[0] if side == "right" else 0)
     return left, y + (up - 0.5) * LETTER[1], left + len(text) * LETTER[0], y + (up + 0.5) * LETTER[1]
+
+
+def _points_between(curves, parts=8):
+    """Points of the curves, so close that none of them crosses a label between two."""
+    for _, mode in groupby(curves, key=lambda row: row["mode"]):
+        last = None
+        for row in mode:
+            point = (row["speed_hz"], row["frequency_hz"])
+            for part in range(parts if last else 0):
+                yield tuple(a + (b - a) * part / parts for a, b in zip(last, point))
+            last = point
+
+
+def _holds(box, point):
+    return box[0] <= point[0] <= box[2] and box[1] <= point[1] <= box[3]
 
 
 def _inside(box):

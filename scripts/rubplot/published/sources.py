@@ -22,7 +22,8 @@ class Sources:
     results: str = os.path.join(TOP, "results")
 
     def config(self, stem):
-        path = os.path.join(self.configs, stem + ".yaml")
+        folder, name = ("ring", stem.removeprefix("ring_")) if stem.startswith("ring_") else ("", stem)
+        path = os.path.join(self.configs, folder, name + ".yaml")
         if not os.path.exists(path):
             raise Failure(f"there is no {path}: published figures need the sources of rubsweep, or --configs DIR")
         return path

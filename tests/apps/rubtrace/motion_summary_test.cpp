@@ -34,7 +34,8 @@ TEST(MotionSummary, NamesTheCellAndItsMotion) {
   row.eccentricity_m = std::numeric_limits<double>::quiet_NaN();
   row.status = "unreachable";
   EXPECT_EQ(motion_summary(row),
-            "cell      30 Hz (1800 rpm), whirl ratio 0.5, eccentricity none\nmotion    failed, status unreachable\n");
+            "cell      30 Hz (1800 rpm), whirl ratio 0.5, eccentricity none\nmotion    failed, status "
+            "unreachable\n");
   row.motion_class = MotionClass::non_contact;
   row.eccentricity_m = 1e-5;
   row.status = "ok";

@@ -1,11 +1,11 @@
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <vector>
 
-#include "rubsweep/core/error.hpp"
-#include "rubsweep/core/model/machine.hpp"
-#include "rubsweep/maps/batch/axis.hpp"
-#include "rubsweep/maps/batch/parallel_run.hpp"
+#include "rubsweep/error.hpp"
+#include "rubsweep/machine.hpp"
+#include "rubsweep/sweep.hpp"
 
 int main() {
   rubsweep::model::Machine machine{
@@ -22,18 +22,18 @@ int main() {
       .kick = {}};
   rubsweep::model::validate(machine);
 
-  const std::vector<double> speed_hz = rubsweep::batch::evenly_spaced(45, 240, 5);
-  std::vector<double> ratio(speed_hz.size());
+  rubsweep::sweep::Study study;
+  study.machine = machine;
+  study.grid.speed_hz = {45, 240};
+  study.grid.unbalance = {0.2};
+  const std::vector<std::size_t> cells{0, 1};
   const std::atomic<bool> stop = false;
-  rubsweep::batch::parallel_run(
-      speed_hz.size(), 2,
-      [&](std::size_t cell) {
-        ratio[cell] =
-            speed_hz[cell] / std::get<rubsweep::model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
-      },
-      [](std::size_t) {}, stop);
-  std::printf("%zu speeds, the last %g Hz, %g natural frequencies\n", speed_hz.size(), speed_hz.back(),
-              ratio.back());
+  double fastest_hz = 0;
+  const std::size_t finished = rubsweep::sweep::run_cells(
+      study, cells, 2,
+      [&](std::size_t, const rubsweep::sweep::Row& row) { fastest_hz = std::max(fastest_hz, row.speed_hz); },
+      stop);
+  std::printf("%zu cells, the last at %g Hz\n", finished, fastest_hz);
 
   std::get<rubsweep::model::JeffcottRotor>(machine.rotor).mass_kg = -1;
   try {

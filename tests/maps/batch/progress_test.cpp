@@ -24,6 +24,15 @@ TEST(ProgressLine, TellsRateAndTimeLeft) {
   EXPECT_EQ(progress_line(1, 1001, 40), "1/1001 cells, 0%, 0.025 cells/s, 11:06:40 left");
 }
 
+TEST(ProgressForecast, AFewCellsAllOverTheMapTellHowLongTheOthersTake) {
+  EXPECT_EQ(pilot_count(31, 2), 0u);
+  EXPECT_EQ(pilot_count(160, 2), 10u);
+  EXPECT_EQ(pilot_count(100000, 2), 32u);
+  EXPECT_EQ(forecast(32, 6.4, 3750), "about 0:12:30 by 32 cells spread over the map");
+  EXPECT_EQ(forecast(10, 0.5, 150), "");
+  EXPECT_EQ(forecast(10, 0.5, 990), "about 0:00:50 by 10 cells spread over the map");
+}
+
 TEST(ProgressLine, GuessesNothingBeforeItCan) {
   EXPECT_EQ(progress_line(0, 10, 0), "0/10 cells, 0%");
   EXPECT_EQ(progress_line(0, 10, 5), "0/10 cells, 0%");

@@ -41,6 +41,14 @@ TEST(MapSummary, CountsClassesByOrderAndStatuses) {
   EXPECT_TRUE(summary.has_failed_cells());
 }
 
+TEST(MapSummary, CountsCellsByTheNameOfTheirMotion) {
+  const MapSummary summary = summary_of(
+      {row(MotionClass::subharmonic, 3), row(MotionClass::non_contact), row(MotionClass::subharmonic, 3)});
+  EXPECT_EQ(summary.cells(), 3u);
+  EXPECT_EQ(summary.cells_by_name(),
+            (std::map<std::string, std::size_t>{{"non_contact", 1}, {"subharmonic 1/3", 2}}));
+}
+
 TEST(MapSummary, OnlyTheClassTellsAFailedCell) {
   EXPECT_FALSE(summary_of({row(MotionClass::subharmonic, 2, "slip_reversal")}).has_failed_cells());
 }
@@ -77,6 +85,26 @@ TEST(MapSummary, TellsAWhipFromAnOvalAndCirclesByTheirSense) {
             "       1   12.5 %  synchronous circle, forward\n"
             "       1  status step_limit\n");
   EXPECT_TRUE(summary.has_failed_cells());
+}
+
+TEST(MotionName, OfARowIsThatOfItsLine) {
+  using response::spectrum::OrbitKind, response::spectrum::WhirlKind;
+  const std::pair<Row, const char*> named[] = {
+      {measured(MotionClass::quasi_periodic, OrbitKind::oval, WhirlKind::backward, true),
+       "quasi_periodic dry whip, backward"},
+      {measured(MotionClass::quasi_periodic, OrbitKind::complex, WhirlKind::mixed, true),
+       "quasi_periodic oval, mixed"},
+      {measured(MotionClass::quasi_periodic, OrbitKind::complex, WhirlKind::backward, false),
+       "quasi_periodic"},
+      {measured(MotionClass::synchronous, OrbitKind::circle, WhirlKind::backward, false),
+       "synchronous circle, backward"},
+      {row(MotionClass::synchronous, 1), "synchronous"},
+      {row(MotionClass::subharmonic, 3), "subharmonic 1/3"},
+      {row(MotionClass::failed, {}, "step_limit"), "failed"}};
+  for (const auto& [row, name] : named) {
+    EXPECT_EQ(motion_name(row), name);
+    EXPECT_EQ(motion_name(map_line(row)), name);
+  }
 }
 
 Row untouched(sweep::RunStart start) {

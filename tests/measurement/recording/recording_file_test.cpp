@@ -1,5 +1,6 @@
 #include "rubsweep/measurement/recording/recording_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <matio.h>
 
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <string>
 
 #include "maps/batch/temporary_directory.hpp"
@@ -225,6 +227,51 @@ TEST(RecordingFile, ATableWithAWrongSumIsRefused) {
   other[other.size() - 3] = '9';
   EXPECT_THROW(read_recording_file("sensors.csv", other), batch::DamagedTable);
   EXPECT_THROW(read_recording_file("sensors.csv", head + rows), batch::DamagedTable);
+}
+
+std::string write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+  return text;
+}
+
+/// One probe at 90 degrees at 1 kHz, of a shaft that turns 25 times a second.
+std::string vibration() {
+  std::string text = "x [um]\n";
+  for (int k = 0; k < 1000; ++k)
+    text += fmt::format("{}\n", 30 * std::cos(2 * std::numbers::pi * 25 * k / 1000.0));
+  return text;
+}
+
+TEST(ReadRecording, IsTheRecordingItsInstrumentAndTheTextOfBoth) {
+  const TemporaryDirectory directory;
+  const auto file = directory.path() / "r.csv", instrument = directory.path() / "r.yaml";
+  const std::string signal = write_text(file, vibration());
+  const std::string description =
+      write_text(instrument, "probes: [{column: x, angle_deg: 90}]\nspeed_hz: 25\nsampling_rate_hz: 1000\n");
+  const ReadRecording read = read_recording(file, instrument);
+  EXPECT_NEAR(read.recording.mean_speed_hz(), 25, 1e-9);
+  EXPECT_GE(read.recording.turns(), 23);
+  ASSERT_EQ(read.instrument.probes.size(), 1u);
+  EXPECT_EQ(read.instrument.probes[0].angle_deg, 90);
+  EXPECT_EQ(read.text, description + signal);
+}
+
+TEST(ReadRecording, NamesTheFileThatIsWrong) {
+  const TemporaryDirectory directory;
+  const auto file = directory.path() / "r.csv", instrument = directory.path() / "r.yaml";
+  write_text(file, vibration());
+  const auto fault = [&] {
+    try {
+      read_recording(file, instrument);
+    } catch (const ConfigError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  write_text(instrument, "probes: [{column: x, angle_deg: 90}]\nspeed_hz: fast\nsampling_rate_hz: 1000\n");
+  EXPECT_TRUE(fault().starts_with(instrument.string() + ":2:")) << fault();
+  write_text(instrument, "probes: [{column: y, angle_deg: 90}]\nspeed_hz: 25\nsampling_rate_hz: 1000\n");
+  EXPECT_TRUE(fault().starts_with(file.string())) << fault();
 }
 
 }  // namespace

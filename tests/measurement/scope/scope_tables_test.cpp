@@ -57,6 +57,23 @@ TEST(ScopeTables, SayLengthsAsTheyAreAskedFor) {
   EXPECT_EQ(tables.measures_csv, tables_of(recording, verdict, {1, 2}).measures_csv);
 }
 
+TEST(ScopeTables, SayHowMuchLinesVaryAndMay) {
+  recording::Recording growing = circle(40);
+  const std::size_t count = growing.displacement_m.size();
+  for (std::size_t k = 0; k < count; ++k)
+    growing.displacement_m[k] *= 1 + 0.1 * (static_cast<double>(k) / static_cast<double>(count) - 0.5);
+  // A growth by a tenth is a root mean square of 2.9 %.
+  const auto said = [&](double most_modulation) {
+    const Verdict verdict = judge(growing.displacement_m, recording::samples_per_revolution, true,
+                                  {.thresholds = {.most_modulation = most_modulation}});
+    return tables_of(growing, verdict, {1}).summary;
+  };
+  for (const char* words : {"synchronous", "lines vary slowly by 2.9 % of the motion, 10 % may be"})
+    EXPECT_NE(said(0.1).find(words), std::string::npos) << said(0.1);
+  for (const char* words : {"periodic", "vary slowly by 2.9 % of the motion; up to 1 %"})
+    EXPECT_NE(said(0.01).find(words), std::string::npos) << said(0.01);
+}
+
 TEST(ScopeTables, SayHowLongARecordingMustBe) {
   const recording::Recording recording = circle(12);
   const ScopeTables tables =

@@ -18,7 +18,11 @@ struct Unsteady {
   double amplitude_wander = 0;              ///< the same of the amplitude
   double other_order = 0, other_share = 0;  ///< a line beside 1X, as a share of it
   double other_swing = 0;                   ///< relative swing of that line, once over the recording
+  double near_bins = 0, near_share = 0;     ///< a third line so many bins beside the other, as a share of it
   double noise_share = 5e-3;                ///< of every reading
+  double step_um = 1e-3;                    ///< of the converter; 1X has 100 um
+  double edge_readings = 0;                 ///< that the edge of the mark lasts
+  double mark_noise_v = 0.05;               ///< of eight
   double readings_per_turn = 20;
   int turns = 32;
 };
@@ -59,7 +63,14 @@ inline recording::Recording recorded(const Unsteady& put, unsigned seed) {
   recording::Channels table;
   table.channels = {{"X", "um", {}}, {"Y", "um", {}}, {"KP", "V", {}}};
   double angle = begin;
-  const auto read = [](double value) { return std::round(value * 1e3) / 1e3; };
+  const auto read = [&](double value) { return std::round(value / put.step_um) * put.step_um; };
+  // The keyway is passed from its first edge on, which may last some readings.
+  const auto mark_v = [&](double turned) {
+    const double since = turned - std::floor(turned), edge = put.edge_readings / put.readings_per_turn;
+    if (since > 0.12 + edge) return -1.0;
+    if (edge == 0) return -9.0;
+    return -1 - 8 * std::fmin(1, std::fmin(since, 0.12 + edge - since) / edge);
+  };
   const int count = static_cast<int>(put.readings_per_turn * put.turns);
   for (int k = 0; k < count; ++k) {
     const double share = static_cast<double>(k) / count;
@@ -68,9 +79,12 @@ inline recording::Recording recorded(const Unsteady& put, unsigned seed) {
     const double swing = 1 + put.other_swing * std::sin(2 * std::numbers::pi * share + 2 * phase);
     z += 100 * put.other_share * swing *
          std::polar(1.0, 2 * std::numbers::pi * put.other_order * angle + phase);
+    z +=
+        100 * put.other_share * put.near_share *
+        std::polar(1.0, 2 * std::numbers::pi * (put.other_order + put.near_bins / put.turns) * angle - phase);
     table.channels[0].values.push_back(read(z.real() + 100 * put.noise_share * normal(random)));
     table.channels[1].values.push_back(read(z.imag() + 100 * put.noise_share * normal(random)));
-    table.channels[2].values.push_back((angle - std::floor(angle) < 0.12 ? -9 : -1) + 0.05 * normal(random));
+    table.channels[2].values.push_back(mark_v(angle) + put.mark_noise_v * normal(random));
     // A hundred small steps of a turn that follows its own speed.
     for (int i = 0; i < 4; ++i)
       angle += (1 + put.speed_wander * speed.at(share + 0.25 * i / count)) / (4 * put.readings_per_turn);

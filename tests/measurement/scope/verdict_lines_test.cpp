@@ -42,6 +42,28 @@ TEST(VerdictLines, ALineBetweenTheBinsHasItsOrderAndAmplitude) {
   }
 }
 
+TEST(VerdictLines, OrdersAreThoseOfALineThatTurnsWithTheShaft) {
+  // Noise moved the marks: the motion turns by a hundredth less than they say. Nothing turns with the shaft
+  // in the second one, and a line far enough beside 1X stays there.
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> noise(0, 0.1);
+  for (const double late_turns : {0.01, 0.1}) {
+    const double pace = 1 - late_turns / 60;
+    std::vector<Complex> z;
+    for (int k = 0; k < 60 * samples; ++k) {
+      const double angle = 2 * pi * pace * k / samples;
+      z.push_back(100.0 * std::polar(1.0, angle) + 30.0 * std::polar(1.0, 0.4142 * angle + 1) +
+                  Complex(noise(random), noise(random)));
+    }
+    const Verdict verdict = judge(z, samples, true);
+    ASSERT_EQ(verdict.discrete_lines.size(), 2u);
+    const bool turns = late_turns < 0.05;
+    const DiscreteLine &one = verdict.discrete_lines[0], &other = verdict.discrete_lines[1];
+    EXPECT_NEAR(one.order, turns ? 1 : pace, 2 * one.order_uncertainty);
+    EXPECT_NEAR(other.order, 0.4142 * (turns ? 1 : pace), 2 * other.order_uncertainty);
+  }
+}
+
 TEST(VerdictLines, AHighOrderHasTheErrorOfItsInterpolation) {
   std::vector<Complex> z;
   for (int k = 0; k < 40 * samples; ++k) {

@@ -12,6 +12,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 
@@ -204,8 +205,10 @@ DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine
   check.clearances = clearance_margins(prepared, check.scale * check.eccentricity_m, speeds_hz);
   check.curves = curves_over(prepared, check.scale * check.eccentricity_m, speeds_hz);
   for (std::size_t stop = 0; stop < study.machine.stops.size(); ++stop) {
-    if (std::holds_alternative<model::AnnularGeometry>(study.machine.stops[stop].geometry))
-      check.whips.push_back(whip_margin(prepared, stop, check.operating));
+    const bool may_whip = std::visit(overloaded{[](const model::OneSideGeometry&) { return false; },
+                                                [](const model::AnnularGeometry&) { return true; }},
+                                     study.machine.stops[stop].geometry);
+    if (may_whip) check.whips.push_back(whip_margin(prepared, stop, check.operating));
   }
   for (const linear::LockSpeed& lock : linear::lock_speeds(modes))
     if (check.operating.contains(lock.speed_hz)) check.locks.push_back(lock);

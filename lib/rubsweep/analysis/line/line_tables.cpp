@@ -72,9 +72,9 @@ LineTables tables_of(std::span<const LinePoint> points, std::span<const LineCell
 std::string line_summary(std::span<const LinePoint> points, std::span<const LineCell> cells) {
   std::string text;
   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
-    const std::string name = report::motion_name(report::map_line(points[begin].row));
+    const std::string name = report::motion_name(points[begin].row);
     while (end < points.size() && points[end].pass == points[begin].pass &&
-           report::motion_name(report::map_line(points[end].row)) == name)
+           report::motion_name(points[end].row) == name)
       ++end;
     text += fmt::format("{:<9} {:.6g} to {:.6g}  {}\n", to_string(points[begin].pass),
                         cells[points[begin].cell].value, cells[points[end - 1].cell].value, name);

@@ -8,24 +8,16 @@
 
 #include "rubsweep/analysis/trace/trace_state.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
-#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
 #include "rubsweep/core/response/motion/poincare_section.hpp"
+#include "rubsweep/core/response/motion/record_settled.hpp"
+#include "rubsweep/core/scene/observed.hpp"
 
 namespace rubsweep::line {
 namespace {
 
 using integrate::run::Outcome;
 using Complex = std::complex<double>;
-
-/// The scene as it stands after so many revolutions, in this state.
-scene::Scene scene_after(const scene::Scene& scene, const response::SettledRun& run) {
-  scene::Scene later = scene;
-  later.elapsed_revolutions += run.revolutions;
-  for (scene::Pulse& pulse : later.pulses)
-    pulse.elapsed_s += static_cast<double>(run.revolutions) * scene.period_s();
-  integrate::run::set_initial_state(later, run.section);
-  return later;
-}
 
 HandedState handed(const scene::Scene& scene, std::span<const double> section) {
   const integrate::run::StateScale scale = integrate::run::state_scale(scene);
@@ -57,90 +49,63 @@ constexpr int fine_samples = 1024;
 SettledMotion quiet_motion(const scene::Cell& cell, const sweep::Study& study,
                            response::motion::Workspace& workspace) {
   const scene::Scene& scene = cell.scene;
-  const auto& rotor = scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
+  const auto& rotor = scene::observed(scene);
   SettledMotion motion;
   motion.end = {cell.quiet.displacement(0), cell.quiet.velocity(0)};
   const double phase_rad = 2 * std::numbers::pi * turns_to_smallest_gap(study.machine);
   motion.section = {{rotor * cell.quiet.displacement(phase_rad),
                      scene.speed_rad_per_s * (rotor * cell.quiet.velocity(phase_rad))}};
-  const int n = study.response.samples_per_revolution;
-  std::vector<Complex> displacement_m;
-  for (int k = 0; k < n; ++k) {
-    const Eigen::Vector2d z = rotor * cell.quiet.displacement(2 * std::numbers::pi * k / n);
-    displacement_m.emplace_back(z.x(), z.y());
-  }
-  motion.spectrum = response::spectrum::full_spectrum(displacement_m, 1, workspace.spectrum);
+  motion.spectrum = response::spectrum::full_spectrum(
+      response::motion::quiet_samples(cell, study.response.samples_per_revolution), 1, workspace.spectrum);
   return motion;
 }
 
-/// Runs a scene on, turn by turn.
-class Follower {
+/// Reads the section of a turn and its samples of the observed point.
+class TurnReader {
  public:
-  Follower(const scene::Scene& scene, const sweep::Study& study, response::motion::Workspace& workspace)
-      : run_(integrate::start(scene, study.solver, workspace.modes)),
-        reader_(scene, study.solver),
-        samples_per_turn_(study.response.samples_per_revolution),
-        period_s_(scene.period_s()),
+  TurnReader(const scene::Scene& scene, const sweep::Study& study)
+      : reader_(scene, study.solver),
+        step_s_(scene.period_s()),
         section_turns_(turns_to_smallest_gap(study.machine)),
-        finer_(section_turns_ > 0 ? (fine_samples + samples_per_turn_ - 1) / samples_per_turn_ : 1) {
-    turn_.section = integrate::run::scaled_initial_state(scene);
+        finer_(section_turns_ > 0 ? (fine_samples + study.response.samples_per_revolution - 1) /
+                                        study.response.samples_per_revolution
+                                  : 1),
+        samples_(finer_ * study.response.samples_per_revolution) {
+    step_s_ /= samples_;
   }
 
-  const std::vector<double>& section() const { return turn_.section; }
+  /// Samples that a turn is to have.
+  int samples() const { return samples_; }
 
-  bool pass(int turns) {
-    for (; turns > 0; --turns)
-      if (run_.advance({}, turn_) != Outcome::ok) return false;
-    return true;
-  }
-
-  /// Passes turns until the section is that of `order` turns ago, `most` at most.
-  bool pass_until_it_returns(int order, long most) {
-    response::motion::SectionReturns returns(order);
-    returns.returned(turn_.section);
-    for (long turn = 0; turn < most; ++turn) {
-      if (run_.advance({}, turn_) != Outcome::ok) return false;
-      if (returns.returned(turn_.section)) return true;
-    }
-    return true;
-  }
-
-  /// A turn with its samples and its section.
-  bool record(std::vector<SectionPoint>& section, std::vector<Complex>& displacement_m) {
-    request_.samples_per_revolution = finer_ * samples_per_turn_;
-    if (run_.advance(request_, turn_) != Outcome::ok) return false;
-    section.push_back(section_of_turn());
-    for (int k = 0; k < samples_per_turn_; ++k) {
-      const Eigen::Vector2d z = sample(k * finer_).displacement_m;
+  void read(const integrate::run::TurnReport& turn, std::vector<SectionPoint>& section,
+            std::vector<Complex>& displacement_m) const {
+    section.push_back(section_of(turn));
+    for (int k = 0; k < samples_; k += finer_) {
+      const Eigen::Vector2d z = sample(turn, k).displacement_m;
       displacement_m.emplace_back(z.x(), z.y());
     }
-    return true;
   }
 
  private:
-  /// The state k / samples of the turn that was recorded last; at its end that of the next one.
-  trace::TraceState sample(int k) const {
-    if (k == request_.samples_per_revolution) return reader_.read_motion(turn_.section);
+  /// The state k / samples of a turn; at its end that of the next one.
+  trace::TraceState sample(const integrate::run::TurnReport& turn, int k) const {
+    if (k == samples_) return reader_.read_motion(turn.section);
     return reader_.read_motion(
-        std::span(turn_.samples).subspan(static_cast<std::size_t>(k) * reader_.size(), reader_.size()));
+        std::span(turn.samples).subspan(static_cast<std::size_t>(k) * reader_.size(), reader_.size()));
   }
 
-  SectionPoint section_of_turn() const {
-    const int samples = request_.samples_per_revolution;
-    const int before = std::min(static_cast<int>(section_turns_ * samples), samples - 1);
-    const trace::TraceState from = sample(before);
-    const double at = section_turns_ * samples - before;
+  SectionPoint section_of(const integrate::run::TurnReport& turn) const {
+    const int before = std::min(static_cast<int>(section_turns_ * samples_), samples_ - 1);
+    const trace::TraceState from = sample(turn, before);
+    const double at = section_turns_ * samples_ - before;
     if (at == 0) return {from.displacement_m, from.velocity_m_per_s};
-    return between(from, sample(before + 1), period_s_ / samples, at);
+    return between(from, sample(turn, before + 1), step_s_, at);
   }
 
-  integrate::run::Run run_;
   trace::StateReader reader_;
-  int samples_per_turn_;
-  double period_s_, section_turns_;  ///< where in a turn its section lies
-  int finer_;                        ///< samples taken for each that is asked for
-  integrate::run::TurnRequest request_;
-  integrate::run::TurnReport turn_;
+  double step_s_, section_turns_;  ///< where in a turn its section lies
+  int finer_;                      ///< samples taken for each that is asked for
+  int samples_;
 };
 
 }  // namespace
@@ -151,27 +116,33 @@ std::optional<SettledMotion> settled_motion(const scene::Cell& cell, const respo
   if (run.outcome != Outcome::ok) return std::nullopt;
   if (run.proof == response::motion::Proof::rest && cell.scene.impulses.empty())
     return quiet_motion(cell, study, workspace);
-  const scene::Scene scene = scene_after(cell.scene, run);
-  Follower follower(scene, study, workspace);
+  const scene::Scene scene = integrate::run::scene_at(cell.scene, run.section, run.revolutions);
   const int window = study.response.window_revolutions;
   int spectrum_turns = window, section_turns = 2 * window;
+  response::motion::Wanted wanted;
   if (run.motion.order) {
-    const int order = *run.motion.order;
-    if (!follower.pass_until_it_returns(order, study.response.max_revolutions)) return std::nullopt;
-    spectrum_turns = std::max(order, response::motion::window_turns(window, order));
-    section_turns = order;
+    wanted.settling.order = run.motion.order;
+    wanted.settling.most_turns = study.response.max_revolutions;
+    spectrum_turns = std::max(*run.motion.order, response::motion::window_turns(window, *run.motion.order));
+    section_turns = *run.motion.order;
   } else if (run.proof && run.revolutions < study.response.max_revolutions) {
-    if (!follower.pass(window)) return std::nullopt;
+    wanted.settling.most_turns = window;
   }
   SettledMotion motion;
   std::vector<Complex> displacement_m;
-  for (int turn = std::max(spectrum_turns, section_turns); turn > 0; --turn)
-    if (!follower.record(motion.section, displacement_m)) return std::nullopt;
+  const TurnReader reader(scene, study);
+  wanted.turns = std::max(spectrum_turns, section_turns);
+  wanted.samples_per_revolution = reader.samples();
+  wanted.take = [&](const response::motion::RecordedTurn& turn) {
+    reader.read(turn.report, motion.section, displacement_m);
+  };
+  const auto record = response::motion::record_settled(scene, study.solver, workspace.modes, wanted);
+  if (!record) return std::nullopt;
   const auto samples = static_cast<std::size_t>(spectrum_turns * study.response.samples_per_revolution);
   motion.spectrum = response::spectrum::full_spectrum(std::span(displacement_m).last(samples), spectrum_turns,
                                                       workspace.spectrum);
   motion.section.erase(motion.section.begin(), motion.section.end() - section_turns);
-  motion.end = handed(scene, follower.section());
+  motion.end = handed(scene, record->end);
   return motion;
 }
 

@@ -119,6 +119,19 @@ std::vector<std::size_t> looked_at(std::size_t speeds, Eigen::Index states) {
   return places;
 }
 
+/// Whirl up to `fastest` at one speed that is damped so much that a disc of four times that about 0 lacks it,
+/// by discs along the negative axis that overlap in the strip of such rates. They reach a thousand times as
+/// far.
+std::vector<Complex> strongly_damped_rates(const structure::SpeedMatrices& matrices, double fastest) {
+  constexpr double first = 8, last = 1e3, ratio = 4.5, radius = 0.7;
+  std::vector<Complex> found;
+  for (double centre = first * fastest; centre < last * fastest; centre *= ratio) {
+    for (const Complex root : structure::free_modes(matrices, {-centre, radius * centre}).rate_per_s)
+      if (whirls(root) && root.imag() <= fastest) found.push_back(root);
+  }
+  return found;
+}
+
 }  // namespace
 
 FreeRotor free_rotor(const model::Machine& machine) {
@@ -142,8 +155,12 @@ WhirlProblem::WhirlProblem(const FreeRotor& rotor, std::span<const double> speed
   const double fastest = 2 * pi * up_to_hz;
   discs_ = {{0, 4 * fastest}};
   std::vector<Complex> wanted;
-  for (const std::size_t place : looked_at(speeds_hz.size(), 2 * full_.system.coordinates())) {
-    for (const Complex root : wanted_rates(matrices(speeds_hz[place]), fastest)) {
+  const auto places = looked_at(speeds_hz.size(), 2 * full_.system.coordinates());
+  for (std::size_t place = 0; place < speeds_hz.size(); ++place) {
+    const structure::SpeedMatrices now = matrices(speeds_hz[place]);
+    for (const Complex root : std::ranges::binary_search(places, place)
+                                  ? wanted_rates(now, fastest)
+                                  : strongly_damped_rates(now, fastest)) {
       if (std::abs(root) <= 2 * root.imag() || root.real() > 0) {
         discs_.front().radius = std::max(discs_.front().radius, 1.5 * std::abs(root));
       } else {

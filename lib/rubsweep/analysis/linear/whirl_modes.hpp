@@ -53,9 +53,10 @@ class WhirlProblem {
  public:
   /// Looks for whirl of at most `up_to_hz`, however damped, for the slowest two in any case, and for what
   /// grows. All rates are looked at at all of `speeds_hz` where that takes about a second, else at some of
-  /// them, the first and the last among them. Whirl of at most `up_to_hz` is then missed between these speeds
-  /// only where it is damped by more than 0.968 of critical at all of them, or what grows, where its rate is
-  /// beyond four times `up_to_hz`. Throws SolverError where an iteration does not converge.
+  /// them, the first and the last among them. At the others whirl of at most `up_to_hz` is looked for among
+  /// rates up to a thousand times that; faster whirl that is one of the slowest two, and what grows at a rate
+  /// beyond four times `up_to_hz`, may be missed there. Throws SolverError where an iteration does not
+  /// converge.
   WhirlProblem(const FreeRotor& rotor, std::span<const double> speeds_hz, double up_to_hz);
 
   /// The whirl modes at a speed, slowest first; overdamped modes have no whirl and are left out. Where roots

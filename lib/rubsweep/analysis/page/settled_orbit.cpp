@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "rubsweep/analysis/trace/trace_state.hpp"
-#include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/response/motion/motion.hpp"
-#include "rubsweep/core/response/motion/poincare_section.hpp"
+#include "rubsweep/core/response/motion/record_settled.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
 
@@ -36,13 +35,12 @@ int steps_of_turn(const response::motion::ResponseOptions& options) {
 
 class Recorder {
  public:
-  Recorder(const scene::Scene& scene, const sweep::Study& study, const Lengths& lengths, long begin)
+  Recorder(const scene::Scene& scene, const sweep::Study& study, const Lengths& lengths)
       : reader_(scene, study.solver),
         lengths_(lengths),
         samples_per_turn_(study.response.samples_per_revolution) {
     orbit_.steps_per_turn = steps_of_turn(study.response);
     orbit_.turns = lengths.drawn;
-    orbit_.first_revolution = begin + lengths.all() - lengths.drawn;
     orbit_.signals.resize(2 + 3 * reader_.stops());
   }
 
@@ -61,7 +59,10 @@ class Recorder {
     }
   }
 
-  SettledOrbit finish(std::span<const double> end, response::spectrum::SpectrumWorkspace& workspace) {
+  /// `begin`: turns passed before the first that was added.
+  SettledOrbit finish(std::span<const double> end, long begin,
+                      response::spectrum::SpectrumWorkspace& workspace) {
+    orbit_.first_revolution = begin + lengths_.all() - lengths_.drawn;
     add_to_signals(reader_.read_motion(end));
     orbit_.spectrum = response::spectrum::full_spectrum(displacement_m_, lengths_.spectrum, workspace);
     return std::move(orbit_);
@@ -87,7 +88,7 @@ class Recorder {
 /// Quiet whirl of a rotor that touches nothing, which remains when the kick has died away.
 SettledOrbit quiet_orbit(const scene::Cell& cell, const sweep::Study& study, long revolutions,
                          response::motion::Workspace& workspace) {
-  Recorder recorder(cell.scene, study, {}, revolutions);
+  Recorder recorder(cell.scene, study, {});
   const Eigen::Index n = cell.scene.structure.coordinates();
   const auto state = [&](int step) {
     const double phase_rad = 2 * std::numbers::pi * step / recorder.steps_per_turn();
@@ -102,22 +103,17 @@ SettledOrbit quiet_orbit(const scene::Cell& cell, const sweep::Study& study, lon
   }
   recorder.add(samples, 1);
   const Eigen::VectorXd end = state(recorder.steps_per_turn());
-  return recorder.finish({end.data(), static_cast<std::size_t>(end.size())}, workspace.spectrum);
+  return recorder.finish({end.data(), static_cast<std::size_t>(end.size())}, revolutions, workspace.spectrum);
 }
 
-/// Advances to the revolution from which on the motion is recorded; empty when the run fails.
-std::optional<long> settle(const integrate::run::Run& run, const KnownMotion& known,
-                           const response::motion::ResponseOptions& options, const Lengths& lengths,
-                           integrate::run::TurnReport& turn) {
-  long limit = options.max_revolutions, done = 0;
-  if (!known.order) limit = std::max<long>(0, limit - lengths.all());
-  if (!known.order && known.proven) limit = std::min(limit, known.revolutions + options.window_revolutions);
-  response::motion::SectionReturns returns(known.order.value_or(1));
-  for (; done < limit; ++done) {
-    if (run.advance({}, turn) != integrate::run::Outcome::ok) return std::nullopt;
-    if (known.order && returns.returned(turn.section) && done + 1 >= known.revolutions) return done + 1;
-  }
-  return done;
+/// When the motion is recorded.
+response::motion::Settling settling(const KnownMotion& known,
+                                    const response::motion::ResponseOptions& options,
+                                    const Lengths& lengths) {
+  if (known.order)
+    return {.most_turns = options.max_revolutions, .order = known.order, .fewest_turns = known.revolutions};
+  const long most = std::max<long>(0, options.max_revolutions - lengths.all());
+  return {.most_turns = known.proven ? std::min(most, known.revolutions + options.window_revolutions) : most};
 }
 
 }  // namespace
@@ -143,18 +139,17 @@ std::optional<SettledOrbit> settled_orbit(const sweep::Study& study, const scene
   const int window = study.response.window_revolutions;
   Lengths lengths{2 * window, window, std::min(window, longest_aperiodic_history)};
   if (known.order) lengths = {*known.order, *known.order, *known.order};
-  const integrate::run::Run run = integrate::start(start.scene, study.solver, workspace.modes);
-  integrate::run::TurnReport turn;
-  const std::optional<long> begin = settle(run, known, study.response, lengths, turn);
-  if (!begin) return std::nullopt;
-  Recorder recorder(start.scene, study, lengths, *begin);
-  integrate::run::TurnRequest request;
-  request.samples_per_revolution = recorder.steps_per_turn();
-  for (int left = lengths.all(); left > 0; --left) {
-    if (run.advance(request, turn) != integrate::run::Outcome::ok) return std::nullopt;
-    recorder.add(turn.samples, left);
-  }
-  return recorder.finish(turn.section, workspace.spectrum);
+  Recorder recorder(start.scene, study, lengths);
+  const auto record =
+      response::motion::record_settled(start.scene, study.solver, workspace.modes,
+                                       {.settling = settling(known, study.response, lengths),
+                                        .turns = lengths.all(),
+                                        .samples_per_revolution = recorder.steps_per_turn(),
+                                        .take = [&](const response::motion::RecordedTurn& turn) {
+                                          recorder.add(turn.report.samples, static_cast<int>(turn.left));
+                                        }});
+  if (!record) return std::nullopt;
+  return recorder.finish(record->end, record->passed, workspace.spectrum);
 }
 
 }  // namespace rubsweep::page

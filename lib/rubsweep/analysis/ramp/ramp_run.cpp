@@ -10,6 +10,7 @@
 #include "rubsweep/core/integrate/adaptive/adaptive_run.hpp"
 #include "rubsweep/core/numerics/dense/cholesky.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/core/scene/observed.hpp"
 
 namespace rubsweep::ramp {
 namespace {
@@ -86,7 +87,7 @@ class StretchReader {
  public:
   StretchReader(const scene::Scene& scene, int samples)
       : scale_(integrate::run::state_scale(scene)),
-        observed_(scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map),
+        observed_(scene::observed(scene)),
         period_s_(scene.period_s()),
         samples_(samples) {}
 

@@ -18,9 +18,10 @@ namespace rubsweep::trace {
 struct TraceOptions {
   double speed_hz = 0;   ///< of the scene, as it was asked for: times come out without rounding twice
   long revolutions = 0;  ///< >= 1; the run never stops earlier but by failing
-  int samples_per_revolution = 0;              ///< >= 4
-  int window_revolutions = 0;                  ///< >= 1: the end of the run that `last_window` may look at
-  std::optional<long> trajectory_revolutions;  ///< only so many last ones go into the trajectory; empty: all
+  int samples_per_revolution = 0;  ///< >= 4
+  int window_revolutions = 0;      ///< >= 1: the end of the run that `last_window` may look at
+  std::optional<long> trajectory_revolutions =
+      std::nullopt;  ///< only so many last ones go into the trajectory; empty: all
   std::optional<Probes> probes = std::nullopt;
 };
 

@@ -129,17 +129,26 @@ FrictionTerms friction_terms(const model::Friction& friction) {
 bool acts(const model::Friction& friction) { return !std::holds_alternative<NoFriction>(friction); }
 
 bool depends_on_slip(const model::Friction& friction) {
-  return std::holds_alternative<StribeckFriction>(friction);
+  return std::visit(
+      overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return false; },
+                 [](const OneWayFriction&) { return false; }, [](const StribeckFriction&) { return true; }},
+      friction);
 }
 
 bool keeps_its_direction(const model::Friction& friction) {
-  const auto* one_way = std::get_if<OneWayFriction>(&friction);
-  return one_way && one_way->coefficient != 0;
+  return std::visit(
+      overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return false; },
+                 [](const OneWayFriction& one_way) { return one_way.coefficient != 0; },
+                 [](const StribeckFriction&) { return false; }},
+      friction);
 }
 
 double dry_coefficient(const model::Friction& friction) {
-  const auto* constant = std::get_if<ConstantFriction>(&friction);
-  return constant == nullptr ? 0 : constant->coefficient;
+  return std::visit(
+      overloaded{[](const NoFriction&) { return 0.0; },
+                 [](const ConstantFriction& constant) { return constant.coefficient; },
+                 [](const OneWayFriction&) { return 0.0; }, [](const StribeckFriction&) { return 0.0; }},
+      friction);
 }
 
 std::string_view name_of(const model::Friction& friction) {

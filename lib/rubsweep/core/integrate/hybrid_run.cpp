@@ -9,6 +9,7 @@
 #include "rubsweep/core/integrate/exact/modes/machine_modes.hpp"
 #include "rubsweep/core/integrate/exact/sticking_stretch.hpp"
 #include "rubsweep/core/integrate/run/coordinates.hpp"
+#include "rubsweep/core/integrate/run/pulse_times.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
 #include "rubsweep/core/integrate/run/work_bound.hpp"
 #include "rubsweep/core/integrate/stiff_turns.hpp"
@@ -27,17 +28,12 @@ constexpr double last_join = 2 * std::numbers::pi - 1e-9;
 constexpr double before_the_end = 1e-6;
 /// Largest number of pieces before the next search for such a stretch, where there was none.
 constexpr int longest_wait = 64;
+/// Pieces in a row that stick after which a mode is made for that place of a ring, which costs as much.
+constexpr int pieces_worth_a_mode = 16;
 
 /// Work of a turn that several methods make together.
 double most_work_of_a_turn(const run::SolverOptions& options) {
   return run::work_of_an_expansion * static_cast<double>(run::most_pieces_of_a_turn(options));
-}
-
-/// End of the last pulse, radians from the start of revolution 0.
-double end_of_pulses_rad(const scene::Scene& scene) {
-  double end_s = 0;
-  for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
-  return end_s * scene.speed_rad_per_s;
 }
 
 /// Whether turns are handed on in the middle: between flat stops, by Taylor's series.
@@ -45,6 +41,14 @@ bool may_be_in_pieces(const scene::Scene& scene, const run::SolverOptions& optio
   return scene.impulses.empty() && options.stepper == run::Stepper::automatic &&
          options.contact == run::ContactHandling::located &&
          std::ranges::all_of(scene.contacts, [](const scene::Contact& c) { return contact::linear(c.wall); });
+}
+
+/// Whether dry friction may hold the rotor at a place of a ring, whose surface stands.
+bool may_stick_in_a_ring(const scene::Scene& scene) {
+  return scene.impulses.empty() && std::ranges::any_of(scene.contacts, [](const scene::Contact& c) {
+           return contact::annular(c.wall) && c.surface_speed_m_per_s == 0 &&
+                  contact::dry_coefficient(c.friction) != 0;
+         });
 }
 
 /// Exact turns; Taylor pieces where there is no closed form; a stepper's where one
@@ -58,8 +62,9 @@ class HybridRun {
         options_(options),
         run_(scene, std::move(modes), options.max_steps_per_revolution),
         in_pieces_(may_be_in_pieces(scene, options)),
+        sticks_in_rings_(may_stick_in_a_ring(scene)),
         stiff_(scene_, options),
-        end_of_pulses_rad_(end_of_pulses_rad(scene)) {}
+        end_of_pulses_rad_(run::pulses_end_s(scene) * scene.speed_rad_per_s) {}
 
   run::Outcome operator()(const run::TurnRequest& request, run::TurnReport& report) {
     if (stiff_.due()) {
@@ -82,6 +87,9 @@ class HybridRun {
  private:
   using TaylorRun = taylor::TaylorRun<N>;
 
+  /// State of the run: what makes the next turn.
+  enum class Maker { closed_forms, series, stepper };
+
   long pieces_so_far() const { return taylor_ ? taylor_->effort().steps : 0; }
 
   run::Outcome made_stiffly(run::TurnReport& report) {
@@ -93,14 +101,15 @@ class HybridRun {
 
   /// Closed forms where there are any, and what takes their place.
   run::Outcome advance_explicitly(const run::TurnRequest& request, run::TurnReport& report) {
-    if (!away_) {
+    if (maker_ == Maker::closed_forms) {
       const run::Outcome outcome = run_.advance(request, report);
       const bool unsaturated = outcome == run::Outcome::unsaturated;
       if (unsaturated && in_pieces_) return go_on_in_pieces(request, report);
       if (!unsaturated && outcome != run::Outcome::no_closed_form) return finish(report, outcome);
       leave();
     }
-    return adaptive_ ? advance_adaptively(request, report) : advance_by_series(request, report);
+    return maker_ == Maker::stepper ? advance_adaptively(request, report)
+                                    : advance_by_series(request, report);
   }
 
   /// Makes a turn in which friction leaves saturation: Taylor pieces until it is saturated again, and closed
@@ -138,13 +147,21 @@ class HybridRun {
     for (;;) {
       const run::Outcome ending = taylor_->go_on(report);
       if (ending != run::Outcome::ok || taylor_->at_end_of_turn()) return ending;
-      if (taylor_->sticks() && stick(request, report) &&
+      if (taylor_->sticks() && lasts() && stick(request, report) &&
           work_so_far() - before > most_work_of_a_turn(options_))
         return run::Outcome::step_limit;
-      const bool may_join = !taylor_->sticks() && taylor_->phase_rad() < last_join;
+      const bool may_join = in_pieces_ && !taylor_->sticks() && taylor_->phase_rad() < last_join;
       if (may_join && run_.join(taylor_->phase_rad(), taylor_->section(), taylor_->modes(), report))
         return ending;
     }
+  }
+
+  /// Whether a contact has stuck for so long that a mode for its place in a ring is worth making.
+  bool lasts() {
+    if (!sticks_in_rings_) return true;
+    if (std::exchange(switches_of_stuck_, taylor_->effort().switches) != taylor_->effort().switches)
+      stuck_pieces_ = 0;
+    return ++stuck_pieces_ > pieces_worth_a_mode;
   }
 
   /// Takes closed forms as long as friction holds the touching contacts. False, with nothing changed, where
@@ -172,25 +189,19 @@ class HybridRun {
   /// Work of this run without that of its stepper.
   double work_so_far() const {
     run::Effort effort = run_.effort();
-    if (taylor_) effort = sum(effort, taylor_->effort());
-    if (taylor_) {
-      effort.taylor_pieces = taylor_->effort().steps;
-      effort.taylor_work = taylor_->effort().taylor_work;
-    }
+    if (taylor_) effort = effort + taylor_->effort();
     return run::work(effort) +
            run::work_of_a_step * (sticking_ ? static_cast<double>(sticking_->steps()) : 0);
   }
 
-  void begin_absence() {
-    away_ = true;
+  /// From closed forms to what takes their place, for a while.
+  void leave() {
     absent_ = 0;
     absence_ = std::min(2 * absence_, longest_absence);
-  }
-
-  void leave() {
-    begin_absence();
-    if (options_.stepper != run::Stepper::automatic || options_.contact != run::ContactHandling::located)
-      return start_stepper();
+    const bool by_name =
+        options_.stepper != run::Stepper::automatic || options_.contact != run::ContactHandling::located;
+    maker_ = by_name ? Maker::stepper : Maker::series;
+    if (by_name) return start_stepper();
     if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
     run_.put_section(section_);
     taylor_->resume(section_, run_.revolution());
@@ -202,11 +213,21 @@ class HybridRun {
   }
 
   run::Outcome advance_by_series(const run::TurnRequest& request, run::TurnReport& report) {
-    const run::Outcome outcome = taylor_->advance(request, report);
+    const run::Outcome outcome =
+        sticks_in_rings_ ? advance_beside_rings(request, report) : taylor_->advance(request, report);
     if (outcome != run::Outcome::ok) return finish(report, outcome);
     ++taylor_turns_;
     finish(report, run::Outcome::ok);
     return made_away(report);
+  }
+
+  /// Taylor pieces, and closed forms where the rotor sticks.
+  run::Outcome advance_beside_rings(const run::TurnRequest& request, run::TurnReport& report) {
+    taylor_->begin(request, report);
+    pieces_to_wait_ = wait_ = 0;
+    const run::Outcome outcome = make_piece(request, report, work_so_far());
+    if (outcome == run::Outcome::ok) taylor_->finish(report);
+    return outcome;
   }
 
   run::Outcome advance_adaptively(const run::TurnRequest& request, run::TurnReport& report) {
@@ -228,20 +249,15 @@ class HybridRun {
   }
 
   void come_back() {
-    past_ = sum(past_, adaptive_effort_);
+    past_ = past_ + adaptive_effort_;
     adaptive_effort_ = {};
     adaptive_ = nullptr;
-    away_ = false;
+    maker_ = Maker::closed_forms;
   }
 
   run::Outcome finish(run::TurnReport& report, run::Outcome outcome) {
-    report.effort = sum(sum(sum(past_, adaptive_effort_), stiff_.effort()), run_.effort());
-    if (taylor_) {
-      report.effort = sum(report.effort, taylor_->effort());
-      report.effort.taylor_pieces = taylor_->effort().steps;
-      report.effort.creep_pieces = taylor_->effort().creep_pieces;
-      report.effort.taylor_work = taylor_->effort().taylor_work;
-    }
+    report.effort = past_ + adaptive_effort_ + stiff_.effort() + run_.effort();
+    if (taylor_) report.effort = report.effort + taylor_->effort();
     if (sticking_) report.effort.steps += sticking_->steps();
     report.effort.taylor_turns = taylor_turns_;
     report.effort.adaptive_turns = adaptive_turns_;
@@ -252,16 +268,19 @@ class HybridRun {
   scene::Scene scene_;
   run::SolverOptions options_;
   exact::ExactRun<N> run_;
-  bool in_pieces_ = false;  ///< turns whose friction leaves saturation are
+  bool in_pieces_ = false;        ///< turns whose friction leaves saturation are
+  bool sticks_in_rings_ = false;  ///< may_stick_in_a_ring
+  long switches_of_stuck_ = 0;    ///< of the pieces, at the last look whether a contact sticks
+  int stuck_pieces_ = 0;          ///< since the last of them
   StiffTurns stiff_;
   std::unique_ptr<TaylorRun> taylor_;                 ///< made when first needed
   std::unique_ptr<exact::StickingStretch> sticking_;  ///< made when first needed
   exact::StickingStretch::StretchState held_;
-  double end_of_pulses_rad_ = 0;
+  double end_of_pulses_rad_ = 0;       ///< from the start of revolution 0
   int pieces_to_wait_ = 0, wait_ = 0;  ///< before the next look for a stretch that sticks
   run::Cursor adaptive_;               ///< empty while no stepper is at work
-  bool away_ = false;                  ///< from closed forms
-  std::vector<double> section_;        ///< where the run left them
+  Maker maker_ = Maker::closed_forms;
+  std::vector<double> section_;  ///< where the run left them
   int absence_ = 1, absent_ = 0;
   long taylor_turns_ = 0, adaptive_turns_ = 0, switches_ = 0;
   run::Effort past_, adaptive_effort_;

@@ -56,7 +56,7 @@ void StiffTurns::restart() {
 }
 
 void StiffTurns::end() {
-  past_ = sum(past_, present_);
+  past_ = past_ + present_;
   present_ = {};
   stepper_ = nullptr;
   stretch_ = 0;

@@ -3,20 +3,10 @@
 #include <span>
 
 #include "rubsweep/core/integrate/run/options.hpp"
-#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/integrate/run/turn_book.hpp"
 #include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::integrate {
-
-/// Steps and evaluations of two solvers together, without what only Taylor pieces count.
-inline run::Effort sum(run::Effort a, const run::Effort& b) {
-  a.rhs_calls += b.rhs_calls;
-  a.steps += b.steps;
-  a.refused += b.refused;
-  a.switches += b.switches;
-  a.implicit_steps += b.implicit_steps;
-  return a;
-}
 
 /// Slow turns beside a stiff contact whose vibration has died out. Taylor pieces are no longer than a few
 /// radians of that vibration, there or not, and a turn may hold fifty thousand of them. Where no contact
@@ -38,7 +28,7 @@ class StiffTurns {
   void restart();
 
   /// Work of all of these turns.
-  run::Effort effort() const { return sum(past_, present_); }
+  run::Effort effort() const { return past_ + present_; }
 
  private:
   void end();

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "rubsweep/core/integrate/run/state_scale.hpp"
 #include "rubsweep/core/integrate/run/work_bound.hpp"
-#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/response/motion/record_settled.hpp"
 
 namespace rubsweep::response {
 
@@ -12,24 +11,17 @@ std::optional<motion::Record> recorded_run(const scene::Scene& scene,
                                            const integrate::run::SolverOptions& solver,
                                            const motion::ResponseOptions& options, long turns,
                                            motion::Workspace& workspace) {
-  const integrate::run::Run run = integrate::start(scene, solver, workspace.modes);
-  const double most_work = integrate::run::most_work_of_a_run(solver, scene.structure.coordinates());
-  const long first_recorded = turns - 2L * options.window_revolutions;
+  const long recorded = 2L * options.window_revolutions;
+  motion::Wanted wanted{
+      .turns = recorded, .samples_per_revolution = options.samples_per_revolution, .peaks = true};
+  wanted.settling.most_turns = turns - recorded;
+  wanted.settling.most_work = integrate::run::most_work_of_a_run(solver, scene.structure.coordinates());
   motion::Record record(scene, options);
-  integrate::run::TurnRequest request;
-  integrate::run::TurnReport turn;
-  turn.section = integrate::run::scaled_initial_state(scene);
-  for (long k = 0; k < turns; ++k) {
-    if (k == first_recorded) {
-      request.samples_per_revolution = options.samples_per_revolution;
-      request.peaks = true;
-      record.begin(turn.section);
-    }
-    if (run.advance(request, turn) != integrate::run::Outcome::ok ||
-        integrate::run::work(turn.effort) > most_work)
-      return std::nullopt;
-    if (k >= first_recorded) record.add(turn);
-  }
+  wanted.take = [&](const motion::RecordedTurn& turn) {
+    if (turn.left == recorded) record.begin(turn.begin);
+    record.add(turn.report);
+  };
+  if (!motion::record_settled(scene, solver, workspace.modes, wanted)) return std::nullopt;
   return record;
 }
 

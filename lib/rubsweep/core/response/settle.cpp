@@ -7,9 +7,11 @@
 #include <variant>
 
 #include "rubsweep/core/contact/wall.hpp"
+#include "rubsweep/core/integrate/run/pulse_times.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
 #include "rubsweep/core/integrate/run/work_bound.hpp"
 #include "rubsweep/core/response/motion/record.hpp"
+#include "rubsweep/core/response/motion/record_settled.hpp"
 #include "rubsweep/core/response/proof/orbit_proof.hpp"
 #include "rubsweep/core/response/proof/rest_proof.hpp"
 #include "rubsweep/core/response/recorded_run.hpp"
@@ -21,13 +23,6 @@ namespace rubsweep::response {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// End of the last pulse.
-double pulses_end_s(const scene::Scene& scene) {
-  double end_s = 0;
-  for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
-  return end_s;
-}
 
 /// Proof that a transient settles on a motion: a rotationally symmetric scene is looked at in the frame that
 /// turns with the shaft.
@@ -144,7 +139,8 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
   const SceneFacts facts(cell.scene);
   MotionProof proof(cell.scene, facts, solver, options, workspace);
   const double most_work = integrate::run::most_work_of_a_run(solver, cell.scene.structure.coordinates());
-  const double kick_turns = pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
+  const double kick_turns =
+      integrate::run::pulses_end_s(cell.scene) * cell.scene.speed_rad_per_s / (2 * std::numbers::pi);
   TorusWatch torus(cell.scene, options, worth_watching(cell.scene, facts, options, kick_turns));
   motion::Record record(cell.scene, options);
   Checkpoints passed(options.window_revolutions, integrate::run::scaled_initial_state(cell.scene));
@@ -197,15 +193,9 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
 
 motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseOptions& options,
                                 motion::Workspace& workspace) {
-  const auto& map = cell.scene.structure.points[static_cast<std::size_t>(cell.scene.observed_point)].map;
-  std::vector<Complex> displacement_m;
+  const auto displacement_m = motion::quiet_samples(cell, options.samples_per_revolution);
   double peak = 0;
-  for (int k = 0; k < options.samples_per_revolution; ++k) {
-    const double phase = 2 * std::numbers::pi * k / options.samples_per_revolution;
-    const Eigen::Vector2d z = map * cell.quiet.displacement(phase);
-    displacement_m.emplace_back(z.x(), z.y());
-    peak = std::max(peak, z.norm());
-  }
+  for (const Complex& z : displacement_m) peak = std::max(peak, Eigen::Vector2d(z.real(), z.imag()).norm());
   // Nothing that turns with the shaft moves a casing that is not touched.
   double casing = 0;
   for (const scene::Contact& contact : cell.scene.contacts) {

@@ -7,6 +7,7 @@
 #include "rubsweep/core/response/growth.hpp"
 #include "rubsweep/core/response/lyapunov_exponent.hpp"
 #include "rubsweep/core/response/motion/poincare_section.hpp"
+#include "rubsweep/core/scene/observed.hpp"
 
 namespace rubsweep::response {
 namespace {
@@ -24,7 +25,7 @@ constexpr double chaotic_half_exponent = 0.02;
 
 TorusWatch::TorusWatch(const scene::Scene& scene, const motion::ResponseOptions& options, bool wanted)
     : options_(options),
-      observed_(scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map),
+      observed_(scene::observed(scene)),
       motion_{.states = 2 * static_cast<std::size_t>(scene.structure.coordinates()),
               .rows = {},
               .contributions = {}},

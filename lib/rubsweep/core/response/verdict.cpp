@@ -11,16 +11,13 @@
 #include "rubsweep/core/response/recorded_run.hpp"
 #include "rubsweep/core/response/rotating/symmetry.hpp"
 #include "rubsweep/core/response/spectrum/comb.hpp"
+#include "rubsweep/core/scene/observed.hpp"
 
 namespace rubsweep::response {
 namespace {
 
 /// A hundredth of `separation`: the solver's noise must not part the states.
 constexpr double largest_tolerance_of_an_exponent = 1e-7;
-
-const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const scene::Scene& scene) {
-  return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
-}
 
 void look_for_comb(const motion::Record& record, const motion::ResponseOptions& options,
                    motion::Workspace& workspace, motion::Motion& motion) {
@@ -83,7 +80,7 @@ void follow_on(const scene::Scene& scene, const SceneFacts& facts, integrate::ru
   proof::SceneMap map(scene, solver, workspace.modes, &budget);
   const Aperiodic found = classify_aperiodic(
       tangent_growth(map), [&map] { return map.touched(); }, {section.begin(), section.end()},
-      static_cast<std::size_t>(options.max_revolutions), observed(scene), options.window_revolutions,
+      static_cast<std::size_t>(options.max_revolutions), scene::observed(scene), options.window_revolutions,
       workspace.spectrum);
   motion.motion_class = found.motion_class;
   motion.exponent = found.exponent;

@@ -1,8 +1,10 @@
 #include "rubsweep/core/structure/full_reference.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <numbers>
@@ -191,8 +193,14 @@ MatrixXcd FullReference::receptance(const Rotor& rotor, std::size_t line, double
     if (rotor.matrices.circulatory.size() > 0)
       dynamic += std::complex<double>(w, loss * w) * rotor.matrices.circulatory;
   }
-  return rotor.responses.cast<std::complex<double>>() *
-         numerics::dense::solve_banded(dynamic, rotor.forces.cast<std::complex<double>>(), rotor.band);
+  // Responses are few, and forces stand wherever the shaft has unbalance: the equations are solved from the
+  // left.
+  const MatrixXcd left = numerics::dense::solve_banded(
+      dynamic.transpose(), rotor.responses.transpose().cast<std::complex<double>>(), rotor.band);
+  MatrixXcd value(rotor.responses.rows(), rotor.forces.cols());
+  value.real() = left.real().transpose() * rotor.forces;
+  value.imag() = left.imag().transpose() * rotor.forces;
+  return value;
 }
 
 Eigen::VectorXd FullReference::sizes(const MatrixXcd& value) const {
@@ -218,7 +226,8 @@ double FullReference::line_error(const Rotor& reduced, std::size_t line, double 
 }
 
 double FullReference::peak_error(const Rotor& reduced, std::size_t line, double enough) const {
-  constexpr int finer = 8, cuts = 20;
+  constexpr int finer = 8, bits = 20;
+  constexpr std::uintmax_t most_iterations = 30;
   constexpr double loss = 0.004;  // without damping a peak has no height that could be compared
   const double step = 1.0 / finer;
   const auto height = [&](double at) { return receptance(reduced, line, rad_per_s(at), loss).norm(); };
@@ -228,21 +237,11 @@ double FullReference::peak_error(const Rotor& reduced, std::size_t line, double 
     const bool peak = k > 0 && here > before && here >= after;
     before = std::exchange(here, after);
     if (!peak) continue;
-    // Golden sections: each needs one height more.
-    constexpr double golden = std::numbers::phi - 1;
-    double low = (k - 1) * step, high = (k + 1) * step;
-    double left = high - golden * (high - low), right = low + golden * (high - low);
-    double at_left = height(left), at_right = height(right);
-    for (int cut = 0; cut < cuts; ++cut) {
-      if (at_left < at_right) {
-        low = std::exchange(left, right), at_left = at_right;
-        right = low + golden * (high - low), at_right = height(right);
-      } else {
-        high = std::exchange(right, left), at_right = at_left;
-        left = high - golden * (high - low), at_left = height(left);
-      }
-    }
-    const double w = rad_per_s((low + high) / 2);
+    std::uintmax_t iterations = most_iterations;
+    const double top = boost::math::tools::brent_find_minima([&](double at) { return -height(at); },
+                                                             (k - 1) * step, (k + 1) * step, bits, iterations)
+                           .first;
+    const double w = rad_per_s(top);
     const MatrixXcd exact = receptance(full_, line, w, loss), found = receptance(reduced, line, w, loss);
     const Eigen::VectorXd size = sizes(exact).cwiseMax(sizes(found));
     worst = std::max(worst, share_beside * largest_share(sizes(found - exact), size, 1));

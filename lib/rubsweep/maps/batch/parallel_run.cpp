@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+#include <unistd.h>
 
 #include <exception>
 #include <future>
@@ -88,6 +89,11 @@ int thread_count(int threads) {
     throw ConfigError(fmt::format("threads: {} is out of range, allowed: 0 (all) or a number >= 1", threads));
   }
   return threads == 0 ? tbb::info::default_concurrency() : threads;
+}
+
+std::size_t machine_memory_bytes() {
+  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
 void require_threads(int threads, int beside) {

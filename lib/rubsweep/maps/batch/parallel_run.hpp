@@ -10,6 +10,9 @@ namespace rubsweep::batch {
 /// ConfigError when threads < 0.
 int thread_count(int threads);
 
+/// Memory of this machine, in bytes.
+std::size_t machine_memory_bytes();
+
 /// Throws ConfigError when the system does not let this process run cells on as many threads as that, and
 /// have `beside` more for itself: tested beforehand, because the threads that run the cells later could only
 /// abort. One thread is always there, that of the caller, and nothing else is then tested.

@@ -132,6 +132,20 @@ std::optional<double> time_left_s(const CellsLeft& cells, double elapsed_s, doub
   return std::max(*one_by_one_s / std::min(busy, static_cast<double>(cells.left())), waited_s);
 }
 
+std::size_t pilot_count(std::size_t cells, std::size_t threads) {
+  constexpr std::size_t most_for_a_thread = 16, part = 16;
+  if (cells < part * threads) return 0;
+  return std::min(most_for_a_thread * threads, cells / part);
+}
+
+std::string forecast(std::size_t pilots, double elapsed_s, std::size_t left) {
+  constexpr double least_s = 10;
+  constexpr std::size_t small = 1000;
+  const double left_s = elapsed_s / static_cast<double>(pilots) * static_cast<double>(left);
+  if (left_s < least_s && pilots + left < small) return "";
+  return fmt::format("about {} by {} cells spread over the map", hours_minutes_seconds(left_s), pilots);
+}
+
 Progress::Progress(std::size_t total, ProgressMode mode, std::FILE* stream, std::size_t done_before)
     : done_before_(done_before),
       total_(total),

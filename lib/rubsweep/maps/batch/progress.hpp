@@ -69,6 +69,14 @@ std::string progress_line(std::size_t done, std::size_t total, double elapsed_s,
 /// a finished cell promise as many more. Empty where nothing was measured.
 std::optional<double> time_left_s(const CellsLeft& cells, double elapsed_s, double waited_s);
 
+/// How many of `cells` are run first to tell how long all of them take: a few for each thread, and no more
+/// than a sixteenth, so that nobody waits long for the answer. 0 where there are too few for that.
+std::size_t pilot_count(std::size_t cells, std::size_t threads);
+
+/// "about 0:12:30 by 32 cells spread over the map", when those took `elapsed_s` seconds and `left` remain;
+/// empty for a small map, of less than 1000 cells, that takes less than ten seconds.
+std::string forecast(std::size_t pilots, double elapsed_s, std::size_t left);
+
 /// A line that counts finished cells: on a terminal rewritten in place at most ten times a second, in a file
 /// or a pipe one line after another, every ten seconds. The time left is what the neighbours of the cells
 /// left say, where it is known which these are, else what the average cell says, or what as many last cells

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <variant>
 
 #include "rubsweep/core/contact/friction_law.hpp"
-#include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/maps/report/describe_refinement.hpp"
 #include "rubsweep/maps/report/explain_machine.hpp"
@@ -42,12 +43,15 @@ std::string explain_automatic(const sweep::Study& study) {
 
 /// Explains the turns for which the exact solver has no closed form.
 std::string explain_beyond(const model::Machine& machine) {
-  bool annular = false, unsaturated = false;
+  std::string_view curved;
+  bool unsaturated = false;
   for (const model::Stop& stop : machine.stops) {
-    annular = annular || !contact::linear(contact::wall_of(stop.geometry));
+    curved = std::visit(overloaded{[&](const model::OneSideGeometry&) { return curved; },
+                                   [](const model::AnnularGeometry&) { return std::string_view("annular"); }},
+                        stop.geometry);
     unsaturated = unsaturated || !contact::saturated_friction(stop.friction);
   }
-  if (annular) return "turns that touch the annular stop";
+  if (!curved.empty()) return fmt::format("turns that touch the {} stop", curved);
   if (unsaturated) return "turns with contact (friction has a viscous part or never saturates)";
   return "turns whose friction is not saturated";
 }
@@ -102,7 +106,8 @@ std::string explain_place_axis(const std::vector<double>& values, const sweep::W
   const auto span = [&](std::string_view from, std::string_view to) {
     return values.size() == 1 ? std::string(from) : fmt::format("{} to {}", from, to);
   };
-  std::string text = values.size() == 1 ? std::string(one) + " " : fmt::format("{} {} from ", values.size(), many);
+  std::string text =
+      values.size() == 1 ? std::string(one) + " " : fmt::format("{} {} from ", values.size(), many);
   if (written.is_si()) {
     text += span(fmt::format("{}", *least), fmt::format("{}", *most)) + std::string(si_unit);
     if (si_unit == " Hz") {
@@ -110,8 +115,9 @@ std::string explain_place_axis(const std::vector<double>& values, const sweep::W
                                             fmt::format("{:.6g}", model::rpm_per_hz * *most)));
     }
   } else {
-    text += fmt::format("{} {} ({}{})", span(sweep::in_units(written, *least), sweep::in_units(written, *most)),
-                        written.unit, span(fmt::format("{:.6g}", *least), fmt::format("{:.6g}", *most)), si_unit);
+    text +=
+        fmt::format("{} {} ({}{})", span(sweep::in_units(written, *least), sweep::in_units(written, *most)),
+                    written.unit, span(fmt::format("{:.6g}", *least), fmt::format("{:.6g}", *most)), si_unit);
   }
   return written.spacing && written.spacing->logarithmic ? text + ", logarithmic" : text;
 }

@@ -29,22 +29,34 @@ double number_in(std::string_view cell) {
   return value;
 }
 
+/// `name`: class and order.
+std::string name_of(std::string name, std::string_view motion_class, bool circle, bool comb,
+                    std::string_view whirl) {
+  if (motion_class == to_string(MotionClass::synchronous) && circle)
+    name += fmt::format(" circle, {}", whirl);
+  if (motion_class == to_string(MotionClass::quasi_periodic) && comb)
+    name += whirl == "backward" ? " dry whip, backward" : fmt::format(" oval, {}", whirl);
+  return name;
+}
+
 }  // namespace
+
+std::string motion_name(const sweep::Row& row) {
+  if (!row.measures) return sweep::class_and_order(row);
+  const auto& measures = *row.measures;
+  return name_of(sweep::class_and_order(row), to_string(row.motion_class),
+                 measures.orbit == response::spectrum::OrbitKind::circle, measures.comb_spacing.has_value(),
+                 measures.whirl ? to_string(*measures.whirl) : "");
+}
 
 std::string motion_name(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), order_column = place_of_column("order"),
                            orbit_column = place_of_column("orbit"), whirl_column = place_of_column("whirl"),
                            comb_column = place_of_column("comb_spacing");
-  std::string name(cell(map_line, class_column));
-  const std::string_view order = cell(map_line, order_column), whirl = cell(map_line, whirl_column);
-  const bool comb = !cell(map_line, comb_column).empty();
-  if (!order.empty() && order != "1") name += fmt::format(" 1/{}", order);
-  if (name == to_string(MotionClass::synchronous) && cell(map_line, orbit_column) == "circle")
-    name += fmt::format(" circle, {}", whirl);
-  if (name == to_string(MotionClass::quasi_periodic) && comb) {
-    name += whirl == "backward" ? " dry whip, backward" : fmt::format(" oval, {}", whirl);
-  }
-  return name;
+  const std::string_view word = cell(map_line, class_column), order = cell(map_line, order_column);
+  return name_of(order.empty() || order == "1" ? std::string(word) : fmt::format("{} 1/{}", word, order),
+                 word, cell(map_line, orbit_column) == "circle", !cell(map_line, comb_column).empty(),
+                 cell(map_line, whirl_column));
 }
 
 const response::motion::MotionKind& kind_in(std::string_view map_line) {

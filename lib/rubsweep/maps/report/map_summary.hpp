@@ -6,12 +6,15 @@
 #include <string_view>
 
 #include "rubsweep/core/response/motion/motion_kind.hpp"
+#include "rubsweep/maps/sweep/row.hpp"
 
 namespace rubsweep::report {
 
 /// Name of the motion of a row on a terminal: class and order, and the distinction between motions of one
 /// class that are not alike: a whip that rolls backward on its own force from an oval that the unbalance
 /// drives, a circle forward from one backward.
+std::string motion_name(const sweep::Row& row);
+/// The same of a line of map.csv.
 std::string motion_name(std::string_view map_line);
 
 /// Its kind; throws IoError where the line has none.
@@ -31,6 +34,9 @@ class MapSummary {
   void add(std::string_view map_line);
 
   bool has_failed_cells() const;
+
+  std::size_t cells() const { return total_; }
+  const std::map<std::string, std::size_t>& cells_by_name() const { return by_name_; }
 
   /// Table for a terminal: cells per class and order, circles and ovals by the sense of their whirl, largest
   /// share first, then every status that is not `ok`, how many cells move farther than the limit, and why

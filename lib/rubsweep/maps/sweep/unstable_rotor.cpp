@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
@@ -27,7 +27,7 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
 }
 
 /// Throws where the full matrices of a kit say otherwise at one of the speeds.
-void refuse_mistaken(const scene::PreparedMachine& prepared, std::initializer_list<double> speeds_hz) {
+void refuse_mistaken(const scene::PreparedMachine& prepared, const std::set<double>& speeds_hz) {
   const model::RotorKit* kit = model::kit_of(prepared.machine);
   if (kit == nullptr) return;
   std::vector<double> stops_m;

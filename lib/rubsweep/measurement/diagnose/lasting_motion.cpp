@@ -1,21 +1,17 @@
 #include "rubsweep/measurement/diagnose/lasting_motion.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <variant>
 
 #include "rubsweep/core/integrate/exact/modes/mode_cache.hpp"
-#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/response/motion/record_settled.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 
 namespace rubsweep::diagnose {
 namespace {
-
-using integrate::run::Outcome;
 
 constexpr int samples_of_a_turn = 32;
 
@@ -28,47 +24,19 @@ scene::Cell cell_of(const model::Machine& machine, double speed_hz, const scene:
                            speed_hz, unbalance);
 }
 
-/// Whether the run still touches something after so many turns.
-bool lasts(const integrate::run::Run& run, int turns, integrate::run::TurnReport& turn) {
-  int untouched = 0;
-  for (int k = 0; k < turns; ++k) {
-    if (run.advance({}, turn) != Outcome::ok) return false;
-    untouched = turn.touched ? 0 : untouched + 1;
-    if (untouched > turns_in_flight) return false;
-  }
-  return true;
-}
-
-std::optional<LastingMotion> record(const scene::Cell& cell, const integrate::run::Run& run, int turns,
-                                    response::spectrum::SpectrumWorkspace& workspace) {
-  integrate::run::TurnRequest request;
-  request.samples_per_revolution = samples_of_a_turn;
-  request.peaks = true;
-  integrate::run::TurnReport turn;
-  std::vector<std::complex<double>> displacement_m;
-  std::vector<response::motion::ContactFacts> facts;
-  for (int k = 0; k < turns; ++k) {
-    if (run.advance(request, turn) != Outcome::ok) return std::nullopt;
-    add_samples(cell.scene, turn, displacement_m);
-    facts.push_back(response::motion::facts_of(turn));
-  }
-  return LastingMotion{lines_of(displacement_m, turns, most_order, workspace),
-                       response::motion::together(facts), cell.eccentricity_m};
+std::optional<LastingMotion> record(const scene::Cell& cell, const response::motion::Settling& settling,
+                                    int turns, response::spectrum::SpectrumWorkspace& workspace) {
+  // Every machine is another one: a cache for all of them would only grow.
+  integrate::exact::modes::ModeCache modes;
+  const auto motion = response::motion::record_settled(
+      cell.scene, {}, modes,
+      {.settling = settling, .turns = turns, .samples_per_revolution = samples_of_a_turn, .peaks = true});
+  if (!motion) return std::nullopt;
+  return LastingMotion{lines_of(motion->displacement_m, turns, most_order, workspace), motion->contact,
+                       cell.eccentricity_m};
 }
 
 }  // namespace
-
-void add_samples(const scene::Scene& scene, const integrate::run::TurnReport& turn,
-                 std::vector<std::complex<double>>& displacement_m) {
-  const auto& map = scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
-  const auto coordinates = static_cast<std::size_t>(scene.structure.coordinates());
-  for (std::size_t k = 0; k < static_cast<std::size_t>(turn.sample_count); ++k) {
-    const Eigen::Map<const Eigen::VectorXd> q(turn.samples.data() + k * 2 * coordinates,
-                                              scene.structure.coordinates());
-    const Eigen::Vector2d z = scene.length_scale_m * (map * q);
-    displacement_m.emplace_back(z.x(), z.y());
-  }
-}
 
 int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz, double left) {
   constexpr double most = 1e6;
@@ -90,12 +58,9 @@ std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, doubl
                                             response::spectrum::SpectrumWorkspace& workspace) {
   const scene::Cell cell = cell_of(machine, speed_hz, unbalance);
   if (!scene::can_run(cell.start)) return std::nullopt;
-  // Every machine is another one: a cache for all of them would only grow.
-  integrate::exact::modes::ModeCache modes;
-  const integrate::run::Run run = integrate::start(cell.scene, {}, modes);
-  integrate::run::TurnReport turn;
-  if (!lasts(run, turns_before_recording(machine, speed_hz), turn)) return std::nullopt;
-  auto motion = record(cell, run, turns, workspace);
+  auto motion = record(
+      cell, {.most_turns = turns_before_recording(machine, speed_hz), .longest_flight = turns_in_flight},
+      turns, workspace);
   if (motion && motion->contact.contact_fraction == 0) return std::nullopt;
   return motion;
 }
@@ -105,8 +70,7 @@ std::optional<LastingMotion> motion_without_contact(const model::Machine& machin
                                                     response::spectrum::SpectrumWorkspace& workspace) {
   const scene::Cell cell = cell_of(machine, speed_hz, unbalance);
   if (cell.start != scene::Start::quiet) return std::nullopt;
-  integrate::exact::modes::ModeCache modes;
-  return record(cell, integrate::start(cell.scene, {}, modes), turns, workspace);
+  return record(cell, {}, turns, workspace);
 }
 
 }  // namespace rubsweep::diagnose

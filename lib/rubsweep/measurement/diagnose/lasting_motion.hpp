@@ -1,21 +1,13 @@
 #pragma once
 
-#include <complex>
 #include <optional>
-#include <vector>
 
-#include "rubsweep/core/integrate/run/turn.hpp"
 #include "rubsweep/core/model/machine.hpp"
 #include "rubsweep/core/response/motion/contact_facts.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
-#include "rubsweep/core/scene/scene.hpp"
 #include "rubsweep/measurement/diagnose/motion_lines.hpp"
 
 namespace rubsweep::diagnose {
-
-/// Adds the samples of a turn at the observed point, x + iy in metres.
-void add_samples(const scene::Scene& scene, const integrate::run::TurnReport& turn,
-                 std::vector<std::complex<double>>& displacement_m);
 
 /// Turns of the shaft in which free vibration of a damped rotor falls to the share `left` of what it was: its
 /// envelope is exp(-damping_ratio * natural angular frequency * time). At most a million.

@@ -1,9 +1,10 @@
 #include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
-#include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/response/motion/record_settled.hpp"
 #include "rubsweep/core/response/settle.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/measurement/diagnose/lasting_motion.hpp"
@@ -43,24 +44,18 @@ std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, do
                          .kicked = !cell.scene.pulses.empty()};
   // Set back to revolution 0 the run would be kicked again.
   cell.scene.pulses.clear();
-  const integrate::run::Run run = integrate::start(cell.scene, solver, workspace.modes);
-  run.restart(settled.section);
-  integrate::run::TurnReport turn;
   const bool touches = response::motion::row_of(settled.motion.motion_class).rubs;
   const int waiting = turns_after_verdict(std::get<model::JeffcottRotor>(machine.rotor), speed_hz, touches);
-  for (int k = 0; k < waiting; ++k)
-    if (run.advance({}, turn) != integrate::run::Outcome::ok) return std::nullopt;
-  std::vector<response::motion::ContactFacts> facts;
-  integrate::run::TurnRequest request;
-  request.samples_per_revolution = samples_per_revolution;
-  request.peaks = true;
-  for (int k = 0; k < turns; ++k) {
-    if (run.advance(request, turn) != integrate::run::Outcome::ok) return std::nullopt;
-    add_samples(cell.scene, turn, motion.displacement_m);
-    facts.push_back(response::motion::facts_of(turn));
-    motion.rubs = motion.rubs || turn.touched;
-  }
-  motion.contact = response::motion::together(facts);
+  auto record = response::motion::record_settled(cell.scene, solver, workspace.modes,
+                                                 {.start = settled.section,
+                                                  .settling = {.most_turns = waiting},
+                                                  .turns = turns,
+                                                  .samples_per_revolution = samples_per_revolution,
+                                                  .peaks = true});
+  if (!record) return std::nullopt;
+  motion.displacement_m = std::move(record->displacement_m);
+  motion.contact = record->contact;
+  motion.rubs = record->touched;
   return motion;
 }
 

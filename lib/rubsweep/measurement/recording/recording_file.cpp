@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/input_file.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
+#include "rubsweep/maps/config/yaml/file_bytes.hpp"
 #include "rubsweep/maps/matlab/read_file.hpp"
 #include "rubsweep/maps/table/encoding.hpp"
 #include "rubsweep/maps/table/rows.hpp"
+#include "rubsweep/measurement/recording/read_instrument.hpp"
 #include "rubsweep/measurement/recording/sound_file.hpp"
 
 namespace rubsweep::recording {
@@ -194,6 +197,15 @@ Channels read_recording_file(const std::filesystem::path& file, std::string_view
     return read_matlab_file(bytes, file.string());
   batch::check_table_text(bytes, file);  // a table that a program of ours wrote may be a recording, too
   return read_delimited_text(bytes, file.string());
+}
+
+ReadRecording read_recording(const std::filesystem::path& file,
+                             const std::filesystem::path& instrument_file) {
+  const std::string description = config::yaml::read_config_bytes(instrument_file);
+  Instrument instrument = config::recording::read_instrument_text(description, instrument_file.string());
+  const std::string bytes = batch::read_input(file);
+  Recording recording = make_recording(read_recording_file(file, bytes), instrument, file.string());
+  return {std::move(recording), std::move(instrument), description + bytes};
 }
 
 }  // namespace rubsweep::recording

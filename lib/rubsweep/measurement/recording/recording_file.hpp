@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "rubsweep/measurement/recording/channels.hpp"
+#include "rubsweep/measurement/recording/instrument.hpp"
+#include "rubsweep/measurement/recording/recording.hpp"
 
 namespace rubsweep::recording {
 
@@ -31,5 +33,16 @@ Channels read_matlab_file(std::string_view bytes, const std::string& name);
 /// text (see sound_file.hpp and above). `bytes` are those of the file. Throws ConfigError with its name, for
 /// a text with line and column.
 Channels read_recording_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// A recording from its files.
+struct ReadRecording {
+  Recording recording;
+  Instrument instrument;
+  std::string text;  ///< of the instrument's file, then of the recording: what a digest is made of
+};
+
+/// Reads the file of an instrument and what the instrument wrote. Throws ConfigError with what is wrong in
+/// either.
+ReadRecording read_recording(const std::filesystem::path& file, const std::filesystem::path& instrument_file);
 
 }  // namespace rubsweep::recording

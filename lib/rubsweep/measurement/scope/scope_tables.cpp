@@ -133,18 +133,34 @@ std::string content_text(const Verdict& verdict, const model::ShownLengths& show
                           line.order_uncertainty, length(line.amplitude_m, 4),
                           length(line.amplitude_uncertainty_m, 2));
     }
+  }
+  double largest_m = 0, size_m = 0;
+  for (const MeasuredLine& line : verdict.lines) {
+    if (line.order == 0) continue;
+    largest_m = std::max(largest_m, std::abs(line.amplitude_m));
+    size_m = std::hypot(size_m, std::abs(line.amplitude_m));
+  }
+  const auto percent = [](double amplitude_m, double whole_m) {
+    return fmt::format("{:.2g} %", 100 * amplitude_m / whole_m);
+  };
+  const std::string most = fmt::format("{:.3g} %", 100 * verdict.thresholds.most_modulation);
+  if (!verdict.period) {
+    if (verdict.refused_modulation_m > verdict.visible_m)
+      text += fmt::format(
+          "unsteady  whole orders vary slowly by {} of the motion; up to {}, and twice that of one line, is "
+          "called "
+          "by the period\n",
+          percent(verdict.refused_modulation_m, size_m), most);
     return text;
   }
-  double largest_m = 0;
-  for (const MeasuredLine& line : verdict.lines)
-    if (line.order != 0) largest_m = std::max(largest_m, std::abs(line.amplitude_m));
-  const auto percent = [&](double amplitude_m) {
-    return fmt::format("{:.2g} %", 100 * amplitude_m / largest_m);
-  };
-  text = fmt::format("unsteady  lines vary slowly by {} of the largest one", percent(verdict.modulation_m));
+  text = fmt::format("unsteady  lines vary slowly by {} of the motion, {} may be",
+                     percent(verdict.modulation_m, size_m), most);
   if (verdict.beside_m > verdict.seen_m)
-    text += fmt::format("; beside the period stands a line of {}, {}, too small to count",
-                        length(verdict.beside_m, 2), percent(verdict.beside_m));
+    text += fmt::format(
+        "; beside the period stands a line of {}, {} of the largest one, too small to count "
+        "below {:.3g} %",
+        length(verdict.beside_m, 2), percent(verdict.beside_m, largest_m),
+        100 * verdict.thresholds.least_share);
   return text + '\n';
 }
 

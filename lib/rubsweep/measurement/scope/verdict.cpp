@@ -136,16 +136,12 @@ struct Motion {
   }
   /// Samples without slow modulation of their lines of whole orders, whatever the period of so many turns is.
   Levelled levelled_once(std::span<const Complex> motion, int turns) const {
-    return without_slow_modulation(motion, static_cast<int>(per_turn), 1, most_order_looked_at(),
-                                   static_cast<std::size_t>(turns));
+    return levelled(motion, {.repeats = turns});
   }
-  /// The same of all lines of the period.
-  Levelled levelled(const Levelled& once, int turns) const {
-    if (turns == 1) return once;
-    Levelled all =
-        without_slow_modulation(once.samples, static_cast<int>(per_turn), turns, most_order_looked_at());
-    all.modulation_m = std::hypot(once.modulation_m, all.modulation_m);
-    return all;
+  Levelled levelled(std::span<const Complex> motion, SlowModulation slow) const {
+    slow.most_order = most_order_looked_at();
+    slow.most_modulation = reading.thresholds.most_modulation;
+    return without_slow_modulation(motion, static_cast<int>(per_turn), slow);
   }
 };
 
@@ -155,7 +151,7 @@ Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples
   const auto window = whole_periods(samples, static_cast<std::size_t>(n) * motion.per_turn);
   const int turns = static_cast<int>(window.size() / motion.per_turn);
   return {response::spectrum::full_spectrum(window, turns, workspace), motion.most_order_looked_at(),
-          motion.reading.least_share};
+          motion.reading.thresholds.least_share};
 }
 
 /// Whether both halves of a motion, levelled, hold the same lines.
@@ -171,20 +167,26 @@ bool keeps_lines(const Motion& motion, std::span<const Complex> samples, Spectru
 std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
   for (int n = 1; n <= verdict.longest_period; ++n) {
     std::vector<Complex> samples = motion.repeating_after(n);
-    const Levelled once = motion.levelled_once(samples, n), levelled = motion.levelled(once, n);
+    const Levelled once = motion.levelled_once(samples, n);
+    // The lines of a longer period may swell without turning, and then as they like.
+    const Levelled steady = n == 1 ? once : motion.levelled(once.samples, {.period = n, .in_phase = true});
+    const Levelled levelled = n == 1 ? once : motion.levelled(steady.samples, {.period = n});
+    if (n == 1) verdict.refused_modulation_m = once.refused_m;
     const Lines spectrum = spectrum_of_periods(motion, levelled.samples, n, workspace);
     const Threshold threshold = threshold_of(spectrum);
     if (largest_beside(spectrum, n) > threshold.visible_m) continue;
     // A line near a multiple of 1/n moves slowly as that multiple does.
     if (n > 1 &&
-        !keeps_period(once.samples, motion.per_turn, motion.reading, n, threshold.visible_m, workspace))
+        !keeps_period(steady.samples, motion.per_turn, motion.reading, n, threshold.visible_m, workspace))
       continue;
     verdict.motion = n == 1 ? MeasuredClass::synchronous : MeasuredClass::subharmonic;
     verdict.period = n;
     verdict.turns = spectrum.turns;
     verdict.noise_m = threshold.noise_m;
     verdict.visible_m = threshold.visible_m;
-    verdict.modulation_m = levelled.modulation_m;
+    verdict.modulation_m = n == 1 ? once.modulation_m
+                                  : std::hypot(once.modulation_m, steady.modulation_m, levelled.modulation_m);
+    verdict.refused_modulation_m = 0;
     verdict.beside_m = largest_beside(spectrum, n);
     verdict.seen_m = threshold.seen_m;
     for (int m = 2 * n; m <= verdict.longest_period && !verdict.doubtful; m += n) {
@@ -261,7 +263,7 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
   const int turns = static_cast<int>(displacement_m.size() / motion.per_turn);
   if (turns < fewest_periods + 1) throw SolverError("judge: too few turns");
   SpectrumWorkspace workspace;
-  Verdict verdict{.longest_period = longest_period_in(turns)};
+  Verdict verdict{.longest_period = longest_period_in(turns), .thresholds = reading.thresholds};
   const Threshold first = threshold_of(spectrum_of_periods(motion, displacement_m, 1, workspace));
   verdict.turns = turns;
   verdict.noise_m = first.noise_m;
@@ -290,9 +292,9 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
   return verdict;
 }
 
-Verdict judge(const recording::Recording& recording, double least_share) {
+Verdict judge(const recording::Recording& recording, const Thresholds& thresholds) {
   return judge(recording.displacement_m, recording::samples_per_revolution, recording.plane,
-               {recording.sampling_rate_hz / recording.mean_speed_hz(), recording.angle_doubt, least_share});
+               {recording.sampling_rate_hz / recording.mean_speed_hz(), recording.angle_doubt, thresholds});
 }
 
 }  // namespace rubsweep::scope

@@ -45,6 +45,12 @@ struct DoubtfulPeriod {
   double more_turns = 0;   ///< after which this line would stand out of the noise or be gone
 };
 
+/// Shares that decide the class.
+struct Thresholds {
+  double least_share = 5e-3;     ///< smallest line that counts for a period, of the largest one
+  double most_modulation = 0.1;  ///< of lines that still belong to their period, of the motion
+};
+
 struct Verdict {
   MeasuredClass motion = MeasuredClass::at_rest;
   int turns = 0;                ///< that were looked at, whole periods
@@ -54,8 +60,10 @@ struct Verdict {
   double noise_m = 0;       ///< standard uncertainty of each component of a line
   double visible_m = 0;     ///< smallest amplitude of a line that counts
   double modulation_m = 0;  ///< root mean square of what the lines of the period slowly vary by
-  double beside_m = 0;      ///< largest line beside the period
-  double seen_m = 0;        ///< smallest amplitude of such a line that noise does not reach
+  /// The same of the lines of whole orders, of no period: more than they may vary by.
+  double refused_modulation_m = 0;
+  double beside_m = 0;  ///< largest line beside the period
+  double seen_m = 0;    ///< smallest amplitude of such a line that noise does not reach
   std::vector<std::complex<double>>
       orbit_m{};                      ///< mean of all periods about its centre; of no period, the last turns
   std::vector<MeasuredLine> lines{};  ///< of that orbit, |order| <= most_order, ascending
@@ -63,19 +71,17 @@ struct Verdict {
   std::optional<response::spectrum::OrbitKind> shape{};  ///< of two probes
   std::optional<response::spectrum::WhirlKind> whirl{};  ///< of two probes
   double forward_share = 0, forward_share_uncertainty = 0;  ///< of the energy without 0X
+  Thresholds thresholds{};                                  ///< that it was judged by
 };
 
 inline constexpr int max_period = 8;
 inline constexpr double most_order = 8;
 
-/// Smallest line that counts for a period, as a share of the largest line.
-inline constexpr double usual_least_share = 5e-3;
-
 /// How a motion was read.
 struct Reading {
   double readings_per_turn = INFINITY;  ///< > 0
   recording::AngleDoubt angle_doubt{};
-  double least_share = usual_least_share;
+  Thresholds thresholds{};
 
   /// Share of a line that the polynomial through six readings misses at most (recording/shaft_turns.hpp).
   double missed_share(double order) const;
@@ -91,7 +97,7 @@ const DiscreteLine* line_of_bin(const Verdict& verdict, double order);
 ///
 /// Noise is the median amplitude of the lines between the multiples of 1/1 to 1/8 (of every other line where
 /// there are too few), read as that of a Rayleigh distribution. A line is visible when noise alone would
-/// raise one of all lines as high in a hundredth of all recordings, and above `least_share` of the largest
+/// raise one of all lines as high in a hundredth of all recordings, and above its threshold of the largest
 /// line. The period is the smallest number of turns beside whose multiples nothing is visible, at the angles
 /// at which the motion repeats best after that many turns, within the doubt that the marks leave, and without
 /// the slow modulation of its lines (slow_modulation.hpp). Lines above 0.4 of the readings of a turn are not
@@ -101,6 +107,6 @@ Verdict judge(std::span<const std::complex<double>> displacement_m, int samples_
               const Reading& reading = {});
 
 /// Judges a recording.
-Verdict judge(const recording::Recording& recording, double least_share = usual_least_share);
+Verdict judge(const recording::Recording& recording, const Thresholds& thresholds = {});
 
 }  // namespace rubsweep::scope

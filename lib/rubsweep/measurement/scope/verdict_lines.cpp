@@ -30,12 +30,14 @@ struct Scale {
 /// By the line that turns with the shaft, where the marks allow it, else with what they leave open.
 Scale scale_of(std::span<const response::spectrum::ResolvedLine> lines, double per_turn, std::size_t turns,
                const recording::AngleDoubt& doubt) {
+  // Noise of a mark's probe moves marks, too, that have readings on their edges.
+  constexpr double most_noise_turns = 0.02;
   double room = 0;
   for (std::size_t k = 0; k < doubt.low_turns.size(); ++k)
     room = std::max(room, (doubt.high_turns[k] - doubt.low_turns[k]) / static_cast<double>(turns));
-  if (room == 0) return {};
+  const double within = std::max(room, most_noise_turns / static_cast<double>(turns));
   for (const response::spectrum::ResolvedLine& line : lines)
-    if (const double order = std::abs(line.frequency) * per_turn; std::abs(order - 1) <= room)
+    if (const double order = std::abs(line.frequency) * per_turn; std::abs(order - 1) <= within)
       return {1 / order, line.frequency_uncertainty * per_turn};
   return {1, room / std::sqrt(12.0)};
 }

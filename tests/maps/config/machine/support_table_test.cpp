@@ -75,6 +75,14 @@ class SupportTableFile : public testing::Test {
     expect_near(table.columns[3][1], 3.2e4);
     expect_near(table.columns[4][0], 5);
   }
+  /// The same with a unit of speeds beside the name of the file, at a speed in Hz.
+  RunConfig config_in(const std::string& unit, const std::string& speed, const std::string& bytes) const {
+    std::ofstream(directory_.path() / "film.csv", std::ios::binary) << bytes;
+    return read_run_config_text(replaced(test_file("bad/table_missing.yaml"), "tables/no_such_table.csv",
+                                         "film.csv, speed_unit: " + unit),
+                                (directory_.path() / "my.yaml").string(),
+                                {"rotor.elements=4", "sweep.speed_hz={values: [" + speed + "]}"});
+  }
   const TemporaryDirectory directory_;
 };
 
@@ -134,8 +142,7 @@ TEST_F(SupportTableFile, WhatMayMeanTwoThingsIsRefusedAtItsCell) {
 TEST_F(SupportTableFile, UnitsThatAreMissingOrContradictAreRefused) {
   EXPECT_EQ(problem_of("Omega,kxx,kyy\n1,2,3\n2,2,3\n"),
             "film.csv:1:1: rotor.supports.1.table.file: 'Omega' says no unit, allowed: rpm, Hz or rad/s "
-            "behind it or "
-            "below it");
+            "behind it or below it, or as speed_unit beside file");
   EXPECT_EQ(problem_of("speed_rpm,kxx_n_per_mm,kyy\nrpm,N/m,N/m\n1,2,3\n2,2,3\n"),
             "film.csv:1:11: rotor.supports.1.table.file: the unit of 'kxx_n_per_mm [N/m]' is unknown, or "
             "another one "
@@ -154,6 +161,27 @@ TEST_F(SupportTableFile, UnitsThatAreMissingOrContradictAreRefused) {
       "film.csv:2:1: rotor.supports.1.table.file: no line of the file has names of columns that are known, "
       "and numbers begin with '4', allowed: a line of names as the keys are, perhaps with units, then lines "
       "of numbers");
+}
+
+TEST_F(SupportTableFile, TakeTheUnitOfTheirSpeedsFromBesideTheirName) {
+  const std::string bytes =
+      "#Omega\t Kxx\t Kxy\t Kyx\t Kyy\n600\t 1.1e5\t 0.0\t 0.0\t 1.2e5\n6000\t 1.2e5\t 0\t 0\t 1.3e5\n";
+  EXPECT_EQ(tabled(config_in("rpm", "50", bytes)).table->speed_hz, (std::vector<double>{10, 100}));
+  EXPECT_EQ(tabled(config_in("Hz", "700", bytes)).table->speed_hz, (std::vector<double>{600, 6000}));
+  EXPECT_NEAR(tabled(config_in("rad/s", "700", bytes)).table->speed_hz[1], 954.929658551372, 1e-12 * 955);
+  const auto problem = [&](const std::string& unit, const std::string& of) {
+    return ::message_of<ConfigError>([&] { config_in(unit, "50", of); });
+  };
+  EXPECT_NE(problem("deg/s", bytes)
+                .find("my.yaml:10:43: rotor.supports.1.table.speed_unit: 'deg/s' is no unit of "
+                      "speeds, allowed: rpm, Hz or rad/s"),
+            std::string::npos)
+      << problem("deg/s", bytes);
+  EXPECT_NE(
+      problem("rpm", "speed_hz,kxx,kyy\n1,2,3\n2,2,3\n")
+          .find(
+              "table.speed_unit: is given, and the file says the unit of its speeds, allowed: no speed_unit"),
+      std::string::npos);
 }
 
 TEST(SupportTable, ANumberOfItCanBeSetAndSwept) {

@@ -90,8 +90,7 @@ class OrbitTask {
 
   std::optional<Ending> ending_at(const BranchPoint& start, const BranchEvent& event) const {
     if (event.kind == EventKind::period_halving) return Ending::period_halving;
-    if (options_.stop_off_the_walls && event.kind == EventKind::graze && start.facts.touched &&
-        !event.point.facts.touched)
+    if (event.kind == EventKind::graze && start.facts.touched && !event.point.facts.touched)
       return Ending::off_the_walls;
     const bool changes = event.kind != EventKind::graze && event.kind != EventKind::sequence;
     if (options_.stop_at_first_change && changes) return Ending::first_change;

@@ -19,8 +19,7 @@ struct FollowOptions {
   double first_step = 1e-4, longest_step = 0.02, shortest_step = 1e-10;
   int most_points = 2000;             ///< on each side of the start
   bool stop_at_first_change = false;  ///< where the stability changes, a fold included
-  bool every_graze = true;         ///< else only those at which the last contact goes or the first one comes
-  bool stop_off_the_walls = true;  ///< an orbit that touches, when it comes off the walls for good
+  bool every_graze = true;  ///< else only those at which the last contact goes or the first one comes
 };
 
 /// The orbit that Newton's iteration finds from `state` at a fixed parameter, with its tangent on the side of

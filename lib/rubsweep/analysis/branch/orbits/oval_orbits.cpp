@@ -15,6 +15,7 @@
 #include "rubsweep/core/response/rotating/rotating_flow.hpp"
 #include "rubsweep/core/response/rotating/rotating_frame.hpp"
 #include "rubsweep/core/response/rotating/symmetry.hpp"
+#include "rubsweep/core/scene/observed.hpp"
 
 namespace rubsweep::branch::orbits {
 namespace {
@@ -48,21 +49,17 @@ struct OvalScene {
         flow(scene, solver, 0),
         sampled_flow(flow.with(solver.relative_tolerance, samples_per_turn)) {}
 
-  const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed() const {
-    return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
-  }
-
   /// Half the rate of the squared distance of the observed point from the axis, and its derivative by the
   /// state. Both are the same in the turning and in the fixed frame.
   double outward(const VectorXd& y) const {
     const Eigen::Index n = y.size() / 2;
-    return (observed() * y.head(n)).dot(observed() * y.tail(n));
+    return (scene::observed(scene) * y.head(n)).dot(scene::observed(scene) * y.tail(n));
   }
   VectorXd outward_slope(const VectorXd& y) const {
     const Eigen::Index n = y.size() / 2;
     VectorXd slope(y.size());
-    slope << observed().transpose() * (observed() * y.tail(n)),
-        observed().transpose() * (observed() * y.head(n));
+    const auto& observed = scene::observed(scene);
+    slope << observed.transpose() * (observed * y.tail(n)), observed.transpose() * (observed * y.head(n));
     return slope;
   }
 
@@ -218,7 +215,10 @@ std::optional<VectorXd> oval_state(const scene::Scene& scene, const integrate::r
   const auto arc = at.sampled_flow.from(point, period_rad);
   if (!arc || arc->samples.cols() == 0) return std::nullopt;
   Eigen::Index farthest = 0;
-  (at.observed() * arc->samples.topRows(point.size() / 2)).colwise().squaredNorm().maxCoeff(&farthest);
+  (scene::observed(at.scene) * arc->samples.topRows(point.size() / 2))
+      .colwise()
+      .squaredNorm()
+      .maxCoeff(&farthest);
   const double angle = numerics::full_turn * static_cast<double>(farthest) / samples_per_turn;
   const VectorXd near = response::rotating::turned(arc->samples.col(farthest), -angle);
   const auto landing = land(at, near, period_rad, period_rad);

@@ -18,6 +18,7 @@
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/numerics/recently_used.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
+#include "rubsweep/core/scene/observed.hpp"
 
 namespace rubsweep::branch::orbits {
 namespace {
@@ -63,7 +64,7 @@ class SceneOrbits {
   std::optional<OrbitFacts> facts(double parameter, Eigen::VectorXd state) {
     SceneAt* at = scene_at(parameter);
     if (at == nullptr) return std::nullopt;
-    const auto& observed = at->scene.structure.points[static_cast<std::size_t>(at->scene.observed_point)].map;
+    const auto& observed = scene::observed(at->scene);
     integrate::run::TurnRequest request;
     request.samples_per_revolution = samples_per_turn;
     request.peaks = request.switches = true;

@@ -4,6 +4,7 @@
 
 #include "rubsweep/analysis/branch/orbits/oval_orbits.hpp"
 #include "rubsweep/core/integrate/start.hpp"
+#include "rubsweep/core/response/motion/record_settled.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
 #include "rubsweep/core/response/rotating/apex_return_search.hpp"
 #include "rubsweep/core/response/rotating/limit_cycle.hpp"
@@ -66,12 +67,11 @@ SettledStart settle_on_orbit(const scene::Cell& cell, const integrate::run::Solv
   // Once more, for its last section; where a proof ended the first run this one is as near to the orbit.
   const integrate::run::Run run = integrate::start(cell.scene, solver, workspace.modes);
   integrate::run::TurnReport turn;
-  for (long revolution = 0; revolution < settled.revolutions; ++revolution) {
-    if (run.advance({}, turn) == integrate::run::Outcome::ok) continue;
+  if (response::motion::pass_until_settled(run, {.most_turns = settled.revolutions}, turn)) {
+    start.state = vector_of(turn.section);
+  } else {
     start.order.reset();
-    return start;
   }
-  start.state = vector_of(turn.section);
   return start;
 }
 

@@ -11,10 +11,9 @@
 #include "rubsweep/core/integrate/adaptive/step_observer.hpp"
 #include "rubsweep/core/integrate/law/dynamics.hpp"
 #include "rubsweep/core/integrate/law/settle_slips.hpp"
-#include "rubsweep/core/integrate/run/impulses.hpp"
 #include "rubsweep/core/integrate/run/options.hpp"
-#include "rubsweep/core/integrate/run/pulse_times.hpp"
-#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/integrate/run/turn_book.hpp"
+#include "rubsweep/core/integrate/run/turn_clock.hpp"
 #include "rubsweep/core/integrate/run/work_bound.hpp"
 #include "rubsweep/core/numerics/full_turn.hpp"
 
@@ -35,8 +34,7 @@ class AdaptiveRun {
       : system_(run::scale<Law::coordinates>(scene)),
         dynamics_(system_, options.smoothing_m / system_.scale.length_m, of_the_law...),
         method_(make_step_method(options)),
-        pulses_(scene, system_.scale, numerics::full_turn),
-        impulses_(scene),
+        clock_(run::TurnClock::in_radians(scene, system_.scale)),
         max_steps_(options.max_steps_per_revolution),
         max_evaluations_(run::most_evaluations_of_a_turn(options)),
         start_kinematics_(system_.contacts.size()),
@@ -59,25 +57,24 @@ class AdaptiveRun {
   /// Moves no tangent vectors.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = numerics::full_turn) {
-    end_phase_ = end_phase;
     StepObserver observer(request, report);
-    const long limit = steps_ + refused_ + max_steps_;
+    book_.begin_turn(request);
+    book_.limit_steps(max_steps_);
     const long evaluations = dynamics_.rhs_calls() + max_evaluations_;
     step_.start_phase = 0;
-    if (!impulses_.none()) impulses_.begin_turn(revolution_);
     // The pulses count their time from the start of the turn: they go first.
-    pulses_.begin_turn(revolution_);
+    clock_.begin_turn(book_.revolution, end_phase);
     dynamics_(step_.start, step_.start_rate, 0.0);
-    while (step_.start_phase < end_phase_) {
-      if (steps_ + refused_ >= limit || dynamics_.rhs_calls() >= evaluations)
+    while (!clock_.turn_is_over()) {
+      if (!book_.may_step() || dynamics_.rhs_calls() >= evaluations)
         return finish(report, run::Outcome::step_limit);
       if (dynamics_.unsettled()) return finish(report, run::Outcome::friction_unsettled);
-      if (step_.start_phase >= impulses_.next_phase_rad()) apply_impulses(observer);
+      if (clock_.impulse_is_due()) apply_impulses(observer);
       const run::Outcome outcome = advance_one_step(observer);
       if (outcome != run::Outcome::ok) return finish(report, outcome);
     }
-    ++revolution_;
-    observer.end_turn(step_.start, dynamics_);
+    report.section.assign(step_.start.begin(), step_.start.end());
+    book_.end_turn(StepObserver::touching(step_.start, dynamics_), report);
     return finish(report, run::Outcome::ok);
   }
 
@@ -85,8 +82,8 @@ class AdaptiveRun {
   static constexpr double smallest_size = 1e-14;
 
   void begin() {
-    dynamics_.follow(pulses_);
-    pulses_.begin_turn(0);
+    dynamics_.follow(clock_.pulses());
+    clock_.begin_turn(0);
     dynamics_(step_.start, step_.start_rate, 0.0);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i)
       dynamics_.enter_by_state(i, step_.start, step_.start_rate);
@@ -115,22 +112,16 @@ class AdaptiveRun {
       start_kinematics_[i] = dynamics_.kinematics(i, step_.start, step_.start_rate);
   }
 
-  /// Switches the pulses for the stretch that starts at `phase`; returns where that stretch ends.
-  double set_pulses(double phase) {
-    pulses_.go_to(phase);
-    return std::min(pulses_.next_change(), end_phase_);
-  }
-
   /// All impulses of this instant.
   void apply_impulses(StepObserver& observer) {
-    impulses_.take_all(step_.start_phase, system_.scale, step_.start);
+    while (clock_.impulse_is_due()) run::add_impulse(clock_.take_impulse(), system_.scale, step_.start);
     dynamics_(step_.start, step_.start_rate, step_.start_phase);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
       const contact::Mode from = dynamics_.modes()[i];
       dynamics_.enter_by_state(i, step_.start, step_.start_rate);
       if (smoothed || dynamics_.modes()[i] == from) continue;
-      ++switches_;
-      observer.mode_switch({step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i]});
+      book_.note_switch({step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i]},
+                        observer.report());
     }
     enter_slips(step_.start_phase);
     look_again(step_.start_phase);
@@ -138,23 +129,24 @@ class AdaptiveRun {
   }
 
   run::Outcome advance_one_step(StepObserver& observer) {
-    const double boundary = std::min(set_pulses(step_.start_phase), impulses_.next_phase_rad());
+    clock_.change_pulses();
+    const double boundary = clock_.next_boundary();
     const double wanted = size_;
     // A remainder too small to step over is taken along.
     const bool limited = step_.start_phase + 1.000001 * wanted >= boundary;
     double size = limited ? boundary - step_.start_phase : wanted;
     const double taken = size;
     if (!method_->try_step(right_hand_side_, step_, size)) {
-      ++refused_;
+      book_.refuse_step();
       size_ = size;
       return size_ < smallest_size ? run::Outcome::step_too_small : run::Outcome::ok;
     }
     if (!finite(step_.end)) {
-      ++refused_;
+      book_.refuse_step();
       size_ = taken / 10;
       return size_ < smallest_size ? run::Outcome::non_finite : run::Outcome::ok;
     }
-    ++steps_;
+    ++book_.effort.steps;
     size_ = limited ? std::max(size, wanted) : size;
     if (limited) step_.end_phase = boundary;
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
@@ -181,6 +173,7 @@ class AdaptiveRun {
     std::swap(step_.start_rate, step_.end_rate);
     std::swap(start_kinematics_, end_kinematics_);
     step_.start_phase = end_phase;
+    clock_.go_to(end_phase);
   }
 
   std::optional<Crossing> first_crossing() {
@@ -217,8 +210,7 @@ class AdaptiveRun {
       mode = contact::mode_after(mode, c.stiffness, c.damping, end_kinematics_[i]);
       if (mode == from) continue;
       switched = true;
-      ++switches_;
-      observer.mode_switch({step_.end_phase, static_cast<int>(i), from, mode});
+      book_.note_switch({step_.end_phase, static_cast<int>(i), from, mode}, observer.report());
       if (mode == contact::Mode::open && dynamics_.any_poised())
         law::settle_slips(dynamics_, step_.end, probe_rate_, step_.end_phase,
                           [](std::size_t) { return false; });
@@ -238,7 +230,7 @@ class AdaptiveRun {
   }
 
   void switch_slip(const Crossing& crossing) {
-    ++switches_;
+    ++book_.effort.switches;
     if (crossing.event == Crossing::Event::release) {
       const std::size_t i = crossing.contact;
       const bool others = law::let_go(dynamics_, i, crossing.slip, step_.end, probe_rate_, step_.end_phase);
@@ -282,11 +274,9 @@ class AdaptiveRun {
   }
 
   run::Outcome finish(run::TurnReport& report, run::Outcome outcome) const {
-    report.effort = {.rhs_calls = dynamics_.rhs_calls(),
-                     .steps = steps_,
-                     .refused = refused_,
-                     .switches = switches_,
-                     .implicit_steps = method_->implicit_steps()};
+    report.effort = book_.effort;
+    report.effort.rhs_calls = dynamics_.rhs_calls();
+    report.effort.implicit_steps = method_->implicit_steps();
     return outcome;
   }
 
@@ -294,8 +284,8 @@ class AdaptiveRun {
   Law dynamics_;
   LawOfSteps<Law> right_hand_side_{dynamics_};
   std::unique_ptr<StepMethod> method_;
-  run::PulseTimes pulses_;
-  run::Impulses impulses_;
+  run::TurnClock clock_;  ///< in radians
+  run::TurnBook book_;
   long max_steps_, max_evaluations_;  ///< of a turn
   Step step_;
   State probe_, probe_rate_;
@@ -304,9 +294,6 @@ class AdaptiveRun {
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
   /// A slip that starts at zero and leaves it, per contact.
   std::vector<bool> just_moved_;
-  double end_phase_ = numerics::full_turn;
-  long revolution_ = 0;
-  long steps_ = 0, refused_ = 0, switches_ = 0;
 };
 
 extern template class AdaptiveRun<law::Dynamics<4, false>>;

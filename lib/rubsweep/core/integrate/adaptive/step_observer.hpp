@@ -8,7 +8,7 @@
 
 #include "rubsweep/core/contact/contact_mode.hpp"
 #include "rubsweep/core/integrate/adaptive/step_method.hpp"
-#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/integrate/run/turn_book.hpp"
 #include "rubsweep/core/numerics/cubic_maximum.hpp"
 
 namespace rubsweep::integrate::adaptive {
@@ -51,25 +51,21 @@ class StepObserver {
         report_.slip_reversed = true;
       if (request_.peaks) watch_force(dynamics, i, h, start[i], end[i]);
     }
-    if (touching > 0) report_.touched = true;
-    report_.contact_fraction += touching * h / (2 * std::numbers::pi);
+    if (touching > 0) run::add_contact(touching * h / (2 * std::numbers::pi), report_);
     if (request_.peaks) watch_displacement(step, dynamics, h);
     if constexpr (requires { dynamics.twist(step.start, step.start_rate); }) {
       if (request_.peaks) watch_twist(step, dynamics, h);
     }
   }
 
-  void mode_switch(const run::ModeSwitch& change) { report_.add(change, request_.switches); }
+  run::TurnReport& report() { return report_; }
 
+  /// Whether some contact touches at the end of the turn.
   template <class Dynamics>
-  void end_turn(const State& state, const Dynamics& dynamics) {
-    report_.section.assign(state.begin(), state.end());
-    // The steps of a turn add up to it but for rounding.
-    report_.contact_fraction = std::min(1.0, report_.contact_fraction);
-    for (std::size_t i = 0; i < dynamics.modes().size(); ++i) {
-      if (touching_now(dynamics, i, dynamics.kinematics(i, state, state).penetration))
-        report_.touching_at_end = true;
-    }
+  static bool touching(const State& state, const Dynamics& dynamics) {
+    for (std::size_t i = 0; i < dynamics.modes().size(); ++i)
+      if (touching_now(dynamics, i, dynamics.kinematics(i, state, state).penetration)) return true;
+    return false;
   }
 
  private:

@@ -16,7 +16,6 @@ using contact::Mode;
 
 constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
 constexpr double same_instant = 1e-13;   ///< of a turn: crossings nearer to each other happen at once
-constexpr int longest_standstill = 16;   ///< mode switches without progress before a graze is stepped over
 /// Shortest step towards an annular stop, as a share of a turn; after a shorter one it counts as touched.
 constexpr double shortest_to_annular = 1e-7;
 /// More steps in a turn than this show bounds that do not fit the motion, as with a friction so strong that
@@ -69,7 +68,7 @@ typename ExactRun<N>::State ExactRun<N>::physical_of(std::span<const double> sca
 template <int N>
 void ExactRun<N>::resume(std::span<const double> section) {
   turn_start_ = physical_of(section);
-  ++revolution_;
+  ++book_.revolution;
   goes_on_ = false;
 }
 
@@ -81,15 +80,15 @@ run::Outcome ExactRun<N>::advance(const run::TurnRequest& request, run::TurnRepo
 
 template <int N>
 run::Outcome ExactRun<N>::run_to_end(run::TurnReport& report) {
-  step_limit_ = effort_.steps + std::min(max_steps_, most_steps);
+  book_.limit_steps(std::min(max_steps_, most_steps));
   run::Outcome ending = run::Outcome::ok;
   while (ending == run::Outcome::ok && !clock_.turn_is_over()) {
-    ending = effort_.steps < step_limit_ ? go_on(report)
-             : max_steps_ > most_steps   ? run::Outcome::no_closed_form
-                                         : run::Outcome::step_limit;
+    ending = book_.may_step()          ? go_on(report)
+             : max_steps_ > most_steps ? run::Outcome::no_closed_form
+                                       : run::Outcome::step_limit;
   }
   if (ending == run::Outcome::ok) ending = end_turn(report);
-  report.effort = effort_;
+  report.effort = book_.effort;
   return ending;
 }
 
@@ -115,7 +114,7 @@ bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const st
   motion_.set_phases(phase_rad, clock_.pulses(), clock_.time());
   if (!motion_.enter(*saturated, physical) || !slip_.begin(motion_, physical, stretch_to_join)) return false;
   unsaturated_ = false;
-  standstill_ = 0;
+  book_.note_progress(true);
   watch_.resume(report);
   watch_.begin_motion(motion_);
   return true;
@@ -131,12 +130,11 @@ template <int N>
 bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& report) {
   report.clear();
   watch_.begin_turn(request, report, turn_start_.size());
-  standstill_ = 0;
+  book_.begin_turn(request);
   motion_.carry_no_tangents();
-  const bool pulses_changed = clock_.begin_turn(revolution_);
+  const bool pulses_changed = clock_.begin_turn(book_.revolution);
   unsaturated_ = false;
   tangents_ = request.tangent_vectors.cols();
-  switches_wanted_ = request.switches;
   if (!start_motion(pulses_changed)) return false;
   motion_.carry_tangents(request.tangent_vectors);
   if (!begin_motion(turn_start_)) return false;
@@ -165,12 +163,9 @@ run::Outcome ExactRun<N>::end_turn(run::TurnReport& report) {
   const State end = motion_.physical();
   if (!end.allFinite()) return run::Outcome::non_finite;
   turn_start_ = end;
-  ++revolution_;
   goes_on_ = true;
   put_section(report.section);
-  // A landing may go back by rounding.
-  report.contact_fraction = std::clamp(report.contact_fraction, 0.0, 1.0);
-  report.touching_at_end = motion_.joint() != 0;
+  book_.end_turn(motion_.joint() != 0, report);
   if (tangents_ > 0) motion_.put_tangents(report.tangent_vectors.fill(turn_start_.size(), tangents_));
   return run::Outcome::ok;
 }
@@ -188,10 +183,10 @@ run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
                                               .reach_s = reach,
                                               .shortest_to_annular_s = shortest_to_annular * clock_.period(),
                                               .same_instant_s = same_instant * clock_.period()});
-    ++effort_.steps;
+    ++book_.effort.steps;
     if (choice.annular) return run::Outcome::no_closed_form;
     if (!renew_slip_watch(choice)) return run::Outcome::unsaturated;
-    if (choice.crossing != StepChoice::none && standstill_ < longest_standstill) {
+    if (choice.crossing != StepChoice::none && !book_.stands_still()) {
       land(report, choice.crossing, choice.step_s);
       return switch_mode(report, choice.crossing) ? run::Outcome::ok : without_closed_form();
     }
@@ -205,9 +200,9 @@ run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
       motion_.step_by(step);
       passed(report, step);
     }
-    standstill_ = 0;
+    book_.note_progress(true);
     if (!std::isfinite(motion_.free()(0))) return run::Outcome::non_finite;
-    if (watched || effort_.steps >= step_limit_ || !(clock_.time() < boundary)) return run::Outcome::ok;
+    if (watched || !book_.may_step() || !(clock_.time() < boundary)) return run::Outcome::ok;
   }
 }
 
@@ -250,11 +245,10 @@ template <int N>
 void ExactRun<N>::passed(run::TurnReport& report, double duration_s) {
   clock_.go_on(duration_s);
   if (motion_.joint() != 0) {
-    report.touched = true;
     slip_.advance(duration_s);
     if (slip_.may_reverse())
       report.slip_reversed |= slip_.reversed_in(motion_, motion_.physical(), duration_s);
-    report.contact_fraction += clock_.turns(duration_s);
+    run::add_contact(clock_.turns(duration_s), report);
   }
   watch_.end_step(motion_, clock_.time(), duration_s, report);
 }
@@ -263,7 +257,7 @@ template <int N>
 void ExactRun<N>::land(run::TurnReport& report, std::size_t e, double latest_s) {
   const double duration_s = motion_.land(e, latest_s);
   passed(report, duration_s);
-  standstill_ = duration_s > shortest_step * clock_.period() ? 0 : standstill_ + 1;
+  book_.note_progress(duration_s > shortest_step * clock_.period());
 }
 
 template <int N>
@@ -279,8 +273,7 @@ void ExactRun<N>::note_switches(run::TurnReport& report, std::size_t from, std::
   for (std::size_t i = 0; i < motion_.mode().modes.size(); ++i) {
     const Mode before = modes::mode_in_joint_mode(from, i), after = modes::mode_in_joint_mode(to, i);
     if (after == before) continue;
-    ++effort_.switches;
-    report.add({clock_.phase_rad(), static_cast<int>(i), before, after}, switches_wanted_);
+    book_.note_switch({clock_.phase_rad(), static_cast<int>(i), before, after}, report);
   }
 }
 

@@ -9,7 +9,7 @@
 #include "rubsweep/core/integrate/exact/step_choice.hpp"
 #include "rubsweep/core/integrate/exact/turn_watch.hpp"
 #include "rubsweep/core/integrate/run/outcome.hpp"
-#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/integrate/run/turn_book.hpp"
 #include "rubsweep/core/integrate/run/turn_clock.hpp"
 
 namespace rubsweep::integrate::exact {
@@ -55,15 +55,15 @@ class ExactRun {
   /// Back to the start of revolution 0, at another section.
   void restart(std::span<const double> section) {
     resume(section);
-    revolution_ = 0;
+    book_.revolution = 0;
   }
 
   /// Scaled state where the next revolution begins, as TurnReport::section.
   std::vector<double> section() const;
   /// The same without an allocation, once `section` is large enough.
   void put_section(std::vector<double>& section) const;
-  long revolution() const { return revolution_; }
-  const run::Effort& effort() const { return effort_; }
+  long revolution() const { return book_.revolution; }
+  const run::Effort& effort() const { return book_.effort; }
 
  private:
   using Motion = ExactMotion<N>;
@@ -97,19 +97,15 @@ class ExactRun {
   run::TurnClock clock_;   ///< in seconds
   SlipWatch<N> slip_;
   TurnWatch<N> watch_;
-  long max_steps_ = 0;   ///< of a turn
-  long step_limit_ = 0;  ///< of effort_.steps in this turn
+  run::TurnBook book_;
+  long max_steps_ = 0;  ///< of a turn
 
-  State turn_start_;  ///< physical
-  long revolution_ = 0;
-  bool goes_on_ = false;  ///< the motion stands where the last turn ended
-  bool switches_wanted_ = false;
+  State turn_start_;           ///< physical
+  bool goes_on_ = false;       ///< the motion stands where the last turn ended
   Eigen::Index tangents_ = 0;  ///< asked for in this turn
-  int standstill_ = 0;
-  bool unsaturated_ = false;  ///< the turn has come to where friction leaves saturation
-  State here_;                ///< physical, where it did
+  bool unsaturated_ = false;   ///< the turn has come to where friction leaves saturation
+  State here_;                 ///< physical, where it did
   Handover handover_;
-  run::Effort effort_;
 };
 
 extern template class ExactRun<2>;

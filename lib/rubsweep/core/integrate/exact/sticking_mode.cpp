@@ -6,6 +6,7 @@
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/numerics/dense/cholesky.hpp"
 #include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/matrix_flow.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {
@@ -87,6 +88,7 @@ std::optional<StickingMode> StickingMode::make(const System& system, const std::
   const Eigen::MatrixXd q =
       k > 0 ? numerics::dense::FullPivotFactors(mode.rows_).kernel() : Eigen::MatrixXd(n, 0);
   if (q.cols() != k) return std::nullopt;
+  mode.project_ = Eigen::MatrixXd::Identity(n, n) - along * mode.rows_;
   mode.on_drift_ = along;
   mode.on_drift_rate_ = Eigen::MatrixXd::Zero(n, m);
   mode.rest_ = Eigen::VectorXd::Zero(n);
@@ -95,13 +97,31 @@ std::optional<StickingMode> StickingMode::make(const System& system, const std::
   mode.rates_.resize(k);
   mode.to_y_.resize(k, n);
   if (k > 0) {
-    const Eigen::MatrixXd project = Eigen::MatrixXd::Identity(n, n) - along * mode.rows_;
-    mode.to_y_ =
-        numerics::dense::SymmetricFactors(q.transpose() * q).solve(Eigen::MatrixXd(q.transpose())) * project;
+    mode.to_y_ = numerics::dense::SymmetricFactors(q.transpose() * q).solve(Eigen::MatrixXd(q.transpose())) *
+                 mode.project_;
     if (!mode.solve_vibration(q, along)) return std::nullopt;
   }
   mode.add_guards(system, modes, sticks);
+  mode.add_rings(system, sticks, along);
   return mode;
+}
+
+/// Friction lambda along a tangent that is turned pushes along -n; and what keeps the slip at zero is t . d''
+/// =
+/// -(turn of t) . d'' = n . d''. The normal force along a turned normal is a force along t, which friction
+/// takes.
+void StickingMode::add_rings(const System& system, const std::vector<bool>& sticks,
+                             const Eigen::MatrixXd& along) {
+  Eigen::Index held = 0;
+  for (std::size_t i = 0; i < sticks.size(); ++i) {
+    if (!sticks[i]) continue;
+    const auto& c = system.contacts[i];
+    if (contact::annular(c.wall))
+      rings_.push_back(
+          {held, c.first_row, c.offset[0],
+           project_ * c.first_push * hold_.row(held) + along.col(held) * c.first_row * project_});
+    ++held;
+  }
 }
 
 void StickingMode::add_guards(const System& system, const std::vector<contact::Mode>& modes,
@@ -153,6 +173,8 @@ void StickingMode::begin(double phase_rad, const Eigen::Ref<const Eigen::VectorX
   motion.phase_rad = phase_rad;
   motion.drift = rows_ * state.head(n);
   motion.drift_rate = rows_ * state.tail(n);
+  // Pieces leave the slip within rounding of zero, and a whole turn of it would count.
+  for (const Ring& ring : rings_) motion.drift_rate(ring.held) = 0;
   motion.free.resize(2 * k);
   if (k == 0) return;
   const Complex phasor = std::polar(1.0, phase_rad);
@@ -197,9 +219,49 @@ void StickingMode::put_state(const StickingMotion& motion, Eigen::Ref<Eigen::Vec
       on_drift_ * motion.drift_rate + (amplitude_ * (Complex(0, 1) * phasor)).real() + basis_v_ * motion.free;
 }
 
+/// Small change of the motion, zero at first, by a force that is `force` times its accelerations without
+/// friction: a part of the exponential of one matrix for w, u, 1, w', u', cos, sin.
+Eigen::VectorXd StickingMode::by_turned_normal(const Eigen::MatrixXd& force, double duration_rad,
+                                               const StickingMotion& motion) const {
+  const Eigen::Index n = rest_.size(), half = 2 * n + 1, size = 2 * half + 1;
+  Eigen::MatrixXd loose = Eigen::MatrixXd::Zero(n, size);
+  loose.middleCols(n, n) = -stiffness_;
+  loose.col(2 * n) = constant_;
+  loose.middleCols(half + n, n) = -damping_;
+  loose.col(size - 2) = drive_.real();
+  loose.col(size - 1) = -drive_.imag();
+  Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(size, size);
+  generator.block(0, half, 2 * n, 2 * n).setIdentity();
+  generator.middleRows(half, n) = force * loose;
+  generator.block(half, 0, n, n) = -project_ * stiffness_;
+  generator.block(half, half, n, n) = -project_ * damping_;
+  generator.middleRows(half + n, n) = project_ * loose;
+  generator(size - 2, size - 1) = -1;
+  generator(size - 1, size - 2) = 1;
+  Eigen::VectorXd state(2 * n), all = Eigen::VectorXd::Zero(size);
+  put_state(motion, state);
+  all.segment(n, n) = state.head(n);
+  all(2 * n) = 1;
+  all.segment(half + n, n) = state.tail(n);
+  all.tail(2) << std::cos(motion.phase_rad), std::sin(motion.phase_rad);
+  const Eigen::VectorXd moved = numerics::matrix_flow(generator, duration_rad) * all;
+  Eigen::VectorXd change(2 * n);
+  change << moved.head(n), moved.segment(half, n);
+  return change;
+}
+
 void StickingMode::move_tangents(double duration_rad, const std::vector<numerics::Pair>& flows,
-                                 Eigen::MatrixXd& tangents) const {
+                                 const StickingMotion& motion, Eigen::MatrixXd& tangents) const {
+  if (tangents.cols() == 0) return;
   const Eigen::Index n = rest_.size(), k = pairs();
+  Eigen::MatrixXd by_rings = Eigen::MatrixXd::Zero(2 * n, rings_.empty() ? 0 : tangents.cols());
+  for (const Ring& ring : rings_) {
+    Eigen::VectorXd state(2 * n);
+    put_state(motion, state);
+    const double distance = ring.first_row.dot(state.head(n).transpose()) + ring.offset;
+    by_rings += by_turned_normal(ring.change, duration_rad, motion) * rows_.row(ring.held) *
+                tangents.topRows(n) / distance;
+  }
   for (Eigen::Index column = 0; column < tangents.cols(); ++column) {
     Eigen::VectorXd drift = rows_ * tangents.col(column).head(n);
     const Eigen::VectorXd drift_rate = rows_ * tangents.col(column).tail(n);
@@ -212,6 +274,7 @@ void StickingMode::move_tangents(double duration_rad, const std::vector<numerics
     tangents.col(column).head(n) = on_drift_ * drift + on_drift_rate_ * drift_rate + basis_u_ * free;
     tangents.col(column).tail(n) = on_drift_ * drift_rate + basis_v_ * free;
   }
+  if (!rings_.empty()) tangents += by_rings;
 }
 
 ValueAndRate value_of(const StickingView& view, const StickingMotion& motion) {

@@ -45,7 +45,9 @@ struct StickingMotion {
 ///
 /// where y is a linear vibration that unbalance, constant forces and the drift sigma force, and
 /// lambda = M^-1 R (A u + C u' - f) is the friction, itself a linear function of the motion. Scaled units,
-/// time in radians.
+/// time in radians. A ring in whose mode the wall looks like a flat one, with its normal n and tangent t
+/// where the rotor sticks, differs in small changes only: one that begins at another place turns n and t,
+/// which changes the directions of friction and of normal force.
 class StickingMode {
  public:
   using System = run::ScaledSystem<Eigen::Dynamic>;
@@ -72,9 +74,9 @@ class StickingMode {
   void put_flows(double duration_rad, std::vector<numerics::Pair>& flows) const;
   void put_state(const StickingMotion& motion, Eigen::Ref<Eigen::VectorXd> state) const;
 
-  /// Moves small changes of the state, one a column, which do not let a sticking contact slip.
+  /// Moves small changes of the state of `motion`, one a column, which do not let a sticking contact slip.
   void move_tangents(double duration_rad, const std::vector<numerics::Pair>& flows,
-                     Eigen::MatrixXd& tangents) const;
+                     const StickingMotion& motion, Eigen::MatrixXd& tangents) const;
 
   /// A linear function of (u, u').
   StickingView view(const Eigen::RowVectorXd& by_u, const Eigen::RowVectorXd& by_v, double constant,
@@ -89,8 +91,11 @@ class StickingMode {
   /// it has no closed form.
   bool solve_vibration(const Eigen::MatrixXd& q, const Eigen::MatrixXd& along);
   void move_free(const std::vector<numerics::Pair>& flows, Eigen::Ref<Eigen::VectorXd> free) const;
+  Eigen::VectorXd by_turned_normal(const Eigen::MatrixXd& force, double duration_rad,
+                                   const StickingMotion& motion) const;
   void add_guards(const System& system, const std::vector<contact::Mode>& modes,
                   const std::vector<bool>& sticks);
+  void add_rings(const System& system, const std::vector<bool>& sticks, const Eigen::MatrixXd& along);
 
   Eigen::MatrixXd stiffness_, damping_;  ///< A and C, contacts included, those that stick without friction
   Eigen::VectorXd constant_;
@@ -106,6 +111,18 @@ class StickingMode {
   Eigen::VectorXd rates_;
   std::vector<StickingGuard> guards_;
   std::vector<StickingView> forces_;
+
+  /// A ring that holds the rotor, at the distance first_row u + offset from its centre. Where its normal is
+  /// turned by an angle, the accelerations are changed by the angle times `change` times those without
+  /// friction.
+  struct Ring {
+    Eigen::Index held = 0;  ///< its number among the contacts that stick
+    Eigen::RowVectorXd first_row;
+    double offset = 0;
+    Eigen::MatrixXd change;
+  };
+  std::vector<Ring> rings_;
+  Eigen::MatrixXd project_;  ///< accelerations without friction to those with it: I - B M^-1 R
 };
 
 /// Value and rate of a view where the motion is.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/contact/wall.hpp"
@@ -19,6 +20,10 @@ constexpr double peak_step = 0.03, fast_peak_step = 0.15;
 constexpr double piece = 8;
 /// A vibration below this share of a clearance adds less than that to any peak.
 constexpr double unseen = 1e-10;
+/// Fewest cubics of a block that is looked at as a whole before.
+constexpr double least_block = 8;
+/// Turn of a ring's normal by rounding of the states that it was taken from.
+constexpr double same_normal = 1e-14;
 
 /// Duration for which no guard, made of the slow parts of `view` and, for its free vibration, the largest
 /// value or the present one, can come to zero; `longest_rad` at most.
@@ -49,27 +54,79 @@ double certified_by(const StickingView& view, const StickingMotion& motion, doub
 
 StickingStretch::StickingStretch(const scene::Scene& scene) : system_(run::scale<Eigen::Dynamic>(scene)) {
   for (const auto& contact : system_.contacts) {
-    dry_.push_back(contact::linear(contact.wall) && contact::dry_coefficient(contact.friction) != 0);
+    const bool normal_stands = contact::linear(contact.wall) || contact.surface_speed_m_per_s == 0;
+    dry_.push_back(normal_stands && contact::dry_coefficient(contact.friction) != 0);
     slippery_.push_back(contact::linear(contact.wall) && !contact::acts(contact.friction));
   }
 }
 
 const StickingMode* StickingStretch::mode_of(const std::vector<contact::Mode>& modes,
-                                             const std::vector<contact::Slip>& slips) {
+                                             const std::vector<contact::Slip>& slips,
+                                             std::span<const double> state) {
   key_.clear();
-  std::vector<bool> sticks(modes.size(), false);
+  normals_.clear();
+  sticks_.assign(modes.size(), false);
   for (std::size_t i = 0; i < modes.size(); ++i) {
+    const auto& c = system_.contacts[i];
     key_.push_back(static_cast<int>(modes[i]));
     if (modes[i] == contact::Mode::open) {
-      if (!contact::linear(system_.contacts[i].wall)) return nullptr;
+      if (!contact::linear(c.wall)) return nullptr;
       continue;
     }
-    sticks[i] = dry_[i] && slips[i] == contact::Slip::sticking;
-    if (!sticks[i] && !slippery_[i]) return nullptr;
+    sticks_[i] = dry_[i] && slips[i] == contact::Slip::sticking;
+    if (!sticks_[i] && !slippery_[i]) return nullptr;
+    if (contact::linear(c.wall)) continue;
+    const Eigen::Map<const Eigen::VectorXd> u(state.data(), system_.coordinates());
+    normals_.push_back(Eigen::Vector2d(c.first_row.dot(u.transpose()) + c.offset[0],
+                                       c.second_row.dot(u.transpose()) + c.offset[1])
+                           .normalized());
   }
-  auto found = modes_.find(key_);
-  if (found == modes_.end()) found = modes_.emplace(key_, StickingMode::make(system_, modes, sticks)).first;
-  return found->second ? &*found->second : nullptr;
+  const auto [found, fresh] = modes_.try_emplace(key_);
+  MadeMode& made = found->second;
+  const auto near = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return (a - b).cwiseAbs().maxCoeff() < same_normal;
+  };
+  if (fresh || !std::ranges::equal(made.normals, normals_, near))
+    made = {normals_, StickingMode::make(normals_.empty() ? system_ : with_flat_rings(), modes, sticks_), {}};
+  if (!made.mode) return nullptr;
+  if (made.watched.empty()) watch(made);
+  made_ = &made;
+  return &*made.mode;
+}
+
+void StickingStretch::watch(MadeMode& made) const {
+  for (const StickingView& force : made.mode->forces())
+    made.watched.push_back({false, {force, {}}, 1, &run::TurnReport::peak_contact_force_n});
+  const Eigen::RowVectorXd none = Eigen::RowVectorXd::Zero(system_.coordinates());
+  const auto add = [&](const auto& map, double run::TurnReport::*peak) {
+    made.watched.push_back(
+        {true,
+         {made.mode->view(map.row(0), none, 0, 0), made.mode->view(map.row(1), none, 0, 0)},
+         system_.scale.length_m,
+         peak});
+  };
+  add(system_.observed, &run::TurnReport::peak_displacement_m);
+  for (const auto& casing : system_.casings) add(casing.map, &run::TurnReport::peak_casing_displacement_m);
+}
+
+/// The system with the rings that hold the rotor as flat walls across its normals there.
+run::ScaledSystem<Eigen::Dynamic> StickingStretch::with_flat_rings() const {
+  run::ScaledSystem<Eigen::Dynamic> flat = system_;
+  auto normal = normals_.begin();
+  for (std::size_t i = 0; i < flat.contacts.size(); ++i) {
+    auto& c = flat.contacts[i];
+    if (!sticks_[i] || contact::linear(c.wall)) continue;
+    const Eigen::Vector2d n = *normal++;
+    const auto& ring = system_.contacts[i];
+    c.first_row = n.x() * ring.first_row + n.y() * ring.second_row;
+    c.second_row = n.x() * ring.second_row - n.y() * ring.first_row;
+    c.first_push = n.x() * ring.first_push + n.y() * ring.second_push;
+    c.second_push = n.x() * ring.second_push - n.y() * ring.first_push;
+    c.offset = {n.x() * ring.offset[0] + n.y() * ring.offset[1],
+                n.x() * ring.offset[1] - n.y() * ring.offset[0]};
+    c.clearance -= c.offset[0];
+  }
+  return flat;
 }
 
 double StickingStretch::certified_rad(double longest_rad) const {
@@ -83,7 +140,7 @@ double StickingStretch::certified_rad(double longest_rad) const {
 bool StickingStretch::go_on(const run::TurnRequest& request, const std::vector<contact::Mode>& modes,
                             const std::vector<contact::Slip>& slips, double end_phase_rad, long most_steps,
                             StretchState& place, run::TurnReport& report) {
-  mode_ = mode_of(modes, slips);
+  mode_ = mode_of(modes, slips, place.state);
   if (mode_ == nullptr) return false;
   state_ =
       Eigen::Map<const Eigen::VectorXd>(place.state.data(), static_cast<Eigen::Index>(place.state.size()));
@@ -112,8 +169,8 @@ void StickingStretch::pass(const run::TurnRequest& request, double duration_rad,
   if (request.samples_per_revolution > 0) put_samples(request, duration_rad, report);
   if (request.peaks) raise_peaks(duration_rad, report);
   mode_->put_flows(duration_rad, flows_);
+  mode_->move_tangents(duration_rad, flows_, motion_, place.tangent_vectors);
   mode_->move(duration_rad, flows_, motion_);
-  mode_->move_tangents(duration_rad, flows_, place.tangent_vectors);
   report.touched = true;
   report.contact_fraction += duration_rad / numerics::full_turn;
 }
@@ -147,37 +204,88 @@ double StickingStretch::peak_step_rad() const {
   return std::min(peak_step, fast_peak_step / fastest);
 }
 
-/// Cubics through values and rates at places that what still vibrates allows.
+/// No peak of it is higher within `duration_rad` of `motion`: its slow parts go straight on but for what they
+/// bend, and vibrations of more than a radian are as large as they ever are.
+double StickingStretch::bound(const Watched& watched, double duration_rad) const {
+  const Eigen::Index k = mode_->pairs();
+  const double grown = std::exp(std::max(0.0, mode_->growth()) * duration_rad);
+  Eigen::Vector2d from(0, 0), to(0, 0), more(0, 0);
+  for (Eigen::Index row = 0; row < (watched.length ? 2 : 1); ++row) {
+    const StickingView& view = watched.views[static_cast<std::size_t>(row)];
+    ValueAndRate slow = value_of(view, at_);
+    double bend = std::abs(view.harmonic);
+    for (Eigen::Index j = 0; j < k; ++j) {
+      const double length = std::hypot(at_.free(j), at_.free(k + j)) * grown;
+      if (mode_->rate(j) * duration_rad < 1) {
+        bend += view.curvature(j) * length;
+        continue;
+      }
+      more(row) += view.size(j) * length;
+      slow.value -= view.on_free(j) * at_.free(j) + view.on_free(k + j) * at_.free(k + j);
+      slow.rate -= view.rate_on_free(j) * at_.free(j) + view.rate_on_free(k + j) * at_.free(k + j);
+    }
+    from(row) = slow.value;
+    to(row) = slow.value + duration_rad * slow.rate;
+    more(row) += bend * duration_rad * duration_rad / 2;
+  }
+  return watched.scale * (watched.length ? std::max(from.norm(), to.norm()) + more.norm()
+                                         : std::max(from(0), to(0)) + more(0));
+}
+
+/// Cubics through values and rates at places that what still vibrates allows. They are as many as a fast
+/// vibration has in all of the stretch, so that blocks of them without any higher peak are left out: the most
+/// promising are looked at first.
 void StickingStretch::raise_peaks(double duration_rad, run::TurnReport& report) {
   const double pieces = std::max(1.0, std::ceil(duration_rad / peak_step_rad())),
-               size = duration_rad / pieces;
-  const Eigen::Index n = system_.coordinates();
-  const auto square = [n](const auto& map, const Eigen::VectorXd& state) {
-    const Eigen::Vector2d z = map * state.head(n), v = map * state.tail(n);
-    return ValueAndRate{z.squaredNorm(), 2 * z.dot(v)};
-  };
-  const auto largest = [size](const ValueAndRate& from, const ValueAndRate& to) {
-    return numerics::cubic_maximum(from.value, size * from.rate, to.value, size * to.rate);
-  };
-  const auto raise_length = [&](const auto& map, double& peak_m) {
-    const double top = largest(square(map, state_), square(map, next_));
-    peak_m = std::max(peak_m, std::sqrt(std::max(0.0, top)) * system_.scale.length_m);
-  };
+               size = duration_rad / pieces, block = std::max(1.0, std::floor(peak_step / size));
+  const double blocks = block < least_block ? 0 : std::floor(pieces / block);
+  promising_.resize(made_->watched.size());
+  for (Promising& place : promising_) place.bound = -std::numeric_limits<double>::infinity();
+  mode_->put_flows(block * size, block_flows_);
   at_ = motion_;
-  StickingMotion before;
-  next_.resize(state_.size());
-  mode_->put_state(at_, state_);
+  for (double k = 0; k < blocks; ++k) {
+    for (std::size_t i = 0; i < promising_.size(); ++i) {
+      const double most = bound(made_->watched[i], block * size);
+      if (most > promising_[i].bound) promising_[i] = {most, at_};
+    }
+    mode_->move(block * size, block_flows_, at_);
+  }
   mode_->put_flows(size, flows_);
+  for (std::size_t i = 0; blocks > 0 && i < promising_.size(); ++i) {
+    at_ = promising_[i].at;
+    raise_peaks_by_cubics(block, size, report);
+  }
+  at_ = motion_;
+  const auto may_rise = [&](const Watched& watched) {
+    return bound(watched, block * size) > report.*watched.peak * (1 + unseen);
+  };
+  for (double k = 0; k < blocks; ++k) {
+    if (std::ranges::any_of(made_->watched, may_rise)) {
+      raise_peaks_by_cubics(block, size, report);
+    } else {
+      mode_->move(block * size, block_flows_, at_);
+    }
+  }
+  raise_peaks_by_cubics(pieces - blocks * block, size, report);
+}
+
+/// Moves `at_` on by `pieces` of this size.
+void StickingStretch::raise_peaks_by_cubics(double pieces, double size, run::TurnReport& report) {
+  const auto square = [](const Watched& watched, const StickingMotion& motion) {
+    const ValueAndRate x = value_of(watched.views[0], motion);
+    if (!watched.length) return x;
+    const ValueAndRate y = value_of(watched.views[1], motion);
+    return ValueAndRate{x.value * x.value + y.value * y.value, 2 * (x.value * x.rate + y.value * y.rate)};
+  };
   for (double k = 0; k < pieces; ++k) {
-    before = at_;
+    before_ = at_;
     mode_->move(size, flows_, at_);
-    mode_->put_state(at_, next_);
-    raise_length(system_.observed, report.peak_displacement_m);
-    for (const auto& casing : system_.casings) raise_length(casing.map, report.peak_casing_displacement_m);
-    for (const StickingView& force : mode_->forces())
-      report.peak_contact_force_n =
-          std::max(report.peak_contact_force_n, largest(value_of(force, before), value_of(force, at_)));
-    state_.swap(next_);
+    for (const Watched& watched : made_->watched) {
+      const ValueAndRate from = square(watched, before_), to = square(watched, at_);
+      const double top = numerics::cubic_maximum(from.value, size * from.rate, to.value, size * to.rate);
+      double& peak = report.*watched.peak;
+      peak = std::max(peak, watched.scale * (watched.length ? std::sqrt(std::max(0.0, top)) : top));
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <map>
 #include <optional>
 #include <span>
@@ -14,9 +15,10 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Stretches of a turn between flat stops in which dry friction holds every contact that touches and has any:
-/// closed forms and certified steps, so that a rotor held by friction costs as much as a rotor at rest. A
-/// stretch ends before any guard can be reached: the event that ends the mode is left to the caller.
+/// Stretches of a turn in which dry friction holds every contact that touches and has any: closed forms and
+/// certified steps, so that a rotor held by friction costs as much as a rotor at rest. A stretch ends before
+/// any guard can be reached: the event that ends the mode is left to the caller. A ring whose surface stands
+/// (contact radius 0) is a flat wall as long as the rotor sticks to it: its normal does not turn.
 class StickingStretch {
  public:
   explicit StickingStretch(const scene::Scene& scene);
@@ -40,22 +42,50 @@ class StickingStretch {
 
  private:
   const StickingMode* mode_of(const std::vector<contact::Mode>& modes,
-                              const std::vector<contact::Slip>& slips);
+                              const std::vector<contact::Slip>& slips, std::span<const double> state);
+  run::ScaledSystem<Eigen::Dynamic> with_flat_rings() const;
   double certified_rad(double longest_rad) const;
   void pass(const run::TurnRequest& request, double duration_rad, StretchState& place,
             run::TurnReport& report);
   void put_samples(const run::TurnRequest& request, double duration_rad, run::TurnReport& report);
   void raise_peaks(double duration_rad, run::TurnReport& report);
+  void raise_peaks_by_cubics(double pieces, double size, run::TurnReport& report);
   double peak_step_rad() const;
 
   run::ScaledSystem<Eigen::Dynamic> system_;
+  /// A force, or the length of a vector, of which a report has the peak.
+  struct Watched {
+    bool length = false;
+    std::array<StickingView, 2> views;  ///< the force; x and y
+    double scale = 1;                   ///< to the unit of the report
+    double run::TurnReport::*peak = nullptr;
+  };
+  /// A mode, and the normals of the rings that it was made with, in the order of the contacts.
+  struct MadeMode {
+    std::vector<Eigen::Vector2d> normals;
+    std::optional<StickingMode> mode;
+    std::vector<Watched> watched;
+  };
+  /// Where the bound of a peak is highest.
+  struct Promising {
+    double bound = 0;
+    StickingMotion at;
+  };
+
+  void watch(MadeMode& made) const;
+  double bound(const Watched& watched, double duration_rad) const;
+
   std::vector<bool> dry_, slippery_;  ///< per contact: it can stick, it has no friction at all
-  std::map<std::vector<int>, std::optional<StickingMode>> modes_;
+  std::map<std::vector<int>, MadeMode> modes_;
   std::vector<int> key_;
+  std::vector<bool> sticks_;
+  std::vector<Eigen::Vector2d> normals_;  ///< as of MadeMode, where the motion is
   const StickingMode* mode_ = nullptr;
-  StickingMotion motion_, at_;
-  std::vector<numerics::Pair> flows_;
-  Eigen::VectorXd state_, next_;
+  const MadeMode* made_ = nullptr;
+  StickingMotion motion_, at_, before_;
+  std::vector<Promising> promising_;
+  std::vector<numerics::Pair> flows_, block_flows_;
+  Eigen::VectorXd state_;
   long steps_ = 0;
 };
 

@@ -36,12 +36,6 @@ class Impulses {
   /// Velocity jump of the next impulse, an increment of q' in m/s; advances to the impulse after it.
   const Eigen::VectorXd& take() { return trains_[instants_[next_++].train].jump_m_per_s; }
 
-  /// Takes every impulse up to `phase_rad` and adds it to a state of `scale`.
-  template <class State>
-  void take_all(double phase_rad, const StateScale& scale, State& state) {
-    while (phase_rad >= next_phase_rad()) add_impulse(take(), scale, state);
-  }
-
  private:
   struct Train {
     Eigen::VectorXd jump_m_per_s;  ///< mass^-1 impulse

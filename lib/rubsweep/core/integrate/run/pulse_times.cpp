@@ -61,4 +61,10 @@ double PulseTimes::angle_rad(std::size_t i, double time) const {
   return std::numbers::pi * (pulses_[i].elapsed + time) / pulses_[i].duration;
 }
 
+double pulses_end_s(const scene::Scene& scene) {
+  double end_s = 0;
+  for (const scene::Pulse& pulse : scene.pulses) end_s = std::max(end_s, pulse.duration_s - pulse.elapsed_s);
+  return end_s;
+}
+
 }  // namespace rubsweep::integrate::run

@@ -50,4 +50,7 @@ class PulseTimes {
   double next_change_ = std::numeric_limits<double>::infinity();
 };
 
+/// End of the last pulse of a scene, 0 where there is none.
+double pulses_end_s(const scene::Scene& scene);
+
 }  // namespace rubsweep::integrate::run

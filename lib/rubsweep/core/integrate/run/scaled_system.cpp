@@ -6,6 +6,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/run/second_harmonic.hpp"
 #include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/scene/observed.hpp"
 #include "rubsweep/core/scene/quiet_motion.hpp"
 
 namespace rubsweep::integrate::run {
@@ -91,7 +92,7 @@ ScaledSystem<N> scale(const scene::Scene& scene, const StateScale& scale) {
   system.scale = scale;
   scale_structure(scene, mass, system);
   scale_forcing(scene, mass, system);
-  system.observed = scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
+  system.observed = scene::observed(scene);
   for (const scene::Contact& contact : scene.contacts) {
     if (contact.casing_point) {
       const auto& point = scene.structure.points[static_cast<std::size_t>(*contact.casing_point)];

@@ -18,7 +18,6 @@ using contact::Mode;
 
 constexpr double same_instant = 1e-13;  ///< radians: landings nearer than that make no progress
 constexpr int most_expansions = 4;      ///< of each piece that a turn may have
-constexpr int longest_standstill = 16;  ///< landings without progress before one is stepped over
 
 }  // namespace
 
@@ -45,20 +44,25 @@ TaylorRun<N>::TaylorRun(const scene::Scene& scene, const run::SolverOptions& opt
 template <int N>
 void TaylorRun<N>::resume(std::span<const double> section, long revolution) {
   std::copy(section.begin(), section.end(), state_.begin());
-  revolution_ = revolution;
+  book_.revolution = revolution;
   entered_ = false;
+}
+
+template <int N>
+void TaylorRun<N>::begin(const run::TurnRequest& request, run::TurnReport& report, double end_phase) {
+  report.clear();
+  ask(request);
+  if (samples_wanted_ > 0) report.samples.resize(static_cast<std::size_t>(samples_wanted_) * state_.size());
+  clock_.begin_turn(book_.revolution, end_phase);
+  if (!entered_) enter_by_state();
+  entered_ = true;
+  begin_tangents(request.tangent_vectors, request.tangent_accuracy);
 }
 
 template <int N>
 run::Outcome TaylorRun<N>::advance(const run::TurnRequest& request, run::TurnReport& report,
                                    double end_phase) {
-  report.clear();
-  ask(request);
-  if (samples_wanted_ > 0) report.samples.resize(static_cast<std::size_t>(samples_wanted_) * state_.size());
-  clock_.begin_turn(revolution_, end_phase);
-  if (!entered_) enter_by_state();
-  entered_ = true;
-  begin_tangents(request.tangent_vectors, request.tangent_accuracy);
+  begin(request, report, end_phase);
   run::Outcome ending = run::Outcome::ok;
   while (ending == run::Outcome::ok && !clock_.turn_is_over()) {
     if (clock_.impulse_is_due()) apply_impulses(report);
@@ -71,10 +75,9 @@ template <int N>
 void TaylorRun<N>::ask(const run::TurnRequest& request) {
   samples_wanted_ = request.samples_per_revolution;
   peaks_wanted_ = request.peaks;
-  switches_wanted_ = request.switches;
-  standstill_ = 0;
+  book_.begin_turn(request);
   creep_.begin_turn();
-  step_limit_ = effort_.steps + max_steps_;
+  book_.limit_steps(max_steps_);
   expansion_limit_ = expansions_ + most_expansions * max_steps_;
 }
 
@@ -92,8 +95,8 @@ void TaylorRun<N>::join(const run::TurnRequest& request, long revolution, double
                         std::span<const double> state, const std::vector<contact::Mode>& modes,
                         const Eigen::MatrixXd& tangent_vectors) {
   ask(request);
-  revolution_ = revolution;
-  clock_.begin_turn(revolution_);
+  book_.revolution = revolution;
+  clock_.begin_turn(revolution);
   clock_.go_to(phase_rad);
   clock_.change_pulses();
   std::copy(state.begin(), state.end(), state_.begin());
@@ -106,14 +109,11 @@ void TaylorRun<N>::join(const run::TurnRequest& request, long revolution, double
 
 template <int N>
 run::Outcome TaylorRun<N>::end(run::TurnReport& report, run::Outcome ending) {
-  report.effort = effort_;
+  report.effort = effort();
   if (ending != run::Outcome::ok) return ending;
-  ++revolution_;
   report.section = state_;
-  // The steps of a turn add up to it but for rounding.
-  report.contact_fraction = std::min(1.0, report.contact_fraction);
-  report.touching_at_end =
-      std::ranges::any_of(dynamics_.modes(), [](Mode mode) { return mode != Mode::open; });
+  book_.end_turn(std::ranges::any_of(dynamics_.modes(), [](Mode mode) { return mode != Mode::open; }),
+                 report);
   if (tangents_.count() > 0)
     report.tangent_vectors.fill(static_cast<Eigen::Index>(state_.size()), tangents_.count()) =
         tangents_.vectors();
@@ -150,7 +150,7 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
   clock_.change_pulses();
   creep_.end(motion_, dynamics_);
   expand(state_);
-  ++effort_.steps;
+  ++book_.effort.steps;
   const double fastest = fastest_rate(structure_rate_, motion_, dynamics_.modes());
   const double boundary = clock_.next_boundary(), left = boundary - clock_.time();
   double ratio = friction_ratio(motion_, dynamics_, state_);
@@ -161,12 +161,12 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
   for (std::size_t i = 0; i < system_.contacts.size(); ++i)
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), motion_.accuracy(), wanted);
   if (!(wanted > 0)) return run::Outcome::non_finite;
-  if (standstill_ >= longest_standstill) {
+  if (book_.stands_still()) {
     // Without progress a landing is not repeated: its instant is stepped over.
     const double instant = std::min(same_instant, left);
     take(report, fastest, instant, instant < left ? clock_.time() + instant : boundary);
     switch_modes(report, {});
-    standstill_ = 0;
+    book_.note_progress(true);
     return run::Outcome::ok;
   }
   const bool limited = wanted >= left;
@@ -179,12 +179,12 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
             : limited ? boundary
                       : clock_.time() + duration)) {
     creep_.wait();
-    --effort_.steps;
+    --book_.effort.steps;
     return step(report);
   }
-  if (creeps) ++effort_.creep_pieces;
+  if (creeps) ++book_.effort.creep_pieces;
   if (!std::isfinite(state_[0])) return run::Outcome::non_finite;
-  standstill_ = duration > same_instant ? 0 : standstill_ + 1;
+  book_.note_progress(duration > same_instant);
   if (event.contact) switch_modes(report, event);
   return run::Outcome::ok;
 }
@@ -192,14 +192,14 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
 template <int N>
 void TaylorRun<N>::expand(const std::vector<double>& state) {
   ++expansions_;
-  ++effort_.taylor_work;
+  ++book_.effort.taylor_work;
   motion_.expand(state.data(), clock_.time(), clock_.pulses(), dynamics_.modes(), dynamics_.slips());
 }
 
 /// Expands anew with contacts that creep, or leaves the expansion as it is.
 template <int N>
 bool TaylorRun<N>::try_creep(double fastest, double ratio) {
-  if (standstill_ > 0 || !creep_.due(ratio)) return false;
+  if (!book_.made_progress() || !creep_.due(ratio)) return false;
   return creep_.begin(
       motion_, dynamics_, [this](const std::vector<double>& state) { expand(state); }, state_, probe_,
       longest_step(fastest), longest_step(fastest * ratio));
@@ -210,7 +210,7 @@ bool TaylorRun<N>::try_creep(double fastest, double ratio) {
 template <int N>
 bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
   const bool moved = tangents_.pass(motion_, duration, tangent_accuracy_);
-  effort_.taylor_work +=
+  book_.effort.taylor_work +=
       run::share_of_a_tangent * static_cast<double>(tangents_.count() + tangents_.take_sweeps());
   if (!moved) return false;
   put_samples(report, end_phase);
@@ -241,17 +241,13 @@ void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duratio
     if (motion_.law(i).friction.constant != 0 && !report.slip_reversed)
       report.slip_reversed = slip_reverses(motion_.contact(i), motion_.order(), duration);
   }
-  if (touching) {
-    report.touched = true;
-    report.contact_fraction += duration / numerics::full_turn;
-  }
+  if (touching) run::add_contact(duration / numerics::full_turn, report);
   if (peaks_wanted_) note_peaks(motion_, system_, dynamics_.modes(), fastest, duration, states_, report);
 }
 
 template <int N>
 void TaylorRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from) {
-  ++effort_.switches;
-  report.add({clock_.time(), static_cast<int>(i), from, dynamics_.modes()[i]}, switches_wanted_);
+  book_.note_switch({clock_.time(), static_cast<int>(i), from, dynamics_.modes()[i]}, report);
 }
 
 /// The force is continuous across the switch of a mode: one rate holds on both sides of it.
@@ -260,7 +256,7 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
   clock_.change_pulses();
   dynamics_(state_, rate_, clock_.time());
   if (event.slip) {
-    ++effort_.switches;
+    ++book_.effort.switches;
     if (*event.slip == contact::Slip::sticking) {
       stop_slip(*event.contact);
     } else {

@@ -8,7 +8,7 @@
 #include "rubsweep/core/integrate/run/options.hpp"
 #include "rubsweep/core/integrate/run/outcome.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
-#include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/integrate/run/turn_book.hpp"
 #include "rubsweep/core/integrate/run/turn_clock.hpp"
 #include "rubsweep/core/integrate/taylor/creep_choice.hpp"
 #include "rubsweep/core/integrate/taylor/expansion.hpp"
@@ -37,6 +37,9 @@ class TaylorRun {
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = numerics::full_turn);
+  /// Begins a revolution that `go_on` makes in pieces and `finish` completes, of a scene without impulses.
+  void begin(const run::TurnRequest& request, run::TurnReport& report,
+             double end_phase = numerics::full_turn);
 
   /// As SeriesOptions::accuracy, from the next piece on.
   void set_series_accuracy(double accuracy) { motion_.set_accuracy(accuracy); }
@@ -49,14 +52,15 @@ class TaylorRun {
   /// TurnRequest::tangent_vectors).
   void join(const run::TurnRequest& request, long revolution, double phase_rad, std::span<const double> state,
             const std::vector<contact::Mode>& modes, const Eigen::MatrixXd& tangent_vectors);
-  /// One piece of the turn that was joined; `report` goes on. After `ok` the run is at `phase_rad()`.
+  /// One piece of the turn that was begun or joined; `report` goes on. After `ok` the run is at
+  /// `phase_rad()`.
   run::Outcome go_on(run::TurnReport& report) {
-    const bool may_go_on = effort_.steps < step_limit_ && expansions_ < expansion_limit_;
+    const bool may_go_on = book_.may_step() && expansions_ < expansion_limit_;
     return may_go_on ? step(report) : run::Outcome::step_limit;
   }
   /// Whether the last piece reached the end of the turn.
   bool at_end_of_turn() const { return clock_.turn_is_over(); }
-  /// Completes the report of a turn that was joined and is at its end.
+  /// Completes the report of a turn that was begun or joined and is at its end.
   void finish(run::TurnReport& report) { end(report, run::Outcome::ok); }
 
   double phase_rad() const { return clock_.time(); }
@@ -70,8 +74,12 @@ class TaylorRun {
 
   /// Scaled state where the run is: where the next revolution begins, or in the turn that was joined.
   const std::vector<double>& section() const { return state_; }
-  long revolution() const { return revolution_; }
-  const run::Effort& effort() const { return effort_; }
+  long revolution() const { return book_.revolution; }
+  run::Effort effort() const {
+    run::Effort effort = book_.effort;
+    effort.taylor_pieces = effort.steps;
+    return effort;
+  }
 
  private:
   void ask(const run::TurnRequest& request);
@@ -101,18 +109,16 @@ class TaylorRun {
   CreepChoice<N> creep_;
   double tangent_accuracy_ = 0;
   double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
-  long max_steps_ = 0, step_limit_ = 0;
+  run::TurnBook book_;
+  long max_steps_ = 0;
   /// Where contacts creep a piece takes several, and a search for creep that fails takes them for nothing.
   long expansions_ = 0, expansion_limit_ = 0;
   std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
   SlipZeros zeros_;
   bool entered_ = false;
-  int standstill_ = 0;
   int samples_wanted_ = 0;  ///< as asked for in this turn
-  bool peaks_wanted_ = false, switches_wanted_ = false;
-  long revolution_ = 0;
-  run::Effort effort_;
+  bool peaks_wanted_ = false;
 };
 
 extern template class TaylorRun<2>;

@@ -1,10 +1,12 @@
 #include "rubsweep/core/response/motion/record.hpp"
 
+#include "rubsweep/core/scene/observed.hpp"
+
 namespace rubsweep::response::motion {
 
 Record::Record(const scene::Scene& scene, const ResponseOptions& options)
     : options_(options),
-      map_(scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map * scene.length_scale_m),
+      map_(scene::observed(scene) * scene.length_scale_m),
       length_scale_m_(scene.length_scale_m),
       states_(2 * static_cast<std::size_t>(scene.structure.coordinates())) {
   const auto turns = static_cast<std::size_t>(2 * options.window_revolutions);

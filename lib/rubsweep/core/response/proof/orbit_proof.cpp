@@ -7,6 +7,7 @@
 #include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/response/motion/record.hpp"
+#include "rubsweep/core/response/motion/record_settled.hpp"
 #include "rubsweep/core/response/proof/adapted_norm.hpp"
 #include "rubsweep/core/response/proof/approach.hpp"
 #include "rubsweep/core/response/proof/orbit_ball.hpp"
@@ -144,19 +145,14 @@ std::optional<motion::Measures> OrbitProof::measure(const std::vector<double>& s
   window.window_revolutions = order;
   motion::Record record(scene_, window);
   record.begin(section);
-  const integrate::run::Run run = integrate::start(scene_, solver_, workspace_.modes);
-  run.restart(section);
-  integrate::run::TurnRequest request;
-  integrate::run::TurnReport turn;
-  request.samples_per_revolution = options_.samples_per_revolution;
-  request.peaks = true;
-  bool touched = false;
-  for (int k = 0; k < order; ++k) {
-    if (run.advance(request, turn) != integrate::run::Outcome::ok) return std::nullopt;
-    record.add(turn);
-    touched = touched || turn.touched;
-  }
-  if (!touched) return std::nullopt;
+  const auto turns =
+      motion::record_settled(scene_, solver_, workspace_.modes,
+                             {.start = section,
+                              .turns = order,
+                              .samples_per_revolution = options_.samples_per_revolution,
+                              .peaks = true,
+                              .take = [&](const motion::RecordedTurn& turn) { record.add(turn.report); }});
+  if (!turns || !turns->touched) return std::nullopt;
   return motion::measure_window(record.window(0), workspace_.spectrum);
 }
 

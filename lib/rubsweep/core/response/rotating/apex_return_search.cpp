@@ -3,6 +3,7 @@
 #include "rubsweep/core/numerics/full_turn.hpp"
 #include "rubsweep/core/response/proof/periodic_orbit.hpp"
 #include "rubsweep/core/response/rotating/rotating_frame.hpp"
+#include "rubsweep/core/scene/observed.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {
@@ -15,7 +16,7 @@ constexpr double constant_rate = 1e-12;
 }  // namespace
 
 ApexReturnSearch::ApexReturnSearch(const scene::Scene& scene)
-    : map_(scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map),
+    : map_(scene::observed(scene)),
       states_(2 * scene.structure.coordinates()),
       returns_(static_cast<std::size_t>(states_), most_maxima) {}
 

@@ -10,6 +10,7 @@
 #include "rubsweep/core/response/motion/classify.hpp"
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/core/response/spectrum/orbit_shape.hpp"
+#include "rubsweep/core/scene/observed.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {
@@ -23,7 +24,7 @@ struct Knot {
 };
 
 std::vector<Knot> knots_of(const scene::Scene& scene, const RotatingArc& once, int samples_per_revolution) {
-  const auto& map = scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
+  const auto& map = scene::observed(scene);
   const Eigen::Index n = map.cols();
   const auto knot = [&](double phase, const Eigen::VectorXd& state, double turn_back_rad) {
     const Eigen::Vector2d z = scene.length_scale_m * (map * state.head(n)),

@@ -18,6 +18,7 @@
 #include "rubsweep/core/response/proof/approach.hpp"
 #include "rubsweep/core/response/proof/periodic_orbit.hpp"
 #include "rubsweep/core/response/rotating/cycle_measures.hpp"
+#include "rubsweep/core/scene/observed.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {
@@ -125,7 +126,7 @@ bool RotatingProof::comes_near_to(const RotatingEquilibrium& circle, std::span<c
 
 motion::ProvenMotion RotatingProof::measured(const RotatingEquilibrium& circle) {
   const VectorXd& state = circle.state;
-  const auto& map = scene_.structure.points[static_cast<std::size_t>(scene_.observed_point)].map;
+  const auto& map = scene::observed(scene_);
   const Eigen::Vector2d z = scene_.length_scale_m * (map * state.head(map.cols()));
   const double casing_m = field_.casing_displacement_m(state);
   std::vector<std::complex<double>> displacement_m;

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <functional>
 #include <numbers>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,28 +27,32 @@ constexpr std::string_view table_forms =
 constexpr double newtons_per_lbf = 4.4482216152605, metres_per_inch = 0.0254;
 constexpr double lbf_per_in = newtons_per_lbf / metres_per_inch;
 
-/// Name of a column and how many SI units its numbers count in.
-struct Name {
-  std::string text;
+/// Ending of the name of a column, and how many SI units its numbers count in; the second one is printed.
+struct Unit {
+  std::string_view ending;
   double in_si = 0;
 };
+constexpr std::array<Unit, 5> of_stiffness{
+    {{"", 1}, {"_n_per_m", 1}, {"_n_per_mm", 1e3}, {"_n_per_um", 1e6}, {"_lbf_per_in", lbf_per_in}}};
+constexpr std::array<Unit, 4> of_damping{
+    {{"", 1}, {"_ns_per_m", 1}, {"_ns_per_mm", 1e3}, {"_lbf_s_per_in", lbf_per_in}}};
+constexpr std::array<Unit, 2> of_mass{{{"", 1}, {"_kg", 1}}};
 
-/// Names of each column in the order of model::support_coefficients: without a unit, then with each unit, of
-/// which the first is printed.
-const std::vector<std::vector<Name>>& names() {
-  static const std::vector<std::vector<Name>> all = [] {
-    const std::vector<Name> stiffness{
-        {"_n_per_m", 1}, {"_n_per_mm", 1e3}, {"_n_per_um", 1e6}, {"_lbf_per_in", lbf_per_in}},
-        damping{{"_ns_per_m", 1}, {"_ns_per_mm", 1e3}, {"_lbf_s_per_in", lbf_per_in}}, mass{{"_kg", 1}};
-    std::vector<std::vector<Name>> columns;
-    for (const std::string_view plain : model::support_coefficients) {
-      auto& column = columns.emplace_back(std::vector<Name>{{std::string(plain), 1}});
-      for (const Name& unit : plain[0] == 'k' ? stiffness : plain[0] == 'c' ? damping : mass)
-        column.push_back({column[0].text + unit.text, unit.in_si});
+/// Names of a column of model::support_coefficients with their units; they stay.
+const std::vector<std::pair<std::string, double>>& names_of(std::size_t column) {
+  static const auto all = [] {
+    std::array<std::vector<std::pair<std::string, double>>, model::support_coefficients.size()> names;
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      const std::string coefficient(model::support_coefficients[c]);
+      const std::span<const Unit> units = coefficient[0] == 'k'   ? std::span<const Unit>(of_stiffness)
+                                          : coefficient[0] == 'c' ? std::span<const Unit>(of_damping)
+                                                                  : of_mass;
+      for (const auto& [ending, in_si] : units)
+        names[c].emplace_back(coefficient + std::string(ending), in_si);
     }
-    return columns;
+    return names;
   }();
-  return all;
+  return all[column];
 }
 
 constexpr std::array<std::string_view, 3> speed_keys{"speed_hz", "speed_rpm", "speed_rad_per_s"};
@@ -122,7 +127,7 @@ std::optional<std::vector<double>> find_column(yaml::Section& section, std::size
                                                std::size_t points) {
   std::optional<std::vector<double>> found;
   std::string_view first;
-  for (const auto& [name, in_si] : names()[column]) {
+  for (const auto& [name, in_si] : names_of(column)) {
     const auto value = section.find(name);
     if (!value) continue;
     if (found) {
@@ -147,38 +152,23 @@ std::string in_small_letters(std::string_view text) {
 
 /// Ending of a key, by the unit of a column; of those with M or k for millions and thousands as they are.
 std::string_view ending_of(std::string_view unit) {
-  using Ending = std::pair<std::string_view, std::string_view>;
-  constexpr std::array endings{Ending{"n/m", "_n_per_m"},
-                               Ending{"n/mm", "_n_per_mm"},
-                               Ending{"n/um", "_n_per_um"},
-                               Ending{"kN/m", "_n_per_mm"},
-                               Ending{"kN/mm", "_n_per_um"},
-                               Ending{"MN/m", "_n_per_um"},
-                               Ending{"lbf/in", "_lbf_per_in"},
-                               Ending{"lb/in", "_lbf_per_in"},
-                               Ending{"ns/m", "_ns_per_m"},
-                               Ending{"kg/s", "_ns_per_m"},
-                               Ending{"ns/mm", "_ns_per_mm"},
-                               Ending{"kNs/m", "_ns_per_mm"},
-                               Ending{"lbfs/in", "_lbf_s_per_in"},
-                               Ending{"lbs/in", "_lbf_s_per_in"},
-                               Ending{"kg", "_kg"},
-                               Ending{"rpm", "_rpm"},
-                               Ending{"1/min", "_rpm"},
-                               Ending{"rev/min", "_rpm"},
-                               Ending{"r/min", "_rpm"},
-                               Ending{"min1", "_rpm"},
-                               Ending{"u/min", "_rpm"},
-                               Ending{"hz", "_hz"},
-                               Ending{"rev/s", "_hz"},
-                               Ending{"rad/s", "_rad_per_s"},
-                               Ending{"1/s", "_hz"}};
+  // Each unit, and then its ending.
+  constexpr std::array<std::string_view, 50> endings{
+      "n/m",        "_n_per_m",    "n/mm",       "_n_per_mm", "n/um",          "_n_per_um",  "kN/m",
+      "_n_per_mm",  "kN/mm",       "_n_per_um",  "MN/m",      "_n_per_um",     "lbf/in",     "_lbf_per_in",
+      "lb/in",      "_lbf_per_in", "ns/m",       "_ns_per_m", "kg/s",          "_ns_per_m",  "ns/mm",
+      "_ns_per_mm", "kNs/m",       "_ns_per_mm", "lbfs/in",   "_lbf_s_per_in", "lbs/in",     "_lbf_s_per_in",
+      "kg",         "_kg",         "rpm",        "_rpm",      "1/min",         "_rpm",       "rev/min",
+      "_rpm",       "r/min",       "_rpm",       "min1",      "_rpm",          "u/min",      "_rpm",
+      "hz",         "_hz",         "rev/s",      "_hz",       "rad/s",         "_rad_per_s", "1/s",
+      "_hz"};
   const std::string plain = table::plain_unit(unit), small = in_small_letters(plain);
-  for (const auto& [written, ending] : endings) {
+  for (std::size_t i = 0; i < endings.size(); i += 2) {
+    const std::string_view written = endings[i];
     const bool as_it_is =
         written.find_first_of("Mk") != std::string_view::npos && written.find('N') != std::string_view::npos;
     const bool milli = plain.starts_with("mN");
-    if (as_it_is ? plain == written : small == written && !milli) return ending;
+    if (as_it_is ? plain == written : small == written && !milli) return endings[i + 1];
   }
   return {};
 }
@@ -207,7 +197,7 @@ ColumnKey key_of_support(const table::Heading& heading) {
   const std::string in_words = heading.name + (heading.unit.empty() ? "" : " [" + heading.unit + ']');
   if (name == "speed" && heading.unit.empty())
     return {"speed", fmt::format("'{}' says no unit", yaml::shown(in_words)),
-            "rpm, Hz or rad/s behind it or below it"};
+            "rpm, Hz or rad/s behind it or below it, or as speed_unit beside file"};
   if (heading.unit.empty()) return {name};
   const bool stiffness = ending.starts_with("_n_per") || ending == "_lbf_per_in";
   const bool damping = ending.starts_with("_ns_per") || ending == "_lbf_s_per_in";
@@ -225,6 +215,33 @@ ColumnKey key_of_support(const table::Heading& heading) {
   return {stem + std::string(ending)};
 }
 
+/// Takes `speed_unit` out of a map with a file: the unit of speeds where the file says none.
+void resolve_table(yaml::Node& table, const std::string& path, yaml::Diagnostics& diagnostics) {
+  const yaml::Node* given = child(&table, "file") == nullptr ? nullptr : child(&table, "speed_unit");
+  if (given == nullptr) return resolve_table_file(table, path, key_of_support, diagnostics);
+  const yaml::Node written = *given;
+  const yaml::Value value{written, path + ".speed_unit", diagnostics};
+  const auto unit = read_text(value);
+  const auto place = given - table.items.data();
+  table.keys.erase(table.keys.begin() + place);
+  table.items.erase(table.items.begin() + place);
+  constexpr std::array<std::string_view, 3> units{"rpm", "Hz", "rad/s"};
+  if (!unit) return;
+  if (std::ranges::find(units, *unit) == units.end())
+    return refuse(value, fmt::format("'{}' is no unit of speeds", yaml::shown(*unit)), "rpm, Hz or rad/s");
+  bool is_needed = false;
+  const auto key_of = [&](const table::Heading& heading) {
+    ColumnKey key = key_of_support(heading);
+    if (key.key != "speed" || !heading.unit.empty()) return key;
+    is_needed = true;
+    return key_of_support({heading.name, *unit});
+  };
+  const std::size_t problems = diagnostics.count();
+  resolve_table_file(table, path, key_of, diagnostics);
+  if (!is_needed && diagnostics.count() == problems)
+    refuse(value, "is given, and the file says the unit of its speeds", "no speed_unit");
+}
+
 }  // namespace
 
 void resolve_tables(yaml::Node& root, yaml::Diagnostics& diagnostics) {
@@ -232,7 +249,7 @@ void resolve_tables(yaml::Node& root, yaml::Diagnostics& diagnostics) {
   if (supports == nullptr || supports->kind != yaml::Node::Kind::list) return;
   for (std::size_t i = 0; i < supports->items.size(); ++i) {
     if (yaml::Node* table = child(&supports->items[i], "table"))
-      resolve_table_file(*table, fmt::format("rotor.supports.{}.table", i), key_of_support, diagnostics);
+      resolve_table(*table, fmt::format("rotor.supports.{}.table", i), diagnostics);
   }
 }
 
@@ -270,16 +287,19 @@ keys::Form support_table_form() {
                            must("speed_rpm", speeds, "the same in revolutions per minute"),
                            must("speed_rad_per_s", speeds, "the same in radians per second")};
   std::vector<Choice> choices{either(speed_keys)};
-  for (const auto& column : names()) {
-    Choice& choice = choices.emplace_back(std::vector<Way>{}, !is_needed(column[0].text));
-    for (const Name& name : column) {
+  for (std::size_t c = 0; c < model::support_coefficients.size(); ++c) {
+    Choice& choice = choices.emplace_back(std::vector<Way>{}, !is_needed(model::support_coefficients[c]));
+    for (const auto& [name, in_si] : names_of(c)) {
       columns.push_back(
-          must(name.text, numbers({}), "coefficient at these speeds, in the unit of its name or in SI"));
-      choice.ways.push_back({{name.text}, {}});
+          must(name, numbers({}), "coefficient at these speeds, in the unit of its name or in SI"));
+      choice.ways.push_back({{name}, {}});
     }
   }
-  return any_of({map_of({must("file", text(), "file of these columns, its name relative to this one")}),
-                 map_of(std::move(columns), std::move(choices))});
+  return any_of(
+      {map_of({must("file", text(), "file of these columns, its name relative to this one"),
+               newer_key(may("speed_unit", word({"rpm", "Hz", "rad/s"}),
+                             "unit of the speeds of a file that says none", "(that of the file)"))}),
+       map_of(std::move(columns), std::move(choices))});
 }
 
 void print_support_table(yaml::Printer& printer, const model::SupportTable& table) {
@@ -289,7 +309,7 @@ void print_support_table(yaml::Printer& printer, const model::SupportTable& tabl
     if (!is_needed(model::support_coefficients[c]) &&
         std::ranges::all_of(table.columns[c], [](double value) { return value == 0; }))
       continue;
-    printer.numbers(names()[c][1].text, table.columns[c]);
+    printer.numbers(names_of(c)[1].first, table.columns[c]);
   }
   printer.close();
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "rubsweep/maps/config/machine/ansys_bearing.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 #include "rubsweep/maps/table/encoding.hpp"
 #include "rubsweep/maps/table/rows.hpp"
@@ -25,6 +26,8 @@ class TableFile {
     yaml::Node read{yaml::Node::Kind::map, name_.node.place};
     try {
       const std::string text = table::utf8_of(bytes);
+      if (const auto bearing = key_of_({"kxx"}).key.empty() ? std::nullopt : read_ansys_bearing(text, file_))
+        return *bearing;
       const table::Layout layout = table::layout_of(
           text, [&](const table::Heading& heading) { return !key_of_(heading).key.empty(); });
       name_columns(layout, read);

@@ -9,8 +9,8 @@
 #include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
 #include "rubsweep/analysis/branch/orbits/settled_start.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
+#include "rubsweep/core/response/motion/record_settled.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
 
 namespace rubsweep::fit::rub {
@@ -26,26 +26,20 @@ std::vector<Complex> sampled(const scene::Scene& scene, const integrate::run::So
                              integrate::exact::modes::ModeCache& modes, const Eigen::VectorXd& state,
                              int turns) {
   constexpr double same = 1e-6;
-  const auto& observed = scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
-  const integrate::run::Run run = integrate::start(response::proof::after_the_kick(scene), solver, modes);
-  run.restart({state.data(), static_cast<std::size_t>(state.size())});
-  integrate::run::TurnRequest request;
-  request.samples_per_revolution = samples_per_turn;
-  integrate::run::TurnReport report;
+  const scene::Scene after = response::proof::after_the_kick(scene);
   std::vector<Complex> places_m;
-  bool touched = false;
-  for (int turn = 0; turn < turns; ++turn) {
-    if (run.advance(request, report) != integrate::run::Outcome::ok) return {};
-    touched = touched || report.touched;
-    const Eigen::Map<const Eigen::MatrixXd> samples(report.samples.data(), state.size(), report.sample_count);
-    if (turn > 0 && (samples.col(0) - state).norm() < same * state.norm()) return {};
-    for (Eigen::Index k = 0; k < samples.cols(); ++k) {
-      const Eigen::Vector2d place_m =
-          scene.length_scale_m * (observed * samples.col(k).head(state.size() / 2));
-      places_m.emplace_back(place_m.x(), place_m.y());
-    }
-  }
-  return touched ? places_m : std::vector<Complex>{};
+  bool sooner = false;
+  const auto record = response::motion::record_settled(
+      after, solver, modes,
+      {.start = {state.data(), static_cast<std::size_t>(state.size())},
+       .turns = turns,
+       .samples_per_revolution = samples_per_turn,
+       .take = [&](const response::motion::RecordedTurn& turn) {
+         const Eigen::Map<const Eigen::VectorXd> begin(turn.report.samples.data(), state.size());
+         sooner = sooner || (turn.left < turns && (begin - state).norm() < same * state.norm());
+         response::motion::add_samples(after, turn.report, places_m);
+       }});
+  return record && record->touched && !sooner ? places_m : std::vector<Complex>{};
 }
 
 /// Angle of the shaft where a run of the scene begins: the scene turns the forces of the shaft so that it

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "rubsweep/analysis/linear/experiment.hpp"
+#include "rubsweep/core/model/length_text.hpp"
+
+namespace rubsweep::apps {
+
+/// Preliminary experiments on a rotor as texts: sensor readings, and parameters identified from them.
+struct ExperimentTables {
+  std::string sensors_csv;         ///< t_s, speed_hz, shaft_angle_rad, then sensor_i_m
+  std::string bode_csv;            ///< run-up only: speed_hz, then sensor_i_amplitude_m, sensor_i_phase_deg
+  std::string identification_csv;  ///< quantity, sensor, value
+  std::string summary;             ///< for a terminal
+};
+
+/// t_s, speed_hz, shaft_angle_rad, then sensor_i_m: samples x sensors of a run at this speed.
+std::string sensors_csv(const linear::LinearRun& run, const Eigen::MatrixXd& signal_m);
+
+ExperimentTables tables_of(const linear::FreeResponse& response);
+/// The summary says amplitudes as asked for, in m otherwise.
+ExperimentTables tables_of(const linear::RunUp& run_up, const model::ShownLengths& shown = {});
+
+}  // namespace rubsweep::apps

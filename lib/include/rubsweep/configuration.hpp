@@ -1,0 +1,22 @@
+#pragma once
+
+/// \file
+/// Configurations as files: YAML, or JSON and TOML, which the programs read as well. Every key is checked,
+/// and ConfigError holds all problems, one a line: `file:line:column: path.to.key: what is wrong, allowed:
+/// what is allowed`. IoError: the file cannot be read. Overrides are `path.to.key=value`, as for `--set`.
+///
+/// config::RunConfig has `study` (machine, grid, solver, classification) and where results go. print_config
+/// gives the complete YAML, defaults included, which reads back as an equal configuration. read_cell_config
+/// is for a single cell.
+///
+/// ```cpp
+/// using namespace rubsweep;
+/// const config::RunConfig config =
+///     config::read_run_config("configs/minimal.yaml", {"rotor.damping_ratio=0.03", "kick.force_n=250"});
+/// std::printf("%zu cells\n", sweep::cell_count(config.study.grid));
+/// std::puts(config::print_config(config).c_str());
+/// ```
+
+#include "rubsweep/maps/config/line_keys.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/read_run_config.hpp"

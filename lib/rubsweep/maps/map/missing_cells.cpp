@@ -1,0 +1,150 @@
+#include "rubsweep/maps/map/missing_cells.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/maps/batch/lap_time.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
+#include "rubsweep/maps/map/refined_cells.hpp"
+#include "rubsweep/maps/report/describe_footprint.hpp"
+#include "rubsweep/maps/report/describe_modes.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
+#include "rubsweep/maps/sweep/footprint.hpp"
+#include "rubsweep/maps/sweep/idle_torsion.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
+#include "rubsweep/maps/sweep/untouched_walls.hpp"
+
+namespace rubsweep::map {
+namespace {
+
+/// Until the journals of other shards are read again.
+constexpr std::chrono::milliseconds shard_patience{500};
+
+/// Shards that were begun with one command are not there at one instant, and the first may have no more to do
+/// before the last has begun.
+constexpr std::chrono::seconds beginners_patience{5};
+
+}  // namespace
+
+MissingCells::MissingCells(const ComputeOptions& options, const sweep::Study& study, MapDirectory& directory)
+    : threads_(options.threads),
+      study_(study),
+      directory_(directory),
+      program_(options.program),
+      stop_(options.stop ? *options.stop : never_),
+      log_(directory, options.progress) {
+  // Which cells a refinement wants is not known beforehand.
+  if (study.grid.refinement) return;
+  const std::size_t speeds = study.grid.speed_hz.size();
+  log_.progress().expect({speeds, sweep::cell_count(study.grid) / speeds, directory.missing()});
+}
+
+/// Computes round after round of the cells that the refinement of those before needs. Shards at work at the
+/// same time wait for each other's.
+bool MissingCells::run_refined() {
+  RefinedCells known(study_.grid);
+  bool alone = false;
+  const auto begun = std::chrono::steady_clock::now();
+  while (!stop_) {
+    known.read(directory_);
+    std::vector<std::size_t> wanted = known.wanted(), own = wanted;
+    std::erase_if(own, [&](std::size_t cell) { return !directory_.has_in_share(cell); });
+    if (!own.empty()) {
+      alone = false;
+      run_cells(own);
+    } else if (directory_.is_at_work_on(wanted) ||
+               (!wanted.empty() && std::chrono::steady_clock::now() - begun < beginners_patience)) {
+      alone = false;
+      std::this_thread::sleep_for(shard_patience);
+    } else if (!wanted.empty() && !alone) {
+      alone = true;  // what others wrote before they left is read once more
+    } else {
+      left_to_others_ = wanted.size();
+      break;
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  complete_ = !stop_;
+  if (!complete_) return false;
+  log_.progress().finish();
+  if (left_to_others_ == 0) description_ = known.description();
+  return true;
+}
+
+/// A few cells from all over the map tell how long it will take.
+void MissingCells::run_pilots(std::vector<std::size_t>& cells, std::size_t pilots_wanted,
+                              const std::string& hint) {
+  const auto pilots = sweep::take_pilot_cells(cells, pilots_wanted);
+  const auto start = std::chrono::steady_clock::now();
+  run_cells(pilots);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  const std::string text = batch::forecast(pilots.size(), elapsed.count(), cells.size());
+  if (text.empty()) return;
+  say_progress(text);
+  if (!hint.empty()) say_progress(hint);
+}
+
+bool MissingCells::run() {
+  if (study_.grid.refinement) return run_refined();
+  const scene::PreparedMachine prepared = scene::prepare_machine(study_.machine);
+  const double slowest_hz = *std::ranges::min_element(study_.grid.speed_hz);
+  for (std::string why : {sweep::why_torsion_is_idle(prepared, slowest_hz),
+                          sweep::why_walls_stay_untouched(study_, prepared)}) {
+    if (why.empty()) continue;
+    why.pop_back();
+    say_progress(why);
+  }
+  const int threads = batch::thread_count(threads_);
+  std::vector<std::size_t> cells = directory_.missing();
+  const std::size_t pilots_wanted = batch::pilot_count(cells.size(), static_cast<std::size_t>(threads));
+  // Only where somebody is there to read it.
+  if (say_progress(report::describe_footprint(study_, prepared, {threads})) && pilots_wanted > 0)
+    run_pilots(cells, pilots_wanted, report::describe_many_modes(prepared));
+  run_cells(cells);
+  const std::lock_guard lock(mutex_);
+  return all_finished();
+}
+
+void MissingCells::run_cells(std::span<const std::size_t> cells) {
+  const batch::LapTime time;
+  sweep::run_cells(
+      study_, cells, threads_,
+      [&](std::size_t cell, const sweep::Row& row) { write_down(cell, row, time.lap_s()); }, stop_);
+}
+
+void MissingCells::write_down(std::size_t cell, const sweep::Row& row, double seconds) {
+  const std::string line = report::map_line(row, study_);
+  const std::lock_guard lock(mutex_);
+  if (!given_up_) log_.add(cell, line, seconds);
+}
+
+bool MissingCells::say_progress(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  return log_.progress().say(text);
+}
+
+void MissingCells::refresh() {
+  const std::lock_guard lock(mutex_);
+  log_.refresh();
+}
+
+bool MissingCells::give_up() {
+  const std::lock_guard lock(mutex_);
+  if (complete_ || (!study_.grid.refinement && all_finished())) return false;
+  given_up_ = true;
+  log_.close();
+  directory_.leave();
+  return true;
+}
+
+std::string MissingCells::interrupted() {
+  const std::lock_guard lock(mutex_);
+  if (!given_up_) log_.close();
+  return interrupted_map(program_, directory_, log_.finished());
+}
+
+}  // namespace rubsweep::map

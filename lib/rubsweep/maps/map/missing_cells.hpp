@@ -1,0 +1,68 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rubsweep/maps/map/cell_log.hpp"
+#include "rubsweep/maps/map/compute_map.hpp"
+#include "rubsweep/maps/map/map_directory.hpp"
+#include "rubsweep/maps/sweep/row.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
+
+namespace rubsweep::map {
+
+/// Computes the cells that a directory misses and writes each one down as it is finished. `run` works in the
+/// calling thread and in threads of its own; meanwhile one other thread may call `refresh` and `give_up`.
+class MissingCells {
+ public:
+  /// All three must outlive it. Opens journal and partial map; throws IoError.
+  MissingCells(const ComputeOptions& options, const sweep::Study& study, MapDirectory& directory);
+
+  /// False when it was stopped before all were finished. Throws IoError.
+  bool run();
+
+  /// Redraws the progress, and asks for the journal to be on the disk where that is due.
+  void refresh();
+
+  /// Cells that still run are not waited for: nothing of them gets into the journal any more, and the
+  /// directory is free for others. False, and nothing done, where no cell is left to give up.
+  bool give_up();
+
+  /// After a run that was stopped or given up: ends the progress, and returns a message of how many cells are
+  /// finished.
+  std::string interrupted();
+
+  /// Cells that a refined map wants of other shards, none of which was at work when this one had no more to
+  /// do.
+  std::size_t left_to_others() const { return left_to_others_; }
+
+  /// Cost of a refined map that is complete; empty for any other.
+  const std::string& description() const { return description_; }
+
+ private:
+  bool all_finished() const { return log_.finished() == directory_.missing().size(); }
+  bool run_refined();
+  void run_pilots(std::vector<std::size_t>& cells, std::size_t pilots_wanted, const std::string& hint);
+  void run_cells(std::span<const std::size_t> cells);
+  void write_down(std::size_t cell, const sweep::Row& row, double seconds);
+  bool say_progress(const std::string& text);
+
+  const int threads_;
+  const sweep::Study& study_;
+  MapDirectory& directory_;
+  const std::string program_;
+  const std::atomic<bool> never_ = false;
+  const std::atomic<bool>& stop_;
+  std::mutex mutex_;  ///< guards all that follows
+  CellLog log_;
+  bool complete_ = false;  ///< a refined map wants no more cells
+  bool given_up_ = false;
+  std::size_t left_to_others_ = 0;
+  std::string description_;
+};
+
+}  // namespace rubsweep::map

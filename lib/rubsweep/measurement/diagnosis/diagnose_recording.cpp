@@ -1,0 +1,148 @@
+#include "rubsweep/measurement/diagnosis/diagnose_recording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/measurement/diagnose/inference/kept_cases.hpp"
+#include "rubsweep/measurement/scope/order_history.hpp"
+
+namespace rubsweep::diagnosis {
+namespace {
+
+namespace inference = diagnose::inference;
+
+/// Fewest motions that an interrupted diagnosis answers from.
+constexpr std::size_t fewest_motions = 100;
+
+/// Knowledge of the machine in the candidates.
+void tell_machine(const DiagnosedMachine& machine, const std::string& list,
+                  std::vector<diagnose::Candidate>& candidates) {
+  const diagnose::KnownKit* kit = machine.fixed.kit.get();
+  for (diagnose::Candidate& candidate : candidates) {
+    spread_of(candidate, diagnose::Unknown::natural_frequency) = machine.natural_frequency_hz;
+    spread_of(candidate, diagnose::Unknown::damping_ratio) = machine.damping_ratio;
+    const std::optional<diagnose::Spread>& position = candidate.position_m;
+    if (position && (!kit || position->high > kit->length_m))
+      throw ConfigError(fmt::format("{}: candidates: position_m of {}: {}, allowed: {}", list, candidate.name,
+                                    kit ? "is beyond the shaft" : "is said of a Jeffcott rotor",
+                                    kit ? fmt::format("0 to {}", kit->length_m) : "none"));
+    if (!kit) continue;
+    spread_of(candidate, diagnose::Unknown::kit) = {0, 1};
+    spread_of(candidate, diagnose::Unknown::position) =
+        position.value_or(diagnose::Spread{kit->from_m, kit->to_m});
+    if (!kit->same_all_around && candidate.cause != diagnose::Cause::no_rub)
+      spread_of(candidate, diagnose::Unknown::stop_angle) = {-180, 180};
+  }
+}
+
+inference::CaseOptions case_options(const DiagnosisEffort& effort) {
+  return {.cases_per_candidate = effort.motions,
+          .threads = effort.threads,
+          .stop = effort.stop,
+          .on_cases = effort.on_motions};
+}
+
+bool is_stopped(const DiagnosisEffort& effort) { return effort.stop && *effort.stop; }
+
+}  // namespace
+
+RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording recording,
+                                 const recording::Instrument& instrument,
+                                 const DiagnosisQuestions& questions) {
+  if (recording.turns() < fewest_turns)
+    throw ConfigError(fmt::format("{}: has {} whole turns, allowed: {} or more", questions.name,
+                                  recording.turns(), fewest_turns));
+  if (scope::speed_changes(recording))
+    throw ConfigError(questions.name + ": the speed changes, allowed: a steady one, or from_s and to_s");
+  const double speed_hz = inference::simulated_speed_hz(recording.mean_speed_hz());
+  prepare_kits(questions.machine, speed_hz, machine);
+  const config::dataset::CandidateFile& candidates = questions.candidates;
+  RecordedProblem recorded{.recording = std::move(recording),
+                           .problem = {.candidates = candidates.candidates,
+                                       .prior = candidates.prior,
+                                       .fixed = machine.fixed,
+                                       .eccentricity_m = candidates.eccentricity_m ? candidates.eccentricity_m
+                                                                                   : machine.eccentricity_m,
+                                       .speed_hz = speed_hz,
+                                       .turns = 0,
+                                       .measuring = candidates.measuring,
+                                       .seed = questions.seed},
+                           .remarks = machine.remarks,
+                           .text = machine.text};
+  inference::DiagnosisProblem& problem = recorded.problem;
+  problem.turns = std::min(recorded.recording.turns(), most_turns);
+  problem.measuring.probes = recorded.recording.plane ? 2 : 1;
+  problem.measuring.readings_per_turn =
+      recorded.recording.sampling_rate_hz / recorded.recording.mean_speed_hz();
+  problem.measuring.directions = machine.fixed.kit && !machine.fixed.kit->same_all_around;
+  problem.measuring.probe_angle_rad = instrument.probes.front().angle_deg * std::numbers::pi / 180;
+  problem.measuring.from_rest = recorded.recording.from_rest;
+  tell_machine(machine, questions.list, problem.candidates);
+  return recorded;
+}
+
+std::optional<inference::CaseSet> kept_motions(const RecordedProblem& recorded,
+                                               const DiagnosisEffort& effort) {
+  if (effort.kept_motions.empty()) return std::nullopt;
+  return inference::kept_cases(
+      effort.kept_motions, inference::cases_digest(recorded.problem, case_options(effort)), recorded.problem);
+}
+
+inference::CaseSet simulated_motions(const RecordedProblem& recorded, const DiagnosisEffort& effort) {
+  const inference::CaseOptions options = case_options(effort);
+  inference::CaseSet set = prior_cases(recorded.problem, options);
+  if (!effort.kept_motions.empty() && !is_stopped(effort))
+    keep_cases(effort.kept_motions, inference::cases_digest(recorded.problem, options), set);
+  return set;
+}
+
+diagnose::MotionLines lines_of(const RecordedProblem& recorded) {
+  response::spectrum::SpectrumWorkspace workspace;
+  const std::span all(recorded.recording.displacement_m);
+  return diagnose::lines_of(
+      all.last(static_cast<std::size_t>(recorded.problem.turns) * recording::samples_per_revolution),
+      recorded.problem.turns, inference::seen_order(recorded.problem.measuring), workspace);
+}
+
+std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorded, const std::string& name,
+                                                  inference::CaseSet motions, const DiagnosisEffort& effort) {
+  if (is_stopped(effort) && motions.cases.size() < fewest_motions) return std::nullopt;
+  const inference::DiagnosisProblem& problem = recorded.problem;
+  const diagnose::MotionLines lines = lines_of(recorded);
+  response::spectrum::SpectrumWorkspace workspace;
+  const diagnose::features::DescribedMotion seen =
+      diagnose::features::describe(lines, inference::view_of(problem.measuring), workspace);
+  inference::DiagnosisOptions options{.cases = case_options(effort), .most_rounds = effort.rounds};
+  const inference::Diagnosis diagnosis = inference::diagnose(problem, seen, options, std::move(motions));
+  auto next = is_stopped(effort) ? std::vector<inference::NextMeasurement>{}
+                                 : inference::next_measurements(problem, diagnosis, effort.threads);
+  diagnose::answer::RecordingFacts facts{.name = name,
+                                         .speed_hz = recorded.recording.mean_speed_hz(),
+                                         .turns = problem.turns,
+                                         .probes = problem.measuring.probes,
+                                         .size_m = seen.size_m,
+                                         .findings = recorded.recording.findings};
+  facts.findings.insert(facts.findings.end(), recorded.remarks.begin(), recorded.remarks.end());
+  auto answer =
+      diagnose::answer::answer_of(problem, diagnosis, seen, lines, std::move(facts), std::move(next));
+  answer.interrupted = is_stopped(effort);
+  return answer;
+}
+
+std::optional<diagnose::answer::Answer> diagnose_recording(recording::Recording recording,
+                                                           const recording::Instrument& instrument,
+                                                           const DiagnosisQuestions& questions,
+                                                           const DiagnosisEffort& effort) {
+  const RecordedProblem recorded = recorded_problem(read_diagnosed_machine(questions.machine, questions.seed),
+                                                    std::move(recording), instrument, questions);
+  std::optional<inference::CaseSet> motions = kept_motions(recorded, effort);
+  if (!motions) motions = simulated_motions(recorded, effort);
+  return answer_of(recorded, questions.name, *std::move(motions), effort);
+}
+
+}  // namespace rubsweep::diagnosis

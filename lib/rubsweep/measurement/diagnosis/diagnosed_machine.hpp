@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/measurement/diagnose/drawn_machine.hpp"
+#include "rubsweep/measurement/diagnose/spread.hpp"
+
+namespace rubsweep::diagnosis {
+
+/// A rotor as far as it is known.
+struct DiagnosedMachine {
+  diagnose::FixedNumbers fixed{};
+  diagnose::Spread natural_frequency_hz{}, damping_ratio{};  ///< of a Jeffcott rotor
+  std::optional<diagnose::Spread> eccentricity_m{};          ///< unbalance, where it was fitted
+  std::vector<std::string> remarks{};   ///< where an interval comes from when it is not the file's
+  std::string text{};                   ///< of all files that were read
+  std::vector<model::RotorKit> kits{};  ///< of a rotor kit: draws of what is not known
+};
+
+/// Reads the configuration of a machine and the intervals that rubfit left in parameters.csv and
+/// correlation.csv beside it; without these 1 % of the natural frequencies and 20 % of the damping. A rotor
+/// kit is drawn from them, `seed` is that of the draws. Throws ConfigError where a Jeffcott rotor has no
+/// damping, gravity acts, or diagnose::refuse_unscalable refuses a kit, and IoError.
+DiagnosedMachine read_diagnosed_machine(const std::filesystem::path& file, std::uint64_t seed);
+
+/// Makes the drawn kits known at the speed of the recording; nothing of a Jeffcott rotor. Throws ConfigError
+/// as diagnose::known_kit.
+void prepare_kits(const std::filesystem::path& file, double speed_hz, DiagnosedMachine& diagnosed);
+
+}  // namespace rubsweep::diagnosis

@@ -1,0 +1,108 @@
+#include "rubsweep/measurement/diagnosis/diagnose_recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <complex>
+#include <numbers>
+
+#include "measurement/diagnosis/machine_file.hpp"
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::diagnosis {
+namespace {
+
+const recording::Instrument two_probes{
+    .probes = {{.column = "x", .angle_deg = 30}, {.column = "y", .angle_deg = 120}}};
+
+/// A circle of 20 um that turns with the shaft.
+recording::Recording circle(int turns, double speed_hz = 60) {
+  recording::Recording recording;
+  recording.sampling_rate_hz = 6000;
+  recording.plane = true;
+  for (int turn = 0; turn <= turns; ++turn) recording.turn_begin_s.push_back(turn / speed_hz);
+  for (int k = 0; k < turns * recording::samples_per_revolution; ++k)
+    recording.displacement_m.push_back(
+        std::polar(2e-5, 2 * std::numbers::pi * k / recording::samples_per_revolution));
+  return recording;
+}
+
+RecordedProblem recorded(recording::Recording recording, const DiagnosisQuestions& questions) {
+  return recorded_problem(read_diagnosed_machine(questions.machine, questions.seed), std::move(recording),
+                          two_probes, questions);
+}
+
+std::string refused(recording::Recording recording, const DiagnosisQuestions& questions) {
+  try {
+    recorded(std::move(recording), questions);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(DiagnoseRecording, TheProblemIsThatOfRecordingAndMachine) {
+  const MachineFile file;
+  const RecordedProblem problem = recorded(circle(40), {.name = "run.csv", .machine = file.path, .seed = 7});
+  EXPECT_EQ(problem.problem.turns, most_turns);
+  EXPECT_EQ(problem.problem.measuring.probes, 2);
+  EXPECT_NEAR(problem.problem.measuring.readings_per_turn, 100, 1e-9);
+  EXPECT_NEAR(problem.problem.measuring.probe_angle_rad, std::numbers::pi / 6, 1e-15);
+  EXPECT_NEAR(problem.problem.speed_hz, 60, 0.003 * 60);
+  EXPECT_EQ(problem.problem.seed, 7u);
+  for (const diagnose::Candidate& candidate : problem.problem.candidates)
+    EXPECT_NEAR(spread_of(candidate, diagnose::Unknown::natural_frequency).low, 30 / 1.01, 1e-12);
+}
+
+TEST(DiagnoseRecording, ShortRecordingsAndOnesOfAChangingSpeedAreRefused) {
+  const MachineFile file;
+  const DiagnosisQuestions questions{.name = "run.csv", .machine = file.path};
+  EXPECT_EQ(refused(circle(11), questions), "run.csv: has 11 whole turns, allowed: 12 or more");
+  recording::Recording faster = circle(40);
+  for (std::size_t k = 0; k < faster.turn_begin_s.size(); ++k)
+    faster.turn_begin_s[k] /= 1 + 0.01 * static_cast<double>(k);
+  EXPECT_NE(refused(faster, questions).find("run.csv: the speed changes"), std::string::npos);
+}
+
+TEST(DiagnoseRecording, PlacesAlongAShaftAreThoseOfAKit) {
+  const MachineFile file;
+  DiagnosisQuestions questions{.name = "run.csv", .machine = file.path, .list = "candidates.yaml"};
+  questions.candidates.candidates[1].position_m = diagnose::Spread{0.1, 0.2};
+  EXPECT_NE(refused(circle(20), questions).find("is said of a Jeffcott rotor, allowed: none"),
+            std::string::npos);
+  const MachineFile of_kit(kit);
+  questions.machine = of_kit.path;
+  questions.candidates.candidates[1].position_m = diagnose::Spread{0.1, 0.5};
+  EXPECT_NE(refused(circle(20), questions).find("is beyond the shaft, allowed: 0 to 0.4"), std::string::npos);
+}
+
+TEST(DiagnoseRecording, AStoppedDiagnosisHasNoAnswerWithoutMotions) {
+  const MachineFile file;
+  const std::atomic<bool> stop = true;
+  EXPECT_FALSE(diagnose_recording(circle(20), two_probes, {.name = "run.csv", .machine = file.path},
+                                  {.motions = 5, .stop = &stop}));
+}
+
+TEST(DiagnoseRecording, ACircleIsNoRubAndKeptMotionsGiveTheSameAnswer) {
+  const MachineFile file;
+  DiagnosisQuestions questions{.name = "run.csv", .machine = file.path};
+  questions.candidates.candidates.resize(2);
+  questions.candidates.prior = {0.5, 0.5};
+  DiagnosisEffort effort{
+      .motions = 25, .rounds = 0, .threads = 1, .kept_motions = file.temporary.path() / "kept"};
+  std::filesystem::create_directory(effort.kept_motions);
+  const RecordedProblem problem = recorded(circle(20), questions);
+  EXPECT_FALSE(kept_motions(problem, effort));
+  const auto first = diagnose_recording(circle(20), two_probes, questions, effort);
+  EXPECT_TRUE(kept_motions(problem, effort));
+  effort.threads = 2;
+  const auto second = diagnose_recording(circle(20), two_probes, questions, effort);
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->candidates.front().name, "no_rub");
+  ASSERT_EQ(first->candidates.size(), second->candidates.size());
+  for (std::size_t k = 0; k < first->candidates.size(); ++k)
+    EXPECT_EQ(first->candidates[k].probability, second->candidates[k].probability);
+}
+
+}  // namespace
+}  // namespace rubsweep::diagnosis
