@@ -11,7 +11,7 @@
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
-#include "rubsweep/maps/config/cell_config.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/read_run_config.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"

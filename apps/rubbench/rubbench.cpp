@@ -16,7 +16,7 @@
 #include "bench/work_precision_report.hpp"
 #include "rubbench_arguments.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
-#include "rubsweep/maps/config/cell_config.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"
 #include "shared/exit_code.hpp"

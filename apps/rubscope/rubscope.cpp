@@ -10,7 +10,7 @@
 #include "rubscope_arguments.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
-#include "rubsweep/maps/config/cell_config.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"
 #include "rubsweep/measurement/recording/recording_file.hpp"
 #include "rubsweep/measurement/scope/comparison.hpp"

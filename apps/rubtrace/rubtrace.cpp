@@ -24,7 +24,7 @@
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
-#include "rubsweep/maps/config/cell_config.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/study_digest.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"

@@ -14,15 +14,13 @@
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
 #include "rubsweep/maps/config/yaml/json_document.hpp"
-#include "rubsweep/maps/config/yaml/json_string.hpp"
 #include "rubsweep/maps/config/yaml/terminal_text.hpp"
+#include "shared/json_string.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
 namespace {
 
-using config::yaml::json_list;
-using config::yaml::json_string;
 using config::yaml::Node;
 
 using Clock = std::chrono::steady_clock;

@@ -17,6 +17,6 @@
 /// std::puts(config::print_config(config).c_str());
 /// ```
 
-#include "rubsweep/maps/config/cell_config.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/read_run_config.hpp"

@@ -1,9 +1,13 @@
 #include "rubsweep/maps/config/read_run_config.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <random>
+#include <set>
 
 #include "maps/config/support.hpp"
+#include "rubsweep/maps/config/yaml/alternatives.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -191,6 +195,46 @@ TEST(ReadRunConfig, AnswersAnyFileWithAConfigurationOrAMessage) {
   }
   EXPECT_GT(taken, 50);
   EXPECT_GT(refused, 1000);
+}
+
+void for_each_choice(const keys::Form& form, const std::function<void(const keys::Choice&)>& see) {
+  for (const keys::Choice& choice : form.choices) see(choice);
+  for (const keys::Form& inner : form.forms) for_each_choice(inner, see);
+  for (const keys::Key& key : form.keys) for_each_choice(key.form, see);
+}
+
+/// Whether files that say it in two ways over a base are refused, with these keys of their own.
+bool is_refused_over_a_base(const keys::Choice& choice) {
+  static const std::set<std::string> keys{"geometry", "mode", "table",          "at_housing",
+                                          "bearing",  "node", "speed_rad_per_s"};
+  return std::ranges::any_of(choice.ways, [](const keys::Way& way) {
+    const bool column = way.required.size() == 1 && way.required[0].size() == 3;  // of a table: kxx
+    return column ||
+           std::ranges::any_of(way.required, [](const std::string& key) { return keys.contains(key); });
+  });
+}
+
+/// A law or a measure that is forgotten in yaml/alternatives is found here.
+TEST(RunForm, AKeyWrittenOverAMapTakesBackTheOtherWays) {
+  int choices = 0;
+  for_each_choice(run_form(), [&](const keys::Choice& choice) {
+    if (is_refused_over_a_base(choice)) return;
+    ++choices;
+    for (const keys::Way& way : choice.ways) {
+      for (const keys::Way& other : choice.ways) {
+        for (const std::string& key : other.required) {
+          if (std::ranges::count(way.required, key) + std::ranges::count(way.optional, key) > 0) continue;
+          yaml::Node map{yaml::Node::Kind::map, yaml::SourcePosition{}};
+          map.keys.push_back({key, yaml::SourcePosition{}});
+          map.items.push_back(yaml::Node{yaml::Node::Kind::null, yaml::SourcePosition{}});
+          const bool shared = std::ranges::count(other.required, way.required[0]) > 0;
+          drop_alternatives(map, way.required[0]);
+          EXPECT_EQ(map.keys.empty(), !shared) << way.required[0] << " over " << key;
+        }
+      }
+    }
+  });
+  EXPECT_GE(choices, 8);
 }
 
 }  // namespace

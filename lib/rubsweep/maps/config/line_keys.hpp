@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 
 namespace rubsweep::config {
@@ -26,5 +27,12 @@ bool are_named(const sweep::KeyAxis& axis, const std::vector<std::string>& overr
 LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::filesystem::path& file,
                    const std::vector<std::string>& overrides,
                    const std::vector<std::string>& said_elsewhere = {});
+
+/// Configuration of cells that differ by speed and unbalance alone: the values of axes over keys are written
+/// into their keys, and there are no such axes any more. An axis whose keys are all named by overrides or are
+/// among those `said_elsewhere` has the values given there. Throws ConfigError as read_run_config does, and
+/// with its place for every other axis of several values.
+RunConfig read_cell_config(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                           const std::vector<std::string>& said_elsewhere = {});
 
 }  // namespace rubsweep::config

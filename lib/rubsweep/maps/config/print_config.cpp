@@ -5,7 +5,6 @@
 #include "rubsweep/maps/config/output.hpp"
 #include "rubsweep/maps/config/study/captions.hpp"
 #include "rubsweep/maps/config/study/response.hpp"
-#include "rubsweep/maps/config/study/solver.hpp"
 #include "rubsweep/maps/config/study/start.hpp"
 #include "rubsweep/maps/config/study/study_kind.hpp"
 #include "rubsweep/maps/config/study/sweep.hpp"

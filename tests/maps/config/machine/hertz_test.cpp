@@ -1,4 +1,4 @@
-#include "rubsweep/maps/config/machine/hertz.hpp"
+#include "rubsweep/maps/config/machine/stop.hpp"
 
 #include "maps/config/support.hpp"
 #include "rubsweep/core/contact/friction_law.hpp"

@@ -42,65 +42,28 @@ std::string one_of_several(const Form& form, const Form& first) {
   }
 }
 
-Form of_kind(Kind kind) {
-  Form form;
-  form.kind = kind;
-  return form;
-}
-
 }  // namespace
 
-Form number(const model::Range& range) {
-  Form form = of_kind(Kind::number);
-  form.range = range;
-  return form;
-}
-Form integer(long low, long high) {
-  Form form = of_kind(Kind::integer);
-  form.low = low;
-  form.high = high;
-  return form;
-}
+Form number(const model::Range& range) { return {.kind = Kind::number, .range = range, .keys = {}}; }
+Form integer(long low, long high) { return {.kind = Kind::integer, .low = low, .high = high, .keys = {}}; }
 Form even_integer(long low, long high) {
-  Form form = integer(low, high);
-  form.even = true;
-  return form;
+  return {.kind = Kind::integer, .low = low, .high = high, .even = true, .keys = {}};
 }
 Form word(std::vector<std::string> words) {
-  Form form = of_kind(Kind::word);
-  form.words = std::move(words);
-  return form;
+  return {.kind = Kind::word, .words = std::move(words), .keys = {}};
 }
 Form one_of(std::span<const std::string_view> words) { return word({words.begin(), words.end()}); }
-Form text(std::size_t most) {
-  Form form = of_kind(Kind::text);
-  form.most = most;
-  return form;
-}
+Form text(std::size_t most) { return {.kind = Kind::text, .most = most, .keys = {}}; }
 Form list_of(Form item, std::size_t least, std::size_t most) {
-  Form form = of_kind(Kind::list);
-  form.least = least;
-  form.most = most;
-  form.forms.push_back(std::move(item));
-  return form;
+  return {.kind = Kind::list, .least = least, .most = most, .forms = {std::move(item)}, .keys = {}};
 }
 Form map_of(std::vector<Key> keys, std::vector<Choice> choices) {
-  Form form = of_kind(Kind::map);
-  form.keys = std::move(keys);
-  form.choices = std::move(choices);
-  return form;
+  return {.kind = Kind::map, .keys = std::move(keys), .choices = std::move(choices)};
 }
 Form numbered(Form item, std::size_t count) {
-  Form form = of_kind(Kind::numbered);
-  form.most = count;
-  form.forms.push_back(std::move(item));
-  return form;
+  return {.kind = Kind::numbered, .most = count, .forms = {std::move(item)}, .keys = {}};
 }
-Form any_of(std::vector<Form> forms) {
-  Form form = of_kind(Kind::any_of);
-  form.forms = std::move(forms);
-  return form;
-}
+Form any_of(std::vector<Form> forms) { return {.kind = Kind::any_of, .forms = std::move(forms), .keys = {}}; }
 
 Key must(std::string name, Form form, std::string meaning) {
   return {.name = std::move(name), .form = std::move(form), .meaning = std::move(meaning), .required = true};

@@ -6,9 +6,8 @@
 
 namespace rubsweep::config::machine {
 
-/// The keys of `rotor` beside kind: matrices: those of read_shaft_matrices, supports beside the matrices, and
-/// of those of a rotor kit static_loads, sensors, damping_ratio, rotating_damping_ratio, clearances_from,
-/// modes and modes_up_to_hz. Places along the shaft must be those of nodes.
+/// The keys of `rotor` beside kind: matrices: those of read_shaft_matrices, and those of a rotor kit that
+/// matrices do not exclude. Places along the shaft must be those of nodes.
 model::RotorKit read_matrix_rotor(yaml::Section& section);
 std::vector<keys::Key> matrix_rotor_keys();
 

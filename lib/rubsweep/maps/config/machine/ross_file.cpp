@@ -194,20 +194,15 @@ class KitOfElements {
 };
 
 /// Keys of a disc's unbalance beside its tag.
-struct DiscUnbalance {
-  double eccentricity_ratio = 1, eccentricity_phase_deg = 0, skew_rad_per_m = 0, skew_phase_deg = 0;
-
-  static void visit_fields(auto& self, auto&& visit) {
-    using model::key, model::physical::per_eccentricity;
-    visit("eccentricity_ratio", self.eccentricity_ratio,
-          key(per_eccentricity,
-              "distance of the centre of mass from the axis, per metre of the cell's eccentricity"));
-    visit("eccentricity_phase_deg", self.eccentricity_phase_deg,
-          key(model::any_finite, "angle of that distance"));
-    visit("skew_rad_per_m", self.skew_rad_per_m, key(per_eccentricity, "lean of the axis of inertia"));
-    visit("skew_phase_deg", self.skew_phase_deg, key(model::any_finite, "angle of that lean"));
-  }
-};
+void visit_unbalance(auto& disc, auto&& visit) {
+  using model::key, model::any_finite, model::physical::per_eccentricity;
+  visit("eccentricity_ratio", disc.eccentricity_ratio,
+        key(per_eccentricity,
+            "distance of the centre of mass from the axis, per metre of the cell's eccentricity"));
+  visit("eccentricity_phase_deg", disc.eccentricity_phase_deg, key(any_finite, "angle of that distance"));
+  visit("skew_rad_per_m", disc.skew_rad_per_m, key(per_eccentricity, "lean of the axis of inertia"));
+  visit("skew_phase_deg", disc.skew_phase_deg, key(any_finite, "angle of that lean"));
+}
 
 /// Unbalance of single discs, by their tags; the others are balanced then.
 void read_unbalance(const yaml::Value& list, const RossSections& elements, model::RotorKit& kit) {
@@ -219,8 +214,8 @@ void read_unbalance(const yaml::Value& list, const RossSections& elements, model
   for (const yaml::Value& item : *items) {
     yaml::Section section(item);
     const auto tag = section.require("disc", yaml::describe(tags));
-    DiscUnbalance unbalance;
-    read_fields(section, unbalance);
+    model::Disc unbalance;
+    visit_unbalance(unbalance, model::fields_into(section));
     section.refuse_unknown_keys();
     const auto index = tag ? yaml::read_word(*tag, tags) : std::nullopt;
     if (!index) continue;
@@ -284,17 +279,18 @@ model::RotorKit read_ross_rotor(yaml::Section& section) {
 
 std::vector<keys::Key> ross_keys() {
   using namespace keys;
-  std::vector<Key> keys = newer(
-      {must("file", text(), "file of ROSS, TOML or JSON, its name relative to this one"),
-       may("unbalance",
-           list_of(map_of(joined({{must("disc", text(), "tag of the disc")}, keys_of<DiscUnbalance>()})), 1,
-                   model::RotorKit::most_parts),
-           "discs that stand off the axis; those that are not named are balanced",
-           "(all, with a ratio of 1)")});
-  constexpr std::array<std::string_view, 6> of_elements{"shaft",     "discs",        "supports",
-                                                        "couplings", "point_masses", "housings"};
-  for (Key& key : rotor_kit_keys()) {
-    if (std::ranges::count(of_elements, key.name) != 0) continue;
+  const auto of_disc = [](Table& table) {
+    const model::Disc disc;
+    visit_unbalance(disc, model::fields_into(table));
+  };
+  std::vector<Key> keys =
+      newer({must("file", text(), "file of ROSS, TOML or JSON, its name relative to this one"),
+             may("unbalance",
+                 list_of(map_of(joined({{must("disc", text(), "tag of the disc")}, keys_by(of_disc)})), 1,
+                         model::RotorKit::most_parts),
+                 "discs that stand off the axis; those that are not named are balanced",
+                 "(all, with a ratio of 1)")});
+  for (Key& key : kit_rest_keys()) {
     if (key.name == "elements") key.fallback = "1";
     keys.push_back(std::move(key));
   }

@@ -16,13 +16,10 @@ namespace rubsweep::config::machine {
 inline constexpr std::string_view rotor_stiffness_key = "stiffness_n_per_m",
                                   rotor_damping_key = "damping_ns_per_m";
 
-/// Keys of `rotor` beside kind: jeffcott: mass_kg m; natural_frequency_hz or stiffness_n_per_m k, of which
-/// the frequency is sqrt(k / m) / (2 pi); damping_ratio or damping_ns_per_m c, of which the ratio is c / (2
-/// sqrt(k m)); rotating_damping_ratio.
+/// Keys of `rotor` beside kind: jeffcott.
 model::JeffcottRotor read_jeffcott(yaml::Section& section);
 
-/// `rotor`: {kind: jeffcott, ...}, see read_jeffcott, or {kind: rotor_kit, ...}, see rotor_kit.hpp, or {kind:
-/// ross, ...}, see ross_file.hpp, or {kind: matrices, ...}, see matrix_rotor.hpp. Fills machine.rotor.
+/// `rotor` of any kind. Fills machine.rotor.
 void read_rotor(const yaml::Value& value, model::Machine& machine);
 keys::Form rotor_form();
 void print_rotor(yaml::Printer& printer, const model::Machine& machine,

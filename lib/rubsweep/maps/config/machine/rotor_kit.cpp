@@ -84,11 +84,7 @@ void refuse_problem(yaml::Section& section, const std::optional<model::PartProbl
 
 template <class Part>
 void read_inner(yaml::Section& section, std::string_view name, std::optional<Part>& part) {
-  const auto value = section.find(name);
-  if (!value) return;
-  yaml::Section inner(*value);
-  read_fields(inner, part.emplace());
-  inner.refuse_unknown_keys();
+  if (const auto value = section.find(name)) read_map(*value, part.emplace());
 }
 
 void read_housing(yaml::Section& section, std::string_view name, std::optional<int>& housing,
@@ -114,10 +110,7 @@ void read_support(yaml::Section& section, model::Support& support, const model::
 
 template <class Part>
 void print_inner(yaml::Printer& printer, std::string_view name, const std::optional<Part>& part) {
-  if (!part) return;
-  printer.open(name);
-  print_fields(printer, *part);
-  printer.close();
+  if (part) print_map(printer, name, *part);
 }
 
 /// Whether a number of a part is printed: no place of a support at a housing, no numbers that a table stands

@@ -11,14 +11,11 @@
 
 namespace rubsweep::config::machine {
 
-/// The keys of `rotor` beside kind: rotor_kit. Lists of maps: shaft, discs, point_masses, housings, supports,
-/// couplings, static_loads, sensors; bow, torsion, damping_ratio (a number, or a list by mode), modes (auto
-/// or a number), modes_up_to_hz, elements.
+/// The keys of `rotor` beside kind: rotor_kit.
 model::RotorKit read_rotor_kit(yaml::Section& section);
-/// Keys of a kit that no file of another tool has: static_loads, sensors, bow, torsion, damping_ratio,
-/// rotating_damping_ratio, clearances_from, modes, modes_up_to_hz, elements. To be called when the shaft is
-/// known.
+/// Keys of a kit that no file of another tool has. To be called when the shaft is known.
 void read_kit_rest(yaml::Section& section, model::RotorKit& kit);
+std::vector<keys::Key> kit_rest_keys();
 
 /// Whether a table may stand for this number of a support.
 inline bool is_coefficient(std::string_view name) {

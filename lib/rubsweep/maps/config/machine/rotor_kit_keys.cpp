@@ -82,22 +82,26 @@ Form bow() {
 
 }  // namespace
 
-std::vector<Key> rotor_kit_keys() {
+std::vector<Key> kit_rest_keys() {
   return joined(
-      {{must("shaft", shaft(), "segments of the shaft, one behind the other"),
-        may("discs", discs(), "rigid discs on the shaft"),
-        must("supports", supports(), "bearings of shaft and housings"),
-        may("couplings", parts_of(keys_of<model::Coupling>()), "elastic joints of the shaft"),
-        newer_key(may("point_masses", parts_of(keys_of<model::PointMass>()),
-                      "masses without inertia against tilting")),
-        newer_key(may("housings", parts_of(keys_of<model::Housing>()),
-                      "bodies beside the shaft that move in x and y, held by supports")),
-        newer_key(may("static_loads", parts_of(keys_of<model::StaticLoad>()), "forces that do not change")),
+      {{newer_key(may("static_loads", parts_of(keys_of<model::StaticLoad>()), "forces that do not change")),
         may("sensors", parts_of(keys_of<model::Sensor>()), "proximity probes"),
         may("bow", bow(), "residual bow: it turns with the shaft and is not scaled by the cell", "(none)"),
         may("torsion", map_of(keys_of<model::Torsion>()),
             "twist of the rotor against a drive of constant speed", "(none)")},
        keys_of<model::RotorKit>()});
+}
+
+std::vector<Key> rotor_kit_keys() {
+  return joined({{must("shaft", shaft(), "segments of the shaft, one behind the other"),
+                  may("discs", discs(), "rigid discs on the shaft"),
+                  must("supports", supports(), "bearings of shaft and housings"),
+                  may("couplings", parts_of(keys_of<model::Coupling>()), "elastic joints of the shaft"),
+                  newer_key(may("point_masses", parts_of(keys_of<model::PointMass>()),
+                                "masses without inertia against tilting")),
+                  newer_key(may("housings", parts_of(keys_of<model::Housing>()),
+                                "bodies beside the shaft that move in x and y, held by supports"))},
+                 kit_rest_keys()});
 }
 
 }  // namespace rubsweep::config::machine

@@ -12,7 +12,7 @@
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/friction.hpp"
-#include "rubsweep/maps/config/machine/hertz.hpp"
+#include "rubsweep/maps/config/yaml/override.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
 namespace rubsweep::config::machine {
@@ -28,21 +28,9 @@ std::optional<model::Casing> read_casing(const yaml::Value& value) {
     read_word(value, {&rigid, 1}, casing_forms);
     return std::nullopt;
   }
-  yaml::Section section(value, casing_forms);
   model::Casing casing;
-  read_fields(section, casing);
-  section.refuse_unknown_keys();
+  read_map(value, casing, casing_forms);
   return casing;
-}
-
-void print_casing(yaml::Printer& printer, const std::optional<model::Casing>& casing) {
-  if (!casing) {
-    printer.word("casing", rigid);
-    return;
-  }
-  printer.open("casing");
-  print_fields(printer, *casing);
-  printer.close();
 }
 
 constexpr std::string_view stiffness_key = "stiffness_n_per_m";
@@ -95,6 +83,26 @@ model::ContactDamping read_damping(yaml::Section& section, std::variant<Dampings
   return damping;
 }
 
+/// `hertz`; empty after it added a problem.
+std::optional<model::HertzLine> read_hertz(const yaml::Value& value) {
+  yaml::Section section(value);
+  model::HertzLine contact;
+  model::HertzLine::visit_keys(contact, section);
+  if (contact.casing_shape == model::HertzShape::hole && contact.casing.radius_m <= contact.rotor.radius_m) {
+    yaml::refuse(
+        {*find_node(value.node, "casing.radius_m"), value.path + ".casing.radius_m", value.diagnostics},
+        "the rotor does not fit into the hole", "a number above the rotor's radius_m");
+  }
+  section.refuse_unknown_keys();
+  if (!section.is_sound()) return std::nullopt;
+  if (contact.length_m < 2 * contact::hertz_half_width_m(contact, contact.design_force_n)) {
+    section.refuse_together("design_force_n", {"design_force_n"}, "the contact is wider than long",
+                            "a smaller force or a greater length_m");
+    return std::nullopt;
+  }
+  return contact;
+}
+
 /// The stiffness is given, or follows from hertz.
 void read_contact(yaml::Section& section, model::Stop& stop) {
   const auto hertz = section.find(hertz_key);
@@ -120,7 +128,7 @@ void read_contact(yaml::Section& section, model::Stop& stop) {
 void print_contact(yaml::Printer& printer, const model::Stop& stop) {
   model::Stop::visit_fields(stop, [&](std::string_view name, double field, const model::Range& range) {
     if (name == stiffness_key && stop.hertz) {
-      print_hertz(printer, *stop.hertz);
+      printer.map(hertz_key, "", [&](auto& keys) { model::HertzLine::visit_keys(*stop.hertz, keys); });
     } else {
       printer.field(name, field, range);
     }
@@ -162,7 +170,7 @@ void print_stop(yaml::Printer& printer, const model::Stop& stop) {
   std::visit([&](const auto& damping) { print_fields(printer, damping); }, stop.damping);
   model::Stop::visit_mass(stop, model::fields_into(printer));
   print_friction(printer, stop.friction);
-  print_casing(printer, stop.casing);
+  stop.casing ? print_map(printer, "casing", *stop.casing) : printer.word("casing", rigid);
   printer.close();
 }
 

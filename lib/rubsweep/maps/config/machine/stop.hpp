@@ -12,10 +12,7 @@ namespace rubsweep::config::machine {
 
 inline constexpr std::size_t max_stops = 16;
 
-/// `stops`: a list of 1 to max_stops maps, each with kind: one_side and angle_deg, or kind: annular and
-/// offset_m; clearance_m, stiffness_n_per_m or hertz, contact_radius_m and one of restitution,
-/// restitution_by_rotor_mass, restitution_delivered, damping_ns_per_m; contact_mass_kg, friction and casing
-/// are optional. `places`: allowed positions along the shaft of a rotor kit; position_m is then required,
+/// `stops`, a list. `places`: allowed positions along the shaft of a rotor kit; position_m is then required,
 /// else it is unknown.
 std::vector<model::Stop> read_stops(const yaml::Value& value, const std::optional<model::Range>& places);
 keys::Form stops_form();

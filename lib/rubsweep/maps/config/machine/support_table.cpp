@@ -306,9 +306,9 @@ void print_support_table(yaml::Printer& printer, const model::SupportTable& tabl
   printer.open("table");
   printer.numbers("speed_hz", table.speed_hz);
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    const std::string_view name = model::support_coefficients[c];
-    const bool needed = name == "kxx" || name == "kyy";
-    if (!needed && std::ranges::all_of(table.columns[c], [](double value) { return value == 0; })) continue;
+    if (!is_needed(model::support_coefficients[c]) &&
+        std::ranges::all_of(table.columns[c], [](double value) { return value == 0; }))
+      continue;
     printer.numbers(names_of(c)[1].first, table.columns[c]);
   }
   printer.close();

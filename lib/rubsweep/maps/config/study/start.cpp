@@ -28,9 +28,7 @@ std::vector<std::optional<model::BodyState>> read_casings(const yaml::Value& val
     const auto casing = section.find(names[i]);
     if (!casing) continue;
     if (!stops[i].casing) refuse(*casing, "is of a rigid casing, which has no state", "a casing that moves");
-    yaml::Section body(*casing);
-    read_fields(body, casings[i].emplace());
-    body.refuse_unknown_keys();
+    read_map(*casing, casings[i].emplace());
   }
   section.refuse_unknown_keys();
   return casings;
@@ -112,10 +110,7 @@ void print_start(yaml::Printer& printer, const model::Start& start) {
   print_fields(printer, start.rotor);
   if (casings) printer.open("casings");
   for (std::size_t i = 0; i < start.casings.size(); ++i) {
-    if (!given(start.casings[i])) continue;
-    printer.open(std::to_string(i));
-    print_fields(printer, *start.casings[i]);
-    printer.close();
+    if (given(start.casings[i])) print_map(printer, std::to_string(i), *start.casings[i]);
   }
   if (casings) printer.close();
   printer.close();

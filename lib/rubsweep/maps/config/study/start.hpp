@@ -11,8 +11,7 @@
 
 namespace rubsweep::config::study {
 
-/// `kick`: {force_n, duration_s, angle_deg, phase_deg}, the angles optional; and position_m where there are
-/// `places` along the shaft of a rotor kit, optional too.
+/// `kick`; with a position_m where there are `places` along the shaft of a rotor kit.
 model::Kick read_kick(const yaml::Value& value, const std::optional<model::Range>& places);
 keys::Form kick_form();
 /// A kick that no run outlasts leaves nothing to look at: `longest_run_s` is that of the slowest shaft.
@@ -20,8 +19,7 @@ void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, doub
 
 void print_kick(yaml::Printer& printer, const model::Kick& kick);
 
-/// `start`: rest, or {x_m, y_m, vx_m_per_s, vy_m_per_s, casings}, each optional; `casings` maps the number of
-/// a stop whose casing moves to the same of that casing. `{}` starts on the quiet whirl, not kicked.
+/// `start`: rest, or a map, of which `{}` starts on the quiet whirl, not kicked.
 model::Start read_start(const yaml::Value& value, const std::vector<model::Stop>& stops);
 keys::Form start_form();
 void print_start(yaml::Printer& printer, const model::Start& start);

@@ -9,7 +9,6 @@
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
 #include "rubsweep/maps/config/machine/stop.hpp"
 #include "rubsweep/maps/config/study/response.hpp"
-#include "rubsweep/maps/config/study/solver.hpp"
 #include "rubsweep/maps/config/study/start.hpp"
 #include "rubsweep/maps/config/study/study_kind.hpp"
 #include "rubsweep/maps/config/study/sweep.hpp"

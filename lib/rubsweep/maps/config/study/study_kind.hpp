@@ -7,10 +7,7 @@
 
 namespace rubsweep::config::study {
 
-/// `study`: a question to every cell beside its motion. {kind: threshold, key: PATH, from, to,
-/// count, scale, tolerance}: the numbers at which rub goes on. {kind: basin, samples, over: [{key:
-/// PATH, from, to, scale}, ...]}: the attractors that starts drawn from a box lead to. {kind: map}:
-/// none.
+/// `study`: a question to every cell beside its motion.
 void read_study_kind(const yaml::Value& value, sweep::Study& study);
 
 keys::Form study_form();

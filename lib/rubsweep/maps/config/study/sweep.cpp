@@ -14,14 +14,6 @@
 namespace rubsweep::config::study {
 namespace {
 
-sweep::Refinement read_refinement(const yaml::Value& value) {
-  yaml::Section section(value);
-  sweep::Refinement refinement;
-  read_fields(section, refinement);
-  section.refuse_unknown_keys();
-  return refinement;
-}
-
 /// A refined map looks between neighbours.
 void refuse_disorder(const yaml::Section& section, const sweep::Grid& grid) {
   if (const auto axis = sweep::disordered_axis(grid)) {
@@ -59,7 +51,7 @@ sweep::Grid read_sweep(const yaml::Value& value, const model::Machine& machine) 
   refuse_speeds_beyond_tables(section, grid, machine);
   read_unbalance(section, machine, grid);
   grid.axes = read_key_axes(section);
-  if (const auto refine = section.find("refine")) grid.refinement = read_refinement(*refine);
+  if (const auto refine = section.find("refine")) read_map(*refine, grid.refinement.emplace());
   if (grid.refinement) refuse_disorder(section, grid);
   section.refuse_unknown_keys();
   std::string product = fmt::format("{} x {}", grid.speed_hz.size(), grid.unbalance.size());
@@ -110,11 +102,7 @@ void print_sweep(yaml::Printer& printer, const sweep::Grid& grid, AxisPrint how)
   print_place_axis(printer, "speed_hz", grid.written_speed, grid.speed_hz, how);
   print_place_axis(printer, to_string(grid.measure), grid.written_unbalance, grid.unbalance, how);
   print_key_axes(printer, grid.axes, how);
-  if (grid.refinement) {
-    printer.open("refine");
-    print_fields(printer, *grid.refinement);
-    printer.close();
-  }
+  if (grid.refinement) print_map(printer, "refine", *grid.refinement);
   printer.close();
 }
 

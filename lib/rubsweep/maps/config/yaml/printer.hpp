@@ -81,4 +81,12 @@ void print_fields(Printer& printer, const Struct& source) {
   Struct::visit_fields(source, model::fields_into(printer));
 }
 
+/// The same as a map of its own.
+template <class Struct>
+void print_map(Printer& printer, std::string_view name, const Struct& source) {
+  printer.open(name);
+  print_fields(printer, source);
+  printer.close();
+}
+
 }  // namespace rubsweep::config::yaml

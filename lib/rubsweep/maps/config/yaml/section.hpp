@@ -111,4 +111,12 @@ void read_fields(Section& section, Struct& target) {
   Struct::visit_fields(target, model::fields_into(section));
 }
 
+/// A map of the keys that the struct's own list names, and of no others.
+template <class Struct>
+void read_map(const Value& value, Struct& target, std::string_view allowed = "a map") {
+  Section section(value, allowed);
+  read_fields(section, target);
+  section.refuse_unknown_keys();
+}
+
 }  // namespace rubsweep::config::yaml

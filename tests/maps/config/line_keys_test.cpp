@@ -1,4 +1,4 @@
-#include "rubsweep/maps/config/cell_config.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
 
 #include <gtest/gtest.h>
 

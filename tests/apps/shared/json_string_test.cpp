@@ -1,8 +1,8 @@
-#include "rubsweep/maps/config/yaml/json_string.hpp"
+#include "shared/json_string.hpp"
 
 #include <gtest/gtest.h>
 
-namespace rubsweep::config::yaml {
+namespace rubsweep::apps {
 namespace {
 
 TEST(JsonString, EscapesWhatJsonDoesNotTake) {
@@ -21,4 +21,4 @@ TEST(JsonString, ListsHoldEveryTextEmptyOnesToo) {
 }
 
 }  // namespace
-}  // namespace rubsweep::config::yaml
+}  // namespace rubsweep::apps

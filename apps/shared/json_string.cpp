@@ -1,8 +1,8 @@
-#include "rubsweep/maps/config/yaml/json_string.hpp"
+#include "shared/json_string.hpp"
 
 #include <nlohmann/json.hpp>
 
-namespace rubsweep::config::yaml {
+namespace rubsweep::apps {
 
 std::string json_string(std::string_view text) {
   using nlohmann::json;
@@ -15,4 +15,4 @@ std::string json_list(const std::vector<std::string>& texts) {
   return "[" + result + "]";
 }
 
-}  // namespace rubsweep::config::yaml
+}  // namespace rubsweep::apps
