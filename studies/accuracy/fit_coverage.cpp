@@ -30,7 +30,7 @@
 #include "rubsweep/measurement/fit/ramp_phasor.hpp"
 #include "rubsweep/measurement/fit/rub/rub_orbits.hpp"
 #include "rubsweep/measurement/recording/recording.hpp"
-#include "rubsweep/measurement/scope/order_history.hpp"
+#include "rubsweep/measurement/scope/waterfall.hpp"
 
 namespace {
 

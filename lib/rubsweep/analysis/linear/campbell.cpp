@@ -1,14 +1,12 @@
 #include "rubsweep/analysis/linear/campbell.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "rubsweep/analysis/linear/critical_speeds.hpp"
 #include "rubsweep/analysis/linear/whirl_modes.hpp"
-#include "rubsweep/core/error.hpp"
 #include "rubsweep/core/numerics/assignment.hpp"
 
 namespace rubsweep::linear {
@@ -18,12 +16,7 @@ constexpr double sure = 0.9;      ///< an assurance that leaves no doubt which m
 constexpr double alike = 0.3;     ///< below it a mode is none of those before
 constexpr int most_halvings = 8;  ///< of a step of the speed
 
-/// A mode at one speed, as it is needed to follow it.
-struct Followed {
-  double speed_hz = 0;
-  WhirlMode mode;
-};
-using Curve = std::vector<Followed>;
+using Curve = std::vector<FollowedMode>;
 
 /// The curves between two speeds: which of `to` continues each of `from`, empty where none does, and which
 /// are new.
@@ -108,44 +101,7 @@ class Follower {
   std::vector<std::size_t> open_;  ///< curves that have not ended
 };
 
-/// The mode at a speed that is most like one of a speed nearby.
-WhirlMode alike_at(const WhirlProblem& problem, double speed_hz, const WhirlMode& reference) {
-  if (auto continued = problem.continued(reference, speed_hz)) return std::move(*continued);
-  const std::vector<WhirlMode> modes = problem.at(speed_hz).modes;
-  if (modes.empty()) throw SolverError("Campbell diagram: a mode is lost between two speeds");
-  return *std::ranges::max_element(modes, {},
-                                   [&](const WhirlMode& mode) { return assurance(mode, reference); });
-}
-
-/// Whirl frequency beyond the shaft speed.
-double excess_hz(const Followed& point) { return point.mode.frequency_hz() - point.speed_hz; }
-
-Followed locate(const WhirlProblem& problem, const Followed& low, const Followed& high) {
-  const auto excess = [&](double speed_hz) {
-    return alike_at(problem, speed_hz, low.mode).frequency_hz() - speed_hz;
-  };
-  std::uintmax_t iterations = 400;  // four halve the bracket at least: it ends before
-  const auto bracket =
-      boost::math::tools::toms748_solve(excess, low.speed_hz, high.speed_hz, excess_hz(low), excess_hz(high),
-                                        boost::math::tools::eps_tolerance<double>(48), iterations);
-  const double speed_hz = bracket.first + (bracket.second - bracket.first) / 2;
-  return {speed_hz, alike_at(problem, speed_hz, low.mode)};
-}
-
-std::vector<Followed> critical_points(const WhirlProblem& problem, const Curve& curve) {
-  std::vector<Followed> found;
-  for (std::size_t k = 1; k < curve.size(); ++k) {
-    const double low = excess_hz(curve[k - 1]), high = excess_hz(curve[k]);
-    if (high == 0) {
-      found.push_back(curve[k]);
-    } else if (low * high < 0) {
-      found.push_back(locate(problem, curve[k - 1], curve[k]));
-    }
-  }
-  return found;
-}
-
-ModeShape shape_of(const FreeRotor& rotor, const Followed& at, int number) {
+ModeShape shape_of(const FreeRotor& rotor, const FollowedMode& at, int number) {
   ModeShape shape{number,
                   at.speed_hz,
                   at.mode.frequency_hz(),
@@ -167,7 +123,7 @@ ModeShape shape_of(const FreeRotor& rotor, const Followed& at, int number) {
 
 /// Whether a curve comes below a frequency, or grows: a diagram shows every mode that makes a rotor unstable.
 bool is_shown(const Curve& curve, double up_to_hz) {
-  return std::ranges::any_of(curve, [&](const Followed& point) {
+  return std::ranges::any_of(curve, [&](const FollowedMode& point) {
     return point.mode.frequency_hz() <= up_to_hz || point.mode.root_per_s.real() > 0;
   });
 }
@@ -201,7 +157,7 @@ Campbell campbell(const FreeRotor& rotor, std::span<const double> speeds_hz, dou
     ++number;
     if (number > 2 && !is_shown(curve, up_to_hz)) continue;
     diagram.modes.push_back(asked_points(curve, number, speeds_hz));
-    const std::vector<Followed> critical = critical_points(problem, curve);
+    const std::vector<FollowedMode> critical = critical_points(problem, curve);
     for (const auto& [speed_hz, mode] : critical)
       diagram.critical_speeds.push_back({number, speed_hz, mode.damping_ratio(), mode.forward_share});
     diagram.shapes.push_back(shape_of(rotor, critical.empty() ? curve.front() : critical.front(), number));

@@ -5,7 +5,7 @@
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/measurement/dataset/data_study.hpp"
 #include "rubsweep/measurement/diagnose/observed_lines.hpp"
-#include "rubsweep/measurement/diagnose/spread.hpp"
+#include "rubsweep/measurement/diagnose/prior_spread.hpp"
 
 namespace rubsweep::config::dataset {
 

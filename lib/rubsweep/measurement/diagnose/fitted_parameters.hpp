@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/measurement/diagnose/prior_spread.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
-#include "rubsweep/measurement/diagnose/spread.hpp"
 
 namespace rubsweep::diagnose {
 

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "rubsweep/measurement/diagnose/motion_lines.hpp"
+#include "rubsweep/measurement/diagnose/prior_spread.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
-#include "rubsweep/measurement/diagnose/spread.hpp"
 
 namespace rubsweep::diagnose {
 

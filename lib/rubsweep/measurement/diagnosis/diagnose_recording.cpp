@@ -9,7 +9,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/diagnose/inference/kept_cases.hpp"
-#include "rubsweep/measurement/scope/order_history.hpp"
+#include "rubsweep/measurement/scope/waterfall.hpp"
 
 namespace rubsweep::diagnosis {
 namespace {

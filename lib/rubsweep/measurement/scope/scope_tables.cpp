@@ -12,7 +12,7 @@
 #include "rubsweep/core/numerics/straight_line.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/measurement/recording/shaft_turns.hpp"
-#include "rubsweep/measurement/scope/order_history.hpp"
+#include "rubsweep/measurement/scope/waterfall.hpp"
 
 namespace rubsweep::scope {
 namespace {

@@ -20,7 +20,7 @@ struct ScopeTables {
                           ///< Behind them line_order, line_order_uncertainty, line_amplitude_m,
                           ///< line_amplitude_uncertainty_m: the line whose nearest bin this is, of a motion
                           ///< without a period; else the line itself
-  std::string bode_csv;   ///< see order_history.hpp, as the next one
+  std::string bode_csv;   ///< see waterfall.hpp, as the next one
   std::string waterfall_csv;
   std::string measures_csv;  ///< quantity, value, uncertainty
   std::string summary;

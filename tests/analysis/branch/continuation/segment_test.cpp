@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "analysis/branch/continuation/plain_maps.hpp"
+#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
-#include "rubsweep/analysis/branch/continuation/locate.hpp"
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
 
 namespace rubsweep::branch::continuation {

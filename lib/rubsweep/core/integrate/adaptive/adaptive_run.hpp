@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/core/integrate/adaptive/crossing_search.hpp"
+#include "rubsweep/core/integrate/adaptive/event_search.hpp"
 #include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
 #include "rubsweep/core/integrate/adaptive/step_observer.hpp"
 #include "rubsweep/core/integrate/law/dynamics.hpp"

@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/diagnose/spread.hpp"
+#include "rubsweep/measurement/diagnose/prior_spread.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/scope/order_history.hpp"
+#include "rubsweep/measurement/scope/waterfall.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ recording::Recording motion(double f, double r) {
   return recording;
 }
 
-TEST(OrderHistory, ComponentsAreThoseThatWerePutIn) {
+TEST(Waterfall, ComponentsAreThoseThatWerePutIn) {
   const auto recording = motion(50, 4);
   for (const OrderPoint& point : order_history(recording, 1)) {
     EXPECT_NEAR(std::abs(point.x_m), 3e-5, 1e-9);
@@ -47,7 +47,7 @@ TEST(OrderHistory, ComponentsAreThoseThatWerePutIn) {
   EXPECT_THROW(order_history(recording, 0.3), SolverError);
 }
 
-TEST(OrderHistory, AResonanceOf1XIsNotSeenIn2X) {
+TEST(Waterfall, AResonanceOf1XIsNotSeenIn2X) {
   auto recording = motion(50, 4);
   for (std::size_t k = 0; k < recording.displacement_m.size(); ++k) {
     const double turn = static_cast<double>(k) / samples_per_revolution;
@@ -57,13 +57,13 @@ TEST(OrderHistory, AResonanceOf1XIsNotSeenIn2X) {
   for (const OrderPoint& point : order_history(recording, 2)) EXPECT_NEAR(std::abs(point.x_m), 2e-7, 1e-7);
 }
 
-TEST(OrderHistory, TellsAChangingSpeed) {
+TEST(Waterfall, TellsAChangingSpeed) {
   EXPECT_FALSE(speed_changes(motion(50, 0)));
   EXPECT_FALSE(speed_changes(motion(50, 0.2)));
   EXPECT_TRUE(speed_changes(motion(50, 4)));
 }
 
-TEST(OrderHistory, Tables) {
+TEST(Waterfall, Tables) {
   const auto recording = motion(50, 4);
   const std::string bode = bode_csv(recording, {1, 2});
   EXPECT_TRUE(bode.starts_with("t_s,speed_hz,order,x_amplitude_m,x_phase_deg,y_amplitude_m,y_phase_deg\n"));
@@ -89,7 +89,7 @@ std::pair<double, double> beside_and_at(const std::string& waterfall, std::initi
   return {beside, largest};
 }
 
-TEST(OrderHistory, AResonanceStaysAtItsOrdersInAWaterfall) {
+TEST(Waterfall, AResonanceStaysAtItsOrdersInAWaterfall) {
   // A vibration of 3.3X that swells and dies within a few turns, beside 1X forward, about a gap that drifts
   // (0X).
   auto recording = motion(50, 4);
@@ -105,7 +105,7 @@ TEST(OrderHistory, AResonanceStaysAtItsOrdersInAWaterfall) {
   EXPECT_LT(beside, 1e-3 * largest);
 }
 
-TEST(OrderHistory, ASteadyLineOfAWaterfallStandsAloneWithItsAmplitude) {
+TEST(Waterfall, ASteadyLineOfAWaterfallStandsAloneWithItsAmplitude) {
   auto recording = motion(50, 0);
   for (std::size_t k = 0; k < recording.displacement_m.size(); ++k)
     recording.displacement_m[k] =
@@ -115,7 +115,7 @@ TEST(OrderHistory, ASteadyLineOfAWaterfallStandsAloneWithItsAmplitude) {
   EXPECT_LT(beside, 1e-10);
 }
 
-TEST(OrderHistory, AFewTurnsHaveAWaterfallOfOneSpectrumOrNone) {
+TEST(Waterfall, AFewTurnsHaveAWaterfallOfOneSpectrumOrNone) {
   for (const auto& [turns, lines] : {std::pair{7, 0}, {8, 128}, {15, 128}, {16, 256}, {24, 2 * 256}}) {
     auto recording = motion(50, 0);
     recording.turn_begin_s.resize(static_cast<std::size_t>(turns) + 1);

@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/scope/order_history.hpp"
+#include "rubsweep/measurement/scope/waterfall.hpp"
 
 #include <fmt/format.h>
 

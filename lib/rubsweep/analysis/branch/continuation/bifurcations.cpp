@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/branch/continuation/locate.hpp"
+#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>

@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/branch/continuation/locate.hpp"
+#include "rubsweep/analysis/branch/continuation/bifurcations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ orbits::OrbitProblem with_multiplier(const Multiplier& m) {
 }
 
 /// The multiplier passes -1 at 0.4 and comes back through it at 0.6: at 0 and 1 it is the same.
-TEST(Locate, TwoPeriodDoublingsInOneStep) {
+TEST(Bifurcations, TwoPeriodDoublingsInOneStep) {
   const auto problem = with_multiplier([](double p) { return -1 + 3 * (p - 0.4) * (p - 0.6); });
   const auto found = found_in_one_step(problem, EventKind::period_doubling, 0, 1, number(0));
   ASSERT_EQ(found.size(), 2u);
@@ -63,7 +63,7 @@ TEST(Locate, TwoPeriodDoublingsInOneStep) {
 }
 
 /// Not of a cubic's shape, the roots at one end of the step, and hardly deep enough.
-TEST(Locate, TwoPeriodDoublingsNearTheEndOfAStep) {
+TEST(Bifurcations, TwoPeriodDoublingsNearTheEndOfAStep) {
   const auto problem =
       with_multiplier([](double p) { return -1 + 0.3 * (std::cosh(3 * (p - 0.8)) - std::cosh(0.06)); });
   const auto found = found_in_one_step(problem, EventKind::period_doubling, 0, 1, number(0));
@@ -72,7 +72,7 @@ TEST(Locate, TwoPeriodDoublingsNearTheEndOfAStep) {
   EXPECT_NEAR(found[1], 0.82, 1e-11);
 }
 
-TEST(Locate, ThreePeriodDoublingsInOneStep) {
+TEST(Bifurcations, ThreePeriodDoublingsInOneStep) {
   const auto problem = with_multiplier([](double p) { return -1 + 9 * (p - 0.2) * (p - 0.5) * (p - 0.9); });
   const auto found = found_in_one_step(problem, EventKind::period_doubling, 0, 1, number(0));
   ASSERT_EQ(found.size(), 3u);
@@ -82,13 +82,13 @@ TEST(Locate, ThreePeriodDoublingsInOneStep) {
 }
 
 /// A multiplier that turns back before it passes -1 is no event.
-TEST(Locate, NoneWhereTheMultiplierTurnsBack) {
+TEST(Bifurcations, NoneWhereTheMultiplierTurnsBack) {
   const auto problem = with_multiplier([](double p) { return -1 + (p - 0.5) * (p - 0.5) + 0.001; });
   EXPECT_TRUE(found_in_one_step(problem, EventKind::period_doubling, 0, 1, number(0)).empty());
 }
 
 /// x -> (1 + (p - 0.4) (p - 0.6)) x - x^3: the symmetric orbit 0 is unstable but between 0.4 and 0.6.
-TEST(Locate, TwoBranchPointsInOneStep) {
+TEST(Bifurcations, TwoBranchPointsInOneStep) {
   const auto problem = with_multiplier([](double p) { return 1 + (p - 0.4) * (p - 0.6); });
   const auto found = found_in_one_step(problem, EventKind::branch_point, 0, 1, number(0));
   ASSERT_EQ(found.size(), 2u);
@@ -97,7 +97,7 @@ TEST(Locate, TwoBranchPointsInOneStep) {
 }
 
 /// A rotation whose modulus passes 1 twice.
-TEST(Locate, TwoToriInOneStep) {
+TEST(Bifurcations, TwoToriInOneStep) {
   orbits::OrbitProblem problem;
   problem.low = 0;
   problem.high = 1;
@@ -116,7 +116,7 @@ TEST(Locate, TwoToriInOneStep) {
 
 /// p = 0.1 (x^3 - 0.03 x) turns at x = -0.1 and comes back at x = 0.1, and the direction of the branch hardly
 /// changes: continuation with steps of up to 1 goes over both folds at once.
-TEST(Locate, TwoFoldsInOneStep) {
+TEST(Bifurcations, TwoFoldsInOneStep) {
   const auto parameter_of = [](double x) { return 0.1 * (x * x * x - 0.03 * x); };
   const auto problem = one_number([&](double x, double p) { return x + p - parameter_of(x); },
                                   [](double x, double) { return 1 - 0.1 * (3 * x * x - 0.03); }, -1, 1);
