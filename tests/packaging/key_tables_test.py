@@ -11,7 +11,7 @@ rotor
     map; required
 rotor.mass_kg
     mass of a|b
-    > 0; in kg; required; since 0.1.0+
+    > 0; in kg; required; since 0.2.0
 note
     anything
     text, at most 9 bytes; default (none)
@@ -22,14 +22,14 @@ class Tables(unittest.TestCase):
     def test_rows(self):
         self.assertEqual(key_tables.rows(TEXT), [
             ("rotor", "the rotor", "map", "required"),
-            ("rotor.mass_kg", "mass of a|b", "> 0 kg", "required (since 0.1.0+)"),
+            ("rotor.mass_kg", "mass of a|b", "> 0 kg", "required (since 0.2.0)"),
             ("note", "anything", "text, at most 9 bytes", "(none)"),
         ])
 
     def test_keys_alone_come_first(self):
         text = key_tables.tables(TEXT)
         self.assertLess(text.index("`note`"), text.index("### rotor"))
-        self.assertIn("| `rotor.mass_kg` | mass of a\\|b | > 0 kg | required (since 0.1.0+) |\n", text)
+        self.assertIn("| `rotor.mass_kg` | mass of a\\|b | > 0 kg | required (since 0.2.0) |\n", text)
 
 
 class Document(unittest.TestCase):

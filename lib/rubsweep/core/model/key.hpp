@@ -32,7 +32,7 @@ struct Key : Allowed {
   std::string_view meaning;  ///< a noun and what is needed besides, without unit and range
   std::string_view
       without;  ///< default in words of the file or, in parentheses, of people; empty: the member's
-  std::string_view since;  ///< version that knew it first; "0.1.0+": the one after that
+  std::string_view since;  ///< version that knew it first
 };
 
 template <class Allowed>
@@ -48,7 +48,7 @@ inline constexpr std::string_view needed = "needed";
 template <class Allowed>
 constexpr Key<Allowed> newer_key(const Allowed& allowed, std::string_view meaning,
                                  std::string_view without = "") {
-  return {allowed, meaning, without, "0.1.0+"};
+  return {allowed, meaning, without, "0.2.0"};
 }
 
 /// Name of the first key of a struct that makes its own list.

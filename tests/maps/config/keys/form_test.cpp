@@ -24,7 +24,7 @@ TEST(Form, SaysWhatIsAllowed) {
 
 TEST(Form, NewerKeysSaySo) {
   EXPECT_EQ(must("a", text(), "").since, "0.1.0");
-  EXPECT_EQ(newer({must("a", text(), "")})[0].since, "0.1.0+");
+  EXPECT_EQ(newer({must("a", text(), "")})[0].since, "0.2.0");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ TEST(KeyList, EveryKeyHasAMeaningAndIsThereOnce) {
     EXPECT_TRUE(paths.insert(row.path).second) << row.path;
     EXPECT_GE(row.meaning.size(), 3u) << row.path;
     EXPECT_FALSE(row.allowed.empty()) << row.path;
-    EXPECT_TRUE(row.since == "0.1.0" || row.since == "0.1.0+") << row.path;
+    EXPECT_TRUE(row.since == "0.1.0" || row.since == "0.2.0") << row.path;
   }
   EXPECT_GE(paths.size(), 300u);
 }
@@ -56,7 +56,7 @@ TEST(KeyList, TextNamesUnitRangeAndDefault) {
   EXPECT_EQ(text_of(below(key_list(run_form()), "response.hertz_iterations")),
             "response.hertz_iterations\n    how often a cell whose force leaves the range of a hertz "
             "stiffness is run "
-            "again\n    integer, 0 to 20; default 0; since 0.1.0+\n");
+            "again\n    integer, 0 to 20; default 0; since 0.2.0\n");
 }
 
 }  // namespace

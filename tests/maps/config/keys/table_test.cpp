@@ -40,7 +40,7 @@ TEST(Table, RangesAndDefaultsAreTheStructs) {
   EXPECT_EQ(keys[0].since, "0.1.0");
   EXPECT_FALSE(keys[1].required);
   EXPECT_EQ(keys[1].fallback, "1.5");
-  EXPECT_EQ(keys[1].since, "0.1.0+");
+  EXPECT_EQ(keys[1].since, "0.2.0");
   EXPECT_FALSE(keys[2].required);
   EXPECT_EQ(keys[2].fallback, "mass_kg");
 }

@@ -106,10 +106,8 @@ std::optional<StickingMode> StickingMode::make(const System& system, const std::
   return mode;
 }
 
-/// Friction lambda along a tangent that is turned pushes along -n; and what keeps the slip at zero is t . d''
-/// =
-/// -(turn of t) . d'' = n . d''. The normal force along a turned normal is a force along t, which friction
-/// takes.
+/// Friction lambda along a tangent that is turned pushes along -n, too. The slip stays zero where t . d'' is
+/// the angle times n . d''. The normal force along a turned normal is a force along t, which friction takes.
 void StickingMode::add_rings(const System& system, const std::vector<bool>& sticks,
                              const Eigen::MatrixXd& along) {
   Eigen::Index held = 0;

@@ -79,7 +79,7 @@ Key beside(Key key, Condition when) {
   return key;
 }
 Key newer_key(Key key) {
-  key.since = "0.1.0+";
+  key.since = "0.2.0";
   return key;
 }
 std::vector<Key> newer(std::vector<Key> keys) {

@@ -65,7 +65,7 @@ struct Key {
   std::string fallback{};  ///< default as it is written; empty: see `required`
   bool required = false;   ///< has no default, where its condition holds and no choice leaves it out
   Condition when{};
-  std::string since = "0.1.0";  ///< version that knew it first; "0.1.0+": the one after that
+  std::string since = "0.1.0";  ///< version that knew it first
 };
 
 Form number(const model::Range& range);
