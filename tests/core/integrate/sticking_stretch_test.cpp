@@ -89,6 +89,16 @@ TEST(StickingStretch, AHeldBodyThatUnbalancePressesMovesAsByTaylorPieces) {
   expect_like_pieces(held.scene(0.4, 0), 5, 1e-11, 400);
 }
 
+TEST(StickingStretch, TwoWallsOfOneTangentHoldABodyAsByTaylorPieces) {
+  // The two walls share a friction of 0.9 N as they like. One is at its limit, the other one sticks.
+  const Held held{.stiffness = 1e6, .damping = 400, .mu = 0.8};
+  scene::Scene scene = held.scene(0.9, 0);
+  scene.contacts.push_back(scene.contacts[0]);
+  scene.contacts[1].stiffness_n_per_m = 2e6;
+  scene.displacement_m(0) = 1 + 2.0 / 3e6;
+  expect_like_pieces(scene, 3, 1e-11, 100);
+}
+
 TEST(StickingStretch, ABeltCarriesTheBodyAsByTaylorPieces) {
   // Let go where the spring asks for more than mu N = 1: y = -1 after twenty seconds, in the fourth turn.
   Held held{.stiffness = 1e6, .damping = 400, .surface = 0.05};

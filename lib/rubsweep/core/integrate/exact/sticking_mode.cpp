@@ -21,7 +21,8 @@ constexpr double least_reciprocal = 1e-14;  ///< condition of a stiffness that h
 }  // namespace
 
 Eigen::MatrixXd StickingMode::take_contacts(const System& system, const std::vector<contact::Mode>& modes,
-                                            const std::vector<bool>& sticks, Eigen::Index count) {
+                                            const std::vector<bool>& sticks, const std::vector<double>& ways,
+                                            Eigen::Index count) {
   stiffness_ = system.stiffness;
   damping_ = system.damping;
   constant_ = system.constant;
@@ -33,9 +34,11 @@ Eigen::MatrixXd StickingMode::take_contacts(const System& system, const std::vec
     const auto& c = system.contacts[i];
     if (modes[i] == contact::Mode::open) continue;
     const contact::LinearLaw law = contact::law_of(modes[i]);
-    stiffness_ -= law.spring * c.stiffness * c.first_push * c.first_row;
+    const double friction = ways[i] * contact::dry_coefficient(c.friction) * law.friction;
+    const Eigen::VectorXd push = law.spring * c.first_push + friction * c.second_push;
+    stiffness_ -= c.stiffness * push * c.first_row;
     damping_ -= law.damper * c.damping * c.first_push * c.first_row;
-    constant_ -= law.spring * c.stiffness * c.clearance * c.first_push;
+    constant_ -= c.stiffness * c.clearance * push;
     if (!sticks[i]) continue;
     rows_.row(next) = c.second_row;
     pushes.col(next++) = c.second_push;
@@ -71,14 +74,15 @@ bool StickingMode::solve_vibration(const Eigen::MatrixXd& q, const Eigen::Matrix
 }
 
 std::optional<StickingMode> StickingMode::make(const System& system, const std::vector<contact::Mode>& modes,
-                                               const std::vector<bool>& sticks) {
+                                               const std::vector<bool>& sticks,
+                                               const std::vector<double>& ways) {
   const Eigen::Index n = system.coordinates();
   const auto m = static_cast<Eigen::Index>(std::ranges::count(sticks, true));
   if (m == 0 || m > n) return std::nullopt;
   const auto always = [](const auto& pulse) { return pulse.always_elapsed.has_value(); };
   if (std::ranges::any_of(system.pulses, always)) return std::nullopt;
   StickingMode mode;
-  const Eigen::MatrixXd pushes = mode.take_contacts(system, modes, sticks, m);
+  const Eigen::MatrixXd pushes = mode.take_contacts(system, modes, sticks, ways, m);
   const numerics::dense::FullPivotFactors mobility(mode.rows_ * pushes);
   if (mobility.reciprocal_condition() < independent) return std::nullopt;
   mode.hold_ = mobility.solve(mode.rows_);
@@ -89,6 +93,10 @@ std::optional<StickingMode> StickingMode::make(const System& system, const std::
       k > 0 ? numerics::dense::FullPivotFactors(mode.rows_).kernel() : Eigen::MatrixXd(n, 0);
   if (q.cols() != k) return std::nullopt;
   mode.project_ = Eigen::MatrixXd::Identity(n, n) - along * mode.rows_;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const Row row = system.contacts[i].second_row;
+    if (ways[i] != 0 && (row * mode.project_).norm() > independent * row.norm()) return std::nullopt;
+  }
   mode.on_drift_ = along;
   mode.on_drift_rate_ = Eigen::MatrixXd::Zero(n, m);
   mode.rest_ = Eigen::VectorXd::Zero(n);

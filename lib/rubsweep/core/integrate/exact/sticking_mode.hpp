@@ -52,12 +52,13 @@ class StickingMode {
  public:
   using System = run::ScaledSystem<Eigen::Dynamic>;
 
-  /// Mode of each contact, and which of them stick; those that touch and do not stick must have no friction.
-  /// Empty where the mode has no closed form of this kind: contacts whose frictions the motion does not
-  /// determine, no equilibrium, an undamped resonance, vibrations that are nearly dependent. Nor is a force
-  /// of twice the shaft's frequency part of the form.
+  /// Mode of each contact, which of them stick, and the sign of the slip of those with dry friction at its
+  /// limit, else 0; what sticks must keep the slip of these as it is, as on two walls of one tangent. Empty
+  /// where the mode has no closed form of this kind: contacts whose frictions the motion does not determine,
+  /// no equilibrium, an undamped resonance, vibrations that are nearly dependent. Nor is a force of twice the
+  /// shaft's frequency part of the form.
   static std::optional<StickingMode> make(const System& system, const std::vector<contact::Mode>& modes,
-                                          const std::vector<bool>& sticks);
+                                          const std::vector<bool>& sticks, const std::vector<double>& ways);
 
   const std::vector<StickingGuard>& guards() const { return guards_; }
   /// Normal forces of the contacts that touch, newtons.
@@ -86,7 +87,8 @@ class StickingMode {
   /// Takes the system with the forces of its contacts in, and the rows R of the `count` that stick. Their
   /// pushes B.
   Eigen::MatrixXd take_contacts(const System& system, const std::vector<contact::Mode>& modes,
-                                const std::vector<bool>& sticks, Eigen::Index count);
+                                const std::vector<bool>& sticks, const std::vector<double>& ways,
+                                Eigen::Index count);
   /// Solves the vibration y in the null space `q` of R, `to_y_` being known and `along` = B M^-1. False where
   /// it has no closed form.
   bool solve_vibration(const Eigen::MatrixXd& q, const Eigen::MatrixXd& along);

@@ -66,6 +66,7 @@ const StickingMode* StickingStretch::mode_of(const std::vector<contact::Mode>& m
   key_.clear();
   normals_.clear();
   sticks_.assign(modes.size(), false);
+  ways_.assign(modes.size(), 0);
   for (std::size_t i = 0; i < modes.size(); ++i) {
     const auto& c = system_.contacts[i];
     key_.push_back(static_cast<int>(modes[i]));
@@ -74,7 +75,9 @@ const StickingMode* StickingStretch::mode_of(const std::vector<contact::Mode>& m
       continue;
     }
     sticks_[i] = dry_[i] && slips[i] == contact::Slip::sticking;
-    if (!sticks_[i] && !slippery_[i]) return nullptr;
+    if (!sticks_[i] && !slippery_[i] && !(dry_[i] && contact::linear(c.wall))) return nullptr;
+    if (dry_[i]) ways_[i] = contact::sign_of(slips[i]);
+    key_.push_back(static_cast<int>(ways_[i]));
     if (contact::linear(c.wall)) continue;
     const Eigen::Map<const Eigen::VectorXd> u(state.data(), system_.coordinates());
     normals_.push_back(Eigen::Vector2d(c.first_row.dot(u.transpose()) + c.offset[0],
@@ -87,7 +90,9 @@ const StickingMode* StickingStretch::mode_of(const std::vector<contact::Mode>& m
     return (a - b).cwiseAbs().maxCoeff() < same_normal;
   };
   if (fresh || !std::ranges::equal(made.normals, normals_, near))
-    made = {normals_, StickingMode::make(normals_.empty() ? system_ : with_flat_rings(), modes, sticks_), {}};
+    made = {normals_,
+            StickingMode::make(normals_.empty() ? system_ : with_flat_rings(), modes, sticks_, ways_),
+            {}};
   if (!made.mode) return nullptr;
   if (made.watched.empty()) watch(made);
   made_ = &made;

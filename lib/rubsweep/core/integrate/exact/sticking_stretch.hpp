@@ -79,6 +79,7 @@ class StickingStretch {
   std::map<std::vector<int>, MadeMode> modes_;
   std::vector<int> key_;
   std::vector<bool> sticks_;
+  std::vector<double> ways_;              ///< signs of the slips of those that do not, 0 without friction
   std::vector<Eigen::Vector2d> normals_;  ///< as of MadeMode, where the motion is
   const StickingMode* mode_ = nullptr;
   const MadeMode* made_ = nullptr;
