@@ -56,7 +56,8 @@ def _with_names(value):
 
 
 def kind_of(path):
-    return "ring" if os.path.basename(path).startswith("ring") else "run"
+    of_ring = os.path.basename(os.path.dirname(path)) == "ring" or os.path.basename(path).startswith("ring")
+    return "ring" if of_ring else "run"
 
 
 def shipped():

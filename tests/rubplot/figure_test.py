@@ -5,6 +5,7 @@ import unittest
 
 import figures
 from rubplot.published import figure, maps, motions, rings
+from rubplot.published.sources import Sources
 
 MAP = "speed_hz,whirl_ratio,class,order,orbit,whirl,comb_spacing\n75,0.4,chaotic,,,,\n90,0.4,chaotic,,,,\n105,0.4,chaotic,,,,\n"
 CONFIG = "sweep:\n  speed_hz:\n    values: [75, 90, 105]\n  whirl_ratio:\n    values: [0.4]\n"
@@ -26,7 +27,7 @@ class Names(unittest.TestCase):
         for one in rings.FIGURES.values():
             stems += [run.stem for run in one.runs] if hasattr(one, "runs") else [one.stem]
         for stem in stems:
-            self.assertTrue(os.path.exists(os.path.join(CONFIGS, stem + ".yaml")), stem)
+            self.assertTrue(os.path.exists(Sources(configs=CONFIGS).config(stem)), stem)
 
 
 class Computed(figures.FigureTest):

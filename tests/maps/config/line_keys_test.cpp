@@ -14,13 +14,13 @@ const std::filesystem::path minimal = std::string(CONFIG_TEST_DATA) + "/minimal.
 const std::string one = "sweep.x={key: rotor.mass_kg, values: [2]}",
                   several = "sweep.x={key: rotor.mass_kg, values: [1, 2]}";
 
-TEST(CellConfig, AnAxisOfOneValueHoldsIt) {
+TEST(LineKeysCellConfig, AnAxisOfOneValueHoldsIt) {
   const RunConfig config = read_cell_config(minimal, {one});
   EXPECT_TRUE(config.study.grid.axes.empty());
   EXPECT_EQ(print_config(config), print_config(read_run_config(minimal, {"rotor.mass_kg=2"})));
 }
 
-TEST(CellConfig, OfSeveralValuesOneMustBeSaid) {
+TEST(LineKeysCellConfig, OfSeveralValuesOneMustBeSaid) {
   EXPECT_EQ(
       ::message_of<ConfigError>([&] { read_cell_config(minimal, {several}); }),
       "--set " + several +
@@ -32,7 +32,7 @@ TEST(CellConfig, OfSeveralValuesOneMustBeSaid) {
   EXPECT_EQ(print_config(elsewhere), print_config(read_run_config(minimal, {})));
 }
 
-TEST(CellConfig, WithoutSuchAxesIsTheConfiguration) {
+TEST(LineKeysCellConfig, WithoutSuchAxesIsTheConfiguration) {
   EXPECT_EQ(print_config(read_cell_config(minimal, {})), print_config(read_run_config(minimal, {})));
 }
 

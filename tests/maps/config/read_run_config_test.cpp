@@ -215,7 +215,7 @@ bool is_refused_over_a_base(const keys::Choice& choice) {
 }
 
 /// A law or a measure that is forgotten in yaml/alternatives is found here.
-TEST(RunForm, AKeyWrittenOverAMapTakesBackTheOtherWays) {
+TEST(ReadRunConfigForm, AKeyWrittenOverAMapTakesBackTheOtherWays) {
   int choices = 0;
   for_each_choice(run_form(), [&](const keys::Choice& choice) {
     if (is_refused_over_a_base(choice)) return;

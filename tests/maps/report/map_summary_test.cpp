@@ -87,7 +87,7 @@ TEST(MapSummary, TellsAWhipFromAnOvalAndCirclesByTheirSense) {
   EXPECT_TRUE(summary.has_failed_cells());
 }
 
-TEST(MotionName, OfARowIsThatOfItsLine) {
+TEST(MapSummaryMotionName, OfARowIsThatOfItsLine) {
   using response::spectrum::OrbitKind, response::spectrum::WhirlKind;
   const std::pair<Row, const char*> named[] = {
       {measured(MotionClass::quasi_periodic, OrbitKind::oval, WhirlKind::backward, true),

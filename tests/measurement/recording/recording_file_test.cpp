@@ -242,7 +242,7 @@ std::string vibration() {
   return text;
 }
 
-TEST(ReadRecording, IsTheRecordingItsInstrumentAndTheTextOfBoth) {
+TEST(RecordingFileReadRecording, IsTheRecordingItsInstrumentAndTheTextOfBoth) {
   const TemporaryDirectory directory;
   const auto file = directory.path() / "r.csv", instrument = directory.path() / "r.yaml";
   const std::string signal = write_text(file, vibration());
@@ -256,7 +256,7 @@ TEST(ReadRecording, IsTheRecordingItsInstrumentAndTheTextOfBoth) {
   EXPECT_EQ(read.text, description + signal);
 }
 
-TEST(ReadRecording, NamesTheFileThatIsWrong) {
+TEST(RecordingFileReadRecording, NamesTheFileThatIsWrong) {
   const TemporaryDirectory directory;
   const auto file = directory.path() / "r.csv", instrument = directory.path() / "r.yaml";
   write_text(file, vibration());
