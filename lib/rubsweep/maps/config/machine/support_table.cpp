@@ -288,11 +288,11 @@ keys::Form support_table_form() {
                            must("speed_rad_per_s", speeds, "the same in radians per second")};
   std::vector<Choice> choices{either(speed_keys)};
   for (std::size_t c = 0; c < model::support_coefficients.size(); ++c) {
-    Choice& choice = choices.emplace_back(std::vector<Way>{}, !is_needed(model::support_coefficients[c]));
+    choices.push_back({{}, !is_needed(model::support_coefficients[c])});
     for (const auto& [name, in_si] : names_of(c)) {
       columns.push_back(
           must(name, numbers({}), "coefficient at these speeds, in the unit of its name or in SI"));
-      choice.ways.push_back({{name}, {}});
+      choices.back().ways.push_back({{name}, {}});
     }
   }
   return any_of(
