@@ -108,11 +108,11 @@ same_values() {
 same() {
   local build files
   for build in before after; do
-    mkdir -p "$work/compared/$build"
+    mkdir -p "$(dirname "$work/compared/$build/$1")"
     cp -r "$work/$build/$1" "$work/compared/$build/$1"
     find "$work/compared/$build/$1" -type f \( -name '*.csv' -o -name '*.yaml' -o -name '*.json' -o -name '*.html' -o -name files \) \
-      -exec sed -i -E -e '/^# (digest|sha256|sum|rubsweep) /d; s/[0-9a-f]{64}/DIGEST/g' \
-      -e 's/"(rubsweep|version)": *"[^"]*"/"\1":"VERSION"/g' -e "s|$work/$build/||g" {} +
+      -exec sed -i -E -e '/^# (digest|sha256|sum|rub[a-z-]+|ringstab) /d; s/[0-9a-f]{64}/DIGEST/g' \
+      -e 's/"(rub[a-z-]+|version)": *"[^"]*"/"\1":"VERSION"/g' -e "s|$work/$build/||g" {} +
     # The journal of a set has its recordings in the order in which threads ended them.
     find "$work/compared/$build/$1" -type f -name recordings.journal -delete
     [[ -z $column ]] || find "$work/compared/$build/$1" -type f -name '*.csv' -print0 |
