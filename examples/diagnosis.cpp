@@ -7,7 +7,6 @@
 // is the configuration of the rotor. Motions of the candidates are simulated first, for about a minute.
 
 #include "rubsweep/diagnosis.hpp"
-#include "rubsweep/error.hpp"
 
 #include <cstdio>
 #include <exception>
@@ -17,6 +16,7 @@
 #include <optional>
 #include <string>
 
+#include "rubsweep/error.hpp"
 #include "rubsweep/recording.hpp"
 
 namespace {
@@ -61,8 +61,7 @@ int main(int count, char** arguments) {
   }
   try {
     return look(arguments[1], arguments[2], arguments[3]);
-  } catch (
-      const std::exception& error) {  // of a file: its name, the line and the column, and what is allowed
+  } catch (const std::exception& error) {  // names file, line and column, and what is allowed
     std::fprintf(stderr, "%s\n", error.what());
     return 2;
   }

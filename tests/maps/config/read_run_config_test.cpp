@@ -208,7 +208,7 @@ bool is_refused_over_a_base(const keys::Choice& choice) {
   static const std::set<std::string> keys{"geometry", "mode", "table",          "at_housing",
                                           "bearing",  "node", "speed_rad_per_s"};
   return std::ranges::any_of(choice.ways, [](const keys::Way& way) {
-    const bool column = way.required.size() == 1 && way.required[0].size() == 3;  // of a table: kxx
+    const bool column = way.required.size() == 1 && way.required[0].size() == 3;  // kxx and others of a table
     return column ||
            std::ranges::any_of(way.required, [](const std::string& key) { return keys.contains(key); });
   });

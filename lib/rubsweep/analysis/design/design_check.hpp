@@ -101,7 +101,7 @@ struct DesignCheck {
   std::vector<linear::LockSpeed> locks;  ///< in the operating range
   std::vector<KickThreshold> kicks;      ///< ascending by speed
   std::string no_kicks;                  ///< why there are none; else empty
-  std::vector<ResponseCurve> curves;     ///< those of probes, then those of stops
+  std::vector<ResponseCurve> curves;     ///< probes first, then stops
 
   /// The probe that moves most.
   const ProbeResponse& worst_probe() const;

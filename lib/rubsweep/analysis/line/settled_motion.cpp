@@ -103,7 +103,7 @@ class TurnReader {
   }
 
   trace::StateReader reader_;
-  double step_s_, section_turns_;  ///< where in a turn its section lies
+  double step_s_, section_turns_;  ///< step between samples; place of the section in a turn
   int finer_;                      ///< samples taken for each that is asked for
   int samples_;
 };

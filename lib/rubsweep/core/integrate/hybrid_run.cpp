@@ -270,7 +270,7 @@ class HybridRun {
   exact::ExactRun<N> run_;
   bool in_pieces_ = false;        ///< turns whose friction leaves saturation are
   bool sticks_in_rings_ = false;  ///< may_stick_in_a_ring
-  long switches_of_stuck_ = 0;    ///< of the pieces, at the last look whether a contact sticks
+  long switches_of_stuck_ = 0;    ///< switches of pieces by the last look whether a contact sticks
   int stuck_pieces_ = 0;          ///< since the last of them
   StiffTurns stiff_;
   std::unique_ptr<TaylorRun> taylor_;                 ///< made when first needed
@@ -280,7 +280,7 @@ class HybridRun {
   int pieces_to_wait_ = 0, wait_ = 0;  ///< before the next look for a stretch that sticks
   run::Cursor adaptive_;               ///< empty while no stepper is at work
   Maker maker_ = Maker::closed_forms;
-  std::vector<double> section_;  ///< where the run left them
+  std::vector<double> section_;  ///< state at which the run left them
   int absence_ = 1, absent_ = 0;
   long taylor_turns_ = 0, adaptive_turns_ = 0, switches_ = 0;
   run::Effort past_, adaptive_effort_;

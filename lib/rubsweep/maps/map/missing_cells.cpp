@@ -61,7 +61,7 @@ bool MissingCells::run_refined() {
       alone = false;
       std::this_thread::sleep_for(shard_patience);
     } else if (!wanted.empty() && !alone) {
-      alone = true;  // what others wrote before they left is read once more
+      alone = true;  // reads once more: others may have written before they left
     } else {
       left_to_others_ = wanted.size();
       break;

@@ -26,13 +26,13 @@ inline constexpr int most_turns = 30, fewest_turns = 12;
 struct RecordedProblem {
   recording::Recording recording{};
   diagnose::inference::DiagnosisProblem problem{};
-  std::vector<std::string> remarks{};  ///< where an interval comes from when it is not the file's
-  std::string text{};                  ///< of the files of the machine
+  std::vector<std::string> remarks{};  ///< sources of intervals that are not the file's
+  std::string text{};                  ///< files of the machine, as they were read
 };
 
 /// Questions of a diagnosis.
 struct DiagnosisQuestions {
-  std::string name{};               ///< of the recording, in messages and in the answer
+  std::string name{};               ///< name of the recording, in messages and in the answer
   std::filesystem::path machine{};  ///< configuration of the machine, perhaps beside the files of a fit
   config::dataset::CandidateFile candidates = config::dataset::usual_candidate_file();
   std::string list{};  ///< name of the file of candidates, in messages
@@ -49,8 +49,8 @@ RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording 
 
 /// Effort of a diagnosis.
 struct DiagnosisEffort {
-  int motions = 600;                     ///< of each candidate, from the priors
-  int rounds = 3;                        ///< of draws near motions that resemble the recording, at most
+  int motions = 600;                     ///< motions of each candidate, from the priors
+  int rounds = 3;                        ///< most rounds of draws near motions that resemble the recording
   int threads = 0;                       ///< 0: all; decides no result
   const std::atomic<bool>* stop{};       ///< true: no new draw begins
   std::filesystem::path kept_motions{};  ///< directory where motions are kept from call to call; empty: none

@@ -16,9 +16,9 @@ struct DiagnosedMachine {
   diagnose::FixedNumbers fixed{};
   diagnose::Spread natural_frequency_hz{}, damping_ratio{};  ///< of a Jeffcott rotor
   std::optional<diagnose::Spread> eccentricity_m{};          ///< unbalance, where it was fitted
-  std::vector<std::string> remarks{};   ///< where an interval comes from when it is not the file's
-  std::string text{};                   ///< of all files that were read
-  std::vector<model::RotorKit> kits{};  ///< of a rotor kit: draws of what is not known
+  std::vector<std::string> remarks{};                        ///< sources of intervals that are not the file's
+  std::string text{};                                        ///< all files, as they were read
+  std::vector<model::RotorKit> kits{};                       ///< of a rotor kit: draws of what is not known
 };
 
 /// Reads the configuration of a machine and the intervals that rubfit left in parameters.csv and

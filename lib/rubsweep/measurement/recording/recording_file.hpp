@@ -38,7 +38,7 @@ Channels read_recording_file(const std::filesystem::path& file, std::string_view
 struct ReadRecording {
   Recording recording;
   Instrument instrument;
-  std::string text;  ///< of the instrument's file, then of the recording: what a digest is made of
+  std::string text;  ///< instrument's file, then the recording: a digest is made of both
 };
 
 /// Reads the file of an instrument and what the instrument wrote. Throws ConfigError with what is wrong in

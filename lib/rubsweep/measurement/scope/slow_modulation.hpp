@@ -17,9 +17,9 @@ struct Levelled {
 /// Slow modulation that goes.
 struct SlowModulation {
   int period = 1;                ///< whose lines are looked at, in turns
-  double most_order = 0;         ///< of these lines
+  double most_order = 0;         ///< largest order of these lines
   double most_modulation = 0.1;  ///< share of the motion
-  std::ptrdiff_t repeats = 1;    ///< what comes again after so many periods stays
+  std::ptrdiff_t repeats = 1;    ///< variation that comes again after so many periods stays
   bool in_phase = false;         ///< the amplitude alone: the line does not turn against the shaft
 };
 

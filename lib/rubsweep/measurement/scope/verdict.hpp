@@ -47,8 +47,9 @@ struct DoubtfulPeriod {
 
 /// Shares that decide the class.
 struct Thresholds {
-  double least_share = 5e-3;     ///< smallest line that counts for a period, of the largest one
-  double most_modulation = 0.1;  ///< of lines that still belong to their period, of the motion
+  double least_share = 5e-3;  ///< smallest line that counts for a period, of the largest one
+  double most_modulation =
+      0.1;  ///< share of the motion by which lines may vary and still belong to their period
 };
 
 struct Verdict {
@@ -71,7 +72,7 @@ struct Verdict {
   std::optional<response::spectrum::OrbitKind> shape{};  ///< of two probes
   std::optional<response::spectrum::WhirlKind> whirl{};  ///< of two probes
   double forward_share = 0, forward_share_uncertainty = 0;  ///< of the energy without 0X
-  Thresholds thresholds{};                                  ///< that it was judged by
+  Thresholds thresholds{};                                  ///< thresholds that decided
 };
 
 inline constexpr int max_period = 8;

@@ -98,7 +98,7 @@ class ExactRun {
   SlipWatch<N> slip_;
   TurnWatch<N> watch_;
   run::TurnBook book_;
-  long max_steps_ = 0;  ///< of a turn
+  long max_steps_ = 0;  ///< limit for a turn
 
   State turn_start_;           ///< physical
   bool goes_on_ = false;       ///< the motion stands where the last turn ended

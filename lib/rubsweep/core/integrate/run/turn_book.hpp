@@ -63,7 +63,7 @@ class TurnBook {
  private:
   static constexpr int longest_standstill = 16;
 
-  long limit_ = 0;  ///< of effort.steps
+  long limit_ = 0;  ///< largest effort.steps
   int standstill_ = 0;
   bool switches_listed_ = false;
 };

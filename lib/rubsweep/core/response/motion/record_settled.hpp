@@ -23,7 +23,7 @@ struct Settling {
   long fewest_turns = 0;       ///< before which such a return does not count
   /// The run is given up after more turns in a row without contact: its motion has ended.
   std::optional<int> longest_flight{};
-  double most_work = std::numeric_limits<double>::infinity();  ///< of the run, recording included
+  double most_work = std::numeric_limits<double>::infinity();  ///< limit for the run, recording included
 };
 
 /// Lets a run settle from `turn`, whose section is where it stands. Number of turns passed; empty where one
@@ -47,7 +47,7 @@ struct Wanted {
   std::span<const double> start{};  ///< section to begin at, as TurnReport::section; empty: that of the scene
   Settling settling{};
   long turns = 0;                  ///< recorded ones
-  int samples_per_revolution = 0;  ///< of recorded turns
+  int samples_per_revolution = 0;  ///< samples in a recorded turn
   bool peaks = false;              ///< the contact facts hold these
   /// Takes every recorded turn in the place of SettledRecord::displacement_m, which then stays empty.
   std::function<void(const RecordedTurn&)> take{};
