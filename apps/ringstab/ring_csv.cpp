@@ -22,8 +22,6 @@ const char* state_of(const Signature& signature) {
   return signature.growing_real == 0 ? "flutter" : "divergence+flutter";
 }
 
-using batch::csv_number;
-
 std::string rpm_text(double rad_per_s) { return csv_number(rad_per_s / rad_per_s_of_rpm); }
 
 template <std::size_t count>

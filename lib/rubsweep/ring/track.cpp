@@ -111,7 +111,6 @@ void pair_up(const Eigen::VectorXcd& values, std::vector<int>& mode) {
   }
 }
 
-using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr int most_halvings = 8;

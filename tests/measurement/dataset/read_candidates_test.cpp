@@ -89,9 +89,6 @@ TEST(ReadCandidates, RefusesNamesThatAreNoCellOfATable) {
   EXPECT_EQ(read("candidates: [{kind: one_side, name: 'a pin, of steel'}]\n", candidates), "none");
 }
 
-using diagnose::Cause;
-using diagnose::Unknown;
-
 std::string refused(const std::string& text) {
   try {
     read_candidate_file_text(text, "list.yaml");

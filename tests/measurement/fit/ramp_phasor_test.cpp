@@ -222,7 +222,6 @@ TEST(RampPhasor, ASlowRampIsASteadySpeed) {
   EXPECT_THROW(ramp_phasors(prepared, rows, 1e-5, {5, -1}, {0, 6}, 0), ConfigError);
 }
 
-using Complex = std::complex<double>;
 using std::numbers::pi;
 
 const Ramp steady{.from_hz = 10, .rate_hz_per_s = 0};

@@ -151,7 +151,6 @@ TEST(Recording, RefusesWhatCannotBeUsed) {
   EXPECT_EQ(recording_fault(ellipse(), slow), "f.csv: holds 1 whole turns of the shaft, allowed: 4 or more");
 }
 
-using Complex = std::complex<double>;
 constexpr int samples = 32;
 
 /// Gap, run-out of order 1 with a scratch of order 3, and a vibration of order 1.

@@ -65,14 +65,12 @@ class TurnReader {
  public:
   TurnReader(const scene::Scene& scene, const sweep::Study& study)
       : reader_(scene, study.solver),
-        step_s_(scene.period_s()),
         section_turns_(turns_to_smallest_gap(study.machine)),
         finer_(section_turns_ > 0 ? (fine_samples + study.response.samples_per_revolution - 1) /
                                         study.response.samples_per_revolution
                                   : 1),
-        samples_(finer_ * study.response.samples_per_revolution) {
-    step_s_ /= samples_;
-  }
+        samples_(finer_ * study.response.samples_per_revolution),
+        step_s_(scene.period_s() / samples_) {}
 
   /// Samples that a turn is to have.
   int samples() const { return samples_; }
@@ -103,9 +101,10 @@ class TurnReader {
   }
 
   trace::StateReader reader_;
-  double step_s_, section_turns_;  ///< step between samples; place of the section in a turn
-  int finer_;                      ///< samples taken for each that is asked for
+  double section_turns_;  ///< place of the section in a turn
+  int finer_;             ///< samples taken for each that is asked for
   int samples_;
+  double step_s_;
 };
 
 }  // namespace

@@ -30,8 +30,6 @@ Complex answer(Complex value, double t, double duration_s) {
   return w * (std::exp(value * t) + std::exp(value * (t - duration_s))) / denominator;
 }
 
-using Complex = std::complex<double>;
-
 /// Real and imaginary parts one below the other, sensor by sensor.
 Eigen::VectorXd stacked(const Eigen::MatrixXcd& phasors) {
   const Eigen::Map<const Eigen::VectorXcd> all(phasors.data(), phasors.size());

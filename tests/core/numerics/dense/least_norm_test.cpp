@@ -26,8 +26,6 @@ TEST(LeastNorm, WhatCannotBeMetIsMissedByTheLeastSquares) {
   EXPECT_NEAR(least_norm_solution(MatrixXd(MatrixXd::Ones(3, 1)), VectorXd{{1, 2, 6}})(0), 3, 1e-15);
 }
 
-using Eigen::MatrixXd;
-
 TEST(LeastNorm, ColumnsAreOrthonormalAndSpanWhatTheyCameFrom) {
   const MatrixXd a{{1, 2}, {0, 1}, {1, 0}};
   const MatrixXd all = orthonormal_columns(a, 3), first = all.leftCols(2);

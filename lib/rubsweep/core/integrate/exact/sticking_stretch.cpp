@@ -6,6 +6,7 @@
 
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/contact/wall.hpp"
+#include "rubsweep/core/integrate/run/turn_book.hpp"
 #include "rubsweep/core/numerics/certified_step.hpp"
 #include "rubsweep/core/numerics/cubic_maximum.hpp"
 #include "rubsweep/core/numerics/full_turn.hpp"
@@ -176,8 +177,7 @@ void StickingStretch::pass(const run::TurnRequest& request, double duration_rad,
   mode_->put_flows(duration_rad, flows_);
   mode_->move_tangents(duration_rad, flows_, motion_, place.tangent_vectors);
   mode_->move(duration_rad, flows_, motion_);
-  report.touched = true;
-  report.contact_fraction += duration_rad / numerics::full_turn;
+  run::add_contact(duration_rad / numerics::full_turn, report);
 }
 
 void StickingStretch::put_samples(const run::TurnRequest& request, double duration_rad,
@@ -238,16 +238,24 @@ double StickingStretch::bound(const Watched& watched, double duration_rad) const
 }
 
 /// Cubics through values and rates at places that what still vibrates allows. They are as many as a fast
-/// vibration has in all of the stretch, so that blocks of them without any higher peak are left out: the most
-/// promising are looked at first.
+/// vibration has in all of the stretch: where these are many, blocks of them are looked at as a whole.
 void StickingStretch::raise_peaks(double duration_rad, run::TurnReport& report) {
   const double pieces = std::max(1.0, std::ceil(duration_rad / peak_step_rad())),
                size = duration_rad / pieces, block = std::max(1.0, std::floor(peak_step / size));
   const double blocks = block < least_block ? 0 : std::floor(pieces / block);
+  mode_->put_flows(size, flows_);
+  at_ = motion_;
+  if (blocks > 0) raise_peaks_by_blocks(blocks, block, size, report);
+  raise_peaks_by_cubics(pieces - blocks * block, size, report);
+}
+
+/// Moves `at_` on by so many blocks of cubics. Those without any higher peak are left out: the most promising
+/// one of each peak is looked at first.
+void StickingStretch::raise_peaks_by_blocks(double blocks, double block, double size,
+                                            run::TurnReport& report) {
   promising_.resize(made_->watched.size());
   for (Promising& place : promising_) place.bound = -std::numeric_limits<double>::infinity();
   mode_->put_flows(block * size, block_flows_);
-  at_ = motion_;
   for (double k = 0; k < blocks; ++k) {
     for (std::size_t i = 0; i < promising_.size(); ++i) {
       const double most = bound(made_->watched[i], block * size);
@@ -255,9 +263,8 @@ void StickingStretch::raise_peaks(double duration_rad, run::TurnReport& report) 
     }
     mode_->move(block * size, block_flows_, at_);
   }
-  mode_->put_flows(size, flows_);
-  for (std::size_t i = 0; blocks > 0 && i < promising_.size(); ++i) {
-    at_ = promising_[i].at;
+  for (const Promising& place : promising_) {
+    at_ = place.at;
     raise_peaks_by_cubics(block, size, report);
   }
   at_ = motion_;
@@ -271,7 +278,6 @@ void StickingStretch::raise_peaks(double duration_rad, run::TurnReport& report) 
       mode_->move(block * size, block_flows_, at_);
     }
   }
-  raise_peaks_by_cubics(pieces - blocks * block, size, report);
 }
 
 /// Moves `at_` on by `pieces` of this size.

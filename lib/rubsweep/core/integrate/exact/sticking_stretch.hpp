@@ -49,6 +49,7 @@ class StickingStretch {
             run::TurnReport& report);
   void put_samples(const run::TurnRequest& request, double duration_rad, run::TurnReport& report);
   void raise_peaks(double duration_rad, run::TurnReport& report);
+  void raise_peaks_by_blocks(double blocks, double block, double size, run::TurnReport& report);
   void raise_peaks_by_cubics(double pieces, double size, run::TurnReport& report);
   double peak_step_rad() const;
 

@@ -11,7 +11,7 @@ namespace rubsweep::integrate::run {
 
 enum class Method { automatic, exact, adaptive };
 
-/// Method of the adaptive solver. Words, descriptions and what starts each: adaptive/stepper_table.
+/// Method of the adaptive solver. Descriptions and makers: adaptive/stepper_table.
 enum class Stepper {
   automatic,  ///< dopri5, and rosenbrock4 for the steps that start in stiff friction
   dopri5,

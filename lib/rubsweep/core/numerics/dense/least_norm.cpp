@@ -28,8 +28,6 @@ VectorXcd least_norm_solution(const MatrixXcd& a, const VectorXcd& b) {
   return joined;
 }
 
-using Eigen::MatrixXd;
-
 MatrixXd orthonormal_columns(const MatrixXd& a, Eigen::Index count) {
   return a.householderQr().householderQ() * MatrixXd::Identity(a.rows(), count);
 }

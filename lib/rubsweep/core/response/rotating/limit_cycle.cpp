@@ -18,7 +18,6 @@ using Eigen::VectorXd;
 constexpr double first_tolerance = 1e-4, rough_tolerance = 1e-6, tolerance_of_a_cycle = 1e-8;
 
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 constexpr numerics::NewtonLimits cycle_newton{.iterations = 8, .free_iterations = 3, .growth = 0.5};
 /// Return error of a guess: none of the 40 that were farther off, of 715 in figure 11, led to the cycle that

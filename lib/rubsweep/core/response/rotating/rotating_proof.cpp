@@ -46,8 +46,6 @@ struct EquilibriumNewton {
   bool step(int) const { return true; }
 };
 
-using Eigen::VectorXd;
-
 constexpr int free_for_long = 16;  ///< turns
 
 /// Samples of a turn, as many as Newton's iteration needs to start well between two of them: the coarse ones

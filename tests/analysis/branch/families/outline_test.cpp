@@ -1,13 +1,10 @@
-#include "rubbranch/families_csv.hpp"
+#include "rubsweep/analysis/branch/families/outline.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace rubsweep::apps {
-
-using namespace branch::families;
-
+namespace rubsweep::branch::families {
 namespace {
 
 sweep::Grid grid() {
@@ -38,14 +35,14 @@ Family family_in(const std::vector<std::size_t>& cells) {
   return family;
 }
 
-TEST(FamiliesCsvOutlineNeighbours, AtCornersAndInside) {
+TEST(OutlineNeighbours, AtCornersAndInside) {
   EXPECT_EQ(neighbours_of(grid(), 0), (std::vector<std::size_t>{1, 4}));
   EXPECT_EQ(neighbours_of(grid(), 5), (std::vector<std::size_t>{4, 6, 1, 9}));
   EXPECT_EQ(neighbours_of(grid(), 11), (std::vector<std::size_t>{10, 7}));
 }
 
 /// Closed around one inner cell, and parted where the kind changes.
-TEST(FamiliesCsvOutline, AroundOneCell) {
+TEST(Outline, AroundOneCell) {
   const auto lines = outline_of(grid(), family_in({5}));
   for (const OutlineLine& line : lines) EXPECT_TRUE(line.kind == "fold" || line.kind == "doubling");
   ASSERT_EQ(lines.size(), 3u);  // below; right; above, left and below again
@@ -57,19 +54,19 @@ TEST(FamiliesCsvOutline, AroundOneCell) {
 }
 
 /// A family at the end of the map has no boundary there: one open line.
-TEST(FamiliesCsvOutline, EndsWhereTheMapDoes) {
+TEST(Outline, EndsWhereTheMapDoes) {
   const auto lines = outline_of(grid(), family_in({0, 1, 4, 5, 8, 9}));
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].kind, "fold");
   EXPECT_EQ(lines[0].points, (std::vector<std::array<double, 2>>{{25, 0.1}, {25, 0.2}, {25, 0.3}}));
 }
 
-TEST(FamiliesCsvOutline, NoneAroundTheWholeMap) {
+TEST(Outline, NoneAroundTheWholeMap) {
   EXPECT_TRUE(outline_of(grid(), family_in({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})).empty());
 }
 
 /// Two cells that meet in a corner only: every end is on exactly one line.
-TEST(FamiliesCsvOutline, CellsThatMeetInACorner) {
+TEST(Outline, CellsThatMeetInACorner) {
   const Family family = family_in({0, 5});
   std::size_t ends = 0;
   for (const OutlineLine& line : outline_of(grid(), family)) {
@@ -80,4 +77,4 @@ TEST(FamiliesCsvOutline, CellsThatMeetInACorner) {
 }
 
 }  // namespace
-}  // namespace rubsweep::apps
+}  // namespace rubsweep::branch::families
