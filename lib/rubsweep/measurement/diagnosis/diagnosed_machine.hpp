@@ -14,11 +14,11 @@ namespace rubsweep::diagnosis {
 /// A rotor as far as it is known.
 struct DiagnosedMachine {
   diagnose::FixedNumbers fixed{};
-  diagnose::Spread natural_frequency_hz{}, damping_ratio{};  ///< of a Jeffcott rotor
+  diagnose::Spread natural_frequency_hz{}, damping_ratio{};  ///< intervals of a Jeffcott rotor
   std::optional<diagnose::Spread> eccentricity_m{};          ///< unbalance, where it was fitted
   std::vector<std::string> remarks{};                        ///< sources of intervals that are not the file's
   std::string text{};                                        ///< all files, as they were read
-  std::vector<model::RotorKit> kits{};                       ///< of a rotor kit: draws of what is not known
+  std::vector<model::RotorKit> kits{};  ///< draws of a rotor kit: its unknown numbers vary
 };
 
 /// Reads the configuration of a machine and the intervals that rubfit left in parameters.csv and
