@@ -25,7 +25,9 @@ MENU = [("README.md", "Start"), ("docs/tutorial.md", "Five lessons"), ("docs/use
 def documents_of(top):
     """Every document by its place, rendered: those of the menu, of docs, and all that these link to."""
     waiting = [place for place, _ in MENU]
-    waiting += sorted(posixpath.join("docs", os.path.basename(path)) for path in glob.glob(os.path.join(top, "docs", "*.md")))
+    # Pages below docs/library are doxygen's.
+    waiting += sorted(place for path in glob.glob(os.path.join(top, "docs", "**", "*.md"), recursive=True)
+                      if not (place := posixpath.relpath(path, top)).startswith("docs/library/"))
     bodies = {}
     while waiting:
         place = waiting.pop(0)
