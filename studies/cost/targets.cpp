@@ -19,7 +19,7 @@
 #include "bench/work_precision.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/response/settle.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "rubsweep/maps/sweep/run_cells.hpp"
 #include "support/long_double_reference.hpp"

@@ -7,7 +7,7 @@
 #include <ctime>
 #include <numeric>
 
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/sweep/run_cells.hpp"
 
 namespace rubsweep::machine_search {

@@ -7,16 +7,15 @@
 #include <vector>
 
 #include "rubsweep/core/scene/prepared_machine.hpp"
-#include "rubsweep/maps/batch/lap_time.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
-#include "rubsweep/maps/report/describe_footprint.hpp"
-#include "rubsweep/maps/report/describe_modes.hpp"
+#include "rubsweep/maps/report/describe_grid.hpp"
+#include "rubsweep/maps/report/explain_rotor.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/sweep/footprint.hpp"
-#include "rubsweep/maps/sweep/idle_torsion.hpp"
 #include "rubsweep/maps/sweep/run_cells.hpp"
-#include "rubsweep/maps/sweep/untouched_walls.hpp"
+#include "rubsweep/maps/sweep/study_warnings.hpp"
 
 namespace rubsweep::map {
 namespace {

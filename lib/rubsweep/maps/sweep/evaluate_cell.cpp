@@ -18,7 +18,7 @@
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
 #include "rubsweep/maps/sweep/robustness.hpp"
-#include "rubsweep/maps/sweep/unstable_rotor.hpp"
+#include "rubsweep/maps/sweep/study_warnings.hpp"
 
 namespace rubsweep::sweep {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/measurement/recording/keyphasor.hpp"
+#include "rubsweep/measurement/recording/turn_marks.hpp"
 
 namespace rubsweep::recording {
 

@@ -6,13 +6,12 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/maps/matlab/read_file.hpp"
-#include "rubsweep/maps/table/encoding.hpp"
 #include "rubsweep/maps/table/rows.hpp"
-#include "rubsweep/measurement/recording/read_instrument.hpp"
+#include "rubsweep/measurement/recording/instrument.hpp"
 #include "rubsweep/measurement/recording/sound_file.hpp"
 
 namespace rubsweep::recording {

@@ -8,7 +8,6 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/recording/findings.hpp"
-#include "rubsweep/measurement/recording/keyphasor.hpp"
 #include "rubsweep/measurement/recording/mark_fit.hpp"
 #include "rubsweep/measurement/recording/turn_marks.hpp"
 

@@ -97,7 +97,6 @@ class Section {
   bool is_sound() const { return is_map() && value_.diagnostics.count() == problems_before_; }
 
  private:
-  const Node* lookup(std::string_view name) const;
   std::string path_of(std::string_view name) const;
 
   Value value_;
