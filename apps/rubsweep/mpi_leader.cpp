@@ -13,7 +13,7 @@
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/run_cells.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
 

@@ -247,10 +247,7 @@ TEST(MapCsvMapColumns, AndClassesStandInTheUserGuideAndInTheHelp) {
     EXPECT_NE(help.find(fmt::format("\n  {} ", word)), std::string::npos) << word;
   };
   for (const MapColumn& column : map_columns()) expect_both(column.name);
-  for (const auto& columns : {torsion_columns(), hertz_columns(), threshold_columns(), basin_columns(),
-                              refinement_columns(), robustness_columns()}) {
-    for (const StudyColumn& column : columns) expect_both(column.name);
-  }
+  for (const StudyColumn& column : all_study_columns()) expect_both(column.name);
   for (const auto motion_class : response::motion::motion_classes) expect_both(to_string(motion_class));
 }
 

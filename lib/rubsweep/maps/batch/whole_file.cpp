@@ -43,6 +43,15 @@ void remove_where_nobody_writes(const std::filesystem::path& file) {
   if (is_file_at(opened.get(), file)) ::unlink(file.c_str());
 }
 
+/// Name of the temporary for a file that is to take the name `path`: beside it, under a name that no other
+/// process of this or of another host has.
+std::filesystem::path temporary_beside(const std::filesystem::path& path) {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  std::filesystem::path temporary = path;
+  return temporary += fmt::format("{}{}-{}", mark, host.data(), ::getpid());
+}
+
 }  // namespace
 
 WholeFile::WholeFile(std::filesystem::path path)
@@ -142,13 +151,6 @@ std::vector<std::filesystem::path> written_files() {
   std::error_code none;
   std::erase_if(there, [&](const auto& path) { return !std::filesystem::exists(path, none); });
   return there;
-}
-
-std::filesystem::path temporary_beside(const std::filesystem::path& path) {
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
-  std::filesystem::path temporary = path;
-  return temporary += fmt::format("{}{}-{}", mark, host.data(), ::getpid());
 }
 
 bool is_temporary(std::string_view name) {

@@ -63,10 +63,6 @@ void note_written_file(const std::filesystem::path& path);
 /// Files that this process put in place and that are still there, each once, in the order in which they came.
 std::vector<std::filesystem::path> written_files();
 
-/// Name of the temporary for a file that is to take the name `path`: beside it, under a name that no other
-/// process of this or of another host has.
-std::filesystem::path temporary_beside(const std::filesystem::path& path);
-
 /// Whether such a name is that of a temporary; one that only looks similar, as map.csv.tmp-old, is not.
 bool is_temporary(std::string_view name);
 

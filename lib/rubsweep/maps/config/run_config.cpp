@@ -115,6 +115,25 @@ void add_restitutions(const sweep::Study& study, std::vector<Question>& question
   }
 }
 
+/// Questions about a study whose numbers are plausible each by itself and odd together, as unit_questions
+/// asks: all speeds far below the natural frequency of a Jeffcott rotor, a kick that no cell takes because
+/// each begins in contact, a rotor that sags onto a stop, a nominal restitution that no impact delivers.
+/// `root` is the configuration that `study` was read from without a problem.
+std::vector<std::string> plan_questions(const yaml::Value& root, const sweep::Study& study) {
+  std::vector<Question> asked;
+  for (auto& question : {slow_speeds(root.node, study), idle_kick(study), sag_onto_stop(study)}) {
+    if (question) asked.push_back(*question);
+  }
+  add_restitutions(study, asked);
+  std::vector<std::string> questions;
+  for (const auto& [key, text] : asked) {
+    // A value that a cell or an axis gives stands nowhere.
+    if (const yaml::Node* node = find_node(root.node, key))
+      questions.push_back(fmt::format("{}: {}: {}", root.diagnostics.describe(node->place), key, text));
+  }
+  return questions;
+}
+
 }  // namespace
 
 keys::Form run_form() {
@@ -151,21 +170,6 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
   // A number in another unit makes all the rest odd.
   if (config.questions.empty()) config.questions = plan_questions({root, "", diagnostics}, config.study);
   return config;
-}
-
-std::vector<std::string> plan_questions(const yaml::Value& root, const sweep::Study& study) {
-  std::vector<Question> asked;
-  for (auto& question : {slow_speeds(root.node, study), idle_kick(study), sag_onto_stop(study)}) {
-    if (question) asked.push_back(*question);
-  }
-  add_restitutions(study, asked);
-  std::vector<std::string> questions;
-  for (const auto& [key, text] : asked) {
-    // A value that a cell or an axis gives stands nowhere.
-    if (const yaml::Node* node = find_node(root.node, key))
-      questions.push_back(fmt::format("{}: {}: {}", root.diagnostics.describe(node->place), key, text));
-  }
-  return questions;
 }
 
 }  // namespace rubsweep::config

@@ -47,6 +47,41 @@ void read_sparse(Variable& variable, std::size_t rows, const std::vector<double>
   }
 }
 
+/// Variables of a file of version 4. Throws FileError.
+std::vector<Variable> read_version_4(std::string_view bytes, const Wanted& wanted) {
+  const Type first = type_of(Bytes(bytes, false).number<std::int32_t>());
+  Bytes in(bytes, !(first.is_sound() && first.order == 0));
+  std::vector<Variable> variables;
+  while (in.left() > 0) {
+    const Type type = type_of(in.number<std::int32_t>());
+    std::array<std::int32_t, 4> head{};  // rows, columns, whether complex, letters of the name
+    for (std::int32_t& number : head) {
+      number = in.number<std::int32_t>();
+      if (number < 0) throw FileError{"is damaged: a size below 0"};
+    }
+    if (!type.is_sound()) throw FileError{"is damaged: a variable of an unknown type"};
+    const std::string_view name = in.take(static_cast<std::size_t>(head[3]));
+    Variable variable{.name = std::string(name.substr(0, name.find('\0'))), .complex = head[2] != 0};
+    variable.dims = {static_cast<std::size_t>(head[0]), static_cast<std::size_t>(head[1])};
+    if (type.kind != 1) variable.kind = Variable::Kind::numbers;
+    const std::size_t count = count_of(variable);
+    std::vector<double> values =
+        take_numbers(in, stored_types[static_cast<std::size_t>(type.precision)], count);
+    if (variable.complex && type.kind != 2)
+      take_numbers(in, stored_types[static_cast<std::size_t>(type.precision)], count);
+    if (type.kind == 2) {
+      variable.complex = variable.dims[1] == 4;
+      if (variable.dims[0] < 1 || variable.dims[1] < 3)
+        throw FileError{"is damaged: a sparse matrix without a size"};
+      read_sparse(variable, variable.dims[0], values, wanted);
+    } else if (type.kind == 0 && wanted(variable)) {
+      variable.values = std::move(values);
+    }
+    variables.push_back(std::move(variable));
+  }
+  return variables;
+}
+
 }  // namespace
 
 std::size_t count_of(const Variable& variable) {
@@ -80,40 +115,6 @@ bool is_version_4(std::string_view bytes) {
   const Type little = type_of(Bytes(bytes, false).number<std::int32_t>()),
              big = type_of(Bytes(bytes, true).number<std::int32_t>());
   return (little.is_sound() && little.order == 0) || (big.is_sound() && big.order == 1);
-}
-
-std::vector<Variable> read_version_4(std::string_view bytes, const Wanted& wanted) {
-  const Type first = type_of(Bytes(bytes, false).number<std::int32_t>());
-  Bytes in(bytes, !(first.is_sound() && first.order == 0));
-  std::vector<Variable> variables;
-  while (in.left() > 0) {
-    const Type type = type_of(in.number<std::int32_t>());
-    std::array<std::int32_t, 4> head{};  // rows, columns, whether complex, letters of the name
-    for (std::int32_t& number : head) {
-      number = in.number<std::int32_t>();
-      if (number < 0) throw FileError{"is damaged: a size below 0"};
-    }
-    if (!type.is_sound()) throw FileError{"is damaged: a variable of an unknown type"};
-    const std::string_view name = in.take(static_cast<std::size_t>(head[3]));
-    Variable variable{.name = std::string(name.substr(0, name.find('\0'))), .complex = head[2] != 0};
-    variable.dims = {static_cast<std::size_t>(head[0]), static_cast<std::size_t>(head[1])};
-    if (type.kind != 1) variable.kind = Variable::Kind::numbers;
-    const std::size_t count = count_of(variable);
-    std::vector<double> values =
-        take_numbers(in, stored_types[static_cast<std::size_t>(type.precision)], count);
-    if (variable.complex && type.kind != 2)
-      take_numbers(in, stored_types[static_cast<std::size_t>(type.precision)], count);
-    if (type.kind == 2) {
-      variable.complex = variable.dims[1] == 4;
-      if (variable.dims[0] < 1 || variable.dims[1] < 3)
-        throw FileError{"is damaged: a sparse matrix without a size"};
-      read_sparse(variable, variable.dims[0], values, wanted);
-    } else if (type.kind == 0 && wanted(variable)) {
-      variable.values = std::move(values);
-    }
-    variables.push_back(std::move(variable));
-  }
-  return variables;
 }
 
 }  // namespace rubsweep::matlab

@@ -17,7 +17,4 @@ std::vector<Variable> read_variables(std::string_view bytes, const Wanted& wante
 /// Whether bytes begin as a file of version 4 does, which has no words at its begin.
 bool is_version_4(std::string_view bytes);
 
-/// Its variables. Throws FileError.
-std::vector<Variable> read_version_4(std::string_view bytes, const Wanted& wanted);
-
 }  // namespace rubsweep::matlab

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,14 +17,9 @@ struct StudyColumn {
   std::string (*text)(const sweep::Row&) = nullptr;  ///< text of the cell; empty: does not apply
 };
 
-/// Columns of torsion, of iterated secants, of a study of thresholds, of basins, of a refined map, and of
-/// robustness as a probability.
-std::span<const StudyColumn> torsion_columns();
-std::span<const StudyColumn> hertz_columns();
-std::span<const StudyColumn> threshold_columns();
-std::span<const StudyColumn> basin_columns();
-std::span<const StudyColumn> refinement_columns();
-std::span<const StudyColumn> robustness_columns();
+/// Columns of torsion, of iterated secants, of robustness as a probability, of a refined map, of a study of
+/// thresholds, and of basins.
+std::vector<StudyColumn> all_study_columns();
 
 /// All that a map of this study has.
 std::vector<StudyColumn> study_columns(const sweep::Study& study);

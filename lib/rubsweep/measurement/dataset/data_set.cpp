@@ -16,7 +16,6 @@
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/matlab/version_5.hpp"
-#include "rubsweep/measurement/dataset/datasheet.hpp"
 #include "rubsweep/measurement/dataset/labels.hpp"
 
 namespace rubsweep::dataset {

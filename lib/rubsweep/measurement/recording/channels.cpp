@@ -6,7 +6,6 @@
 #include <span>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/measurement/recording/sound_file.hpp"
 
 namespace rubsweep::recording {
 namespace {

@@ -44,6 +44,9 @@ struct Channels {
   }
 };
 
+/// Unit of a sound file's readings: shares of the converter's full scale, from -1 to 1.
+inline constexpr const char* full_scale_unit = "FS";
+
 /// Unit that the ending _s or _m of a name says, as in the programs' own tables; empty for other names.
 inline std::string unit_in_ending(std::string_view name) {
   return name.ends_with("_s") || name.ends_with("_m") ? std::string(1, name.back()) : std::string();

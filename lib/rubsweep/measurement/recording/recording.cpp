@@ -15,7 +15,6 @@
 #include "rubsweep/measurement/recording/probe_faults.hpp"
 #include "rubsweep/measurement/recording/sample_clock.hpp"
 #include "rubsweep/measurement/recording/shaft_turns.hpp"
-#include "rubsweep/measurement/recording/wild_readings.hpp"
 
 namespace rubsweep::recording {
 namespace {

@@ -103,12 +103,13 @@ Form matrix_unbalance() {
                1, most_rows)});
 }
 
-}  // namespace
-
+/// Whether a key of a rotor kit is none beside matrices, which stand for it or exclude it.
 bool is_excluded_by_matrices(std::string_view name) {
   return name == mass_damping_key ||
          std::ranges::any_of(excluded, [&](const auto& one) { return one.first == name; });
 }
+
+}  // namespace
 
 void refuse_between_nodes(const yaml::Value& value, const model::RotorKit& kit) {
   if (!kit.matrices) return;

@@ -85,11 +85,12 @@ bool is_thrust_bearing(const RossElement& element) {
          yaml::entry(element.value.node, "kxx") == nullptr;
 }
 
-}  // namespace
-
+/// Whether a key of a file is none of an element.
 bool is_ross_setting(std::string_view key) {
   return key == "parameters" || key == "ross_version" || key == "_note";
 }
+
+}  // namespace
 
 RossSettings read_ross_settings(const yaml::Value& file) {
   RossSettings settings;

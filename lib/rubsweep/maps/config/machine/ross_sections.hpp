@@ -17,9 +17,6 @@ struct RossSettings {
   bool whirl_tables = false;
 };
 
-/// Whether a key of a file is none of an element.
-bool is_ross_setting(std::string_view key);
-
 /// Reads ross_version and parameters of a file, both optional. Versions beyond 3, unknown parameters and
 /// damping ratios of modes are problems.
 RossSettings read_ross_settings(const yaml::Value& file);

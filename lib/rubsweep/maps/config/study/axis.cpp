@@ -136,8 +136,7 @@ void refuse_keys_of_two_axes(const yaml::Value& value, const sweep::KeyAxis& axi
   taken.insert(axis.keys.begin(), axis.keys.end());
 }
 
-}  // namespace
-
+/// Values of an axis (see read_axis) in a section that has keys of its own beside them.
 AxisValues read_axis_values(yaml::Section& section, const model::Range& range, double units_per_si) {
   AxisValues result;
   if (const auto values = section.find("values")) {
@@ -152,6 +151,12 @@ AxisValues read_axis_values(yaml::Section& section, const model::Range& range, d
   }
   return result;
 }
+
+keys::Choice spaced_ways() {
+  return {{{{"values"}, {}}, {{"from", "count"}, {"to", "scale"}}, {{"from", "to", "step"}, {}}}};
+}
+
+}  // namespace
 
 AxisValues read_axis(const yaml::Value& value, const model::Range& range, double units_per_si) {
   if (value.node.kind == yaml::Node::Kind::scalar) {
@@ -181,10 +186,6 @@ std::vector<keys::Key> spaced_keys(const model::Range& range) {
           must("values", std::move(values), "the values themselves, all different")};
 }
 
-keys::Choice spaced_ways() {
-  return {{{{"values"}, {}}, {{"from", "count"}, {"to", "scale"}}, {{"from", "to", "step"}, {}}}};
-}
-
 keys::Form axis_form(const model::Range& range) {
   return keys::any_of({keys::number(range), keys::map_of(spaced_keys(range), {spaced_ways()})});
 }
@@ -210,7 +211,7 @@ sweep::KeyAxis read_key_axis(yaml::Section& section) {
   sweep::KeyAxis axis;
   read_keys(section, axis);
   refuse_repeated_keys_of_axis(section, axis);
-  AxisValues read = read_axis_values(section, model::any_finite);
+  AxisValues read = read_axis_values(section, model::any_finite, 1);
   axis.values = std::move(read.values);
   axis.spacing = read.spacing;
   return axis;

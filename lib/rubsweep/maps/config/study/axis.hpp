@@ -39,12 +39,8 @@ struct AxisValues {
 /// `units_per_si` before it is spaced.
 AxisValues read_axis(const yaml::Value& value, const model::Range& range, double units_per_si = 1);
 
-/// The same for a section that has keys of its own beside them.
-AxisValues read_axis_values(yaml::Section& section, const model::Range& range, double units_per_si = 1);
-
 /// The same as keys: of a map, how they exclude each other, and of an axis that may be a number.
 std::vector<keys::Key> spaced_keys(const model::Range& range);
-keys::Choice spaced_ways();
 keys::Form axis_form(const model::Range& range);
 
 /// The entries of an axis as they were written, into a map that is open: from, to, count and scale, or step,

@@ -23,18 +23,6 @@ using integrate::run::ContactHandling;
 using integrate::run::Method;
 using integrate::run::SolverOptions;
 
-/// Friction that sticks would have to hold the twisting surface, which no solver does.
-void refuse_dry_friction_beside_torsion(const yaml::Value& stops, const model::Machine& machine) {
-  const model::RotorKit* kit = model::kit_of(machine);
-  if (kit == nullptr || !kit->torsion) return;
-  for (const model::Stop& stop : machine.stops) {
-    if (!std::holds_alternative<model::ConstantFriction>(stop.friction)) continue;
-    refuse(stops, "has a friction coefficient, which may stick, beside torsion of the rotor",
-           "friction by one_way, stribeck or static, or no torsion");
-    return;
-  }
-}
-
 constexpr std::string_view at_rest = "rest";
 constexpr std::string_view start_forms =
     "rest, or a map of x_m, y_m, vx_m_per_s, vy_m_per_s, casings, each optional";
@@ -213,6 +201,18 @@ void print_start(yaml::Printer& printer, const model::Start& start) {
   }
   if (casings) printer.close();
   printer.close();
+}
+
+/// Friction that sticks would have to hold the twisting surface, which no solver does.
+void refuse_dry_friction_beside_torsion(const yaml::Value& stops, const model::Machine& machine) {
+  const model::RotorKit* kit = model::kit_of(machine);
+  if (kit == nullptr || !kit->torsion) return;
+  for (const model::Stop& stop : machine.stops) {
+    if (!std::holds_alternative<model::ConstantFriction>(stop.friction)) continue;
+    refuse(stops, "has a friction coefficient, which may stick, beside torsion of the rotor",
+           "friction by one_way, stribeck or static, or no torsion");
+    return;
+  }
 }
 
 }  // namespace

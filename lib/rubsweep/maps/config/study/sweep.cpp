@@ -72,6 +72,29 @@ void refuse_speeds_beyond_tables(const yaml::Section& section, const sweep::Grid
   }
 }
 
+/// Prints an axis of speeds or unbalances with its key, `si_key` where it was not written in another unit.
+/// Printed values read back as the same numbers: where digits of the other unit do not suffice, SI is used.
+void print_place_axis(yaml::Printer& printer, std::string_view si_key, const sweep::WrittenAxis& written,
+                      const std::vector<double>& values, AxisPrint how) {
+  const bool as_written = how == AxisPrint::as_written;
+  const bool spaced =
+      as_written && written.spacing && batch::spaced(*written.spacing, written.units_per_si) == values;
+  std::vector<double> listed;
+  for (const double value : values) {
+    if (const auto text = sweep::exactly_in_units(written, value))
+      listed.push_back(yaml::parse_number(*text).value);
+  }
+  const bool by_unit = as_written && !written.is_si() && (spaced || listed.size() == values.size());
+  printer.open(by_unit ? std::string_view(written.key) : si_key);
+  if (spaced) {
+    print_axis_values(printer, values, written.spacing, written.units_per_si);
+  } else {
+    printer.numbers("values", by_unit ? listed : values);
+  }
+  printer.close();
+  if (by_unit && written.key == grade_key) printer.number(rated_hz_key, written.rated_speed_hz);
+}
+
 }  // namespace
 
 void read_speeds(yaml::Section& sweep, sweep::Grid& grid) {
@@ -119,27 +142,6 @@ sweep::WrittenAxis in_rpm() {
 
 sweep::WrittenAxis in_g_mm(double units_per_metre) {
   return {.key = std::string(unbalance_key), .unit = "g mm", .units_per_si = units_per_metre};
-}
-
-void print_place_axis(yaml::Printer& printer, std::string_view si_key, const sweep::WrittenAxis& written,
-                      const std::vector<double>& values, AxisPrint how) {
-  const bool as_written = how == AxisPrint::as_written;
-  const bool spaced =
-      as_written && written.spacing && batch::spaced(*written.spacing, written.units_per_si) == values;
-  std::vector<double> listed;
-  for (const double value : values) {
-    if (const auto text = sweep::exactly_in_units(written, value))
-      listed.push_back(yaml::parse_number(*text).value);
-  }
-  const bool by_unit = as_written && !written.is_si() && (spaced || listed.size() == values.size());
-  printer.open(by_unit ? std::string_view(written.key) : si_key);
-  if (spaced) {
-    print_axis_values(printer, values, written.spacing, written.units_per_si);
-  } else {
-    printer.numbers("values", by_unit ? listed : values);
-  }
-  printer.close();
-  if (by_unit && written.key == grade_key) printer.number(rated_hz_key, written.rated_speed_hz);
 }
 
 std::string_view key_by_mass(const yaml::Node& sweep, const model::Machine& machine) {

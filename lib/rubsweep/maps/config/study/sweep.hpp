@@ -33,11 +33,6 @@ void read_unbalance(yaml::Section& sweep, const model::Machine& machine, sweep::
 sweep::WrittenAxis in_rpm();
 sweep::WrittenAxis in_g_mm(double units_per_metre);
 
-/// Prints an axis of speeds or unbalances with its key, `si_key` where it was not written in another unit.
-/// Printed values read back as the same numbers: where digits of the other unit do not suffice, SI is used.
-void print_place_axis(yaml::Printer& printer, std::string_view si_key, const sweep::WrittenAxis& written,
-                      const std::vector<double>& values, AxisPrint how);
-
 /// The key of `sweep` whose values follow from the mass of the rotor; empty where none does.
 std::string_view key_by_mass(const yaml::Node& sweep, const model::Machine& machine);
 

@@ -26,7 +26,7 @@ std::string Section::path_of(std::string_view name) const { return child_path(va
 
 std::optional<Value> Section::find(std::string_view name) {
   if (std::find(known_.begin(), known_.end(), name) == known_.end()) known_.push_back(name);
-  const Node* node = entry(value_.node, name);
+  const Node* node = lookup(name);
   if (node == nullptr) return std::nullopt;
   return Value{*node, path_of(name), value_.diagnostics};
 }
@@ -42,21 +42,21 @@ void Section::require_exactly_one(std::span<const std::string_view> names) {
   const std::string allowed = "exactly one of " + describe(names);
   std::vector<std::string_view> given;
   for (const std::string_view name : names) {
-    if (entry(value_.node, name) != nullptr) given.push_back(name);
+    if (lookup(name) != nullptr) given.push_back(name);
   }
   if (given.empty()) refuse(value_, "one key is missing", allowed);
   if (given.size() < 2) return;
   std::stable_sort(given.begin(), given.end(), [this](std::string_view a, std::string_view b) {
-    return entry(value_.node, a)->place < entry(value_.node, b)->place;
+    return lookup(a)->place < lookup(b)->place;
   });
   const std::string_view last = given.back();
   given.pop_back();
   std::string others;
   for (const std::string_view name : given) {
     others += fmt::format("{}{} ({})", others.empty() ? "" : ", ", name,
-                          value_.diagnostics.describe(entry(value_.node, name)->place));
+                          value_.diagnostics.describe(lookup(name)->place));
   }
-  value_.diagnostics.add(entry(value_.node, last)->place, path_of(last), "given beside " + others, allowed);
+  value_.diagnostics.add(lookup(last)->place, path_of(last), "given beside " + others, allowed);
 }
 
 void Section::field(std::string_view name, double& target, const model::Range& range) {
@@ -112,7 +112,7 @@ void Section::refuse_together(std::string_view name, std::initializer_list<std::
                               std::string_view wrong, std::string_view allowed) const {
   SourcePosition place = value_.node.place;
   for (const std::string_view other : involved) {
-    if (const Node* node = entry(value_.node, other)) place = std::max(place, node->place);
+    if (const Node* node = lookup(other)) place = std::max(place, node->place);
   }
   value_.diagnostics.add(place, path_of(name), wrong, allowed);
 }

@@ -73,6 +73,24 @@ bool names_non_finite(std::string_view word) {
   return std::find(names.begin(), names.end(), lower) != names.end();
 }
 
+enum class ControlCharacters { none, tabs_and_line_ends };
+
+/// Appends the first character or stray byte of `text`, in a form safe for a terminal, and returns its bytes.
+/// Control characters but the `kept` ones become `\xNN`, U+0080 to U+009F among them, which terminals obey as
+/// they do an escape sequence, and so do bytes that are no UTF-8. `text` is not empty.
+std::size_t append_shown(std::string& result, std::string_view text, ControlCharacters kept) {
+  const std::size_t length = utf8_length(text);
+  const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+  const bool white = character == "\n" || character == "\t";
+  const bool control = is_control(character[0]) || is_second_control(character);
+  if (length > 0 && (!control || (white && kept == ControlCharacters::tabs_and_line_ends))) {
+    result += character;
+  } else {
+    for (const char byte : character) result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+  }
+  return character.size();
+}
+
 }  // namespace
 
 std::size_t utf8_length(std::string_view text) {
@@ -156,19 +174,6 @@ void remember_lines(std::string_view shown) {
 std::vector<std::string> said_lines() {
   const std::lock_guard lock(mutex);
   return lines();
-}
-
-std::size_t append_shown(std::string& result, std::string_view text, ControlCharacters kept) {
-  const std::size_t length = utf8_length(text);
-  const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
-  const bool white = character == "\n" || character == "\t";
-  const bool control = is_control(character[0]) || is_second_control(character);
-  if (length > 0 && (!control || (white && kept == ControlCharacters::tabs_and_line_ends))) {
-    result += character;
-  } else {
-    for (const char byte : character) result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
-  }
-  return character.size();
 }
 
 std::string printable(std::string_view text) {

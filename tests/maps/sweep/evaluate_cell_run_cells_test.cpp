@@ -1,5 +1,3 @@
-#include "rubsweep/maps/sweep/run_cells.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,14 +50,14 @@ Lines run(const Study& study, const std::vector<std::size_t>& cells, int threads
   return lines;
 }
 
-TEST(RunCells, AnyNumberOfThreadsGivesTheRowOfEachCellOnce) {
+TEST(EvaluateCellRunCells, AnyNumberOfThreadsGivesTheRowOfEachCellOnce) {
   const Study study = mixed_study();
   const auto cells = all_cells(study);
   const Lines expected = expected_lines(study, cells);
   for (const int threads : {1, 2, 5, 0}) EXPECT_EQ(run(study, cells, threads), expected) << threads;
 }
 
-TEST(RunCells, OrderAndCompanyOfACellDoNotChangeItsRow) {
+TEST(EvaluateCellRunCells, OrderAndCompanyOfACellDoNotChangeItsRow) {
   const Study study = mixed_study();
   auto cells = all_cells(study);
   const Lines expected = expected_lines(study, cells);
@@ -70,7 +68,7 @@ TEST(RunCells, OrderAndCompanyOfACellDoNotChangeItsRow) {
   EXPECT_EQ(run(study, {}, 2), Lines());
 }
 
-TEST(RunCells, AfterStopNoCellStarts) {
+TEST(EvaluateCellRunCells, AfterStopNoCellStarts) {
   const Study study = mixed_study();
   const auto cells = all_cells(study);
   std::atomic<bool> stop = false;
@@ -86,7 +84,7 @@ TEST(RunCells, AfterStopNoCellStarts) {
   EXPECT_EQ(seen.size(), 2u);
 }
 
-TEST(RunCells, StoppedBeforeItBeganRunsNothing) {
+TEST(EvaluateCellRunCells, StoppedBeforeItBeganRunsNothing) {
   const Study study = mixed_study();
   EXPECT_EQ(run_cells(
                 study, all_cells(study), 2,
@@ -94,7 +92,7 @@ TEST(RunCells, StoppedBeforeItBeganRunsNothing) {
             0u);
 }
 
-TEST(RunCells, AMachineThatIsNotValidIsTheUsersToMend) {
+TEST(EvaluateCellRunCells, AMachineThatIsNotValidIsTheUsersToMend) {
   Study study = one_side_study({50, 60}, {0.1});
   study.machine.stops[0].clearance_m = -1;
   EXPECT_EQ(message_of<ConfigError>([&] {

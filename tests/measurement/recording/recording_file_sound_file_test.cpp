@@ -1,5 +1,3 @@
-#include "rubsweep/measurement/recording/sound_file.hpp"
-
 #include <gtest/gtest.h>
 #include <sndfile.h>
 
@@ -9,13 +7,14 @@
 
 #include "maps/batch/temporary_directory.hpp"
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/measurement/recording/recording_file.hpp"
 
 namespace rubsweep::recording {
 namespace {
 
 namespace fs = std::filesystem;
 
-TEST(SoundFile, ReadingsAreSharesOfTheFullScale) {
+TEST(RecordingFileSoundFile, ReadingsAreSharesOfTheFullScale) {
   const TemporaryDirectory directory;
   const fs::path file = directory.path() / "readings.wav";
   for (const int format : {SF_FORMAT_PCM_16, SF_FORMAT_PCM_24, SF_FORMAT_FLOAT}) {
@@ -40,7 +39,7 @@ TEST(SoundFile, ReadingsAreSharesOfTheFullScale) {
   }
 }
 
-TEST(SoundFile, DamagedOnesAreNamed) {
+TEST(RecordingFileSoundFile, DamagedOnesAreNamed) {
   const TemporaryDirectory directory;
   const fs::path file = directory.path() / "damaged.wav";
   std::ofstream(file) << "RIFF....WAVEjunk";
@@ -52,7 +51,7 @@ TEST(SoundFile, DamagedOnesAreNamed) {
   }
 }
 
-TEST(SoundFile, OneThatWasCutShortIsRefused) {
+TEST(RecordingFileSoundFile, OneThatWasCutShortIsRefused) {
   const TemporaryDirectory directory;
   const fs::path file = directory.path() / "cut.wav";
   SF_INFO info{.frames = 0,
