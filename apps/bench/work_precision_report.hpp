@@ -14,7 +14,7 @@ namespace rubsweep::bench {
 struct WorkPrecisionLine {
   std::string cell;
   Measurement measurement;
-  std::optional<LabelAgreement> labels{};  ///< over the whole map; empty: not asked or too slow
+  std::optional<LabelAgreement> labels{};  ///< agreement over the whole map; empty: not asked or too slow
   bool labels_too_slow = false;
   Reference reference{};  ///< what the state error was measured against
 };

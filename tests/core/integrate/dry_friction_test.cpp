@@ -88,7 +88,7 @@ TEST(DryFriction, ABeltCarriesTheMassUntilTheSpringIsAsStrongAsFriction) {
   const double let_go = -(limit - damping * v), leaves = -let_go / v;
   const double decay = damping / 2, rate = std::sqrt(1 - decay * decay);
   const auto slid = [&](double t) {
-    const double from = let_go + limit, s = t - leaves;  // about -mu N
+    const double from = let_go + limit, s = t - leaves;  // friction of about -mu N
     const double b = (-v + decay * from) / rate;
     const double e = std::exp(-decay * s), cosine = std::cos(rate * s), sine = std::sin(rate * s);
     return std::pair{-limit + e * (from * cosine + b * sine),

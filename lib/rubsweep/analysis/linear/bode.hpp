@@ -19,7 +19,7 @@ struct BodePoint {
 /// Readings of one sensor during a run-up, sample by sample.
 struct OneXSignal {
   std::span<const std::complex<double>> phasor_m;  ///< A of the part Re(A e^{i phi}) at this instant
-  std::span<const double> noise_m;                 ///< on the readings; empty: none
+  std::span<const double> noise_m;                 ///< noise of the readings; empty: none
   std::span<const double> shaft_angle_rad;         ///< phi, rising
   std::span<const double> speed_hz;
   double sensor_angle_deg = 0;  ///< direction of the sensor, which the mark passes that much later

@@ -125,7 +125,7 @@ class RampDynamics : private integrate::law::OwnSystem<N>, public integrate::law
   }
 
   RampForces forces_;
-  std::vector<double> reference_surface_m_per_s_;  ///< of each contact
+  std::vector<double> reference_surface_m_per_s_;  ///< surface speed of each contact
 };
 
 }  // namespace rubsweep::ramp

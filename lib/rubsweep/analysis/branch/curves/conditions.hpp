@@ -12,7 +12,7 @@ namespace rubsweep::branch::curves {
 /// Monodromy matrices on both sides of a state.
 struct MonodromyPair {
   Eigen::MatrixXd ahead, behind;
-  double step = 0;  ///< from the state to either of them
+  double step = 0;  ///< distance from the state to either of them
 
   Eigen::MatrixXd slope() const { return (ahead - behind) / (2 * step); }
 };

@@ -19,7 +19,7 @@ struct RotatingArc {
   double angle_rad = 0;        ///< its length, in rotation of the shaft
   int hits = 0;
   double contact_fraction = 0;
-  bool slip_reversed = false;  ///< as of a turn
+  bool slip_reversed = false;  ///< true: a slip reversed, as of a turn
   /// Changes of contact mode, phases from the start of the arc; none where contacts are smoothed.
   std::vector<integrate::run::ModeSwitch> switches;
   double peak_displacement_m = 0;  ///< this and what follows only where samples are asked for

@@ -13,7 +13,7 @@ namespace rubsweep::config::yaml {
 /// over the other.
 struct SourcePosition {
   int override_index = -1;  ///< which --set, from 0; -1: a file
-  int line = 1;             ///< of the file, from 1
+  int line = 1;             ///< line of the file, from 1
   int column = 1;           ///< byte of the line, from 1
   int file = 0;             ///< which file: 0 is the configuration itself, others are its bases (Diagnostics)
 
