@@ -39,8 +39,8 @@ struct MapComparison {
   std::string axis;                          ///< second axis: whirl_ratio or eccentricity_m
   std::vector<std::string> keys;             ///< columns of the axes over keys of the configuration
   std::vector<ComparedCell> cells;           ///< cells of A in its order, then those that only B has
-  std::vector<ColumnDifference> columns;     ///< that differ, of cells with equal class and order
-  std::vector<std::string> missing_columns;  ///< that only one of the maps has: not compared
+  std::vector<ColumnDifference> columns;     ///< columns that differ, of cells with equal class and order
+  std::vector<std::string> missing_columns;  ///< columns that only one of the maps has: not compared
   std::string digest_a, digest_b;            ///< empty where a file says none
 
   std::size_t count(CellVerdict verdict) const;

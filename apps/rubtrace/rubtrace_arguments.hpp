@@ -14,7 +14,7 @@ namespace rubsweep::apps {
 /// A check of the design.
 struct DesignCheckArguments {
   std::optional<design::SpeedRange> operating = {};  ///< empty: the speeds of the sweep
-  std::string operating_option = {};                 ///< that gave it
+  std::string operating_option = {};                 ///< option that gave the operating range
   int kick_speeds = 11;
   int threads = 0;
 };

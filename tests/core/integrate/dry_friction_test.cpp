@@ -344,7 +344,7 @@ TEST_P(DryFrictionRandom, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDiff
       EXPECT_LT(largest_difference(a.section, b.section), 2e-8) << "cell " << cell << " turn " << k;
       if (const Eigen::MatrixXd* moved = a.tangent_vectors.get()) {
         const Eigen::MatrixXd by_solver = *moved;
-        stuck += std::abs(by_solver.determinant()) < 1e-9;  // what sticks loses a rank
+        stuck += std::abs(by_solver.determinant()) < 1e-9;  // a contact that sticks takes a rank away
         asked.tangent_vectors.resize(4, 0);
         double worst = 0;
         for (Eigen::Index j = 0; j < 4; ++j) {

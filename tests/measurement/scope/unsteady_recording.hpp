@@ -15,7 +15,7 @@ namespace rubsweep::scope {
 
 struct Unsteady {
   double speed_wander = 0;                  ///< largest relative departure of the speed
-  double amplitude_wander = 0;              ///< the same of the amplitude
+  double amplitude_wander = 0;              ///< largest relative departure of the amplitude
   double other_order = 0, other_share = 0;  ///< a line beside 1X, as a share of it
   double other_swing = 0;                   ///< relative swing of that line, once over the recording
   double near_bins = 0, near_share = 0;     ///< a third line so many bins beside the other, as a share of it

@@ -52,7 +52,7 @@ struct Trace {
   std::vector<TracedState> trajectory;  ///< samples at t = k T / N, k = 0 .. revolutions N - 1
   std::vector<TracedState> section;     ///< states at t = 0, T, 2 T, ...: one more than revolutions
   std::vector<TracedSwitch> switches;   ///< none where the law is smoothed: nothing is located then
-  std::vector<response::motion::ContactFacts> turns;  ///< one per whole revolution
+  std::vector<response::motion::ContactFacts> turns;  ///< facts of every whole revolution
   /// Samples of the last window, or of the whole run if shorter.
   std::vector<std::complex<double>> displacement_m;
   Eigen::MatrixXd readings_m;                   ///< readings x probes, from the start through all whole turns

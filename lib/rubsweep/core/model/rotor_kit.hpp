@@ -156,7 +156,7 @@ struct BowPoints {  ///< the least bent line through these points
 };
 struct BowMode {  ///< the shape of a mode of the shaft on its supports, 1 the lowest
   int mode = 1;
-  double amplitude_m = required;  ///< its largest deflection
+  double amplitude_m = required;  ///< largest deflection
 };
 struct Bow {
   std::variant<BowPoints, BowMode> shape;

@@ -71,7 +71,7 @@ class CsvReader {
   } line_;
   RowPosition next_{0, 1};  ///< where the next line starts
   RowPosition place_;
-  std::string record_;  ///< one line, or more where a quoted cell goes on
+  std::string record_;  ///< text of one line, or more where a quoted cell goes on
   std::vector<std::string> comments_, header_, cells_;
 };
 

@@ -20,7 +20,7 @@ struct MonodromyPair {
 /// A monodromy matrix and how it changes.
 struct MonodromyJet {
   Eigen::MatrixXd here;
-  std::vector<Eigen::MatrixXd> by_parameter;  ///< one for each
+  std::vector<Eigen::MatrixXd> by_parameter;  ///< derivative by each parameter
   /// A little along a unit vector of the state and against it; empty where the orbit cannot be followed
   /// there.
   std::function<std::optional<MonodromyPair>(const Eigen::VectorXd& direction)> along;

@@ -20,7 +20,7 @@ struct StepChoice {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   double step_s = 0;            ///< safe, or the latest instant of the crossing
-  std::size_t crossing = none;  ///< this guard is crossed, for certain and first
+  std::size_t crossing = none;  ///< number of the guard that is crossed, for certain and first
   double earliest_s = 0;        ///< instant before which it cannot be
   bool annular = false;         ///< an annular stop is about to be touched
 

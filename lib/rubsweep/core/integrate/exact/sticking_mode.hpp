@@ -18,7 +18,7 @@ struct StickingView {
   Eigen::RowVectorXd on_drift, on_drift_rate;  ///< rows of the sticking contacts
   std::complex<double> harmonic;               ///< Re(harmonic e^{i phase})
   Eigen::RowVectorXd on_free;                  ///< row over the free vibration's 2k modal numbers
-  Eigen::RowVectorXd rate_on_free;             ///< the same of its rate
+  Eigen::RowVectorXd rate_on_free;             ///< row for the rate
   Eigen::RowVectorXd size, curvature;  ///< bounds of both and of the second rate, per length of a pair
 };
 
@@ -118,7 +118,7 @@ class StickingMode {
   /// turned by an angle, the accelerations are changed by the angle times `change` times those without
   /// friction.
   struct Ring {
-    Eigen::Index held = 0;  ///< its number among the contacts that stick
+    Eigen::Index held = 0;  ///< number among the contacts that stick
     Eigen::RowVectorXd first_row;
     double offset = 0;
     Eigen::MatrixXd change;

@@ -22,7 +22,7 @@ struct Posterior {
   Eigen::VectorXd weight{};        ///< weight of every case; those of a candidate add up to its probability
   Eigen::VectorXd importance{};    ///< weight of every case in proportion to importance_weights
   Eigen::VectorXd size_density{};  ///< density_of_size of every case
-  std::shared_ptr<const forest::Forest> forest{};  ///< that gave the weights
+  std::shared_ptr<const forest::Forest> forest{};  ///< forest that gave the weights
   double none = 0;                                 ///< probability that it is none of them
   double sharpness = 1;  ///< power that makes the probabilities of cases not drawn by a tree fit best
 };

@@ -49,7 +49,7 @@ struct TurnTube {
     double value = 0;  ///< < 0 at the change
     double rate = 0, curvature = 0;
     Spread spread, rate_spread, curvature_spread;
-    double own_deflection = 0;  ///< its change per unit of the switch's own deflection
+    double own_deflection = 0;  ///< change per unit of the switch's own deflection
   };
 
   struct Switch {
@@ -60,7 +60,7 @@ struct TurnTube {
     double own_deflection = 0;
     double longest_window_s = 0;  ///< longest time for which the bounds hold
     std::vector<Other> others;
-    std::size_t margins_before = 0;  ///< how many of `margins` lie before it
+    std::size_t margins_before = 0;  ///< number of `margins` before it
   };
 
   /// A deflection at the end of the turn: the lengths of both parts of end_norm b, and the same of the rate
