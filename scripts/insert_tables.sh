@@ -3,7 +3,8 @@
 #   <!-- Made by COMMAND,
 #        commit X, on MACHINE -->
 #   <!-- End of what is made. -->
-# COMMAND is run by bash in the top folder and prints the table as Markdown. Commit and machine become those of this run. With
+# COMMAND is run by bash in the top folder and prints the table as Markdown; it may stand on several lines, those behind the
+# first indented. Commit and machine become those of this run. With
 # --only those tables alone whose command contains TEXT, since some take minutes. With --check nothing is written: exits 1 and
 # names each table that differs from what its command prints now.
 set -euo pipefail

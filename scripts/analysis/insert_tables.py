@@ -9,13 +9,14 @@ import sys
 from rubplot.failure import Failure
 
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-MADE = re.compile(r"^<!-- Made by (?P<command>.*),\n     commit .*, on .* -->\n(?P<table>(?s:.*?))"
+MADE = re.compile(r"^<!-- Made by (?P<command>(?s:.*?)),\n     commit .*, on .* -->\n(?P<table>(?s:.*?))"
                   r"^<!-- End of what is made\. -->$", re.MULTILINE)
 
 
 def printed(command):
     """What a command prints, run in the top folder."""
-    done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=TOP, capture_output=True, text=True, check=False)
+    one_line = " ".join(command.split("\n     "))
+    done = subprocess.run(["bash", "-o", "pipefail", "-c", one_line], cwd=TOP, capture_output=True, text=True, check=False)
     if done.returncode != 0 or not done.stdout.startswith("|"):
         raise Failure(f"{command} ends with {done.returncode} and prints no table: {done.stderr.strip()}")
     return done.stdout

@@ -39,6 +39,7 @@ class InsertTables(FileTest):
 
     def test_commands_that_fail_or_print_no_table_end_it(self):
         self.assertEqual(insert_tables.printed("printf '| a |\\n'"), "| a |\n")
+        self.assertEqual(insert_tables.printed("printf '| %s %s |\\n'\n     one two"), "| one two |\n")
         for command in ("false", "echo no table", "false | printf '| a |\\n'"):
             with self.assertRaises(Failure):
                 insert_tables.printed(command)
