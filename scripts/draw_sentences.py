@@ -50,7 +50,7 @@ def main():
     parser.add_argument("documents", nargs="*", type=pathlib.Path)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=60)
-    chosen = parser.parse_args()
+    chosen = parser.parse_intermixed_args()
     if chosen.kind == "sentences":
         files, read = [path.resolve() for path in chosen.documents] or documents(TOP), sentences
     else:
