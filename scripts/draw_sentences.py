@@ -40,8 +40,8 @@ def comments(path):
             continue
         if words:
             found.append((open_at, " ".join(words).strip()))
-        open_at, words = (number, [trailing[1]]) if trailing else (0, [])
-    return [(line, text) for line, text in found if len(text.split()) > 1 and not text.startswith("namespace ")]
+        open_at, words = (number, [trailing[1]]) if trailing and not trailing[1].startswith("namespace ") else (0, [])
+    return [(line, text) for line, text in found if len(text.split()) > 1]
 
 
 def main():
