@@ -14,19 +14,23 @@ complain() {
   broken=1
 }
 
-# anchors FILE: the names by which its headings can be linked to.
-anchors() {
-  sed -nE 's/^#+ +//p' "$1" | tr '[:upper:]' '[:lower:]' | sed -E 's/[^[:alnum:] _-]//g; s/ /-/g'
+# read_anchors FILE: into `anchors`, the names by which its headings can be linked to, each in a line.
+declare -A anchors=()
+read_anchors() {
+  [[ -v "anchors[$1]" ]] ||
+    anchors[$1]=$'\n'$(sed -nE 's/^#+ +//p' "$1" | tr '[:upper:]' '[:lower:]' | sed -E 's/[^[:alnum:] _-]//g; s/ /-/g')$'\n'
 }
 
 check_link() {
-  local file=$1 link=$2 path=${2%%#*} target
+  local file=$1 link=$2 path=${2%%#*} folder=. target
+  [[ $file != */* ]] || folder=${file%/*}
   target=$file
-  [[ -z $path ]] || target=$(dirname "$file")/$path
+  [[ -z $path ]] || target=$folder/$path
   if [[ ! -e $target ]]; then
     complain "$file" "there is no $link"
-  elif [[ $link == *'#'* ]] && ! anchors "$target" | grep -qxF -- "${link#*#}"; then
-    complain "$file" "there is no heading $link"
+  elif [[ $link == *'#'* ]]; then
+    read_anchors "$target"
+    [[ ${anchors[$target]} == *$'\n'"${link#*#}"$'\n'* ]] || complain "$file" "there is no heading $link"
   fi
 }
 
@@ -49,7 +53,9 @@ sentences() {
       }
       paragraph = ""
     }
-    /^<!-- Made by/ { exit }
+    /^<!-- Made by/ { made = 1 }
+    /^<!-- End of what is made/ { made = 0; next }
+    made { finish(); next }
     /^(    |[|#!]|[[:space:]]*$)/ { finish(); next }
     /^ *([-*]|[0-9]+\.) / { finish() }
     { if (paragraph == "") start = FNR; paragraph = paragraph " " $0 }
@@ -60,7 +66,7 @@ for file in *.md docs/**/*.md results/*.md; do
   [[ $file != docs/library/* ]] || continue  # pages of doxygen, which has its own links
   while IFS= read -r link; do
     [[ $link == *://* ]] || check_link "$file" "$link"
-  done < <(grep -oE '\]\([^) ]+\)' "$file" | sed -E 's/^\]\(|\)$//g')
+  done < <(grep -oE '\]\([^) ]+\)' "$file" | sed -E 's/^\]\(|\)$//g' | awk '!seen[$0]++')
   while IFS= read -r line; do
     complain "$file:$line" 'wider than 120 characters'
   done < <(awk 'length > 120 && !/^\|/ { print FNR }' "$file")

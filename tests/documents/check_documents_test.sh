@@ -52,9 +52,18 @@ method 'Whatever they meet, guards hold. What do they hold? See below.
 
 <!-- Made by a program; what follows is not written by hand. -->
 
-What a program says.'
+What a program says.
+
+<!-- End of what is made. -->
+
+Words by hand.'
 printf '# Changes\n\nWhat a user sees.\n' >"$top/CHANGELOG.md"
 expect 'questions, tables, code, generated text and changes' 0
+method '<!-- Made by a program. -->
+What it says.
+<!-- End of what is made. -->
+What a person says.'
+expect 'text behind what is generated' 1 'docs/method.md:8: a sentence begins with What in place of a noun'
 method '- *Guards.* Of two the first
   counts. *What* else
 
