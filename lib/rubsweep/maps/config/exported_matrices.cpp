@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/structure/matrix_export.hpp"
+#include "rubsweep/core/structure/matrix_shaft.hpp"
 #include "rubsweep/maps/batch/result_files.hpp"
 #include "rubsweep/maps/config/machine/printed_matrices.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
