@@ -28,6 +28,8 @@ void refuse_dry_friction_beside_torsion(const yaml::Value& stops, const model::M
   }
 }
 
+bool is_linear(const model::Stop& stop) { return stop.law.linear(); }
+
 }  // namespace
 
 sweep::Study read_study(yaml::Section& root) {
@@ -52,6 +54,10 @@ sweep::Study read_study(yaml::Section& root) {
   if (const auto value = root.require("sweep", "a map")) study.grid = read_sweep(*value, study.machine);
   if (const auto value = root.find("study")) read_study_kind(*value, study);
   if (const auto value = root.find("solver")) study.solver = read_solver(*value, study.machine.stops.size());
+  if (const auto value = root.find("solver"); value && !integrate::run::knows_curved_laws(study.solver) &&
+                                              !std::ranges::all_of(study.machine.stops, is_linear))
+    refuse(*value, "knows linear contacts alone by method exact or contact smoothed",
+           "method auto or adaptive with contact located beside a law of another kind");
   if (const auto value = root.find("response")) read_response(*value, study);
   if (const auto value = root.find("kick"); value && root.is_sound()) {
     refuse_endless_kick(*value, *study.machine.kick,
