@@ -14,9 +14,8 @@
 #include "rubsweep/core/scene/constant_load.hpp"
 #include "rubsweep/core/structure/full_reference.hpp"
 #include "rubsweep/core/structure/stability.hpp"
-#include "rubsweep/maps/report/describe_modes.hpp"
 #include "rubsweep/maps/report/explain_law.hpp"
-#include "rubsweep/maps/report/explain_matrices.hpp"
+#include "rubsweep/maps/report/explain_rotor.hpp"
 
 namespace rubsweep::report {
 namespace {
@@ -38,7 +37,7 @@ std::string explain_casing(const model::Stop& stop, double rotor_mass_kg) {
       stop.casing->mass_kg, hz, stop.casing->damping_ratio, half_period_ms);
 }
 
-/// By how much is in docs/method.md, "Rotor kit".
+/// By how much is in docs/method/rotors.md.
 std::string explain_fast_contact(const model::Stop& stop, double rotor_mass_kg, const model::RotorKit& kit) {
   const double contact_hz = 1 / (2 * contact_half_period_s(stop, rotor_mass_kg));
   if (contact_hz <= kit.modes_up_to_hz) return "";
