@@ -120,6 +120,35 @@ StateReader::StateReader(const scene::Scene& scene, const integrate::run::Solver
   for (const scene::Contact& contact : scene.contacts) {
     relative_.push_back(scene::relative_map(scene.structure, contact));
   }
+  impact_damping_.resize(stops());
+  if (std::ranges::none_of(scene.contacts, [](const scene::Contact& c) { return c.law != nullptr; })) return;
+  const auto system = integrate::run::scale<Eigen::Dynamic>(scene);
+  Law law(system, 0);
+  const State state = integrate::run::scaled_initial_state(scene);
+  for (std::size_t i = 0; i < stops(); ++i) {
+    law.enter_by_state(i, state, state);
+    impact_damping_[i] = law.impact_damping(i);
+  }
+}
+
+void StateReader::pass(const integrate::run::ModeSwitch& change) {
+  if (change.from == contact::Mode::open)
+    impact_damping_[static_cast<std::size_t>(change.contact)] = change.impact_damping;
+}
+
+contact::NormalForce StateReader::normal_force(std::size_t index, const StopMotion& motion) const {
+  const scene::Contact& contact = scene_.contacts[index];
+  const double p_m = motion.penetration_m, v_m_per_s = motion.closing_speed_m_per_s;
+  if (contact.law) {
+    if (p_m <= 0) return {};
+    const double spring_n = contact.law->force_n(p_m);
+    const double v = v_m_per_s / integrate::run::state_scale(scene_).unit_velocity_m_per_s();
+    return {spring_n, spring_n * std::max(0.0, 1 + impact_damping_[index] * v)};
+  }
+  return smoothing_m_ > 0
+             ? contact::smoothed_elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m, p_m,
+                                           v_m_per_s, smoothing_m_)
+             : contact::elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m, p_m, v_m_per_s);
 }
 
 TraceState StateReader::read_motion(std::span<const double> scaled) const {
@@ -186,16 +215,13 @@ void StateReader::add_forces(std::size_t index, double dry_n, TraceState& state)
                              ? scene_.twist->contact_radius_m[index] *
                                    (scene_.speed_rad_per_s + state.rates_m_per_s(scene_.twist->coordinate))
                              : contact.surface_speed_m_per_s;
-  const contact::NormalForce force =
-      smoothing_m_ > 0
-          ? contact::smoothed_elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m,
-                                        motion.penetration_m, motion.closing_speed_m_per_s, smoothing_m_)
-          : contact::elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m, motion.penetration_m,
-                               motion.closing_speed_m_per_s);
+  const contact::NormalForce force = normal_force(index, motion);
   StopState& stop = state.stops[index];
   stop.normal_force_n = force.total_n;
   stop.friction_force_n = friction_n(contact, motion.sliding_speed_m_per_s + surface, force.spring_n, dry_n);
-  state.energy.contact_j += spring_energy_j(contact.stiffness_n_per_m, motion.penetration_m, smoothing_m_);
+  state.energy.contact_j +=
+      contact.law ? contact.law->energy_j(std::max(0.0, motion.penetration_m))
+                  : spring_energy_j(contact.stiffness_n_per_m, motion.penetration_m, smoothing_m_);
   state.energy.contact_damping_w -= (force.total_n - force.spring_n) * motion.closing_speed_m_per_s;
   state.energy.friction_w -= stop.friction_force_n * motion.sliding_speed_m_per_s;
 }

@@ -58,7 +58,8 @@ void validate(const Stop& stop, const std::string& path) {
   std::visit([&](const auto& geometry) { validate(geometry, stop.clearance_m, path); }, stop.geometry);
   Stop::visit_fields(stop, requiring(path));
   Stop::visit_mass(stop, requiring(path));
-  validate(stop.damping, path);
+  if (stop.law.linear()) validate(stop.damping, path);
+  validate(stop.law, stop.hertz.has_value(), path + "law.");
   validate(stop.friction, path + "friction.");
   if (stop.casing) Casing::visit_fields(*stop.casing, requiring(path + "casing."));
 }

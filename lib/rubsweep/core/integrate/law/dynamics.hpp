@@ -10,6 +10,7 @@
 #include "rubsweep/core/contact/force_law.hpp"
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/integrate/law/contact_states.hpp"
+#include "rubsweep/core/integrate/law/curved_contacts.hpp"
 #include "rubsweep/core/integrate/run/pulse_times.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
 
@@ -17,8 +18,9 @@ namespace rubsweep::integrate::law {
 
 /// Right-hand side of a scaled system as Odeint takes it, u then u' in one state. Located: every contact
 /// obeys the law of its current mode, continued smoothly past the mode's end. Smoothed: the blended law,
-/// whatever the mode. Any state with contiguous doubles behind operator[] will do. Dry friction, which jumps
-/// where the slip reverses, depends on `slips`: a contact that sticks keeps the slip that it has.
+/// whatever the mode, of linear contacts alone. Any state with contiguous doubles behind operator[] will do.
+/// Dry friction, which jumps where the slip reverses, depends on `slips`: a contact that sticks keeps the
+/// slip that it has.
 template <int N, bool Smoothed>
 class Dynamics : public ContactStates<N, Smoothed> {
   using States = ContactStates<N, Smoothed>;
@@ -33,7 +35,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
   using typename States::Vector;
 
   Dynamics(const run::ScaledSystem<N>& system, double smoothing_width)
-      : States(system), smoothing_width_(smoothing_width) {}
+      : States(system), curved_(system), smoothing_width_(smoothing_width) {}
 
   /// `phase` in [0, 2 pi]: the revolution is an integer kept elsewhere, so that phases stay exact for ever.
   template <class State>
@@ -99,15 +101,32 @@ class Dynamics : public ContactStates<N, Smoothed> {
   template <class State>
   void enter_by_state(std::size_t i, const State& state, const State& rate) {
     const Contact& c = system_.contacts[i];
+    const bool begins = modes_[i] == contact::Mode::open;
     contact::Kinematics k = kinematics(i, state, rate);
     if (k.penetration > 0) {
       // The guard of an open annular stop is in squares; the modes are separated by the penetration itself.
       modes_[i] = contact::Mode::sprung;
       k = kinematics(i, state, rate);
     }
-    const contact::Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
-    modes_[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
+    if (begins) curved_.begin_inside(i, k);
+    const contact::Mode mode = c.law
+                                   ? contact::curved_mode(impact_damping(i), k.penetration, k.closing_speed)
+                                   : contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
+    modes_[i] = mode_after(i, mode, k);
   }
+
+  /// The guards armed in the mode of contact `i`, and the mode just after an instant at which `mode` may have
+  /// ended.
+  contact::Guards guards(std::size_t i, const contact::Kinematics& k) const {
+    return guards(i, modes_[i], k);
+  }
+  contact::Mode mode_after(std::size_t i, contact::Mode mode, const contact::Kinematics& k) const {
+    return contact::mode_after(mode, k, [&](contact::Mode of) { return guards(i, of, k); });
+  }
+
+  /// Contact `i` begins to touch with this closing speed: its law may damp it by that.
+  void begin_impact(std::size_t i, double closing_speed) { curved_.begin_impact(i, closing_speed); }
+  double impact_damping(std::size_t i) const { return curved_.impact_damping(i); }
 
   /// Normal force in newtons by the law this object integrates.
   contact::NormalForce normal_force(std::size_t i, double penetration, double closing_speed) const {
@@ -116,6 +135,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
       return contact::smoothed_elastogap(c.stiffness, c.damping, penetration, closing_speed,
                                          smoothing_width_);
     } else {
+      if (c.law) return curved_.force(i, modes_[i], penetration, closing_speed);
       return contact::force_in_mode(modes_[i], c.stiffness, c.damping, penetration, closing_speed);
     }
   }
@@ -309,8 +329,14 @@ class Dynamics : public ContactStates<N, Smoothed> {
     if constexpr (Smoothed) {
       return contact::smoothed_elastogap_slopes(c.stiffness, c.damping, p, v, smoothing_width_);
     } else {
-      return contact::slopes_in_mode(modes_[i], c.stiffness, c.damping);
+      if (!c.law) return contact::slopes_in_mode(modes_[i], c.stiffness, c.damping);
+      return curved_.slopes(i, modes_[i], p, v);
     }
+  }
+
+  contact::Guards guards(std::size_t i, contact::Mode mode, const contact::Kinematics& k) const {
+    const Contact& c = system_.contacts[i];
+    return c.law ? curved_.guards(i, mode, k) : contact::guards_of(mode, c.stiffness, c.damping, k);
   }
 
   /// f = F(p, v) n + mu(s) S(p) t with n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
@@ -341,6 +367,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
     by_v += push * by_rate * rows;
   }
 
+  CurvedContacts<N> curved_;
   double smoothing_width_;
   const run::PulseTimes* pulses_ = nullptr;
   mutable long rhs_calls_ = 0;

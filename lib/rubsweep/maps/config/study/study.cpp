@@ -224,6 +224,13 @@ void refuse_static_friction_smoothed(const yaml::Value& solver, const sweep::Stu
            "contact: located, or friction without static");
 }
 
+void refuse_curved_laws(const yaml::Value& solver, const sweep::Study& study) {
+  const auto is_linear = [](const model::Stop& stop) { return stop.law.linear(); };
+  if (!integrate::run::knows_curved_laws(study.solver) && !std::ranges::all_of(study.machine.stops, is_linear))
+    refuse(solver, "knows linear contacts alone by method exact or contact smoothed",
+           "method auto or adaptive with contact located beside a law of another kind");
+}
+
 }  // namespace
 
 sweep::Study read_study(yaml::Section& root) {
@@ -250,6 +257,7 @@ sweep::Study read_study(yaml::Section& root) {
   if (const auto value = root.find("solver")) {
     study.solver = read_solver(*value, study.machine.stops.size());
     refuse_static_friction_smoothed(*value, study);
+    refuse_curved_laws(*value, study);
   }
   if (const auto value = root.find("response")) read_response(*value, study);
   if (const auto value = root.find("kick"); value && root.is_sound()) {

@@ -23,7 +23,9 @@ constexpr std::array<std::string_view, 5> curve{"static", "kinetic", "peak_speed
                                                 "settle_speed_m_per_s", "viscous_s_per_m"};
 constexpr std::array<std::string_view, 1> stiffness{"stiffness_n_per_m"}, hertz{"hertz"};
 constexpr std::array<std::string_view, 1> nominal{"restitution"}, by_rotor_mass{"restitution_by_rotor_mass"},
-    delivered{"restitution_delivered"}, damping{"damping_ns_per_m"};
+    delivered{"restitution_delivered"}, damping{"damping_ns_per_m"}, law{"law"};
+constexpr std::array<std::string_view, 4> dampings{"restitution", "restitution_by_rotor_mass",
+                                                   "restitution_delivered", "damping_ns_per_m"};
 constexpr std::array<std::string_view, 1> speed_hz{"speed_hz"}, speed_rpm{"speed_rpm"};
 constexpr std::array<std::string_view, 1> ratio{"whirl_ratio"}, eccentricity{"eccentricity_m"},
     unbalance{"unbalance_g_mm"};
@@ -41,9 +43,11 @@ constexpr std::array<std::string_view, 2> counted{"count", "scale"};
 constexpr std::array<std::string_view, 1> stepped{"step"};
 
 /// Alternative spellings, each by the keys that belong to it; at most four, the empty ones do not count.
-constexpr std::array<std::array<Keys, 4>, 13> alternatives{{
+constexpr std::array<std::array<Keys, 4>, 15> alternatives{{
     {stribeck, curve, holding, one_way},
     {stiffness, hertz},
+    {stiffness, law},
+    {dampings, law},
     {nominal, by_rotor_mass, delivered, damping},
     {speed_hz, speed_rpm},
     {ratio, eccentricity, unbalance, grade},
