@@ -7,13 +7,10 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/config/file.hpp"
-#include "rubsweep/maps/config/output.hpp"
-#include "rubsweep/maps/config/study/captions.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/study/sweep.hpp"
-#include "rubsweep/maps/config/study_digest.hpp"
 #include "rubsweep/maps/config/unit_slips.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/ring/assembly.hpp"
 #include "rubsweep/ring/read_ring.hpp"
@@ -80,7 +77,7 @@ RingConfig read_sections(const yaml::Value& root) {
   }
   if (const auto value = section.find("chart")) study.chart = read_ring_chart(*value, study.system.loads);
   if (const auto value = section.require("output", "a map")) config.output_directory = read_output(*value);
-  study::read_captions(section, config.captions);
+  read_captions(section, config.captions);
   section.refuse_unknown_keys();
   const std::size_t lines = study.chart ? study.chart->values.size() : 0;
   if (lines * study.speeds_rpm.size() > study::max_cells) {
@@ -168,7 +165,7 @@ RingConfig read_ring_config_text(std::string_view text, const std::string& name,
 
 std::string print_ring_config(const RingConfig& config) {
   yaml::Printer printer;
-  study::print_captions(printer, config.captions);
+  print_captions(printer, config.captions);
   print(printer, config.study, study::AxisPrint::as_written);
   print_output(printer, config.output_directory);
   return printer.yaml();

@@ -1,7 +1,5 @@
 #include "rubsweep/maps/config/file.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
-#include "rubsweep/maps/config/output.hpp"
-#include "rubsweep/maps/config/study/captions.hpp"
 #include "rubsweep/ring/read_ring.hpp"
 #include "rubsweep/ring/read_ring_config.hpp"
 
@@ -76,7 +74,7 @@ Form chart_form() {
 
 Form ring_form() {
   return map_of(
-      joined({study::caption_keys(),
+      joined({caption_keys(),
               {base_of_map(), must("ring", ring(), "the elastic ring"),
                must("loads", list_of(any_of({spring_mass(), beam()}), 1, max_ring_loads),
                     "loads that rub on the ring"),

@@ -15,7 +15,7 @@
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/rpm.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
-#include "rubsweep/maps/config/study/place_axes.hpp"
+#include "rubsweep/maps/config/study/sweep.hpp"
 
 namespace rubsweep::config {
 namespace {

@@ -11,7 +11,6 @@
 
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/config/slip_of.hpp"
-#include "rubsweep/maps/config/yaml/number.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 

@@ -14,8 +14,7 @@
 #include "rubsweep/core/scene/constant_load.hpp"
 #include "rubsweep/core/structure/full_reference.hpp"
 #include "rubsweep/core/structure/stability.hpp"
-#include "rubsweep/maps/report/describe_modes.hpp"
-#include "rubsweep/maps/report/explain_matrices.hpp"
+#include "rubsweep/maps/report/explain_rotor.hpp"
 
 namespace rubsweep::report {
 namespace {

@@ -12,12 +12,10 @@
 #include "rubsweep/core/model/rpm.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
-#include "rubsweep/maps/report/describe_refinement.hpp"
+#include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/explain_machine.hpp"
-#include "rubsweep/maps/report/explain_tables.hpp"
-#include "rubsweep/maps/sweep/idle_torsion.hpp"
-#include "rubsweep/maps/sweep/unstable_rotor.hpp"
-#include "rubsweep/maps/sweep/untouched_walls.hpp"
+#include "rubsweep/maps/report/explain_rotor.hpp"
+#include "rubsweep/maps/sweep/study_warnings.hpp"
 
 namespace rubsweep::report {
 namespace {

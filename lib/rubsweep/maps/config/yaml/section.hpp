@@ -97,7 +97,7 @@ class Section {
   bool is_sound() const { return is_map() && value_.diagnostics.count() == problems_before_; }
 
  private:
-  const Node* lookup(std::string_view name) const;
+  const Node* lookup(std::string_view name) const { return entry(value_.node, name); }
   std::string path_of(std::string_view name) const;
 
   Value value_;
