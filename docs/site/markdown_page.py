@@ -29,7 +29,7 @@ def laid_out(body, words, words_per_minute):
                   lambda match: match[0] if match[1] else f'<a class="picture" href="{match[3]}">{match[2]}</a>', body)
     # A name in the first cell of a row may be cut behind a dot or a low line; other short code is not cut.
     body = re.sub(r"(?<=<td>)(?:– )?(?:<a [^>]*>)?<code>[^<]*</code>",
-                  lambda match: re.sub(r"(?<=[._])(?=\w[^<>]*</code>)", "<wbr>", match[0]), body)
+                  lambda match: re.sub(r"(?:(?<=\.)|(?<=_))(?=[^<>_.]{3}[^<>]*</code>)", "<wbr>", match[0]), body)
     body = re.sub(r"<code>(?=[^<]{31})", '<code class="long">', body)
     # Some pages say their time themselves.
     if not words or re.search(r"</h1>\s*<p><em>\d+ minutes", body):
