@@ -10,7 +10,7 @@ FILE = Path(__file__).resolve().parents[2] / "configs" / "rotors" / "ross_rotor.
 
 
 class Rotor:
-    """What `save` of ROSS leaves."""
+    """Files that `save` of ROSS leaves."""
 
     def save(self, path):
         shutil.copy(FILE, path)

@@ -1,4 +1,4 @@
-"""What a program says of bad input, as exceptions."""
+"""Exceptions that hold what a program says of bad input."""
 
 import re
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What one call of a program gives."""
+"""Results of one call of a program."""
 
 import tempfile
 from contextlib import contextmanager
