@@ -34,7 +34,7 @@ class RefinedCells {
  private:
   const sweep::Grid& grid_;
   std::vector<int> labels_;
-  std::map<std::string, int> numbers_;  ///< of the labels
+  std::map<std::string, int> numbers_;  ///< numbers of the labels
 };
 
 /// Writes `painted.csv` beside the complete refined map at `map`: a row for every cell of `grid` with its
