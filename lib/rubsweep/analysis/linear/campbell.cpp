@@ -121,7 +121,7 @@ ModeShape shape_of(const FreeRotor& rotor, const FollowedMode& at, int number) {
   return shape;
 }
 
-/// Whether a curve comes below a frequency, or grows: a diagram shows every mode that makes a rotor unstable.
+/// True for a curve that comes below the frequency, and for a mode that grows at some speed.
 bool is_shown(const Curve& curve, double up_to_hz) {
   return std::ranges::any_of(curve, [&](const FollowedMode& point) {
     return point.mode.frequency_hz() <= up_to_hz || point.mode.root_per_s.real() > 0;

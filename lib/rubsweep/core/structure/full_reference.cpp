@@ -81,8 +81,8 @@ bool any_grows(const Eigen::VectorXcd& rates, double share) {
   return std::ranges::any_of(rates, [=](const auto& rate) { return rate.real() > share * std::abs(rate); });
 }
 
-/// Whether some vibration surely grows by one and surely none by the other, which leaves room about the
-/// speed at which one begins to.
+/// True where some vibration surely grows by one and surely none by the other. Both count only with a
+/// margin, because near the speed at which growth begins either may be right.
 bool contradict(const Eigen::VectorXcd& one, const Eigen::VectorXcd& other) {
   const auto only_first = [](const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
     return any_grows(a, growing) && !any_grows(b, growing / 4);

@@ -12,8 +12,8 @@
 
 namespace rubsweep::map {
 
-/// Labels of the finished cells of a refined map, by whichever process. Not for several threads at
-/// once.
+/// Labels of the finished cells of a refined map, whichever process finished them. Not for several threads
+/// at once.
 class RefinedCells {
  public:
   /// Nothing is known. The grid must outlive it.

@@ -81,7 +81,7 @@ constexpr bool contradicts(CheckResult finding) { return finding >= CheckResult:
 /// One label that was looked at.
 struct LabelCheck {
   std::size_t cell = 0;
-  std::optional<std::size_t> family;  ///< number in the list; empty: of a cell that no family has
+  std::optional<std::size_t> family;  ///< number in the list; empty: no family has the cell
   bool inside = true;                 ///< inside the family's domain; else just outside
   CheckResult finding = CheckResult::reached;
   std::string_view end;                     ///< outside: what ends the family on the way there
