@@ -29,7 +29,7 @@ struct SimulatedMotion {
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
   std::optional<int> order{};
   std::optional<response::motion::Proof> proof{};
-  response::motion::ContactFacts contact{};  ///< over the recorded turns
+  response::motion::ContactFacts contact{};  ///< facts over the recorded turns
   double eccentricity_m = 0, whirl_ratio = 0;
   bool kicked = false;  ///< false: it started at rest, as the quiet whirl touches a stop, or has no kick
   bool rubs = false;    ///< touched a stop in the recorded turns
