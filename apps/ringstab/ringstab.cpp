@@ -14,7 +14,7 @@
 #include "ringstab_arguments.hpp"
 #include "rubsweep/maps/batch/line_log.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
-#include "rubsweep/maps/batch/result_files.hpp"
+#include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/ring/read_ring_config.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"

@@ -9,7 +9,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/maps/report/cells_of_rows.hpp"
+#include "rubsweep/maps/report/map_cells.hpp"
 #include "rubsweep/maps/sweep/row.hpp"
 
 namespace rubsweep::apps {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubsweep/maps/basin/basin_entropy.hpp"
-#include "rubsweep/maps/sweep/attractors.hpp"
+#include "rubsweep/maps/sweep/basin_sampling.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 
 namespace rubsweep::apps {

@@ -9,9 +9,9 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/maps/config/number_at.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/config/yaml/base.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

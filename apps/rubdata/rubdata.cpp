@@ -11,7 +11,7 @@
 #include "rubsweep/maps/batch/file_lock.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/measurement/dataset/data_set.hpp"
 #include "rubsweep/measurement/dataset/read_data_study.hpp"
 #include "shared/exit_code.hpp"

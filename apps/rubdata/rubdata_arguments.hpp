@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rubsweep/maps/batch/progress_mode.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "shared/action.hpp"
 
 namespace rubsweep::apps {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "rubsweep/core/model/length_text.hpp"
-#include "rubsweep/maps/batch/progress_mode.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "shared/figure.hpp"
 #include "shared/recording_arguments.hpp"
 

@@ -13,10 +13,10 @@
 #include "rubsweep/analysis/linear/linear_run.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/numerics/recently_used.hpp"
-#include "rubsweep/maps/config/number_at.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
-#include "rubsweep/measurement/fit/fit_problem.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/measurement/fit/modelled_data.hpp"
 #include "rubsweep/measurement/fit/rub/rub_orbits.hpp"
 #include "shared/program.hpp"
 

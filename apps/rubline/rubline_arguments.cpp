@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "rubsweep/maps/config/study/place_axes.hpp"
+#include "rubsweep/maps/config/study/sweep.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 
@@ -100,7 +100,8 @@ std::string rubline_help() {
       "cascade.\n\n"
       "{}\n"
       "Examples:\n"
-      "  rubline configs/benchmark/one_side.yaml --along speed_hz --whirl-ratio 0.4 --figure bifurcation.png\n"
+      "  rubline configs/benchmark/one_side.yaml --along speed_hz --whirl-ratio 0.4 --figure "
+      "bifurcation.png\n"
       "  rubline configs/benchmark/one_side.yaml --along speed_hz --from 50 --to 150 --whirl-ratio 0.4 --up "
       "--down\n"
       "  rubline configs/minimal.yaml --along stops.0.clearance_m --from 5e-4 --to 2e-3 --speed-hz 75 "

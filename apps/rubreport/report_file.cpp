@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/maps/batch/page_sum.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
+#include "rubsweep/maps/batch/sha256.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 #include "shared/exit_code.hpp"

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "rubsweep/analysis/page/html_report.hpp"
-#include "rubsweep/maps/batch/progress_mode.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::apps {

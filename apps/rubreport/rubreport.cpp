@@ -8,8 +8,8 @@
 
 #include "report_file.hpp"
 #include "rubsweep/analysis/page/html_report.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
-#include "rubsweep/maps/report/require_plane.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/report/describe_grid.hpp"
 #include "shared/action.hpp"
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"

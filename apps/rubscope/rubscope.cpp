@@ -9,9 +9,9 @@
 
 #include "rubscope_arguments.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/result_files.hpp"
+#include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
-#include "rubsweep/maps/config/study_digest.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/measurement/recording/recording_file.hpp"
 #include "rubsweep/measurement/scope/comparison.hpp"
 #include "rubsweep/measurement/scope/scope_tables.hpp"

@@ -8,9 +8,9 @@
 
 #include "report_program.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/map/finished_map.hpp"
+#include "rubsweep/maps/map/earlier_results.hpp"
+#include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/map_summary.hpp"
-#include "rubsweep/maps/report/require_plane.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/program.hpp"
 #include "shared/run_summary.hpp"

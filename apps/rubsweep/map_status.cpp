@@ -14,7 +14,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/file_lock.hpp"
 #include "rubsweep/maps/batch/journal.hpp"
-#include "rubsweep/maps/map/share.hpp"
+#include "rubsweep/maps/map/map_files.hpp"
 
 namespace rubsweep::apps {
 namespace {

@@ -9,12 +9,11 @@
 #include <utility>
 
 #include "mpi_messages.hpp"
-#include "rubsweep/maps/batch/lap_time.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
-#include "rubsweep/maps/report/describe_footprint.hpp"
+#include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/run_cells.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
 

@@ -11,8 +11,8 @@
 
 #include "chunk_rounds.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
-#include "rubsweep/maps/map/cell_log.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
+#include "rubsweep/maps/map/missing_cells.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
 #include "rubsweep_arguments.hpp"
 

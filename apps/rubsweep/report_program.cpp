@@ -15,8 +15,7 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/descriptor.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "shared/child_process.hpp"
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"

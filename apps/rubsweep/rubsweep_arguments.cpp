@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "map_options.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/templates/templates.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
-#include "rubsweep/maps/report/map_columns.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
 #include "shared/command_line.hpp"
 #include "shared/key_questions.hpp"
 #include "shared/program.hpp"

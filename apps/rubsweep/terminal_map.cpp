@@ -12,7 +12,7 @@
 #include "character_map.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/maps/report/cells_of_rows.hpp"
+#include "rubsweep/maps/report/map_cells.hpp"
 #include "shell_word.hpp"
 
 namespace rubsweep::apps {

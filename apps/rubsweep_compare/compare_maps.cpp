@@ -13,7 +13,7 @@
 #include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/report/map_cells.hpp"
-#include "rubsweep/maps/report/map_columns.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
 
 namespace rubsweep::apps {
 namespace {

@@ -15,8 +15,8 @@
 #include "describe_comparison.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
-#include "rubsweep/maps/map/finished_map.hpp"
-#include "rubsweep/maps/report/map_columns.hpp"
+#include "rubsweep/maps/map/earlier_results.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
 #include "shared/action.hpp"
 #include "shared/child_process.hpp"
 #include "shared/command_line.hpp"
@@ -124,7 +124,8 @@ int compare(const po::variables_map& given) {
   std::optional<fs::path> sensitive;
   if (given.count("sensitive")) sensitive = given["sensitive"].as<std::string>();
   for (const std::string& map : maps) map::require_whole_table("rubsweep-compare", map);
-  std::optional<WorkingTime> working(std::in_place, "rubsweep-compare", "reads the maps", !given.count("quiet"));
+  std::optional<WorkingTime> working(std::in_place, "rubsweep-compare", "reads the maps",
+                                     !given.count("quiet"));
   const auto comparison = compare_maps(maps[0], maps[1], tolerance, sensitive);
   working.reset();
   count_in_summary("cells", comparison.cells.size());

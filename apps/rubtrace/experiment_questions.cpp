@@ -14,8 +14,8 @@
 #include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/report/explain_machine.hpp"
-#include "rubsweep/maps/report/explain_tables.hpp"
-#include "rubsweep/maps/sweep/unstable_rotor.hpp"
+#include "rubsweep/maps/report/explain_rotor.hpp"
+#include "rubsweep/maps/sweep/study_warnings.hpp"
 #include "shared/premises.hpp"
 
 namespace rubsweep::apps {

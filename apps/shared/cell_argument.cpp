@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "rubsweep/core/model/rpm.hpp"
-#include "rubsweep/maps/config/study/place_axes.hpp"
+#include "rubsweep/maps/config/study/sweep.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

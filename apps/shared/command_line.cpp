@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rubsweep/core/model/magnitude.hpp"
-#include "rubsweep/maps/config/yaml/nearest.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
 #include "shared/program.hpp"
 #include "shared/run_summary.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "rubsweep/maps/batch/progress_mode.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "shared/action.hpp"
 
 /// Options that several programs have in common. An option is added where --help shows it.

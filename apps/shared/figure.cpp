@@ -8,8 +8,7 @@
 #include <system_error>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/directory.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "shared/child_process.hpp"
 #include "shared/interrupt.hpp"

@@ -6,10 +6,10 @@
 #include <system_error>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/result_files.hpp"
+#include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/config/yaml/base.hpp"
 
 namespace rubsweep::apps {
 namespace {

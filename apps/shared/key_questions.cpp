@@ -7,7 +7,7 @@
 
 #include "rubsweep/maps/config/keys/key_list.hpp"
 #include "rubsweep/maps/config/keys/schema.hpp"
-#include "rubsweep/maps/config/yaml/nearest.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

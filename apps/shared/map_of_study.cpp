@@ -6,8 +6,8 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/maps/config/study_digest.hpp"
-#include "rubsweep/maps/map/finished_map.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/map/earlier_results.hpp"
 #include "rubsweep/maps/report/map_cells.hpp"
 
 namespace rubsweep::apps {

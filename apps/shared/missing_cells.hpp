@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/maps/batch/progress_mode.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 

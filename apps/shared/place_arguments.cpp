@@ -12,7 +12,7 @@
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/config/slip_of.hpp"
-#include "rubsweep/maps/config/study/place_axes.hpp"
+#include "rubsweep/maps/config/study/sweep.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

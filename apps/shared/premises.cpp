@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "rubsweep/maps/report/explain_tables.hpp"
-#include "rubsweep/maps/sweep/unstable_rotor.hpp"
+#include "rubsweep/maps/report/explain_rotor.hpp"
+#include "rubsweep/maps/sweep/study_warnings.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {

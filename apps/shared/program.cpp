@@ -13,7 +13,7 @@
 #include <system_error>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/config/yaml/terminal_text.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/run_summary.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/maps/config/yaml/terminal_text.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::apps {
 

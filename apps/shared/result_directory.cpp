@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "rubsweep/maps/batch/directory.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "shared/writable.hpp"
 
 namespace rubsweep::apps {

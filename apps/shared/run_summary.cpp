@@ -13,8 +13,8 @@
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
-#include "rubsweep/maps/config/yaml/json_document.hpp"
-#include "rubsweep/maps/config/yaml/terminal_text.hpp"
+#include "rubsweep/maps/config/yaml/other_documents.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
 #include "shared/json_string.hpp"
 #include "shared/program.hpp"
 

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "rubsweep/core/scene/prepared_machine.hpp"
-#include "rubsweep/maps/config/number_at.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/report/explain_study.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
-#include "rubsweep/maps/sweep/untouched_walls.hpp"
+#include "rubsweep/maps/sweep/study_warnings.hpp"
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 

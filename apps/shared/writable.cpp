@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/descriptor.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 
 namespace rubsweep::apps {
 

@@ -1,5 +1,5 @@
-# cmake -DFOLDER=map -DHEADER=PLACE/NAME.hpp -DFILES=A,B,... -DOUTPUT=FILE.cpp -P program_digest.cmake: writes the
-# definition of NAME, which that header declares in the namespace of FOLDER.
+# cmake -DFOLDER=map -DNAME=map_digest -DFILES=A,B,... -DOUTPUT=FILE.cpp -P program_digest.cmake: writes the definition of
+# NAME, which a header declares in the namespace of FOLDER.
 string(REPLACE "," ";" files "${FILES}")
 set(digests "")
 foreach(file IN LISTS files)
@@ -8,6 +8,6 @@ foreach(file IN LISTS files)
 endforeach()
 string(SHA1 digest "${digests}")
 string(REPLACE "/" "::" namespace "${FOLDER}")
-get_filename_component(name "${HEADER}" NAME_WE)
-file(WRITE "${OUTPUT}" "#include \"${HEADER}\"\n\n\
-const char* const rubsweep::${namespace}::${name} = \"${digest}\";\n")
+file(WRITE "${OUTPUT}" "namespace rubsweep::${namespace} {\n\n\
+extern const char* const ${NAME};\nconst char* const ${NAME} = \"${digest}\";\n\n\
+}  // namespace rubsweep::${namespace}\n")

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "support/long_double_errors.hpp"
 #include "support/map_cell.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubsweep/core/integrate/start.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/set_a_cell.hpp"
 

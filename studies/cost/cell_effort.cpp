@@ -10,7 +10,7 @@
 #include "bench/processor_time.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 
 namespace {

@@ -19,11 +19,10 @@
 
 #include "bench/processor_time.hpp"
 #include "mpi_messages.hpp"
-#include "rubsweep/maps/batch/finished_cells.hpp"
 #include "rubsweep/maps/batch/journal.hpp"
 #include "rubsweep/maps/batch/line_log.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/report/map_summary.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"

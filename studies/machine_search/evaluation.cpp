@@ -7,8 +7,8 @@
 #include <ctime>
 #include <numeric>
 
-#include "rubsweep/maps/config/read_run_config.hpp"
-#include "rubsweep/maps/sweep/run_cells.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::machine_search {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/ring/read_ring_config.hpp"
 
 int main() {

@@ -9,7 +9,7 @@
 
 #include "maps/config/support.hpp"
 #include "rubsweep/maps/config/file.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/ring/read_ring_config.hpp"
 
 namespace rubsweep::config {
@@ -20,7 +20,7 @@ using Paths = std::set<std::string>;
 
 /// Keys that no shipped configuration needs, each with the reason.
 const Paths unused{
-    "base",  // many have it, and none any more once it was read
+    "base",                          // many have it, and none any more once it was read
     "ring.modal_stiffness_n_per_m",  // the same as a natural frequency, which rings are known by
     "rotor.mass_damping_per_s",      // files of ROSS have it, and segments one of their own
     // a layer may have what its segment has
@@ -54,7 +54,8 @@ void visit(const yaml::Node& node, const std::string& path,
 
 std::vector<fs::path> shipped() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CONFIG_TEST_DATA) / "../../../configs")) {
+  for (const auto& entry :
+       fs::recursive_directory_iterator(fs::path(CONFIG_TEST_DATA) / "../../../configs")) {
     // stop.yaml of a folder is what the stops of others share.
     if (entry.path().extension() == ".yaml" && entry.path().filename() != "stop.yaml")
       files.push_back(entry.path());

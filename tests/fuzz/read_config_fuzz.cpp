@@ -1,8 +1,7 @@
 // libFuzzer target for the configuration reader of rubsweep.
 #include "fuzz/reader_fuzz.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
-#include "rubsweep/maps/config/study_digest.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace rubsweep;

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/report/explain_study.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/report/map_summary.hpp"

@@ -19,7 +19,7 @@
 #include "rubsweep/core/response/proof/periodic_orbit.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace rubsweep {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "rubsweep/core/integrate/start.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "support/map_cell.hpp"
 #include "support/map_name.hpp"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "support/long_double_errors.hpp"
 #include "support/map_cell.hpp"
 #include "support/map_name.hpp"

@@ -24,7 +24,7 @@
 ///             measured.mean_speed_hz());
 /// ```
 
-#include "rubsweep/measurement/recording/read_instrument.hpp"
+#include "rubsweep/measurement/recording/instrument.hpp"
 #include "rubsweep/measurement/recording/recording.hpp"
 #include "rubsweep/measurement/recording/recording_file.hpp"
 #include "rubsweep/measurement/scope/verdict.hpp"

@@ -24,4 +24,4 @@
 /// ```
 
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/run_cells.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"

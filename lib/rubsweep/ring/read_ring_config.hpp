@@ -5,15 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/maps/batch/captions.hpp"
+#include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/study/axis.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
-#include "rubsweep/ring/chart.hpp"
 #include "rubsweep/ring/study.hpp"
 
 namespace rubsweep::config::ring {
+
 inline constexpr Words<rubsweep::ring::Parameter, 5> parameters{
     {"friction_coefficient", "angle_deg", "inclination_deg", "radial_stiffness_n_per_m",
      "tangential_stiffness_n_per_m"},
@@ -38,7 +38,7 @@ struct RingConfig {
 };
 
 /// Reads a configuration of `ringstab`: ring, loads, friction_coefficient, preload_n (0), speed_rpm, chart
-/// (optional), output. Problems, overrides and errors as in read_run_config.hpp. Speeds are sorted.
+/// (optional), output. Problems, overrides and errors as in run_config.hpp. Speeds are sorted.
 RingConfig read_ring_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
 /// All keys of such a configuration.
@@ -52,7 +52,7 @@ RingConfig read_ring_config_text(std::string_view text, const std::string& name,
 /// when the output directory is not UTF-8.
 std::string print_ring_config(const RingConfig& config);
 
-/// Digest of everything that decides the numbers, as study_digest.hpp.
+/// Digest of everything that decides the numbers, as study_digest.
 std::string ring_study_digest(const rubsweep::ring::Study& study);
 
 }  // namespace rubsweep::config::ring

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/basin/fraction.hpp"
 
 namespace rubsweep::basin {
 namespace {

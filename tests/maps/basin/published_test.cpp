@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "rubsweep/maps/basin/basin_entropy.hpp"
-#include "rubsweep/maps/basin/fraction.hpp"
 #include "rubsweep/maps/basin/low_discrepancy.hpp"
 
 namespace rubsweep::basin {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config {
 

@@ -8,7 +8,7 @@
 #include "maps/batch/message_of.hpp"
 #include "maps/batch/read_whole_file.hpp"
 #include "maps/map/small_map.hpp"
-#include "rubsweep/maps/map/derived_files.hpp"
+#include "rubsweep/maps/map/map_files.hpp"
 
 namespace rubsweep::map {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "maps/batch/read_whole_file.hpp"
 #include "maps/map/small_map.hpp"
 
 namespace rubsweep::map {
@@ -36,6 +37,38 @@ TEST(MissingCells, NothingIsGivenUpOnceEveryCellIsFinished) {
   MissingCells missing({}, config.study, directory);
   ASSERT_TRUE(missing.run());
   EXPECT_FALSE(missing.give_up());
+}
+
+TEST(MissingCellsCellLog, ACellIsInTheJournalAndInThePartialMapAtOnce) {
+  const SmallMap map;
+  MapDirectory directory = map.begin();
+  CellLog log(directory, batch::ProgressMode::never);
+  log.add(3, SmallMap::line(3));
+  EXPECT_EQ(log.finished(), 1u);
+  EXPECT_TRUE(batch::read_whole_file(directory.partial()).ends_with('\n' + SmallMap::line(3) + '\n'));
+  directory.leave();
+  EXPECT_EQ(map.begin().missing(), (std::vector<std::size_t>{0, 1, 2}));
+}
+
+TEST(MissingCellsCellLog, ACellOfAnotherProcessIsShownAndStaysInItsOwnJournal) {
+  const SmallMap map;
+  MapDirectory directory = map.begin();
+  {
+    CellLog log(directory, batch::ProgressMode::never);
+    log.add_of_other_process(3, SmallMap::line(3));
+    EXPECT_EQ(log.finished(), 1u);
+    EXPECT_TRUE(batch::read_whole_file(directory.partial()).ends_with('\n' + SmallMap::line(3) + '\n'));
+  }
+  directory.leave();
+  EXPECT_EQ(map.begin().missing().size(), 4u);
+}
+
+TEST(MissingCellsCellLog, TheMessageAfterASignalCountsWhatEarlierRunsFinished) {
+  const SmallMap map;
+  map.begin().journal().append(1, SmallMap::line(1));
+  const MapDirectory directory = map.begin();
+  EXPECT_EQ(interrupted_map("rubtest", directory, 2),
+            "rubtest: interrupted; 3 of 4 cells are finished, the same command computes the others\n");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "maps/batch/read_whole_file.hpp"
 #include "maps/batch/temporary_directory.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 

@@ -10,11 +10,10 @@
 #include "maps/batch/read_whole_file.hpp"
 #include "maps/map/small_map.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/page_sum.hpp"
-#include "rubsweep/maps/batch/result_files.hpp"
+#include "rubsweep/maps/batch/sha256.hpp"
+#include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
-#include "rubsweep/maps/config/study_digest.hpp"
-#include "rubsweep/maps/map/derived_files.hpp"
+#include "rubsweep/maps/map/map_files.hpp"
 #include "rubsweep/maps/map/written_file.hpp"
 
 namespace rubsweep::map {

@@ -1,5 +1,6 @@
 #include "rubsweep/maps/matlab/version_73.hpp"
 
+#include <gtest/gtest.h>
 #include <hdf5.h>
 
 #include <fstream>
@@ -137,6 +138,14 @@ TEST_F(Version73, ADamagedFileIsRefusedAndTheLibrarySaysNothing) {
   }
   EXPECT_GT(refused, 10);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Version73Hdf5Library, ItsNumbersAreThoseOfTheHeaders) {
+  const Hdf5Library& library = Hdf5Library::get();
+  EXPECT_EQ(&library, &Hdf5Library::get());
+  EXPECT_EQ(library.doubles, H5T_NATIVE_DOUBLE);
+  EXPECT_EQ(library.file_access, H5P_FILE_ACCESS);
+  EXPECT_EQ(library.H5Tget_size(library.doubles), sizeof(double));
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "rubsweep/maps/batch/line_log.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
-#include "rubsweep/maps/sweep/run_cells.hpp"
 
 namespace rubsweep::sweep {
 namespace {

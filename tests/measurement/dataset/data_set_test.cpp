@@ -16,7 +16,7 @@
 #include "maps/batch/temporary_directory.hpp"
 #include "measurement/dataset/small_study.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/measurement/recording/recording_file.hpp"
 
 namespace rubsweep::dataset {

@@ -8,7 +8,7 @@
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/report/map_summary.hpp"
-#include "rubsweep/maps/report/unit_columns.hpp"
+#include "rubsweep/maps/report/study_columns.hpp"
 
 namespace rubsweep::line {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "rubsweep/analysis/page/map_table.hpp"
-#include "rubsweep/maps/batch/captions.hpp"
+#include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::page {

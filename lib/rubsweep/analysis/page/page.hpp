@@ -4,12 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/analysis/page/boundaries.hpp"
 #include "rubsweep/analysis/page/map_table.hpp"
 #include "rubsweep/analysis/page/orbits.hpp"
-#include "rubsweep/maps/batch/captions.hpp"
+#include "rubsweep/maps/batch/table_file.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
-#include "rubsweep/maps/sweep/written_axis.hpp"
 
 namespace rubsweep::page {
 

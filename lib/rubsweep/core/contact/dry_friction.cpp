@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rubsweep/core/numerics/dense/least_norm.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 
 namespace rubsweep::contact {
 namespace {
@@ -201,6 +201,22 @@ SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acce
     const double way = limit(i) > 0 ? box.side(i) : left;
     settled.slips[k] = box.side(i) == 0 ? Slip::sticking : way >= 0 ? Slip::forward : Slip::backward;
     settled.poised[k] = box.side(i) != 0 && std::abs(left) <= poised * box.size(i);
+  }
+  return settled;
+}
+
+SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acceleration,
+                          const StickVector& more, StickVector limit, const StickVector& sliding) {
+  SettledSlips settled = settle_slips(mobility, acceleration + more, limit);
+  for (bool loose = true; loose && settled.obeys_law;) {
+    loose = false;
+    for (Index i = 0; i < limit.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (settled.slips[k] == Slip::sticking || settled.poised[k] || !(limit(i) > sliding(i))) continue;
+      limit(i) = sliding(i);
+      loose = true;
+    }
+    if (loose) settled = settle_slips(mobility, acceleration, limit);
   }
   return settled;
 }

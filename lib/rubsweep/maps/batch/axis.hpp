@@ -3,13 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/decimal_steps.hpp"
 
 namespace rubsweep::batch {
+
+/// Number of steps of the size `step` that lead from `from` to `to`, in either direction, counted in
+/// decimals: from 30 to 31 there are ten of 0.1, although the doubles of these numbers say otherwise. `step`
+/// > 0. Empty where no whole number of them meets `to`, and where the three numbers span more than 15 digits.
+std::optional<std::int64_t> whole_steps(double from, double to, double step);
+
+/// Values of these steps from `from` on between which `to` lies, the nearer one to `from` first: for somebody
+/// whose steps miss it. Empty where the three numbers span more than 15 digits.
+std::optional<std::pair<double, double>> steps_beside(double from, double to, double step);
+
+/// Values from `from` to `to`, both included, by these steps: each the double nearest to its decimal, 30.3
+/// and not 30.299999999999997. Throws std::invalid_argument where whole_steps is empty.
+std::vector<double> decimal_steps(double from, double to, double step);
 
 /// `count` values from `from` to `to` (either may be the larger one) at equal distances. The first is exactly
 /// `from`, the last exactly `to`, none lies outside; a count of 1 gives `from` alone.
@@ -47,7 +62,7 @@ struct Spacing {
   double from = 0, to = 0;
   int count = 1;
   bool logarithmic = false;
-  double step = 0;  ///< 0: by the count; else the values stand so far apart, see decimal_steps.hpp
+  double step = 0;  ///< 0: by the count; else the values stand so far apart, see decimal_steps
 
   bool operator==(const Spacing&) const = default;
 };

@@ -11,8 +11,7 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/descriptor.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 
 namespace rubsweep::batch {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "rubsweep/maps/batch/descriptor.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 
 namespace rubsweep::batch {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "rubsweep/maps/batch/descriptor.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 
 namespace rubsweep::batch {
 

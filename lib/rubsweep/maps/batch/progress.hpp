@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
@@ -10,9 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/maps/batch/progress_mode.hpp"
-
 namespace rubsweep::batch {
+
+/// `automatic`: only when the stream is a terminal.
+enum class ProgressMode { automatic, always, never };
 
 /// Predicts how long the cells of a map that are left will take. Quiet cells take milliseconds, rubbing ones
 /// a hundred times as long, and chaotic ones ten times that, but neighbours on the map are alike: a cell that
@@ -128,6 +130,23 @@ class Progress {
   std::size_t drawn_width_ = 0;
   std::optional<CellsLeft> cells_{};
   std::deque<Clock::time_point> ends_;  ///< of the last cells, as many as are left, within reason
+};
+
+/// Time of one task after the other on each of several threads.
+class LapTime {
+ public:
+  /// Seconds since the calling thread asked this or another of them last, or since this one was made.
+  double lap_s() const {
+    static thread_local Clock::time_point last{};
+    const Clock::time_point begun = std::max(start_, last);
+    last = Clock::now();
+    return std::chrono::duration<double>(last - begun).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace rubsweep::batch

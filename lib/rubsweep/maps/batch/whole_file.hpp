@@ -2,11 +2,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/maps/batch/descriptor.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 
 namespace rubsweep::batch {
 
@@ -61,5 +62,13 @@ void note_written_file(const std::filesystem::path& path);
 
 /// Files that this process put in place and that are still there, each once, in the order in which they came.
 std::vector<std::filesystem::path> written_files();
+
+/// Whether such a name is that of a temporary; one that only looks similar, as map.csv.tmp-old, is not.
+bool is_temporary(std::string_view name);
+
+/// Removes from `directory` the temporaries that killed processes left of files for whose name `is_ours`. A
+/// temporary that a living process locks stays, and so does one that cannot be locked.
+void remove_leftovers(const std::filesystem::path& directory,
+                      const std::function<bool(std::string_view name)>& is_ours);
 
 }  // namespace rubsweep::batch

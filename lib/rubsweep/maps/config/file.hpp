@@ -6,9 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
+#include "rubsweep/maps/config/yaml/printer.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+#include "rubsweep/maps/config/yaml/value.hpp"
 
 namespace rubsweep::config {
 
@@ -27,5 +32,26 @@ keys::Key base_of_map();
 void refuse_foreign(const yaml::Node& root, std::initializer_list<std::string_view> theirs,
                     std::initializer_list<std::string_view> ours, std::string_view program,
                     yaml::Diagnostics& diagnostics);
+
+/// `output`: {directory}.
+std::filesystem::path read_output(const yaml::Value& value);
+keys::Form output_form();
+void print_output(yaml::Printer& printer, const std::filesystem::path& directory);
+
+/// `output` of a rub configuration: {directory, warn_over_clearances}.
+void read_run_output(const yaml::Value& value, RunConfig& config);
+keys::Form run_output_form();
+void print_run_output(yaml::Printer& printer, const RunConfig& config);
+
+/// Reads `title`, `author` and `note` of a root: texts that change no number. Refuses characters that would
+/// not be shown as written: control characters (in a note all but its line ends), and those that turn the
+/// direction of writing.
+void read_captions(yaml::Section& root, batch::Captions& captions);
+
+/// The keys that read_captions reads.
+std::vector<keys::Key> caption_keys();
+
+/// Prints the captions that are not empty.
+void print_captions(yaml::Printer& printer, const batch::Captions& captions);
 
 }  // namespace rubsweep::config

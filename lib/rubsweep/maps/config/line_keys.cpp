@@ -8,11 +8,13 @@
 
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/config/file.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
-#include "rubsweep/maps/config/study/key_axis.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/study/axis.hpp"
+#include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/maps/config/yaml/document.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -86,6 +88,23 @@ RunConfig read_cell_config(const std::filesystem::path& file, const std::vector<
   config.study.grid.axes.clear();
   config.study.with_keys = {};
   return config;
+}
+
+std::string place_of_key(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                         std::string_view path) {
+  yaml::Diagnostics diagnostics(file.string(), overrides);
+  const yaml::Node root = parse_config(yaml::read_config_bytes(file), file, "a map", overrides, diagnostics);
+  const yaml::Node* node = find_node(root, path);
+  return node == nullptr ? file.string() : diagnostics.describe(node->place);
+}
+
+std::optional<double> number_at(const RunConfig& config, std::string_view path) {
+  yaml::Diagnostics diagnostics("", {});
+  const auto root = parse_document(print_config(config), -1, "", diagnostics);
+  const yaml::Node* node = root ? find_node(*root, path) : nullptr;
+  if (node == nullptr || node->kind != yaml::Node::Kind::scalar || node->quoted) return std::nullopt;
+  const yaml::ParsedNumber number = yaml::parse_number(node->text);
+  return number.error == yaml::NumberError::none ? std::optional(number.value) : std::nullopt;
 }
 
 }  // namespace rubsweep::config

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 
 #include "rubsweep/maps/config/machine/printed_matrices.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
@@ -13,10 +15,29 @@ namespace rubsweep::config {
 /// equal bytes. What is optional and has no value of its own (kick, kick.angle_deg, contact_mass_kg) is left
 /// out. Matrices of a rotor are written as texts, or as the names of files beside the configuration. Throws
 /// ConfigError when the output directory is not UTF-8.
-std::string print_config(const RunConfig& config, machine::MatrixPrint matrices = machine::MatrixPrint::inside);
+std::string print_config(const RunConfig& config,
+                         machine::MatrixPrint matrices = machine::MatrixPrint::inside);
 
 /// Everything that decides the numbers of a map, nothing else: without captions and `output`, and with every
 /// axis as its values in SI units, so that equal studies give equal bytes however their files were written.
 std::string print_study(const sweep::Study& study);
+
+/// Names of all files of exported_matrices.
+inline constexpr std::string_view exported_matrix_files[]{
+    "mass.mtx",      "stiffness.mtx", "damping.mtx", "gyroscopic.mtx", "degrees_of_freedom.csv",
+    "unbalance.csv", "rotor.yaml"};
+
+/// The full finite-element model of the rotor as files by name: matrices, tables of the degrees of freedom
+/// and the unbalance, and rotor.yaml, the same configuration with them in place of the rotor kit, its results
+/// beside those of the given one. Throws ConfigError where matrices cannot say the rotor, and where an axis
+/// of the sweep or the study varies a part of it.
+std::map<std::string_view, std::string> exported_matrices(const RunConfig& config);
+
+/// Name-based UUID (version 5, SHA-1) of a text.
+std::string digest_of(std::string_view text);
+
+/// Digest of everything that decides the numbers of a map (see print_study): a name-based UUID (version 5,
+/// SHA-1). Equal studies have equal digests however their files were written.
+std::string study_digest(const sweep::Study& study);
 
 }  // namespace rubsweep::config

@@ -2,9 +2,13 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "rubsweep/maps/batch/captions.hpp"
+#include "rubsweep/core/model/machine.hpp"
+#include "rubsweep/maps/batch/table_file.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
+#include "rubsweep/maps/config/yaml/value.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::config {
@@ -24,5 +28,31 @@ struct RunConfig {
                            "motions beyond so many clearances of the first stop are counted and warned of"));
   }
 };
+
+/// Reads a configuration, after the `key.path=value` strings of `overrides` (see override.hpp) replaced
+/// values of it, and after it was written over the bases that it names (see base.hpp). Every key is checked
+/// for name, type, range and meaning; what may be left out gets its default.
+///
+/// Throws ConfigError whose text holds every problem found, one a line, in the order of the files (bases
+/// before those that name them), then of the overrides: `file:line:column: path.to.key: what is wrong,
+/// allowed: what is allowed`, where
+/// `--set path.to.key=value` stands in place of `file:line:column` for what an override wrote. A file that is
+/// not YAML at all, or a base that cannot be had, is the only problem. Throws IoError when the file cannot be
+/// read.
+RunConfig read_run_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// The same for a text; `name` replaces the file in messages, and bases are relative to it. Throws
+/// ConfigError.
+RunConfig read_run_config_text(std::string_view text, const std::string& name,
+                               const std::vector<std::string>& overrides);
+
+/// All keys of such a configuration.
+keys::Form run_form();
+
+/// The machine alone of such a text, without what is refused or asked as a likely slip of units, which would
+/// prepare the machine several times: for many machines of one configuration that was read. Throws
+/// ConfigError.
+model::Machine read_machine_text(std::string_view text, const std::string& name,
+                                 const std::vector<std::string>& overrides);
 
 }  // namespace rubsweep::config

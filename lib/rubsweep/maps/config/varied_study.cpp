@@ -11,11 +11,10 @@
 
 #include "rubsweep/maps/config/machine/rotor.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
-#include "rubsweep/maps/config/study/key_axis.hpp"
-#include "rubsweep/maps/config/study/place_axes.hpp"
+#include "rubsweep/maps/config/study/axis.hpp"
 #include "rubsweep/maps/config/study/study.hpp"
+#include "rubsweep/maps/config/study/sweep.hpp"
 #include "rubsweep/maps/config/unit_slips.hpp"
-#include "rubsweep/maps/config/yaml/number.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
@@ -102,8 +101,7 @@ bool may_be_swept(const yaml::Node& document, const std::string& key, std::strin
 /// of them.
 std::string_view key_of_constants(const yaml::Node& root, std::string_view key) {
   const auto is_given = [&](std::string_view name) {
-    const yaml::Node* rotor = find_node(root, "rotor");
-    return std::ranges::find(rotor->keys, name, &yaml::Node::Key::text) != rotor->keys.end();
+    return yaml::entry(*find_node(root, "rotor"), name) != nullptr;
   };
   const yaml::Node* kind = find_node(root, "rotor.kind");
   if (kind == nullptr || kind->text != "jeffcott") return "";

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "rubsweep/maps/batch/progress_mode.hpp"
+#include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/report/map_summary.hpp"
 

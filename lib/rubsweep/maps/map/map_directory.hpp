@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "rubsweep/maps/batch/file_lock.hpp"
-#include "rubsweep/maps/batch/finished_cells.hpp"
 #include "rubsweep/maps/batch/journal.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
-#include "rubsweep/maps/map/finished_map.hpp"
-#include "rubsweep/maps/map/share.hpp"
+#include "rubsweep/maps/map/earlier_results.hpp"
+#include "rubsweep/maps/map/map_files.hpp"
 #include "rubsweep/maps/report/map_summary.hpp"
 
 namespace rubsweep::map {
@@ -69,8 +68,8 @@ class MapDirectory {
 
   std::filesystem::path map() const { return directory_ / "map.csv"; }
 
-  /// Writes painted.csv beside a refined map that has none (see painted_map.hpp); nothing for any other map.
-  /// The grid is that of the study. Throws IoError.
+  /// Writes painted.csv beside a refined map that has none (see write_painted_map); nothing for any other
+  /// map. The grid is that of the study. Throws IoError.
   void paint(const sweep::Grid& grid) const;
 
   /// A finished cell as the map shows it: its line in a journal, and numbers in the units of the person.

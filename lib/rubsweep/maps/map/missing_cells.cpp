@@ -1,22 +1,22 @@
 #include "rubsweep/maps/map/missing_cells.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "rubsweep/core/scene/prepared_machine.hpp"
-#include "rubsweep/maps/batch/lap_time.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
-#include "rubsweep/maps/report/describe_footprint.hpp"
-#include "rubsweep/maps/report/describe_modes.hpp"
+#include "rubsweep/maps/report/describe_grid.hpp"
+#include "rubsweep/maps/report/explain_rotor.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "rubsweep/maps/sweep/footprint.hpp"
-#include "rubsweep/maps/sweep/idle_torsion.hpp"
-#include "rubsweep/maps/sweep/run_cells.hpp"
-#include "rubsweep/maps/sweep/untouched_walls.hpp"
+#include "rubsweep/maps/sweep/study_warnings.hpp"
 
 namespace rubsweep::map {
 namespace {
@@ -29,6 +29,40 @@ constexpr std::chrono::milliseconds shard_patience{500};
 constexpr std::chrono::seconds beginners_patience{5};
 
 }  // namespace
+
+CellLog::CellLog(const MapDirectory& directory, batch::ProgressMode mode)
+    : directory_(directory),
+      journal_(directory.journal()),
+      partial_(directory.partial()),
+      progress_(directory.cells(), mode, stderr, directory.finished()) {}
+
+void CellLog::add(std::size_t cell, const std::string& line, std::optional<double> seconds) {
+  journal_.append(cell, line);
+  show(cell, line, seconds);
+}
+
+void CellLog::add_of_other_process(std::size_t cell, const std::string& line) { show(cell, line, {}); }
+
+void CellLog::show(std::size_t cell, const std::string& line, std::optional<double> seconds) {
+  partial_.append(directory_.in_map(line));
+  ++finished_;
+  progress_.finish_cell(cell, seconds);
+}
+
+void CellLog::refresh() {
+  progress_.refresh();
+  journal_.refresh();
+}
+
+void CellLog::close() {
+  journal_.sync();
+  progress_.finish();
+}
+
+std::string interrupted_map(std::string_view program, const MapDirectory& directory, std::size_t finished) {
+  return fmt::format("{}: interrupted; {} of {} cells are finished, the same command computes the others\n",
+                     program, directory.finished() + finished, directory.cells());
+}
 
 MissingCells::MissingCells(const ComputeOptions& options, const sweep::Study& study, MapDirectory& directory)
     : threads_(options.threads),

@@ -13,12 +13,11 @@
 #include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/batch/file_lock.hpp"
-#include "rubsweep/maps/batch/leftovers.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/map/derived_files.hpp"
+#include "rubsweep/maps/batch/whole_file.hpp"
+#include "rubsweep/maps/map/map_files.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
 #include "rubsweep/maps/map/written_file.hpp"
-#include "rubsweep/maps/report/cells_of_rows.hpp"
 #include "rubsweep/maps/report/map_cells.hpp"
 
 namespace rubsweep::map {

@@ -6,8 +6,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
-#include "rubsweep/maps/batch/page_sum.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
 
 namespace rubsweep::map {

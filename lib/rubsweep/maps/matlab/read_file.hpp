@@ -14,4 +14,7 @@ namespace rubsweep::matlab {
 /// other files.
 std::vector<Variable> read_variables(std::string_view bytes, const Wanted& wanted);
 
+/// Whether bytes begin as a file of version 4 does, which has no words at its begin.
+bool is_version_4(std::string_view bytes);
+
 }  // namespace rubsweep::matlab

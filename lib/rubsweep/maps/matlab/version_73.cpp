@@ -1,14 +1,20 @@
 #include "rubsweep/maps/matlab/version_73.hpp"
 
+#include <dlfcn.h>
+
 #include <cstdint>
 #include <string>
 #include <utility>
 
 #include "rubsweep/maps/matlab/bytes.hpp"
-#include "rubsweep/maps/matlab/hdf5_library.hpp"
 
 namespace rubsweep::matlab {
 namespace {
+
+void* open_library() {
+  static void* const library = dlopen(RUBSWEEP_HDF5_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+  return library;
+}
 
 /// File, object or type of HDF5, all of which it counts by numbers.
 class Handle {
@@ -162,6 +168,34 @@ class Reader {
 };
 
 }  // namespace
+
+void* Hdf5Library::symbol(const char* name) {
+  void* const library = open_library();
+  void* found = library == nullptr ? nullptr : dlsym(library, name);
+  // In a program that is linked with the same library, its numbers are those of the program.
+  if (found != nullptr && dlsym(RTLD_DEFAULT, "H5open") == dlsym(library, "H5open"))
+    found = dlsym(RTLD_DEFAULT, name);
+  if (found == nullptr)
+    throw FileError{
+        std::string("is one of version 7.3, for which " RUBSWEEP_HDF5_LIBRARY) +
+            (library == nullptr ? " is not installed" : " is another one"),
+        "with that library, in Debian libhdf5-103-1; or a file of version 7, which MATLAB writes with "
+        "save(..., '-v7')"};
+  return found;
+}
+
+Hdf5Library::Hdf5Library() {
+  H5open();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  H5PLset_loading_state(0);
+  doubles = *static_cast<hid_t*>(symbol("H5T_NATIVE_DOUBLE_g"));
+  file_access = *static_cast<hid_t*>(symbol("H5P_CLS_FILE_ACCESS_ID_g"));
+}
+
+const Hdf5Library& Hdf5Library::get() {
+  static const Hdf5Library library;
+  return library;
+}
 
 std::vector<Variable> read_version_73(std::string_view bytes, const Wanted& wanted) {
   const Hdf5Library& library = Hdf5Library::get();

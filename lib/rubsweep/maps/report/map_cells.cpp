@@ -4,11 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 #include "rubsweep/core/error.hpp"
 
 namespace rubsweep::report {
+namespace {
+
+using batch::csv_number;
+
+/// Name of the row that was read last, from these columns.
+std::string name_of_row(const batch::CsvReader& row, const std::vector<std::size_t>& columns) {
+  std::string name;
+  for (const std::size_t column : columns)
+    name += fmt::format("{}{} {}", name.empty() ? "" : ", ", row.header()[column], row.cells()[column]);
+  return name;
+}
+
+}  // namespace
 
 namespace fs = std::filesystem;
 
@@ -85,6 +99,81 @@ std::optional<std::size_t> find_cell(const std::vector<CellPlace>& places, const
   const auto place = std::ranges::lower_bound(places, key, {}, &CellPlace::key);
   if (place == places.end() || place->key != key) return std::nullopt;
   return static_cast<std::size_t>(place - places.begin());
+}
+
+std::string name_of_cell(const sweep::Grid& grid, std::size_t cell) {
+  const std::size_t speeds = grid.speed_hz.size();
+  std::string name =
+      fmt::format("speed_hz {}, {} {}", csv_number(grid.speed_hz[cell % speeds]), to_string(grid.measure),
+                  csv_number(grid.unbalance[cell / speeds % grid.unbalance.size()]));
+  for (const sweep::KeyValue& held : sweep::key_values(grid, cell))
+    name += fmt::format(", {} {}", held.key, csv_number(held.value));
+  return name;
+}
+
+CellsOfRows::CellsOfRows(const batch::CsvReader& map, const sweep::Grid& grid)
+    : grid_(grid), path_(map.path()), met_(sweep::cell_count(grid), false) {
+  axes_.push_back(axis_of(map, grid.speed_hz, {"speed_hz"}, {1}));
+  axes_.push_back(axis_of(map, grid.unbalance, {std::string(to_string(grid.measure))}, {1}));
+  for (const sweep::KeyAxis& axis : grid.axes)
+    axes_.push_back(axis_of(map, axis.values, axis.keys, axis.factors));
+}
+
+CellsOfRows::Axis CellsOfRows::axis_of(const batch::CsvReader& map, const std::vector<double>& values,
+                                       const std::vector<std::string>& names,
+                                       const std::vector<double>& factors) {
+  Axis axis{values, {}, factors, 0, {}, std::vector<std::size_t>(values.size())};
+  for (const std::string& name : names) axis.columns.push_back(map.column(name));
+  while (axis.leading + 1 < factors.size() && factors[axis.leading] == 0) ++axis.leading;
+  const auto number = [&](std::size_t place) { return factors[axis.leading] * values[place]; };
+  std::iota(axis.places.begin(), axis.places.end(), std::size_t{0});
+  std::ranges::sort(axis.places, {}, number);
+  for (const std::size_t place : axis.places) axis.leading_numbers.push_back(number(place));
+  return axis;
+}
+
+std::optional<std::size_t> CellsOfRows::place_on(const Axis& axis, const batch::CsvReader& row) {
+  const auto& numbers = axis.leading_numbers;
+  const auto found = std::ranges::lower_bound(numbers, row.number(axis.columns[axis.leading]));
+  if (found == numbers.end()) return std::nullopt;
+  const std::size_t place = axis.places[static_cast<std::size_t>(found - numbers.begin())];
+  for (std::size_t i = 0; i < axis.columns.size(); ++i)
+    if (row.number(axis.columns[i]) != axis.factors[i] * axis.values[place]) return std::nullopt;
+  return place;
+}
+
+std::size_t CellsOfRows::take(const batch::CsvReader& row) {
+  std::size_t cell = 0, stride = 1;
+  std::vector<std::size_t> columns;
+  bool known = true;
+  for (const Axis& axis : axes_) {
+    columns.insert(columns.end(), axis.columns.begin(), axis.columns.end());
+    const auto place = place_on(axis, row);
+    known = known && place;
+    cell += stride * place.value_or(0);
+    stride *= axis.values.size();
+  }
+  const auto refuse = [&](std::string_view what) {
+    throw IoError(fmt::format("{}:{}: the row of {} {}", path_.string(), row.place().line,
+                              name_of_row(row, columns), what));
+  };
+  if (!known) refuse("is no cell of its configuration");
+  if (met_[cell]) refuse("is there twice");
+  met_[cell] = true;
+  ++taken_;
+  return cell;
+}
+
+std::optional<std::size_t> CellsOfRows::first_missing() const {
+  if (taken_ == met_.size()) return std::nullopt;
+  return static_cast<std::size_t>(std::ranges::find(met_, false) - met_.begin());
+}
+
+void CellsOfRows::require_all() const {
+  const auto missing = first_missing();
+  if (!missing) return;
+  throw IoError(fmt::format("{}: holds {} cells of {}, there is no row of {}", path_.string(), taken_,
+                            met_.size(), name_of_cell(grid_, *missing)));
 }
 
 }  // namespace rubsweep::report

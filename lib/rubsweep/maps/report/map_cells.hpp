@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rubsweep/maps/batch/csv_table.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
 
 namespace rubsweep::report {
 
@@ -45,5 +46,49 @@ std::vector<CellPlace> rows_by_cell(const std::filesystem::path& map, const std:
 
 /// Place of a cell in the list of `rows_by_cell`; none where there is no such cell.
 std::optional<std::size_t> find_cell(const std::vector<CellPlace>& places, const CellKey& key);
+
+/// Name of a cell < cell_count(grid) by the columns of a map: "speed_hz 60, whirl_ratio 0.4, kick.force_n
+/// 200".
+std::string name_of_cell(const sweep::Grid& grid, std::size_t cell);
+
+/// Finds out which cell of a grid each row of its map is: by its columns, never by its position. Takes a bit
+/// for each cell of the grid, which must outlive it.
+class CellsOfRows {
+ public:
+  /// Throws IoError where a column that identifies the cell of a row is missing.
+  CellsOfRows(const batch::CsvReader& map, const sweep::Grid& grid);
+
+  /// The cell of the row that was read last. Throws IoError with file:line where that is no cell of the grid,
+  /// or one that came before.
+  std::size_t take(const batch::CsvReader& row);
+
+  std::size_t taken() const { return taken_; }
+
+  std::optional<std::size_t> first_missing() const;
+
+  /// Throws IoError that names the first cell that has no row.
+  void require_all() const;
+
+ private:
+  /// An axis as its columns show it: one, or one for each key of an axis over keys.
+  struct Axis {
+    std::vector<double> values;  ///< of the grid
+    std::vector<std::size_t> columns;
+    std::vector<double> factors;          ///< a column holds the value times its factor
+    std::size_t leading = 0;              ///< a column that changes along the axis
+    std::vector<double> leading_numbers;  ///< its values, ascending
+    std::vector<std::size_t> places;      ///< of these in `values`
+  };
+
+  static Axis axis_of(const batch::CsvReader& map, const std::vector<double>& values,
+                      const std::vector<std::string>& names, const std::vector<double>& factors);
+  static std::optional<std::size_t> place_on(const Axis& axis, const batch::CsvReader& row);
+
+  const sweep::Grid& grid_;
+  std::filesystem::path path_;
+  std::vector<Axis> axes_;  ///< fastest first
+  std::vector<bool> met_;
+  std::size_t taken_ = 0;
+};
 
 }  // namespace rubsweep::report

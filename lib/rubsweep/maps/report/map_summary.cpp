@@ -9,7 +9,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
-#include "rubsweep/maps/report/map_columns.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
 
 namespace rubsweep::report {
 namespace {

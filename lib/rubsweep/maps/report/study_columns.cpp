@@ -4,15 +4,32 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <charconv>
+#include <concepts>
+#include <functional>
 #include <numbers>
 
 #include "rubsweep/maps/batch/csv_table.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
 
 namespace rubsweep::report {
 namespace {
 
 using sweep::Row;
+
+std::string text_of(double value) { return batch::csv_number(value); }
+std::string text_of(std::integral auto value) { return fmt::format("{}", value); }
+
+/// Text of an optional member of a row, or of the member `get` of that.
+template <auto part>
+std::string given(const Row& row) {
+  return row.*part ? text_of(*(row.*part)) : "";
+}
+template <auto part, auto get>
+std::string given(const Row& row) {
+  return row.*part ? text_of(*(row.*part).*get) : "";
+}
 
 const sweep::RubInterval* first_interval(const Row& row) {
   return row.threshold && !row.threshold->intervals.empty() ? &row.threshold->intervals.front() : nullptr;
@@ -39,19 +56,14 @@ std::string intervals(const Row& row) {
   return text;
 }
 
-std::string probes(const Row& row) { return row.threshold ? fmt::format("{}", row.threshold->probes) : ""; }
-
-std::string failed_probes(const Row& row) {
-  return row.threshold ? fmt::format("{}", row.threshold->failed) : "";
-}
-
 constexpr std::array of_thresholds{
     StudyColumn{"threshold", "smallest number of the scan after which rub goes on", threshold},
     StudyColumn{"threshold_motion", "the motion just above it", threshold_motion},
     StudyColumn{"rub_intervals", "every stretch after which rub goes on, with the motions it leads to",
                 intervals},
-    StudyColumn{"probes", "numbers that were tried", probes},
-    StudyColumn{"failed_probes", "of them, those whose run failed", failed_probes},
+    StudyColumn{"probes", "numbers that were tried", given<&Row::threshold, &sweep::Threshold::probes>},
+    StudyColumn{"failed_probes", "of them, those whose run failed",
+                given<&Row::threshold, &sweep::Threshold::failed>},
 };
 
 std::string attractors(const Row& row) {
@@ -80,27 +92,20 @@ std::string rub_probability(const Row& row) {
   return batch::csv_number(share);
 }
 
-std::string failed_samples(const Row& row) { return row.basins ? fmt::format("{}", row.basins->failed) : ""; }
-
-std::string level(const Row& row) {
-  return row.refinement_level ? fmt::format("{}", *row.refinement_level) : "";
-}
-
-std::string share(const Row& row) { return row.robust_share ? batch::csv_number(*row.robust_share) : ""; }
-
 constexpr std::array of_basins{
     StudyColumn{"attractors", "how many motions the samples lead to, told apart by their orbits", attractors},
     StudyColumn{"rub_probability", "share of the samples after which rub goes on", rub_probability},
     StudyColumn{"basins", "share of each attractor, its standard error, and its largest displacement",
                 basins},
-    StudyColumn{"failed_samples", "samples whose run failed", failed_samples},
+    StudyColumn{"failed_samples", "samples whose run failed", given<&Row::basins, &sweep::Basins::failed>},
 };
 
-constexpr std::array of_refinement{
-    StudyColumn{"level", "how often the block of the cell was split before it was met", level}};
+constexpr std::array of_refinement{StudyColumn{
+    "level", "how often the block of the cell was split before it was met", given<&Row::refinement_level>}};
 
-constexpr std::array of_robustness{StudyColumn{
-    "robust_share", "share of the neighbouring kicks that lead to the same class and order", share}};
+constexpr std::array of_robustness{
+    StudyColumn{"robust_share", "share of the neighbouring kicks that lead to the same class and order",
+                given<&Row::robust_share>}};
 
 constexpr double degrees = 180 / std::numbers::pi;
 
@@ -117,62 +122,130 @@ constexpr std::array of_torsion{
     StudyColumn{"peak_torque_nm", "largest torque in the drive", peak_torque_nm},
 };
 
-std::string hertz_iterations(const Row& row) {
-  return row.hertz ? fmt::format("{}", row.hertz->iterations) : "";
-}
-
-std::string hertz_force_n(const Row& row) { return row.hertz ? batch::csv_number(row.hertz->force_n) : ""; }
-
-std::string hertz_stiffness_n_per_m(const Row& row) {
-  return row.hertz ? batch::csv_number(row.hertz->stiffness_n_per_m) : "";
-}
-
 constexpr std::array of_hertz{
     StudyColumn{"hertz_iterations", "how often the secant of the line contact was taken anew",
-                hertz_iterations},
+                given<&Row::hertz, &sweep::HertzSecant::iterations>},
     StudyColumn{"hertz_force_n",
                 "force of that secant, of the stop with hertz that has the smallest design_force_n",
-                hertz_force_n},
-    StudyColumn{"hertz_stiffness_n_per_m", "the stiffness that it gives that stop", hertz_stiffness_n_per_m},
+                given<&Row::hertz, &sweep::HertzSecant::force_n>},
+    StudyColumn{"hertz_stiffness_n_per_m", "the stiffness that it gives that stop",
+                given<&Row::hertz, &sweep::HertzSecant::stiffness_n_per_m>},
 };
+
+/// Columns that some studies have, in the order of the file.
+struct Group {
+  std::string_view when;
+  std::span<const StudyColumn> columns;
+  bool (*are_of)(const sweep::Study&);
+};
+
+bool twists(const sweep::Study& study) {
+  const model::RotorKit* kit = model::kit_of(study.machine);
+  return kit != nullptr && kit->torsion;
+}
+
+constexpr std::array groups{
+    Group{"rotor.torsion", of_torsion, twists},
+    Group{"response.hertz_iterations and a stop with hertz", of_hertz, sweep::takes_secants_anew},
+    Group{"response.robustness probability", of_robustness,
+          [](const sweep::Study& study) { return study.robustness == sweep::Robustness::probability; }},
+    Group{"sweep.refine", of_refinement,
+          [](const sweep::Study& study) { return study.grid.refinement.has_value(); }},
+    Group{"study.kind threshold", of_thresholds,
+          [](const sweep::Study& study) { return study.threshold.has_value(); }},
+    Group{"study.kind basin", of_basins, [](const sweep::Study& study) { return study.basin.has_value(); }},
+};
+
+struct UnitColumn {
+  std::string_view name, description;
+};
+/// In the order of the file.
+constexpr std::array unit_columns{
+    UnitColumn{"speed_rpm", "shaft speed in revolutions per minute"},
+    UnitColumn{"unbalance_g_mm", "unbalance of the rotor in g mm"},
+    UnitColumn{"balance_grade_mm_per_s", "balance quality grade at the rated speed, in mm/s"},
+};
+
+/// The number in the column called `name` of a row.
+using CellOf = std::function<double(std::string_view name)>;
+
+std::string cells_by(const CellOf& cell, const sweep::Grid& grid) {
+  std::string text;
+  if (!grid.written_speed.is_si())
+    text.append(",").append(sweep::in_units(grid.written_speed, cell("speed_hz")));
+  if (!grid.written_unbalance.is_si())
+    text.append(",").append(sweep::in_units(grid.written_unbalance, cell("eccentricity_m")));
+  return text;
+}
 
 }  // namespace
 
-std::span<const StudyColumn> torsion_columns() { return of_torsion; }
-std::span<const StudyColumn> hertz_columns() { return of_hertz; }
-std::span<const StudyColumn> threshold_columns() { return of_thresholds; }
-std::span<const StudyColumn> basin_columns() { return of_basins; }
-std::span<const StudyColumn> refinement_columns() { return of_refinement; }
-std::span<const StudyColumn> robustness_columns() { return of_robustness; }
+std::vector<StudyColumn> all_study_columns() {
+  std::vector<StudyColumn> columns;
+  for (const Group& group : groups) columns.insert(columns.end(), group.columns.begin(), group.columns.end());
+  return columns;
+}
 
 std::vector<StudyColumn> study_columns(const sweep::Study& study) {
   std::vector<StudyColumn> columns;
-  const auto add = [&](std::span<const StudyColumn> more) {
-    columns.insert(columns.end(), more.begin(), more.end());
-  };
-  const model::RotorKit* kit = model::kit_of(study.machine);
-  if (kit != nullptr && kit->torsion) add(of_torsion);
-  if (sweep::takes_secants_anew(study)) add(of_hertz);
-  if (study.robustness == sweep::Robustness::probability) add(of_robustness);
-  if (study.grid.refinement) add(of_refinement);
-  if (study.threshold) add(of_thresholds);
-  if (study.basin) add(of_basins);
+  for (const Group& group : groups) {
+    if (group.are_of(study)) columns.insert(columns.end(), group.columns.begin(), group.columns.end());
+  }
   return columns;
 }
 
 std::string describe_study_columns() {
   std::string text;
-  const auto describe = [&](std::string_view when, std::span<const StudyColumn> columns) {
-    text += fmt::format("Columns behind them with {}:\n", when);
-    for (const StudyColumn& column : columns)
+  for (const Group& group : groups) {
+    text += fmt::format("Columns behind them with {}:\n", group.when);
+    for (const StudyColumn& column : group.columns)
       text += fmt::format("  {:<23}  {}\n", column.name, column.description);
-  };
-  describe("rotor.torsion", of_torsion);
-  describe("response.hertz_iterations and a stop with hertz", of_hertz);
-  describe("response.robustness probability", of_robustness);
-  describe("sweep.refine", of_refinement);
-  describe("study.kind threshold", of_thresholds);
-  describe("study.kind basin", of_basins);
+  }
+  return text;
+}
+
+std::string unit_header(const sweep::Grid& grid) {
+  std::string names;
+  for (const auto* axis : {&grid.written_speed, &grid.written_unbalance}) {
+    if (!axis->is_si()) names += "," + axis->key;
+  }
+  return names;
+}
+
+std::string unit_cells(const sweep::Row& row, const sweep::Grid& grid) {
+  return cells_by(
+      [&](std::string_view name) { return name == "speed_hz" ? row.speed_hz : row.eccentricity_m; }, grid);
+}
+
+std::string unit_cells(std::string_view map_line, const sweep::Grid& grid) {
+  return cells_by(
+      [&](std::string_view name) {
+        std::string_view rest = map_line;
+        for (std::size_t column = place_of_column(name); column > 0; --column)
+          rest.remove_prefix(rest.find(',') + 1);
+        double value = 0;
+        std::from_chars(rest.data(), rest.data() + rest.size(), value);
+        return value;
+      },
+      grid);
+}
+
+std::string_view without_unit_columns(std::string_view header) {
+  for (bool found = true; found;) {
+    found = false;
+    for (const UnitColumn& column : unit_columns) {
+      if (!header.ends_with(fmt::format(",{}", column.name))) continue;
+      header.remove_suffix(column.name.size() + 1);
+      found = true;
+    }
+  }
+  return header;
+}
+
+std::string describe_unit_columns() {
+  std::string text = "Columns behind all others where the sweep is written in these units:\n";
+  for (const UnitColumn& column : unit_columns)
+    text += fmt::format("  {:<23}  {}\n", column.name, column.description);
   return text;
 }
 

@@ -1,6 +1,9 @@
 #include "rubsweep/maps/sweep/grid.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <functional>
 #include <utility>
 #include <variant>
@@ -8,6 +11,32 @@
 #include "rubsweep/core/overloaded.hpp"
 
 namespace rubsweep::sweep {
+namespace {
+
+double read_back(const std::string& text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+}  // namespace
+
+std::vector<KeyValue> keys_at(const KeyAxis& axis, double value) {
+  std::vector<KeyValue> keys;
+  for (std::size_t i = 0; i < axis.keys.size(); ++i) keys.push_back({axis.keys[i], axis.factors[i] * value});
+  return keys;
+}
+
+std::string in_units(const WrittenAxis& axis, double si) {
+  if (axis.units_per_si == 1) return fmt::format("{}", si);
+  return fmt::format("{}", read_back(fmt::format("{:.15g}", si * axis.units_per_si)));
+}
+
+std::optional<std::string> exactly_in_units(const WrittenAxis& axis, double si) {
+  std::string text = in_units(axis, si);
+  if (read_back(text) / axis.units_per_si != si) return std::nullopt;
+  return text;
+}
 
 std::size_t cell_count(const Grid& grid) {
   std::size_t cells = grid.speed_hz.size() * grid.unbalance.size();

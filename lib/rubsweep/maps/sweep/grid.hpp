@@ -8,11 +8,46 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
-#include "rubsweep/maps/sweep/key_axis.hpp"
+#include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/maps/sweep/refinement.hpp"
-#include "rubsweep/maps/sweep/written_axis.hpp"
 
 namespace rubsweep::sweep {
+
+/// A number under a key of the configuration, as `--set KEY=VALUE` would write it.
+struct KeyValue {
+  std::string key;  ///< dotted path, such as stops.0.friction.coefficient
+  double value = 0;
+};
+
+/// An axis of a sweep over numbers of the configuration, in the units of their keys. At its i-th place each
+/// key holds values[i] times its own factor.
+struct KeyAxis {
+  std::vector<std::string> keys;            ///< at least one
+  std::vector<double> factors;              ///< one for each key
+  std::vector<double> values;               ///< at least one, all different
+  std::optional<batch::Spacing> spacing{};  ///< how they are written; empty where they are listed
+};
+
+/// Values of all keys of an axis at one of its values.
+std::vector<KeyValue> keys_at(const KeyAxis& axis, double value);
+
+/// Form in which a person wrote speeds or unbalances, for output. No number of a map depends on it.
+struct WrittenAxis {
+  std::string key{};                        ///< such as speed_rpm; empty: in SI units
+  std::string unit{};                       ///< such as "rpm" or "g mm"
+  double units_per_si = 1;                  ///< how many of that unit are one in SI
+  std::optional<batch::Spacing> spacing{};  ///< in that unit; empty where values were listed
+  double rated_speed_hz = 0;                ///< of a balance grade alone
+
+  bool is_si() const { return key.empty(); }
+};
+
+/// A number in SI units as text in the unit that it was written in. The 15 digits that are kept hide that it
+/// was divided and multiplied: 3100 rpm do not come back as 3100.0000000000005.
+std::string in_units(const WrittenAxis& axis, double si);
+
+/// The text of in_units where it reads back as the same number in SI units, else empty.
+std::optional<std::string> exactly_in_units(const WrittenAxis& axis, double si);
 
 /// Quantity on the second axis of the map.
 enum class UnbalanceMeasure {

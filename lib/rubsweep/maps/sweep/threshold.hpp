@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/maps/sweep/key_axis.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
 
 namespace rubsweep::sweep {
 

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "rubsweep/maps/table/layout.hpp"
 
 namespace rubsweep::table {
+
+/// Text of a file in UTF-8 without its byte order mark: UTF-8, UTF-16 with a mark, or Latin-1 where it is no
+/// UTF-8, as spreadsheets of Windows write the sign for micro. Throws Fault for bytes that are no text.
+std::string utf8_of(std::string_view bytes);
 
 /// Rows of a table, one after the other; comments and blank lines do not count. Decimals have points or,
 /// where commas do not part the cells, commas: the same in all of the table.

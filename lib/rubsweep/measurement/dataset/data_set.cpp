@@ -9,16 +9,13 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/directory.hpp"
-#include "rubsweep/maps/batch/finished_cells.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
-#include "rubsweep/maps/batch/leftovers.hpp"
+#include "rubsweep/maps/batch/journal.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/matlab/version_5.hpp"
-#include "rubsweep/measurement/dataset/datasheet.hpp"
 #include "rubsweep/measurement/dataset/labels.hpp"
 
 namespace rubsweep::dataset {

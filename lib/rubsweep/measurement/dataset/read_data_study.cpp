@@ -3,10 +3,8 @@
 #include <cmath>
 
 #include "rubsweep/maps/config/file.hpp"
-#include "rubsweep/maps/config/output.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/measurement/dataset/read_candidates.hpp"
-#include "rubsweep/measurement/dataset/read_measurement.hpp"
 
 namespace rubsweep::config::dataset {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/config/number_at.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
+#include "rubsweep/maps/config/line_keys.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/measurement/diagnose/fitted_parameters.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/measurement/fit/residual_test.hpp"
+#include "rubsweep/measurement/fit/uncertainty.hpp"
 
 namespace rubsweep::fit {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "rubsweep/measurement/fit/fit_problem.hpp"
 #include "rubsweep/measurement/fit/least_squares.hpp"
+#include "rubsweep/measurement/fit/modelled_data.hpp"
 
 namespace rubsweep::fit {
 

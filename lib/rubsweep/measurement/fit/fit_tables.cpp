@@ -10,7 +10,7 @@
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/measurement/fit/modelled_data.hpp"
-#include "rubsweep/measurement/fit/residual_test.hpp"
+#include "rubsweep/measurement/fit/uncertainty.hpp"
 
 namespace rubsweep::fit {
 namespace {

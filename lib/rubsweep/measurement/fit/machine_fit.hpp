@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/measurement/fit/fit_problem.hpp"
 #include "rubsweep/measurement/fit/least_squares.hpp"
+#include "rubsweep/measurement/fit/modelled_data.hpp"
 #include "rubsweep/measurement/fit/uncertainty.hpp"
 
 namespace rubsweep::fit {

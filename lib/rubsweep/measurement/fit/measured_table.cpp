@@ -13,9 +13,8 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/numerics/straight_line.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/table/encoding.hpp"
 #include "rubsweep/maps/table/rows.hpp"
 
 namespace rubsweep::fit {

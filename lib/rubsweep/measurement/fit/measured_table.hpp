@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/measurement/fit/ramp.hpp"
+#include "rubsweep/measurement/fit/measured_data.hpp"
 
 namespace rubsweep::fit {
 

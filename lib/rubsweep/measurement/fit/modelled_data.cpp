@@ -13,7 +13,6 @@
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
-#include "rubsweep/measurement/fit/ramp_phasor.hpp"
 
 namespace rubsweep::fit {
 namespace {
@@ -69,6 +68,19 @@ Eigen::VectorXd with_first_turn(const RubLines& rub, const Eigen::VectorXcd& lin
 }
 
 }  // namespace
+
+double value_named(const MachineFit& problem, const Eigen::VectorXd& values, const char* name,
+                   double otherwise) {
+  for (std::size_t i = 0; i < problem.parameters.size(); ++i)
+    if (problem.parameters[i].name == name) return values(static_cast<Eigen::Index>(i));
+  return otherwise;
+}
+
+scene::PreparedMachine prepare_again(const model::Machine& machine, const scene::PreparedMachine& first) {
+  if (!std::holds_alternative<model::RotorKit>(machine.rotor) || !first.reduction)
+    return scene::prepare_machine(machine);
+  return scene::prepare_with_modes(machine, first.reduction->modes);
+}
 
 RampParts LastRamps::of(const MachineFit& problem, const RunUp& run, Eigen::VectorXd values,
                         const std::function<RampParts()>& make) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rubsweep/core/scene/prepared_machine.hpp"
-#include "rubsweep/measurement/fit/ramp.hpp"
+#include "rubsweep/measurement/fit/measured_data.hpp"
 
 namespace rubsweep::fit {
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/measurement/recording/instrument.hpp"
+
 namespace rubsweep::recording {
 
 /// One column of what an instrument wrote.
@@ -42,9 +44,27 @@ struct Channels {
   }
 };
 
+/// Unit of a sound file's readings: shares of the converter's full scale, from -1 to 1.
+inline constexpr const char* full_scale_unit = "FS";
+
 /// Unit that the ending _s or _m of a name says, as in the programs' own tables; empty for other names.
 inline std::string unit_in_ending(std::string_view name) {
   return name.ends_with("_s") || name.ends_with("_m") ? std::string(1, name.back()) : std::string();
 }
+
+/// Seconds per unit of a column of times: s (also without a unit), ms, us or µs. Throws ConfigError with the
+/// names of file and column for any other.
+double seconds_per(const std::string& unit, const std::string& column, const std::string& file);
+
+/// How readings of a probe become metres, and where they are cut off.
+struct Scale {
+  double metres_per_unit = 1;
+  std::optional<double> full_scale{};  ///< in the unit of the column
+};
+
+/// Scale of a probe's column: m, mm, um or µm, mil; V or mV with a gain in mV/µm; FS, shares of a full scale
+/// of range_v, with both. `unit` is that of the column unless the probe says another one. Throws ConfigError
+/// as above.
+Scale scale_of(const std::string& unit, const Probe& probe, const std::string& file);
 
 }  // namespace rubsweep::recording

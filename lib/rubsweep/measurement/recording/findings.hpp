@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rubsweep/measurement/recording/channels.hpp"
+#include "rubsweep/measurement/recording/probe_faults.hpp"
 #include "rubsweep/measurement/recording/turn_marks.hpp"
-#include "rubsweep/measurement/recording/wild_readings.hpp"
 
 namespace rubsweep::recording {
 

@@ -2,9 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "rubsweep/measurement/recording/keyphasor.hpp"
+#include "rubsweep/measurement/recording/turn_marks.hpp"
 
 namespace rubsweep::recording {
 
@@ -15,7 +16,8 @@ struct Probe {
   /// Not 0; of a column in volts; negative: away from the probe is less.
   std::optional<double> gain_mv_per_um{};
   std::optional<std::string> unit{};  ///< instead of what the file says or does not say
-  std::optional<double> rest{};  ///< reading while the rotor rests, in the column's unit; of all probes or none
+  std::optional<double>
+      rest{};  ///< reading while the rotor rests, in the column's unit; of all probes or none
   std::optional<double>
       range_v{};  ///< > 0: voltage of the converter's full scale, where readings are cut off
 };
@@ -48,3 +50,13 @@ struct Instrument {
 };
 
 }  // namespace rubsweep::recording
+
+namespace rubsweep::config::recording {
+
+/// Reads what has to be known of a recording: probes (a list of one or two, each with column, angle_deg and
+/// perhaps gain_mv_per_um, unit, range_v), keyphasor (column, mark, threshold, hysteresis) or speed_hz, time
+/// (the name of a column) or sampling_rate_hz or none of both; from_s, to_s; run_out (from_s, to_s,
+/// subtract). `name` stands for the file in messages. Throws ConfigError with every problem.
+rubsweep::recording::Instrument read_instrument_text(std::string_view text, const std::string& name);
+
+}  // namespace rubsweep::config::recording

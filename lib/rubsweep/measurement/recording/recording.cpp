@@ -9,13 +9,12 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/measurement/recording/channels.hpp"
 #include "rubsweep/measurement/recording/findings.hpp"
 #include "rubsweep/measurement/recording/found_speed.hpp"
 #include "rubsweep/measurement/recording/probe_faults.hpp"
 #include "rubsweep/measurement/recording/sample_clock.hpp"
 #include "rubsweep/measurement/recording/shaft_turns.hpp"
-#include "rubsweep/measurement/recording/unit.hpp"
-#include "rubsweep/measurement/recording/wild_readings.hpp"
 
 namespace rubsweep::recording {
 namespace {

@@ -45,4 +45,9 @@ struct ReadRecording {
 /// either.
 ReadRecording read_recording(const std::filesystem::path& file, const std::filesystem::path& instrument_file);
 
+/// Reads a WAV file (RIFF, RIFX, RF64) as data recorders write them: "channel 1", "channel 2", ... in
+/// full_scale_unit, and its sampling rate. Throws ConfigError with the name of the file where it is damaged
+/// or has fewer than two readings.
+Channels read_sound_file(const std::filesystem::path& file);
+
 }  // namespace rubsweep::recording

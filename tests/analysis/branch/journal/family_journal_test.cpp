@@ -4,7 +4,7 @@
 
 #include "maps/map/small_map.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/map/derived_files.hpp"
+#include "rubsweep/maps/map/map_files.hpp"
 
 namespace rubsweep::branch::journal {
 namespace {

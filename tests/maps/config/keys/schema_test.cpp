@@ -5,7 +5,7 @@
 #include <string>
 
 #include "rubsweep/core/model/range.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 /// Verdicts of validators are the business of agreement_test.py; here is what they do not see.
 namespace rubsweep::config::keys {

@@ -11,7 +11,7 @@
 #include "maps/batch/temporary_directory.hpp"
 #include "maps/matlab/matio_file.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "maps/config/support.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
-#include "rubsweep/maps/config/study_digest.hpp"
 
 namespace rubsweep::config::study {
 namespace {

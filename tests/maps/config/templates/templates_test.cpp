@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::templates {
 namespace {

@@ -11,7 +11,6 @@
 #include "maps/config/support.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
-#include "rubsweep/maps/config/study_digest.hpp"
 
 namespace rubsweep::config::yaml {
 namespace {

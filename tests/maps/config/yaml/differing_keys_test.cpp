@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "rubsweep/maps/config/print_config.hpp"
-#include "rubsweep/maps/config/read_run_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::yaml {
 namespace {

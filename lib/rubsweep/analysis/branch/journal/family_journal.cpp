@@ -5,10 +5,10 @@
 #include <string_view>
 
 #include "rubsweep/analysis/branch/journal/family_digest.hpp"
-#include "rubsweep/maps/batch/directory.hpp"
-#include "rubsweep/maps/config/yaml/terminal_text.hpp"
-#include "rubsweep/maps/map/derived_files.hpp"
-#include "rubsweep/maps/map/journal_header.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
+#include "rubsweep/maps/map/earlier_results.hpp"
+#include "rubsweep/maps/map/map_files.hpp"
 
 namespace rubsweep::branch::journal {
 

@@ -13,7 +13,7 @@
 #include "rubsweep/core/contact/dry_friction.hpp"
 #include "rubsweep/core/integrate/adaptive/step_method.hpp"
 #include "rubsweep/core/integrate/law/settle_slips.hpp"
-#include "rubsweep/core/numerics/bernstein_root.hpp"
+#include "rubsweep/core/numerics/polynomial_root.hpp"
 
 namespace rubsweep::integrate::adaptive {
 
@@ -72,8 +72,7 @@ struct CrossingSearch {
   };
 
   contact::Guards guards(std::size_t i, const contact::Kinematics& kinematics) const {
-    const auto& c = dynamics.system().contacts[i];
-    return contact::guards_of(dynamics.modes()[i], c.stiffness, c.damping, kinematics);
+    return dynamics.guards(i, kinematics);
   }
 
   /// Value of one guard function of contact `i` inside the step.

@@ -100,4 +100,7 @@ bool is_chosen(const Form& map, std::string_view name);
 /// Allowed values in words, as errors say them: "> 0 and <= 1", "one_side or annular", "a list of 1 to 16".
 std::string allowed(const Form& form);
 
+/// Unit that the end of a key says, as people write it: "N/m" of stiffness_n_per_m; empty without one.
+std::string_view unit_of(std::string_view key);
+
 }  // namespace rubsweep::config::keys

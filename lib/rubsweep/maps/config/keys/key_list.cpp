@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "rubsweep/maps/config/keys/unit_of.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 
 namespace rubsweep::config::keys {
 namespace {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "rubsweep/core/model/magnitude.hpp"
-#include "rubsweep/maps/config/keys/unit_of.hpp"
+#include "rubsweep/maps/config/keys/form.hpp"
 
 namespace rubsweep::config::keys {
 namespace {

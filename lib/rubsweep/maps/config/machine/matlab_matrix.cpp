@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "rubsweep/core/model/shaft_matrices.hpp"
-#include "rubsweep/maps/config/yaml/nearest.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 #include "rubsweep/maps/matlab/read_file.hpp"
 

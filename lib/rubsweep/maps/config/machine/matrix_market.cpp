@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "rubsweep/core/model/shaft_matrices.hpp"
-#include "rubsweep/maps/config/yaml/number.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::config::machine {

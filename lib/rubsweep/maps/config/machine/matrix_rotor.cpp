@@ -5,15 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/model/physical_range.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
+#include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
 #include "rubsweep/maps/config/machine/shaft_matrices.hpp"
-#include "rubsweep/maps/config/yaml/number.hpp"
+#include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
@@ -58,12 +59,57 @@ bool has_bodies(const model::ShaftMatrices& matrices) {
                              [](const model::DegreeOfFreedom& one) { return !one.position_m; });
 }
 
-}  // namespace
+using namespace keys;
 
+constexpr std::size_t most_rows = model::ShaftMatrices::most_degrees_of_freedom;
+
+Form text_or_file() {
+  constexpr std::size_t most_bytes = 16'000'000;
+  return any_of(
+      {text(most_bytes),
+       map_of({must("file", text(), "file, its name relative to this one: Matrix Market, or .mat of MATLAB"),
+               may("variable", text(), "name of the matrix in a file of MATLAB", "(the key)")})});
+}
+
+Form column(Form item) { return list_of(std::move(item), 1, most_rows); }
+
+Form or_none(const model::Range& range) { return column(any_of({number(range), one_of({&no_place, 1})})); }
+
+Form file_alone(const char* meaning) { return map_of({must("file", text(), meaning)}); }
+
+Key node() { return must("node", column(text()), "name of the node"); }
+Key direction() { return must("direction", column(one_of(directions)), "along or about an axis"); }
+
+Form degrees_of_freedom() {
+  const model::Range places{.low = 0, .high = model::physical::length_m.high};
+  return any_of(
+      {file_alone("table with the columns node, direction, position_m and weight_kg"),
+       map_of({node(), direction(),
+               must("position_m", or_none(places), "place along the shaft; none: of a body beside it"),
+               may("weight_kg", or_none(model::any_finite), "mass that gravity pulls",
+                   "(of the mass matrix)")})});
+}
+
+Form matrix_unbalance() {
+  return any_of(
+      {file_alone("table with the columns node, direction, real_kg and imaginary_kg"),
+       map_of({node(), direction(),
+               must("real_kg", column(number(model::any_finite)), "per metre of eccentricity"),
+               must("imaginary_kg", column(number(model::any_finite)), "the same, a quarter turn on")}),
+       list_of(map_of(joined({{must("node", text(), "name of the node"),
+                               must("position_m", number(model::not_negative), "place along the shaft")},
+                              keys_of<model::NodeUnbalance>()}),
+                      {either(node_or_place)}),
+               1, most_rows)});
+}
+
+/// Whether a key of a rotor kit is none beside matrices, which stand for it or exclude it.
 bool is_excluded_by_matrices(std::string_view name) {
   return name == mass_damping_key ||
          std::ranges::any_of(excluded, [&](const auto& one) { return one.first == name; });
 }
+
+}  // namespace
 
 void refuse_between_nodes(const yaml::Value& value, const model::RotorKit& kit) {
   if (!kit.matrices) return;
@@ -73,10 +119,9 @@ void refuse_between_nodes(const yaml::Value& value, const model::RotorKit& kit) 
                            kit);
     return;
   }
-  const auto key = std::ranges::find(value.node.keys, "position_m", &yaml::Node::Key::text);
-  if (key == value.node.keys.end()) return;
-  const yaml::Node& place = value.node.items[static_cast<std::size_t>(key - value.node.keys.begin())];
-  const yaml::ParsedNumber wanted = yaml::parse_number(place.text);
+  const yaml::Node* place = yaml::entry(value.node, "position_m");
+  if (place == nullptr) return;
+  const yaml::ParsedNumber wanted = yaml::parse_number(place->text);
   if (wanted.error != yaml::NumberError::none) return;  // refused where it was read
   double nearest = INFINITY;
   for (const model::DegreeOfFreedom& one : kit.matrices->degrees_of_freedom) {
@@ -84,8 +129,8 @@ void refuse_between_nodes(const yaml::Value& value, const model::RotorKit& kit) 
       nearest = *one.position_m;
   }
   if (std::abs(nearest - wanted.value) <= same_place * model::shaft_length_m(kit)) return;
-  yaml::refuse({place, value.path + ".position_m", value.diagnostics},
-               fmt::format("at {} m stands no node", place.text),
+  yaml::refuse({*place, value.path + ".position_m", value.diagnostics},
+               fmt::format("at {} m stands no node", place->text),
                fmt::format("a position_m of degrees_of_freedom, of which {} is the nearest", nearest));
 }
 
@@ -110,6 +155,25 @@ model::RotorKit read_matrix_rotor(yaml::Section& section) {
            "0 beside degrees of freedom without position_m");
   if (kit.matrices && section.is_sound()) refuse_loose_matrices(section, kit);
   return kit;
+}
+
+std::vector<Key> matrix_rotor_keys() {
+  std::vector<Key> keys;
+  for (const MatrixKey& one : matrix_keys) {
+    const std::string name(one.name), meaning(one.meaning);
+    keys.push_back(newer_key(one.needed ? must(name, text_or_file(), meaning)
+                                        : may(name, text_or_file(), meaning, "0")));
+  }
+  keys.push_back(newer_key(
+      must(std::string(freedoms_key), degrees_of_freedom(), "degrees of freedom in the order of the rows")));
+  keys.push_back(newer_key(must(std::string(unbalance_key), matrix_unbalance(),
+                                "unbalance by nodes, or of each degree of freedom")));
+  for (Key& key : rotor_kit_keys()) {
+    if (is_excluded_by_matrices(key.name)) continue;
+    if (key.name == "supports") key.required = false, key.fallback = "(none)";
+    keys.push_back(std::move(key));
+  }
+  return keys;
 }
 
 }  // namespace rubsweep::config::machine

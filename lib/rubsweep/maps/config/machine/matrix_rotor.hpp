@@ -1,18 +1,39 @@
+/// Keys of a rotor by matrices, for those that read and that print it.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "rubsweep/core/model/rotor_kit.hpp"
+#include "rubsweep/core/model/shaft_matrices.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
 namespace rubsweep::config::machine {
 
+inline constexpr std::string_view freedoms_key = "degrees_of_freedom", unbalance_key = "unbalance";
+inline constexpr std::array<std::string_view, 4> directions{"x", "y", "rx", "ry"};
+/// A degree of freedom beside the shaft.
+inline constexpr std::string_view no_place = "none";
+
+/// Keys of the place of an unbalance, one of which is given.
+inline constexpr std::array<std::string_view, 2> node_or_place{"node", "position_m"};
+
+struct MatrixKey {
+  std::string_view name, meaning;
+  Eigen::MatrixXd model::ShaftMatrices::*matrix;
+  bool needed;
+};
+inline constexpr std::array<MatrixKey, 4> matrix_keys{
+    {{"mass", "mass matrix", &model::ShaftMatrices::mass, true},
+     {"stiffness", "stiffness matrix", &model::ShaftMatrices::stiffness, true},
+     {"damping", "damping matrix", &model::ShaftMatrices::damping, false},
+     {"gyroscopic", "gyroscopic matrix per rad/s", &model::ShaftMatrices::gyroscopic, false}}};
+
 /// The keys of `rotor` beside kind: matrices: those of read_shaft_matrices, and those of a rotor kit that
 /// matrices do not exclude. Places along the shaft must be those of nodes.
 model::RotorKit read_matrix_rotor(yaml::Section& section);
 std::vector<keys::Key> matrix_rotor_keys();
-
-/// Whether a key of a rotor kit is none beside matrices, which stand for it or exclude it.
-bool is_excluded_by_matrices(std::string_view name);
 
 /// A problem of each position_m of a map, or of the maps of a list, at which no node of a kit's matrices
 /// stands. Without matrices there is none.

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/maps/config/machine/matrix_keys.hpp"
 #include "rubsweep/maps/config/machine/matrix_market.hpp"
+#include "rubsweep/maps/config/machine/matrix_rotor.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

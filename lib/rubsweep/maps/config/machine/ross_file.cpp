@@ -13,12 +13,10 @@
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/ross_elements.hpp"
 #include "rubsweep/maps/config/machine/ross_sections.hpp"
-#include "rubsweep/maps/config/machine/ross_settings.hpp"
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
-#include "rubsweep/maps/config/yaml/json_document.hpp"
+#include "rubsweep/maps/config/yaml/base.hpp"
+#include "rubsweep/maps/config/yaml/other_documents.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
-#include "rubsweep/maps/config/yaml/toml_document.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

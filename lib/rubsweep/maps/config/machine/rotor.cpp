@@ -30,8 +30,7 @@ void read_one(yaml::Section& section, std::string_view own_key, double& own, std
 /// In the order of model::Rotor, then those of other tools' files, which become one of these.
 constexpr std::array<std::string_view, 4> rotor_kinds{"jeffcott", "rotor_kit", "ross", "matrices"};
 
-}  // namespace
-
+/// Keys of `rotor` beside kind: jeffcott.
 model::JeffcottRotor read_jeffcott(yaml::Section& section) {
   model::JeffcottRotor rotor;
   std::optional<double> stiffness, damping;
@@ -58,6 +57,8 @@ model::JeffcottRotor read_jeffcott(yaml::Section& section) {
       });
   return rotor;
 }
+
+}  // namespace
 
 void read_rotor(const yaml::Value& value, model::Machine& machine) {
   yaml::Section section(value);

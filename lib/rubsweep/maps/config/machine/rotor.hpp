@@ -16,9 +16,6 @@ namespace rubsweep::config::machine {
 inline constexpr std::string_view rotor_stiffness_key = "stiffness_n_per_m",
                                   rotor_damping_key = "damping_ns_per_m";
 
-/// Keys of `rotor` beside kind: jeffcott.
-model::JeffcottRotor read_jeffcott(yaml::Section& section);
-
 /// `rotor` of any kind. Fills machine.rotor.
 void read_rotor(const yaml::Value& value, model::Machine& machine);
 keys::Form rotor_form();

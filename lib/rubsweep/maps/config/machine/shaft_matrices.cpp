@@ -14,8 +14,8 @@
 #include "rubsweep/core/model/physical_range.hpp"
 #include "rubsweep/core/structure/matrix_problems.hpp"
 #include "rubsweep/maps/config/machine/matlab_matrix.hpp"
-#include "rubsweep/maps/config/machine/matrix_keys.hpp"
 #include "rubsweep/maps/config/machine/matrix_market.hpp"
+#include "rubsweep/maps/config/machine/matrix_rotor.hpp"
 #include "rubsweep/maps/config/machine/table_file.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 
@@ -65,10 +65,7 @@ void resolve_matrix(yaml::Node& matrix, std::string_view key, yaml::Diagnostics&
 }
 
 /// Whether a file could not be had, which was refused.
-bool is_still_a_file(const yaml::Value& value) {
-  return value.node.kind == yaml::Node::Kind::map &&
-         std::ranges::find(value.node.keys, "file", &yaml::Node::Key::text) != value.node.keys.end();
-}
+bool is_still_a_file(const yaml::Value& value) { return yaml::entry(value.node, "file") != nullptr; }
 
 /// Columns of a table, each as long as the first; empty after a problem.
 std::vector<yaml::Value> items_of(yaml::Section& section, std::string_view name, std::size_t& rows) {

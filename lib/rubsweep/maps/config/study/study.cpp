@@ -1,31 +1,234 @@
 #include "rubsweep/maps/config/study/study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <string>
 #include <variant>
 
+#include "rubsweep/core/integrate/exact/modes/mode_cache.hpp"
+#include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/matrix_rotor.hpp"
 #include "rubsweep/maps/config/machine/rotor.hpp"
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
 #include "rubsweep/maps/config/machine/stop.hpp"
-#include "rubsweep/maps/config/study/response.hpp"
-#include "rubsweep/maps/config/study/start.hpp"
 #include "rubsweep/maps/config/study/study_kind.hpp"
 #include "rubsweep/maps/config/study/sweep.hpp"
 
 namespace rubsweep::config::study {
 namespace {
 
+using integrate::run::ContactHandling;
+using integrate::run::Method;
+using integrate::run::SolverOptions;
+
+constexpr std::string_view at_rest = "rest";
+constexpr std::string_view start_forms =
+    "rest, or a map of x_m, y_m, vx_m_per_s, vy_m_per_s, casings, each optional";
+constexpr std::string_view forms = "a map from the number of a stop to x_m, y_m, vx_m_per_s, vy_m_per_s";
+
+std::vector<std::optional<model::BodyState>> read_casings(const yaml::Value& value,
+                                                          const std::vector<model::Stop>& stops) {
+  std::vector<std::string> names;  // the section keeps views of them
+  for (std::size_t i = 0; i < stops.size(); ++i) names.push_back(std::to_string(i));
+  std::vector<std::optional<model::BodyState>> casings(stops.size());
+  yaml::Section section(value, forms);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const auto casing = section.find(names[i]);
+    if (!casing) continue;
+    if (!stops[i].casing) refuse(*casing, "is of a rigid casing, which has no state", "a casing that moves");
+    read_map(*casing, casings[i].emplace());
+  }
+  section.refuse_unknown_keys();
+  return casings;
+}
+
+bool is_empty(const model::BodyState& body) {
+  bool empty = true;
+  model::BodyState::visit_fields(
+      body, [&](const char*, const std::optional<double>& number, const auto&) { empty = empty && !number; });
+  return empty;
+}
+
+/// Keys that stand beside robustness: probability alone.
+bool is_of_neighbours(std::string_view name) { return name.starts_with("robustness_"); }
+
+void refuse_contradictions(const yaml::Section& section, const response::motion::ResponseOptions& options) {
+  if (options.max_revolutions < 2 * options.window_revolutions) {
+    section.refuse_together("max_revolutions", {"max_revolutions", "window_revolutions"},
+                            fmt::format("{} is less than two windows", options.max_revolutions),
+                            fmt::format(">= {} = 2 window_revolutions", 2 * options.window_revolutions));
+  }
+  if (options.samples_per_revolution < 4 * options.max_order) {
+    section.refuse_together("samples_per_revolution", {"samples_per_revolution", "max_order"},
+                            fmt::format("{} does not resolve max_order", options.samples_per_revolution),
+                            fmt::format(">= {} = 4 max_order", 4 * options.max_order));
+  }
+  if (2 * options.max_order > options.window_revolutions) {
+    section.refuse_together("max_order", {"max_order", "window_revolutions"},
+                            fmt::format("{} is more than half a window", options.max_order),
+                            fmt::format("<= {} = window_revolutions / 2", options.window_revolutions / 2));
+  }
+}
+
+/// `response`: every key is optional, the defaults are those of the structs. Two windows must fit into the
+/// longest run, two turns of the largest order into a window, four samples into its shortest period.
+void read_response(const yaml::Value& value, sweep::Study& study) {
+  yaml::Section section(value);
+  read_fields(section, study.response);
+  sweep::Study::visit_fields(study, [&](std::string_view name, auto& field, const auto& key) {
+    section.field(name, field, key);
+    if (is_of_neighbours(name) && study.robustness != sweep::Robustness::probability && section.find(name))
+      section.refuse_together(name, {name}, "says nothing without robustness: probability", "no such key");
+  });
+  if (section.is_sound()) refuse_contradictions(section, study.response);
+  section.refuse_unknown_keys();
+}
+
+keys::Form response_form() {
+  std::vector<keys::Key> of_study = keys::keys_of<sweep::Study>();
+  for (keys::Key& key : of_study) {
+    if (is_of_neighbours(key.name)) key.when = {"robustness", {"probability"}};
+  }
+  return keys::map_of(
+      keys::joined({keys::keys_of<response::motion::ResponseOptions>(), std::move(of_study)}));
+}
+
+void print_response(yaml::Printer& printer, const sweep::Study& study) {
+  printer.open("response");
+  print_fields(printer, study.response);
+  // Only where they say something, so that the configurations of other maps stay as they are.
+  sweep::Study::visit_fields(study, [&](std::string_view name, const auto& field, const auto& key) {
+    if (is_of_neighbours(name) && study.robustness != sweep::Robustness::probability) return;
+    if (name != "hertz_iterations" || study.hertz_iterations > 0) printer.field(name, field, key);
+  });
+  printer.close();
+}
+
+/// `solver`: the exact one is refused where there are more `stops` than it takes.
+SolverOptions read_solver(const yaml::Value& value, std::size_t stops) {
+  yaml::Section section(value);
+  SolverOptions solver;
+  read_fields(section, solver);
+  if (solver.method == Method::exact && solver.contact == ContactHandling::smoothed) {
+    section.refuse_together("contact", {"method", "contact"},
+                            "'smoothed' is a law that the exact solver does not know",
+                            "located, or method adaptive");
+  }
+  constexpr std::size_t most = integrate::exact::modes::most_exact_contacts;
+  if (solver.method == Method::exact && stops > most) {
+    section.refuse_together("method", {"method"}, fmt::format("is exact beside {} stops", stops),
+                            fmt::format("auto or adaptive, or at most {} stops", most));
+  }
+  section.refuse_unknown_keys();
+  return solver;
+}
+
+keys::Form solver_form() { return keys::map_of(keys::keys_of<SolverOptions>()); }
+
+/// `kick`; with a position_m where there are `places` along the shaft of a rotor kit.
+model::Kick read_kick(const yaml::Value& value, const std::optional<model::Range>& places) {
+  yaml::Section section(value);
+  model::Kick kick;
+  read_fields(section, kick);
+  if (places) section.field("position_m", kick.position_m, *places);
+  section.refuse_unknown_keys();
+  return kick;
+}
+
+keys::Form kick_form() {
+  using namespace keys;
+  return map_of(joined({keys_of<model::Kick>(),
+                        {may("position_m", number(model::not_negative),
+                             "place along the shaft, of a rotor kit only", "(first stop)")}}));
+}
+
+/// A kick that no run outlasts leaves nothing to look at: `longest_run_s` is that of the slowest shaft.
+void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, double longest_run_s) {
+  if (kick.force_n == 0 || kick.duration_s < longest_run_s) return;
+  yaml::Section(value).refuse_together(
+      "duration_s", {"duration_s"},
+      fmt::format("{} s are no shorter than a run, {:.4g} s", kick.duration_s, longest_run_s),
+      "less than response.max_revolutions / speed");
+}
+
+void print_kick(yaml::Printer& printer, const model::Kick& kick) {
+  printer.open("kick");
+  print_fields(printer, kick);
+  printer.field("position_m", kick.position_m, model::any_finite);
+  printer.close();
+}
+
+/// `start`: rest, or a map, of which `{}` starts on the quiet whirl, not kicked.
+model::Start read_start(const yaml::Value& value, const std::vector<model::Stop>& stops) {
+  model::Start start;
+  if (value.node.kind == yaml::Node::Kind::scalar) {
+    constexpr std::array words{at_rest};
+    start.at_rest = read_word(value, words, start_forms).has_value();
+    return start;
+  }
+  yaml::Section section(value, start_forms);
+  read_fields(section, start.rotor);
+  if (const auto casings = section.find("casings")) start.casings = read_casings(*casings, stops);
+  section.refuse_unknown_keys();
+  return start;
+}
+
+keys::Form start_form() {
+  using namespace keys;
+  return any_of(
+      {one_of({&at_rest, 1}),
+       map_of(joined(
+           {keys_of<model::BodyState>(),
+            {newer_key(may("casings", numbered(map_of(keys_of<model::BodyState>()), machine::max_stops),
+                           "states of moving casings, by the number of their stop", "(none)"))}}))});
+}
+
+void print_start(yaml::Printer& printer, const model::Start& start) {
+  if (start.at_rest) return printer.word("start", at_rest);
+  const auto given = [](const std::optional<model::BodyState>& body) { return body && !is_empty(*body); };
+  const bool casings = std::ranges::any_of(start.casings, given);
+  if (is_empty(start.rotor) && !casings) {
+    printer.word("start", "{}");  // an empty block would read back as no value
+    return;
+  }
+  printer.open("start");
+  print_fields(printer, start.rotor);
+  if (casings) printer.open("casings");
+  for (std::size_t i = 0; i < start.casings.size(); ++i) {
+    if (given(start.casings[i])) print_map(printer, std::to_string(i), *start.casings[i]);
+  }
+  if (casings) printer.close();
+  printer.close();
+}
+
 /// Friction that sticks would have to hold the twisting surface, which no solver does.
 void refuse_dry_friction_beside_torsion(const yaml::Value& stops, const model::Machine& machine) {
   const model::RotorKit* kit = model::kit_of(machine);
   if (kit == nullptr || !kit->torsion) return;
   for (const model::Stop& stop : machine.stops) {
-    if (!std::holds_alternative<model::ConstantFriction>(stop.friction)) continue;
+    if (!model::may_stick(stop.friction)) continue;
     refuse(stops, "has a friction coefficient, which may stick, beside torsion of the rotor",
            "friction by one_way, stribeck or static, or no torsion");
     return;
   }
+}
+
+/// A smoothed law goes through slip zero on one curve and never holds.
+void refuse_static_friction_smoothed(const yaml::Value& solver, const sweep::Study& study) {
+  if (study.solver.contact != integrate::run::ContactHandling::smoothed) return;
+  const auto holds = [](const model::Stop& stop) { return model::holding_and_sliding(stop.friction)[0] > 0; };
+  if (std::ranges::any_of(study.machine.stops, holds))
+    refuse(solver, "smooths the contact, beside static friction of a stop, which only holds without",
+           "contact: located, or friction without static");
+}
+
+void refuse_curved_laws(const yaml::Value& solver, const sweep::Study& study) {
+  const auto is_linear = [](const model::Stop& stop) { return stop.law.linear(); };
+  if (!integrate::run::knows_curved_laws(study.solver) && !std::ranges::all_of(study.machine.stops, is_linear))
+    refuse(solver, "knows linear contacts alone by method exact or contact smoothed",
+           "method auto or adaptive with contact located beside a law of another kind");
 }
 
 }  // namespace
@@ -51,7 +254,11 @@ sweep::Study read_study(yaml::Section& root) {
   root.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);
   if (const auto value = root.require("sweep", "a map")) study.grid = read_sweep(*value, study.machine);
   if (const auto value = root.find("study")) read_study_kind(*value, study);
-  if (const auto value = root.find("solver")) study.solver = read_solver(*value, study.machine.stops.size());
+  if (const auto value = root.find("solver")) {
+    study.solver = read_solver(*value, study.machine.stops.size());
+    refuse_static_friction_smoothed(*value, study);
+    refuse_curved_laws(*value, study);
+  }
   if (const auto value = root.find("response")) read_response(*value, study);
   if (const auto value = root.find("kick"); value && root.is_sound()) {
     refuse_endless_kick(*value, *study.machine.kick,
@@ -76,5 +283,18 @@ std::vector<keys::Key> study_keys() {
 }
 
 keys::Choice kick_or_start() { return {{{{"kick"}, {}}, {{"start"}, {}}}, true}; }
+
+void print_study(yaml::Printer& printer, const sweep::Study& study, AxisPrint how,
+                 machine::MatrixPrint matrices) {
+  machine::print_rotor(printer, study.machine, matrices);
+  machine::print_stops(printer, study.machine.stops);
+  if (study.machine.kick) print_kick(printer, *study.machine.kick);
+  if (study.machine.start) print_start(printer, *study.machine.start);
+  printer.number("gravity_m_per_s2", study.machine.gravity_m_per_s2);
+  print_sweep(printer, study.grid, how);
+  print_study_kind(printer, study, how);
+  print_map(printer, "solver", study.solver);
+  print_response(printer, study);
+}
 
 }  // namespace rubsweep::config::study

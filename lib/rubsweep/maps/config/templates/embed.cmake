@@ -1,5 +1,5 @@
-# cmake "-DFILES=FILE;FILE..." -DOUTPUT=FILE.cpp -P embed.cmake: writes the definitions that texts.hpp declares.
-set(source "#include \"rubsweep/maps/config/templates/texts.hpp\"\n\nnamespace rubsweep::config::templates {\n\n")
+# cmake "-DFILES=FILE;FILE..." -DOUTPUT=FILE.cpp -P embed.cmake: writes the definitions that templates.hpp declares.
+set(source "#include \"rubsweep/maps/config/templates/templates.hpp\"\n\nnamespace rubsweep::config::templates {\n\n")
 string(APPEND source "const std::array<Text, text_count> texts{{\n")
 foreach(file IN LISTS FILES)
   get_filename_component(name ${file} NAME_WE)

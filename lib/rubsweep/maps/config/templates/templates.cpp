@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "rubsweep/maps/config/templates/texts.hpp"
-
 namespace rubsweep::config::templates {
 namespace {
 

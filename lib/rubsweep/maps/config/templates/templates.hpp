@@ -1,11 +1,23 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rubsweep::config::templates {
+
+/// A file that the build put into the program, and its name without an ending.
+struct Text {
+  std::string_view name, yaml;
+};
+
+inline constexpr std::size_t text_count = 5;
+
+/// The files of configs/init.
+extern const std::array<Text, text_count> texts;
 
 /// Kinds of machines that there is a configuration to begin with for: one_side, both_sides, annular,
 /// rotor_kit, ross.

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/config/yaml/alternatives.hpp"
-#include "rubsweep/maps/config/yaml/file_bytes.hpp"
-#include "rubsweep/maps/config/yaml/repeated_keys.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 
@@ -170,6 +168,22 @@ class Resolver {
 };
 
 }  // namespace
+
+FileBytes read_bytes(const std::filesystem::path& file, batch::InputKind kind) {
+  const batch::Input input = batch::find_input(file, kind);
+  if (!input.problem.empty()) return {"", input.problem};
+  FileBytes bytes;
+  if (const int error = batch::read_bytes(input.descriptor.get(), max_document_bytes + 1, bytes.text))
+    return {"", std::generic_category().message(error)};
+  return bytes;
+}
+
+std::string read_config_bytes(const std::filesystem::path& file) {
+  FileBytes bytes = read_bytes(file, batch::InputKind::also_passed_on);
+  if (!bytes.problem.empty())
+    throw IoError(fmt::format("{}: cannot be read: {}", file.string(), bytes.problem));
+  return std::move(bytes.text);
+}
 
 Node merged(Node base, Node over, std::string_view path, Diagnostics& diagnostics) {
   if (base.kind != Node::Kind::map || over.kind != Node::Kind::map || is_of_another_kind(base, over)) {

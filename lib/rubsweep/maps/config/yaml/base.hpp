@@ -1,16 +1,32 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
 
 namespace rubsweep::config::yaml {
 
+/// Contents of a file, or the reason why there are none.
+struct FileBytes {
+  std::string text;
+  std::string problem;  ///< empty: none
+};
+
+/// The bytes of a configuration file, at most one more than a document may have.
+FileBytes read_bytes(const std::filesystem::path& file,
+                     batch::InputKind kind = batch::InputKind::regular_file);
+
+/// The same of a file that the command line names, which may be one that the caller opened and passed on, as
+/// <(...) of a shell is. Throws IoError when the file cannot be read.
+std::string read_config_bytes(const std::filesystem::path& file);
+
 /// The value that results when `over` is written over `base`, both found at `path`:
 /// - Two maps are merged key by key. A key of `over` takes back what the base says by other means (see
-///   alternatives.hpp), and without a value it takes back the base's own. Two maps that name different kinds
+///   drop_alternatives), and without a value it takes back the base's own. Two maps that name different kinds
 ///   (key `kind`) share nothing: that of `over` stands alone.
 /// - Anything else, lists included, replaces what the base has.
 /// Remaining keys keep their places; the merged map itself has that of `over`. Repeated keys are a problem in

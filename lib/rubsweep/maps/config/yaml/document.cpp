@@ -10,7 +10,6 @@
 #include <sstream>
 #include <utility>
 
-#include "rubsweep/maps/config/yaml/number.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::config::yaml {
@@ -254,6 +253,13 @@ std::string describe(const YAML::Exception& error) {
 }
 
 }  // namespace
+
+Node* entry(Node& map, std::string_view name) {
+  const auto found = std::ranges::find(map.keys, name, &Node::Key::text);
+  return found == map.keys.end() ? nullptr : &map.items[static_cast<std::size_t>(found - map.keys.begin())];
+}
+
+const Node* entry(const Node& map, std::string_view name) { return entry(const_cast<Node&>(map), name); }
 
 std::size_t count_nodes(const Node& node) { return extent_of(node).nodes; }
 

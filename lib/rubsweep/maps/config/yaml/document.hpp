@@ -39,6 +39,10 @@ inline constexpr std::size_t max_document_nodes = 100'000;
 std::optional<Node> parse_document(std::string_view text, int override_index, std::string_view path,
                                    Diagnostics& diagnostics, int file = 0);
 
+/// The value under a key of a map; null without one, and of what is no map.
+Node* entry(Node& map, std::string_view name);
+const Node* entry(const Node& map, std::string_view name);
+
 /// How many values a node holds, itself included.
 std::size_t count_nodes(const Node& node);
 

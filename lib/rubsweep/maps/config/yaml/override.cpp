@@ -25,12 +25,17 @@ std::vector<std::string_view> split_path(std::string_view path) {
   return names;
 }
 
-Node* item_of(Node& list, std::string_view name, const SourcePosition& place, const std::string& path,
-              Diagnostics& diagnostics) {
+std::optional<std::size_t> index_in(const Node& list, std::string_view name) {
   std::size_t index = 0;
   const char* end = name.data() + name.size();
   const auto [stop, error] = std::from_chars(name.data(), end, index);
-  if (error == std::errc{} && stop == end && index < list.items.size()) return &list.items[index];
+  return error == std::errc{} && stop == end && index < list.items.size() ? std::optional(index)
+                                                                          : std::nullopt;
+}
+
+Node* item_of(Node& list, std::string_view name, const SourcePosition& place, const std::string& path,
+              Diagnostics& diagnostics) {
+  if (const auto index = index_in(list, name)) return &list.items[*index];
   const std::string allowed = list.items.empty()
                                   ? "nothing, the list is empty"
                                   : fmt::format("an index from 0 to {}", list.items.size() - 1);
@@ -39,9 +44,7 @@ Node* item_of(Node& list, std::string_view name, const SourcePosition& place, co
 }
 
 Node* entry_of(Node& map, std::string_view name, const SourcePosition& place) {
-  const auto found =
-      std::find_if(map.keys.begin(), map.keys.end(), [&](const Node::Key& key) { return key.text == name; });
-  if (found != map.keys.end()) return &map.items[static_cast<std::size_t>(found - map.keys.begin())];
+  if (Node* found = entry(map, name)) return found;
   map.keys.push_back({std::string(name), place});
   map.items.push_back(Node{Node::Kind::map, place});
   return &map.items.back();
@@ -106,17 +109,9 @@ void write_number(Node& root, std::string_view path, double value, const SourceP
 const Node* find_node(const Node& root, std::string_view path) {
   const Node* node = &root;
   for (const std::string_view& name : split_path(path)) {
-    std::size_t index = node->items.size();
-    if (node->kind == Node::Kind::map) {
-      const auto key = std::ranges::find(node->keys, name, &Node::Key::text);
-      index = static_cast<std::size_t>(key - node->keys.begin());
-    } else if (node->kind == Node::Kind::list) {
-      const char* end = name.data() + name.size();
-      const auto [stop, error] = std::from_chars(name.data(), end, index);
-      if (error != std::errc{} || stop != end) return nullptr;
-    }
-    if (index >= node->items.size()) return nullptr;
-    node = &node->items[index];
+    const auto index = node->kind == Node::Kind::list ? index_in(*node, name) : std::nullopt;
+    node = index ? &node->items[*index] : entry(*node, name);
+    if (node == nullptr) return nullptr;
   }
   return node;
 }

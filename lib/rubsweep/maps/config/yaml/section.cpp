@@ -6,8 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "rubsweep/maps/config/yaml/nearest.hpp"
-#include "rubsweep/maps/config/yaml/repeated_keys.hpp"
+#include "rubsweep/maps/config/yaml/alternatives.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::config::yaml {
@@ -24,13 +23,6 @@ Section::Section(const Value& value, std::string_view allowed)
 }
 
 std::string Section::path_of(std::string_view name) const { return child_path(value_.path, name); }
-
-const Node* Section::lookup(std::string_view name) const {
-  const auto& keys = value_.node.keys;
-  const auto found =
-      std::find_if(keys.begin(), keys.end(), [&](const Node::Key& key) { return key.text == name; });
-  return found == keys.end() ? nullptr : &value_.node.items[static_cast<std::size_t>(found - keys.begin())];
-}
 
 std::optional<Value> Section::find(std::string_view name) {
   if (std::find(known_.begin(), known_.end(), name) == known_.end()) known_.push_back(name);

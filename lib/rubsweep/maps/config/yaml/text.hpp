@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rubsweep::config::yaml {
 
@@ -37,5 +39,40 @@ std::string shown(std::string_view text, std::size_t longest = 60);
 
 /// Dotted path of the child `name` of `path`, fit for a message.
 std::string child_path(std::string_view path, std::string_view name);
+
+/// Remembers lines of a message as it was shown; those behind the first 1000 are forgotten. For any thread.
+void remember_lines(std::string_view shown);
+
+/// Lines of all messages that this process showed on stderr, without empty ones.
+std::vector<std::string> said_lines();
+
+/// `text` of any number of lines fit for a terminal.
+std::string printable(std::string_view text);
+
+/// Prints on stderr, control characters as `\xNN`: text from files and names moves no cursor. A message that
+/// cannot be delivered changes nothing else.
+void say(const std::string& text);
+
+/// The one of `names` that `word` most probably means: the shortest one that only adds a unit to it ("mass"
+/// -> "mass_kg"), else the one with the smallest edit distance (insert, delete, replace: 1 each), the first
+/// listed of equals. Empty when none is within a third of its own length.
+std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> names);
+
+enum class NumberError {
+  none,
+  not_a_number,
+  not_finite,   ///< one of YAML's or C's words for infinity and NaN
+  does_not_fit  ///< a decimal number too large or too small for a double
+};
+
+struct ParsedNumber {
+  double value = 0;  ///< nearest double; 0 when there is an error
+  NumberError error = NumberError::none;
+};
+
+/// Reads a whole word as a decimal number: optional sign, digits with an optional point, optional exponent.
+/// Knows no hexadecimal, octal, digit separators, decimal comma or surrounding blanks; leading zeros mean
+/// nothing.
+ParsedNumber parse_number(std::string_view word);
 
 }  // namespace rubsweep::config::yaml

@@ -7,8 +7,6 @@
 #include <cmath>
 
 #include "rubsweep/core/model/magnitude.hpp"
-#include "rubsweep/maps/config/yaml/nearest.hpp"
-#include "rubsweep/maps/config/yaml/number.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::config::yaml {

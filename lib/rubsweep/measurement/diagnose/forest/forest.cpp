@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
 

@@ -55,7 +55,7 @@ class Forest {
   Eigen::VectorXd weights(const Eigen::VectorXd& features, int without) const;
 
   LinearDiscriminants discriminants_;
-  Eigen::MatrixXd features_;  ///< with the discriminants
+  Eigen::MatrixXd features_;  ///< features with the discriminants
   std::vector<int> label_;
   int classes_ = 0, threads_ = 0;
   std::vector<Tree> trees_;

@@ -12,7 +12,7 @@
 #include <type_traits>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/input_file.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/measurement/diagnose/inference/cases_version.hpp"

@@ -1,0 +1,173 @@
+#include "rubsweep/maps/batch/opened_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::batch {
+namespace {
+
+constexpr std::string_view is_a_link = "it is a symbolic link, and what that leads to would be changed";
+
+bool is_passed_on(const std::filesystem::path& path) {
+  const std::string& name = path.native();
+  return name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/");
+}
+
+std::string reason(int error) {
+  if (error == ENOMEM) throw std::bad_alloc();
+  return std::generic_category().message(error);
+}
+
+}  // namespace
+
+void throw_io_error(std::string_view action, const std::filesystem::path& path, int error) {
+  if (error == ENOMEM) throw std::bad_alloc();
+  throw IoError(
+      fmt::format("cannot {} {}: {}", action, path.string(), std::generic_category().message(error)));
+}
+
+Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action,
+                     const std::filesystem::path& known_as) {
+  Descriptor descriptor(::open(path.c_str(), flags | O_CLOEXEC, 0666));
+  if (descriptor.get() >= 0) return descriptor;
+  if (errno == ELOOP && (flags & O_NOFOLLOW) != 0)
+    throw IoError(fmt::format("cannot {} {}: {}", action, known_as.string(), is_a_link));
+  throw_io_error(action, known_as, errno);
+}
+
+void refuse_link(std::string_view action, const std::filesystem::path& path) {
+  std::error_code none;
+  if (std::filesystem::is_symlink(path, none))
+    throw IoError(fmt::format("cannot {} {}: {}", action, path.string(), is_a_link));
+}
+
+Descriptor::~Descriptor() {
+  if (value_ >= 0) ::close(value_);
+}
+
+int Descriptor::release() { return std::exchange(value_, -1); }
+
+bool is_file_at(int descriptor, const std::filesystem::path& path) {
+  struct stat opened {
+  }, named{};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
+namespace fs = std::filesystem;
+
+void sync_directory(const fs::path& directory) {
+  const fs::path named = directory.empty() ? fs::path(".") : directory;
+  const Descriptor opened(::open(named.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // A directory may be one to write in and not to read.
+  if (opened.get() < 0 && errno == EACCES) return;
+  if (opened.get() < 0) throw_io_error("read", named, errno);
+  // EINVAL: a file system that has no disk behind it.
+  if (::fsync(opened.get()) != 0 && errno != EINVAL && errno != ENOTSUP)
+    throw_io_error("write", named, errno);
+}
+
+void make_directory(const fs::path& directory) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(directory, error);
+  fs::path before = whole;  // the directory that is there already
+  while (before.has_relative_path() && !fs::exists(before, error)) before = before.parent_path();
+  error.clear();
+  fs::create_directories(directory, error);
+  if (error) throw IoError(fmt::format("{}: {}", directory.string(), error.message()));
+  // From the new directory up to that one, each holds a new name.
+  for (fs::path made = whole; made != before && made.has_relative_path();) {
+    made = made.parent_path();
+    sync_directory(made);
+  }
+}
+
+Input find_input(const std::filesystem::path& path, InputKind kind) {
+  if (kind == InputKind::also_passed_on && is_passed_on(path)) {
+    Descriptor passed(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    const int error = errno;
+    if (passed.get() >= 0) return {std::move(passed), ""};
+    return {Descriptor(-1), reason(error)};
+  }
+  // Opening a pipe waits for its other end, unless it is told not to.
+  Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  if (descriptor.get() < 0)
+    return {Descriptor(-1), errno == ENXIO ? "it is not a regular file" : reason(errno)};
+  struct stat facts {};
+  if (::fstat(descriptor.get(), &facts) != 0) return {Descriptor(-1), reason(errno)};
+  if (S_ISDIR(facts.st_mode)) return {Descriptor(-1), reason(EISDIR)};
+  if (!S_ISREG(facts.st_mode)) return {Descriptor(-1), "it is not a regular file"};
+  return {std::move(descriptor), ""};
+}
+
+Descriptor open_input(const std::filesystem::path& path) {
+  Input input = find_input(path);
+  if (!input.problem.empty()) throw IoError(fmt::format("cannot read {}: {}", path.string(), input.problem));
+  return std::move(input.descriptor);
+}
+
+InputStream open_input_stream(const std::filesystem::path& path) {
+  Descriptor descriptor = open_input(path);
+  InputStream stream(::fdopen(descriptor.get(), "rb"), &std::fclose);
+  if (!stream) throw_io_error("read", path, errno);
+  descriptor.release();
+  return stream;
+}
+
+LineBuffer::~LineBuffer() { std::free(text); }
+
+std::string_view read_line(std::FILE* stream, const std::filesystem::path& path, char*& text,
+                           std::size_t& capacity) {
+  errno = 0;
+  const ssize_t length = ::getline(&text, &capacity, stream);
+  if (length >= 0) return {text, static_cast<std::size_t>(length)};
+  if (errno == ENOMEM) throw std::bad_alloc();
+  if (std::ferror(stream)) throw_io_error("read", path, errno);
+  return {};
+}
+
+int read_bytes(int descriptor, std::size_t most, std::string& text) {
+  std::array<char, 65536> piece;
+  while (most > 0) {
+    const ssize_t length = ::read(descriptor, piece.data(), std::min(most, piece.size()));
+    if (length < 0 && errno == EINTR) continue;
+    if (length < 0) return errno;
+    if (length == 0) return 0;
+    text.append(piece.data(), static_cast<std::size_t>(length));
+    most -= static_cast<std::size_t>(length);
+  }
+  return 0;
+}
+
+std::string read_input(const std::filesystem::path& path) {
+  const Descriptor file = open_input(path);
+  std::string text;
+  if (const int error = read_bytes(file.get(), text.max_size(), text)) throw_io_error("read", path, error);
+  return text;
+}
+
+}  // namespace rubsweep::batch

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace rubsweep::batch {
+
+/// "cannot ACTION PATH: the system's reason" for the error number `error`. Throws IoError; bad_alloc where
+/// the system had no memory left.
+[[noreturn]] void throw_io_error(std::string_view action, const std::filesystem::path& path, int error);
+
+/// Owns one open file.
+class Descriptor {
+ public:
+  explicit Descriptor(int value) : value_(value) {}
+  Descriptor(Descriptor&& other) noexcept : value_(other.release()) {}
+  ~Descriptor();
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor& operator=(Descriptor&&) = delete;
+
+  int get() const { return value_; }
+
+  /// The caller closes it from now on.
+  int release();
+
+ private:
+  int value_;
+};
+
+/// Opens with the flags of open(2); a new file may be read and written by all whom the mask allows. Throws
+/// IoError "cannot ACTION KNOWN_AS: ..."; with O_NOFOLLOW also for a symbolic link.
+Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action,
+                     const std::filesystem::path& known_as);
+inline Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action) {
+  return open_file(path, flags, action, path);
+}
+
+/// Whether the open file is still the one that has the name `path`.
+bool is_file_at(int descriptor, const std::filesystem::path& path);
+
+/// For files of ours that are written under names which others could guess. Throws IoError "cannot ACTION
+/// PATH: it is a symbolic link" where it is one, whether or not there is something behind it.
+void refuse_link(std::string_view action, const std::filesystem::path& path);
+
+/// Writes everything; returns 0 or the system's error number.
+int write_all(int descriptor, std::string_view text);
+
+/// Waits until the names in a directory are on the disk, after files were renamed, created or removed there.
+/// Without it a loss of power may undo any of that, in any order. A file system that cannot do so is left
+/// alone. Throws IoError.
+void sync_directory(const std::filesystem::path& directory);
+
+/// Creates a directory and those above it where they are missing, on the disk as well. Throws IoError.
+void make_directory(const std::filesystem::path& directory);
+
+/// Kinds of files that may be read. Nobody can tell how long a pipe or a device would keep its reader
+/// waiting, so that a name must lead to a regular file; only a file that the caller of the program opened and
+/// passed on, as /dev/stdin or /dev/fd/63, may be of any kind, where the command line names it.
+enum class InputKind { regular_file, also_passed_on };
+
+/// An open file, or why there is none.
+struct Input {
+  Descriptor descriptor;
+  std::string problem;  ///< "No such file or directory", "it is not a regular file"; empty: it is open
+};
+
+/// Opens a file for reading, without ever waiting for somebody to write it.
+Input find_input(const std::filesystem::path& path, InputKind kind = InputKind::regular_file);
+
+/// The same. Throws IoError "cannot read PATH: ...".
+Descriptor open_input(const std::filesystem::path& path);
+
+using InputStream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// The same as a stream. Throws IoError.
+InputStream open_input_stream(const std::filesystem::path& path);
+
+/// As read_line wants it.
+struct LineBuffer {
+  char* text = nullptr;
+  std::size_t capacity = 0;
+  LineBuffer() = default;
+  ~LineBuffer();
+  LineBuffer(const LineBuffer&) = delete;
+  LineBuffer& operator=(const LineBuffer&) = delete;
+};
+
+/// The next line of a stream with its end, which the last one may lack; an empty view where nothing follows.
+/// It is good until the next call; `text` and `capacity` are as getline(3) wants them. Throws IoError with
+/// the name of the file; bad_alloc for a line that does not fit into memory, which must not pass for the end
+/// of the file.
+std::string_view read_line(std::FILE* stream, const std::filesystem::path& path, char*& text,
+                           std::size_t& capacity);
+
+/// All bytes of a file. Throws IoError.
+std::string read_input(const std::filesystem::path& path);
+
+/// Appends at most `most` bytes of an open file to `text`; returns 0 or the system's error number.
+int read_bytes(int descriptor, std::size_t most, std::string& text);
+
+}  // namespace rubsweep::batch

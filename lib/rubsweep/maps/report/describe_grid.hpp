@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "rubsweep/maps/sweep/footprint.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
+
+namespace rubsweep::report {
+
+/// Throws ConfigError where more axes of a map have several values than `in` has room for, "a report" or "a
+/// picture": two, where one of them is over a key.
+void require_plane(const sweep::Grid& grid, std::string_view in);
+
+/// Guarantee of a refined map (sweep::island_bound): a phrase.
+std::string describe_island_bound(const sweep::Grid& grid);
+
+/// Cost of a complete refined map and the islands that it may miss: lines for a terminal. `labels` as in
+/// sweep::wanted_cells.
+std::string describe_refinement(const sweep::Grid& grid, std::span<const int> labels);
+
+/// "1320 cells on 2 threads: up to 21 MB of memory, 1.4 MB of disk", or "1320 cells on 8 ranks of 2 threads:
+/// up to 51 MB of memory each, 1.4 MB of disk".
+std::string describe_footprint(const sweep::Study& study, const sweep::Workers& workers);
+std::string describe_footprint(const sweep::Study& study, const scene::PreparedMachine& prepared,
+                               const sweep::Workers& workers);
+
+/// Throws ConfigError where a process needs more than `bytes` of memory: refused before anything begins, not
+/// killed in the middle.
+void refuse_more_memory_than(std::size_t bytes, const sweep::Study& study, const sweep::Workers& workers);
+
+}  // namespace rubsweep::report

@@ -1,0 +1,118 @@
+#include "rubsweep/measurement/recording/instrument.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "rubsweep/maps/config/file.hpp"
+#include "rubsweep/maps/config/yaml/section.hpp"
+
+namespace rubsweep::config::recording {
+namespace {
+
+using rubsweep::recording::Instrument;
+using rubsweep::recording::Keyphasor;
+using rubsweep::recording::Mark;
+using rubsweep::recording::Probe;
+using rubsweep::recording::RunOut;
+
+constexpr std::string_view root_form = "a map with probes, keyphasor or speed_hz, time or sampling_rate_hz";
+constexpr Words<Mark, 2> marks{{"dark", "bright"}, {Mark::dark, Mark::bright}};
+
+/// Least angle between two probes, in degrees, as of a simulated pair.
+constexpr double least_angle_deg = 10;
+
+void read_column(yaml::Section& section, std::string_view name, std::string& column) {
+  if (const auto value = section.require(name, "the name of a column"))
+    column = read_text(*value).value_or("");
+}
+
+Probe read_probe(const yaml::Value& value) {
+  yaml::Section section(value);
+  Probe probe;
+  probe.angle_deg = model::required;
+  read_column(section, "column", probe.column);
+  section.field("angle_deg", probe.angle_deg, model::any_finite);
+  section.field("gain_mv_per_um", probe.gain_mv_per_um, model::any_finite);
+  if (probe.gain_mv_per_um == 0)
+    section.refuse_together("gain_mv_per_um", {"gain_mv_per_um"}, "is 0", "a number other than 0");
+  if (const auto unit = section.find("unit")) probe.unit = read_text(*unit);
+  section.field("range_v", probe.range_v, model::positive);
+  section.field("rest", probe.rest, model::any_finite);
+  section.refuse_unknown_keys();
+  return probe;
+}
+
+Keyphasor read_keyphasor(const yaml::Value& value) {
+  yaml::Section section(value);
+  Keyphasor keyphasor;
+  read_column(section, "column", keyphasor.column);
+  section.field("mark", keyphasor.mark, marks);
+  section.field("threshold", keyphasor.threshold, model::any_finite);
+  section.field("hysteresis", keyphasor.hysteresis, model::not_negative);
+  section.refuse_unknown_keys();
+  return keyphasor;
+}
+
+RunOut read_run_out(const yaml::Value& value) {
+  yaml::Section section(value);
+  RunOut run_out{model::required, model::required, false};
+  section.field("from_s", run_out.from_s, model::any_finite);
+  section.field("to_s", run_out.to_s, model::any_finite);
+  constexpr Words<bool, 2> kinds{{"waveform", "vector"}, {false, true}};
+  section.field("subtract", run_out.vector, kinds);
+  section.refuse_unknown_keys();
+  return run_out;
+}
+
+Instrument read_root(const yaml::Value& root) {
+  yaml::Section section(root, root_form);
+  Instrument instrument;
+  if (section.find("time") && section.find("sampling_rate_hz"))
+    section.require_exactly_one({"time", "sampling_rate_hz"});
+  section.require_exactly_one({"keyphasor", "speed_hz"});
+  if (const auto value = section.find("time")) instrument.time = read_text(*value);
+  section.field("sampling_rate_hz", instrument.sampling_rate_hz, model::positive);
+  section.field("speed_hz", instrument.speed_hz, model::positive);
+  section.field("from_s", instrument.from_s, model::any_finite);
+  section.field("to_s", instrument.to_s, model::any_finite);
+  if (const auto value = section.find("keyphasor")) instrument.keyphasor = read_keyphasor(*value);
+  if (const auto value = section.find("run_out")) instrument.run_out = read_run_out(*value);
+  if (const auto value = section.require("probes", "a list of one or two maps")) {
+    if (const auto items = read_list(*value, 2)) {
+      for (const yaml::Value& item : *items) instrument.probes.push_back(read_probe(item));
+    }
+  }
+  section.refuse_unknown_keys();
+  if (section.is_sound() && instrument.run_out && !instrument.keyphasor)
+    section.refuse_together("run_out", {"run_out", "speed_hz"}, "is there without a mark on the shaft",
+                            "with keyphasor");
+  if (section.is_sound() && instrument.probes.size() == 2 &&
+      instrument.probes[0].rest.has_value() != instrument.probes[1].rest.has_value())
+    section.refuse_together("probes", {"probes"}, "have a reading at rest of one alone",
+                            "rest of both, or of none");
+  if (section.is_sound() && instrument.probes.size() == 2) {
+    const double apart_rad =
+        (instrument.probes[1].angle_deg - instrument.probes[0].angle_deg) * std::numbers::pi / 180;
+    if (std::abs(std::sin(apart_rad)) < std::sin(least_angle_deg * std::numbers::pi / 180)) {
+      section.refuse_together(
+          "probes", {"probes"}, "look along one line",
+          fmt::format("directions {} degrees or more off each other's line", least_angle_deg));
+    }
+  }
+  return instrument;
+}
+
+}  // namespace
+
+Instrument read_instrument_text(std::string_view text, const std::string& name) {
+  yaml::Diagnostics diagnostics(name, {});
+  const yaml::Node root = parse_config(text, name, root_form, {}, diagnostics);
+  Instrument instrument = read_root({root, "", diagnostics});
+  diagnostics.throw_if_any();
+  return instrument;
+}
+
+}  // namespace rubsweep::config::recording

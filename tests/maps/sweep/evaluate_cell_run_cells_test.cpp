@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "maps/batch/message_of.hpp"
+#include "maps/sweep/one_side_study.hpp"
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/report/map_csv.hpp"
+#include "rubsweep/maps/sweep/evaluate_cell.hpp"
+
+namespace rubsweep::sweep {
+namespace {
+
+/// Rows as map.csv would hold them, by cell.
+using Lines = std::map<std::size_t, std::string>;
+
+/// Nine cells of several classes: rest, contact, initial contact.
+Study mixed_study() { return one_side_study({50, 75, 105}, {0, 0.4, 1.2}); }
+
+std::vector<std::size_t> all_cells(const Study& study) {
+  std::vector<std::size_t> cells(cell_count(study.grid));
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  return cells;
+}
+
+/// Each cell alone.
+Lines expected_lines(const Study& study, const std::vector<std::size_t>& cells) {
+  Lines lines;
+  for (const std::size_t cell : cells) {
+    response::motion::Workspace workspace;
+    lines[cell] = report::map_line(evaluate_cell(study, cell, workspace));
+  }
+  return lines;
+}
+
+/// Lines that run_cells hands on; a cell that comes twice is a failure.
+Lines run(const Study& study, const std::vector<std::size_t>& cells, int threads) {
+  Lines lines;
+  const std::size_t finished = run_cells(
+      study, cells, threads,
+      [&](std::size_t cell, const Row& row) {
+        EXPECT_TRUE(lines.emplace(cell, report::map_line(row)).second) << cell;
+      },
+      false);
+  EXPECT_EQ(finished, lines.size());
+  return lines;
+}
+
+TEST(EvaluateCellRunCells, AnyNumberOfThreadsGivesTheRowOfEachCellOnce) {
+  const Study study = mixed_study();
+  const auto cells = all_cells(study);
+  const Lines expected = expected_lines(study, cells);
+  for (const int threads : {1, 2, 5, 0}) EXPECT_EQ(run(study, cells, threads), expected) << threads;
+}
+
+TEST(EvaluateCellRunCells, OrderAndCompanyOfACellDoNotChangeItsRow) {
+  const Study study = mixed_study();
+  auto cells = all_cells(study);
+  const Lines expected = expected_lines(study, cells);
+  std::reverse(cells.begin(), cells.end());
+  EXPECT_EQ(run(study, cells, 1), expected);
+  const std::vector<std::size_t> some{7, 1, 4};
+  EXPECT_EQ(run(study, some, 2), expected_lines(study, some));
+  EXPECT_EQ(run(study, {}, 2), Lines());
+}
+
+TEST(EvaluateCellRunCells, AfterStopNoCellStarts) {
+  const Study study = mixed_study();
+  const auto cells = all_cells(study);
+  std::atomic<bool> stop = false;
+  std::vector<std::size_t> seen;
+  const std::size_t finished = run_cells(
+      study, cells, 1,
+      [&](std::size_t cell, const Row&) {
+        seen.push_back(cell);
+        stop = seen.size() == 2;
+      },
+      stop);
+  EXPECT_EQ(finished, 2u);
+  EXPECT_EQ(seen.size(), 2u);
+}
+
+TEST(EvaluateCellRunCells, StoppedBeforeItBeganRunsNothing) {
+  const Study study = mixed_study();
+  EXPECT_EQ(run_cells(
+                study, all_cells(study), 2,
+                [](std::size_t cell, const Row&) { ADD_FAILURE() << "a row of cell " << cell; }, true),
+            0u);
+}
+
+TEST(EvaluateCellRunCells, AMachineThatIsNotValidIsTheUsersToMend) {
+  Study study = one_side_study({50, 60}, {0.1});
+  study.machine.stops[0].clearance_m = -1;
+  EXPECT_EQ(message_of<ConfigError>([&] {
+              run(study, {0, 1}, 1);
+            }),
+            "stops.0.clearance_m: -1 is out of range, allowed: a number > 0");
+}
+
+}  // namespace
+}  // namespace rubsweep::sweep

@@ -1,0 +1,58 @@
+#include "rubsweep/measurement/recording/channels.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::recording {
+namespace {
+
+Probe probe(std::optional<double> gain, std::optional<double> range_v = {}) {
+  return {.column = "x", .gain_mv_per_um = gain, .range_v = range_v};
+}
+
+TEST(ChannelsUnit, OfTimesAndProbes) {
+  EXPECT_EQ(seconds_per("", "t", "f"), 1);
+  EXPECT_EQ(seconds_per("ms", "t", "f"), 1e-3);
+  EXPECT_EQ(scale_of("mil", probe({}), "f").metres_per_unit, 25.4e-6);
+  EXPECT_EQ(scale_of("\u00b5m", probe({}), "f").metres_per_unit,
+            scale_of("\u03bcm", probe({}), "f").metres_per_unit);
+  // 200 mV/mil are 7.874 mV/um.
+  EXPECT_NEAR(scale_of("V", probe(200 / 25.4), "f").metres_per_unit, 5 * 25.4e-6, 1e-15);
+  EXPECT_EQ(scale_of("mV", probe(-8), "f").metres_per_unit, -0.125e-6);
+  Probe said = probe({});
+  said.unit = "um";
+  EXPECT_EQ(scale_of("", said, "f").metres_per_unit, 1e-6);
+}
+
+TEST(ChannelsUnit, ARangeSaysWhereReadingsAreCutOff) {
+  EXPECT_EQ(scale_of("V", probe(8, 10), "f").full_scale, 10);
+  EXPECT_EQ(scale_of("mV", probe(8, 10), "f").full_scale, 10000);
+  const Scale shares = scale_of("FS", probe(8, 10), "f");
+  EXPECT_EQ(shares.full_scale, 1);
+  // 10 V at 8 mV/um.
+  EXPECT_NEAR(shares.metres_per_unit, 1.25e-3, 1e-15);
+  EXPECT_FALSE(scale_of("V", probe(8), "f").full_scale);
+}
+
+TEST(ChannelsUnit, WrongOnesAreNamed) {
+  const auto message = [](const char* unit, std::optional<double> gain) {
+    try {
+      scale_of(unit, probe(gain), "f.csv");
+    } catch (const ConfigError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(message("V", {}), "f.csv: 'x': is in V and has no gain, allowed: a gain_mv_per_um");
+  EXPECT_EQ(message("FS", 8),
+            "f.csv: 'x': is in shares of the full scale and has no range, allowed: a range_v");
+  EXPECT_EQ(message("um", 8), "f.csv: 'x': is in um and has a gain_mv_per_um, allowed: no gain");
+  EXPECT_TRUE(
+      message("g", {}).starts_with("f.csv: 'x': the unit 'g' is unknown, allowed: m, mm, um, mil, V or mV"));
+  EXPECT_TRUE(message("", {}).starts_with("f.csv: 'x': has no unit"));
+  EXPECT_THROW(seconds_per("um", "t", "f"), ConfigError);
+}
+
+}  // namespace
+}  // namespace rubsweep::recording

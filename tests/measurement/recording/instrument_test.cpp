@@ -1,0 +1,87 @@
+#include "rubsweep/measurement/recording/instrument.hpp"
+
+#include <gtest/gtest.h>
+
+#include "rubsweep/core/error.hpp"
+
+namespace rubsweep::config::recording {
+namespace {
+
+std::string fault(const std::string& text) {
+  try {
+    read_instrument_text(text, "i.yaml");
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+const std::string probe = "probes:\n  - {column: X, angle_deg: 45, gain_mv_per_um: -7.87}\n";
+
+TEST(InstrumentRead, EverythingThatThereIs) {
+  const auto instrument =
+      read_instrument_text(probe +
+                               "  - {column: Y, angle_deg: 135}\ntime: t\n"
+                               "keyphasor: {column: KP, mark: bright, threshold: 2.5, hysteresis: 0.1}\n",
+                           "i.yaml");
+  ASSERT_EQ(instrument.probes.size(), 2u);
+  EXPECT_EQ(instrument.probes[0].column, "X");
+  EXPECT_EQ(instrument.probes[0].gain_mv_per_um, -7.87);
+  EXPECT_EQ(instrument.probes[1].angle_deg, 135);
+  EXPECT_FALSE(instrument.probes[1].gain_mv_per_um);
+  EXPECT_EQ(instrument.time, "t");
+  ASSERT_TRUE(instrument.keyphasor);
+  EXPECT_EQ(instrument.keyphasor->mark, rubsweep::recording::Mark::bright);
+  EXPECT_EQ(instrument.keyphasor->threshold, 2.5);
+  EXPECT_EQ(instrument.keyphasor->hysteresis, 0.1);
+  const auto recorder = read_instrument_text(
+      "probes:\n  - {column: channel 1, angle_deg: 0, gain_mv_per_um: 8, unit: FS, range_v: 10}\n"
+      "keyphasor: {column: channel 2}\nrun_out: {from_s: 0, to_s: 3, subtract: vector}\n",
+      "i.yaml");
+  EXPECT_EQ(recorder.probes[0].unit, "FS");
+  EXPECT_EQ(recorder.probes[0].range_v, 10);
+  ASSERT_TRUE(recorder.run_out);
+  EXPECT_EQ(recorder.run_out->to_s, 3);
+  EXPECT_TRUE(recorder.run_out->vector);
+  const auto from_rest = read_instrument_text(
+      "probes:\n  - {column: A, angle_deg: 0, rest: -9.1}\n  - {column: B, angle_deg: 90, rest: 0}\n"
+      "keyphasor: {column: K}\n",
+      "i.yaml");
+  EXPECT_EQ(from_rest.probes[0].rest, -9.1);
+  EXPECT_EQ(from_rest.probes[1].rest, 0);
+  EXPECT_FALSE(recorder.probes[0].rest);
+  const auto without =
+      read_instrument_text(probe + "sampling_rate_hz: 5000\nspeed_hz: 70\nfrom_s: 1\nto_s: 2.5\n", "i.yaml");
+  EXPECT_EQ(without.sampling_rate_hz, 5000);
+  EXPECT_EQ(without.speed_hz, 70);
+  EXPECT_EQ(without.from_s, 1);
+  EXPECT_EQ(without.to_s, 2.5);
+}
+
+TEST(InstrumentRead, WrongOnesAreNamedWithTheirPlace) {
+  const std::string clock = "time: t\nspeed_hz: 70\n";
+  EXPECT_NE(fault(clock).find("probes"), std::string::npos);
+  EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle_deg: 0, rest: 1}\n  - {column: Y, angle_deg: 90}\n")
+                .find("have a reading at rest of one alone"),
+            std::string::npos);
+  EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle: 3}\n").find("i.yaml:4:17: probes.0.angle"),
+            std::string::npos);
+  EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle: 3}\n").find("angle_deg"), std::string::npos);
+  EXPECT_NE(fault(clock + "probes:\n  - {column: X, angle_deg: 3, gain_mv_per_um: 0}\n").find("is 0"),
+            std::string::npos);
+  EXPECT_NE(fault(clock + probe + "  - {column: Y, angle_deg: 230}\n").find("look along one line"),
+            std::string::npos);
+  EXPECT_EQ(fault(probe + "speed_hz: 70\n"), "none");  // a WAV file says its own rate
+  EXPECT_NE(fault(clock + probe + "run_out: {from_s: 1, to_s: 2}\n").find("with keyphasor"),
+            std::string::npos);
+  EXPECT_NE(fault(probe + "time: t\nkeyphasor: {column: K}\nrun_out: {from_s: 1, subtract: x}\n")
+                .find("run_out.to_s"),
+            std::string::npos);
+  EXPECT_NE(fault(probe + clock + "sampling_rate_hz: 5\n").find("sampling_rate_hz"), std::string::npos);
+  EXPECT_NE(fault(probe + "time: t\nspeed_hz: -1\n").find("i.yaml:4:11: speed_hz"), std::string::npos);
+  EXPECT_NE(fault(probe + "time: t\nkeyphasor: {column: K, mark: blank}\n").find("dark, bright"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace rubsweep::config::recording
