@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/opened_file.hpp"
 
 namespace rubsweep::batch {
 namespace {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/measurement/dataset/readings.hpp"

@@ -5,7 +5,7 @@
 #include "rubsweep/core/model/machine.hpp"
 #include "rubsweep/core/response/motion/contact_facts.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
-#include "rubsweep/measurement/diagnose/motion_lines.hpp"
+#include "rubsweep/measurement/diagnose/observed_lines.hpp"
 
 namespace rubsweep::diagnose {
 
