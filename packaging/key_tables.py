@@ -1,11 +1,8 @@
-"""key_tables.py RUBSWEEP RINGSTAB DOCUMENT: writes the tables of keys behind the marker of docs/keys.md anew, as the programs
-print them with --keys."""
+"""Tables of keys, as the programs print them with --keys."""
 
 import re
-import subprocess
-import sys
 
-MARKER = "\n<!-- Made by packaging/key_tables.py; what follows is not written by hand. -->\n"
+MARKER = "\n<!-- Made by packaging/reference_pages.py; what follows is not written by hand. -->\n"
 _HEAD = "| key | meaning | allowed | default |\n|---|---|---|---|\n"
 
 
@@ -13,6 +10,12 @@ def rows(text):
     """Path, meaning, and what is allowed and the default, of each key that --keys prints."""
     lines = text.split("\n")
     return [(lines[i], lines[i + 1].strip(), *_facts(lines[i + 2].strip())) for i in range(0, len(lines) - 2, 3)]
+
+
+def units(text):
+    """Pairs of the last name of a key and its unit, of each key that has one."""
+    found = [re.search(r"; in ([^;]*)", facts) for facts in text.split("\n")[2::3]]
+    return [(path.rsplit(".", 1)[-1], unit[1]) for path, unit in zip(text.split("\n")[::3], found) if unit]
 
 
 def _with_unit(allowed, unit):
@@ -38,36 +41,20 @@ def _facts(line):
     return _with_unit(allowed, unit), (fallback + since).strip()
 
 
-def tables(text):
-    """A table for each section of a configuration; keys of no section come first."""
+def sections_of(text):
+    """Rows by the sections of a configuration; a key of no section is one alone."""
     sections = {}
     for path, *said in rows(text):
         sections.setdefault(path.split(".")[0], []).append((path, *said))
-    alone = [section for section, listed in sections.items() if len(listed) == 1]
-    parts = [_HEAD + "".join(_row(sections[section][0]) for section in alone)]
-    parts += [f"### {section}\n\n{_HEAD}" + "".join(map(_row, listed))
-              for section, listed in sections.items() if section not in alone]
-    return "\n".join(parts)
+    return sections
+
+
+def table_of(listed):
+    """A table of such rows in Markdown."""
+    return _HEAD + "".join(map(_row, listed))
 
 
 def _row(said):
     path, *rest = said
     return f"| `{path}` | " + " | ".join(word.replace("|", "\\|") for word in rest) + " |\n"
 
-
-def generated(rubsweep, ringstab):
-    """All behind the marker, of the programs in these files."""
-    ask = lambda program: subprocess.run([program, "--keys"], check=True, capture_output=True, text=True).stdout
-    return f"{MARKER}\n## Keys of a rub configuration\n\n{tables(ask(rubsweep))}\n## Keys of the ring\n\n{tables(ask(ringstab))}"
-
-
-def main(arguments):
-    rubsweep, ringstab, document = arguments
-    with open(document, encoding="utf-8") as file:
-        head = file.read().split(MARKER)[0]
-    with open(document, "w", encoding="utf-8") as file:
-        file.write(head + generated(rubsweep, ringstab))
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])

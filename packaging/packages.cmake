@@ -1,4 +1,4 @@
-# `cpack -G DEB` and `cpack -G TGZ` in a build tree: the packages rubsweep and rubsweep-dev, or one archive of both.
+# `cpack -G DEB` and `cpack -G TGZ` in a build tree: the packages rubsweep, rubsweep-dev and python3-rubsweep, or one archive of all.
 set(CPACK_PACKAGE_NAME rubsweep)
 set(CPACK_PACKAGE_VENDOR "The rubsweep developers")
 # Debian asks for an address; the project has none.
@@ -12,7 +12,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 
 # The first line of each description is its summary.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
-set(CPACK_COMPONENTS_ALL programs development)
+set(CPACK_COMPONENTS_ALL programs development python)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_ARCHIVE_COMPONENT_INSTALL OFF)
 
@@ -46,4 +46,14 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "library of rubsweep: headers, archi
 Headers and static libraries of the simulator of rotors that rub, and a CMake
 package that finds them: find_package(rubsweep COMPONENTS core), then
 rubsweep::core, or maps, analysis and measurement. examples/ has whole programs on it.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-rubsweep)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "rubsweep (>= ${PROJECT_VERSION}), python3 (>= 3.9), python3-pandas, python3-xarray")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "maps of the motions of rotors that rub, from Python
+Runs the programs of rubsweep, and returns a map as an xarray Dataset with
+units, motions, branches, basins, recordings, fits and diagnoses as pandas
+tables, and bad input as exceptions that carry file, line and key.")
 include(CPack)

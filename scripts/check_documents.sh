@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # check_documents.sh [TOP]: every relative link of the documents in TOP names a file that is there and, behind a #, a heading
-# of it; no line but those of tables and links is wider than 120 characters; no sentence of docs/method.md has more than 30
-# words; no sentence but those of the changes begins with Of, What or Those in place of a noun. Lists what is not so; exits 1
+# of it; no line but those of tables and links is wider than 120 characters; no sentence of the method (docs/method.md and
+# docs/method) has more than 30 words; no sentence but those of the changes begins with Of, What or Those in place of a noun. Lists what is not so; exits 1
 # if there is any.
 set -euo pipefail
+shopt -s globstar nullglob
 export LC_ALL=C.UTF-8
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 
@@ -13,19 +14,23 @@ complain() {
   broken=1
 }
 
-# anchors FILE: the names by which its headings can be linked to.
-anchors() {
-  sed -nE 's/^#+ +//p' "$1" | tr '[:upper:]' '[:lower:]' | sed -E 's/[^[:alnum:] _-]//g; s/ /-/g'
+# read_anchors FILE: into `anchors`, the names by which its headings can be linked to, each in a line.
+declare -A anchors=()
+read_anchors() {
+  [[ -v "anchors[$1]" ]] ||
+    anchors[$1]=$'\n'$(sed -nE 's/^#+ +//p' "$1" | tr '[:upper:]' '[:lower:]' | sed -E 's/[^[:alnum:] _-]//g; s/ /-/g')$'\n'
 }
 
 check_link() {
-  local file=$1 link=$2 path=${2%%#*} target
+  local file=$1 link=$2 path=${2%%#*} folder=. target
+  [[ $file != */* ]] || folder=${file%/*}
   target=$file
-  [[ -z $path ]] || target=$(dirname "$file")/$path
+  [[ -z $path ]] || target=$folder/$path
   if [[ ! -e $target ]]; then
     complain "$file" "there is no $link"
-  elif [[ $link == *'#'* ]] && ! anchors "$target" | grep -qxF -- "${link#*#}"; then
-    complain "$file" "there is no heading $link"
+  elif [[ $link == *'#'* ]]; then
+    read_anchors "$target"
+    [[ ${anchors[$target]} == *$'\n'"${link#*#}"$'\n'* ]] || complain "$file" "there is no heading $link"
   fi
 }
 
@@ -48,23 +53,26 @@ sentences() {
       }
       paragraph = ""
     }
-    /^<!-- Made by/ { exit }
+    /^<!-- Made by/ { made = 1 }
+    /^<!-- End of what is made/ { made = 0; next }
+    made { finish(); next }
     /^(    |[|#!]|[[:space:]]*$)/ { finish(); next }
     /^ *([-*]|[0-9]+\.) / { finish() }
     { if (paragraph == "") start = FNR; paragraph = paragraph " " $0 }
     END { finish() }' "$1"
 }
 
-for file in *.md docs/*.md results/*.md; do
+for file in *.md docs/**/*.md results/*.md; do
+  [[ $file != docs/library/* ]] || continue  # pages of doxygen, which has its own links
   while IFS= read -r link; do
     [[ $link == *://* ]] || check_link "$file" "$link"
-  done < <(grep -oE '\]\([^) ]+\)' "$file" | sed -E 's/^\]\(|\)$//g')
+  done < <(grep -oE '\]\([^) ]+\)' "$file" | sed -E 's/^\]\(|\)$//g' | awk '!seen[$0]++')
   while IFS= read -r line; do
     complain "$file:$line" 'wider than 120 characters'
   done < <(awk 'length > 120 && !/^\|/ { print FNR }' "$file")
   [[ $file != CHANGELOG.md ]] || continue
   while read -r line words first; do
-    [[ $file != docs/method.md ]] || ((words <= 30)) || complain "$file:$line" "a sentence of $words words, allowed: 30"
+    [[ $file != docs/method.md && $file != docs/method/* ]] || ((words <= 30)) || complain "$file:$line" "a sentence of $words words, allowed: 30"
     [[ -z $first ]] || complain "$file:$line" "a sentence begins with $first in place of a noun"
   done < <(sentences "$file")
 done

@@ -17,64 +17,145 @@ declare -A stands_on=(
 )
 
 # Folders that each folder may include directly, each without its storey; with each come those that it may include. `.` is
-# the storey `core` itself.
+# the storey `core` itself. The comment above a folder says what it holds: the table of docs/architecture.md is made of them.
 declare -A below=(
+  # Errors, and the table of all enumerators (`core/error.hpp`, `core/vocabulary.hpp`).
   [.]=''
+  # Counts where starts lead: points of low discrepancy, shares, uncertainty exponent, basin entropy; no physics.
   [basin]='.'
+  # Runs many cells: threads, journals, locks, progress, CSV, whole files, sets of result files; no physics.
   [batch]='.'
+  # Plain structs: rotor, casing, stop, friction, kick, with the allowed range of every number.
   [model]='.'
+  # Force law, contact modes and their guards, friction coefficient, restitution, Hertz line contact.
   [contact]='model numerics/dense'
+  # Linear systems (mass, damping, stiffness, points) made from parts: Jeffcott rotor; beam shaft and its reduction;
+  # the speed from which on a free vibration grows.
   [structure]='model numerics'
+  # Everything that one run simulates at one speed: structure, contacts, forces, start; the quiet motion in closed
+  # form.
   [scene]='contact structure'
+  # Decompositions of dense matrices (Cholesky, LU, QR, eigenvalues), each compiled in one place.
   [numerics/dense]=''
+  # Mathematics without machines: flows of 2 x 2 pairs and of matrices, exponential series, modal form, a
+  # least-recently-used cache, random numbers by SplitMix64, matrix-vector products with the same bits everywhere,
+  # certified steps, roots in Bernstein form, the maximum of a cubic, cheapest assignments.
   [numerics]='. numerics/dense'
+  # Decompositions of Hermitian matrices and of pairs of symmetric matrices, and singular values: no map needs them,
+  # so `rubsweep` does not compile them.
   [numerics/spectral]='numerics/dense'
+  # Question and answer of one turn, options, outcomes; units; the scene in scaled units; pulses and impulses.
   [integrate/run]='scene'
+  # The rate of a state by the law of contact and friction: touching, slipping and sticking contacts, holding
+  # forces, derivatives.
   [integrate/law]='integrate/run numerics'
+  # Odeint steppers with location of every change of contact mode.
   [integrate/adaptive]='integrate/law'
+  # The contact modes of a machine as matrices, flows, guards and responses to harmonic forces, see [the
+  # modes](#the-modes-of-the-exact-solver).
   [integrate/exact/modes]='integrate/run numerics'
+  # A turn in closed form: certified steps to the end of a contact mode, contacts held by dry friction, tangent
+  # vectors, watches.
   [integrate/exact]='integrate/exact/modes'
+  # The tube about an orbit: widths of all motions that begin near it, over a turn and through its changes of mode.
   [integrate/exact/tube]='integrate/exact'
+  # Motion as power series within a contact mode, any stop and any friction; creep in steep friction; guards as
+  # polynomials; tangent vectors.
   [integrate/taylor]='integrate/law'
+  # `start` begins a run by the solver that fits; `hybrid_run` changes between closed forms and Taylor pieces.
   [integrate]='integrate/adaptive integrate/exact integrate/taylor'
+  # The rotor without stops: run-up, free decay, Bode plot, their identification; Campbell diagram, critical speeds,
+  # mode shapes.
   [linear]='batch scene numerics numerics/spectral response/spectrum'
+  # Full spectrum, discrete lines, combs, shape and direction of the orbit.
   [response/spectrum]='.'
+  # Least squares within bounds with uncertainties; ring-down and 1X of a machine, steady or on a ramp, in closed
+  # form; measured tables.
   [fit]='batch linear table'
+  # MATLAB files, with their checksums and a limit; files of version 7.3 by HDF5, opened when needed.
   [matlab]='.'
+  # Tables as people and instruments write them: encodings, cells, names, units, rows.
   [table]='.'
+  # Recordings of instruments: tables of any form, units, marks of a keyphasor, readings at equal angles of the
+  # shaft, faults.
   [recording]='config matlab response/spectrum'
+  # The motion of a recording: period, lines, shape and whirl with their uncertainty.
   [scope]='batch linear recording response/spectrum'
+  # Machines with stops drawn from ranges, rotor kits drawn from the keys that a fit leaves open, and their settled
+  # motions.
   [diagnose]='batch response'
+  # Features of a motion: shares of lines, phases, shape and whirl, whatever its size, direction and mark.
   [diagnose/features]='diagnose'
+  # Random forest as kernel of a posterior, and the test whether an observation belongs to its population; no
+  # physics.
   [diagnose/forest]='batch diagnose'
+  # Cases from priors and proposals, their table on the disk, the posterior in rounds, the use of a further
+  # measurement.
   [diagnose/inference]='diagnose/features diagnose/forest'
+  # The answer of `rubdiagnose`: text, JSON, tables, the recording laid over the closest case.
   [diagnose/answer]='diagnose/inference'
+  # Sets of labelled recordings: readings, labels, files, datasheet.
   [dataset]='diagnose recording'
+  # `diagnose_recording`: recording, machine and candidates as one problem, kept motions, the answer; intervals of
+  # the machine from its configuration and its fit.
   [diagnosis]='dataset diagnose/answer scope'
+  # The classes, the measures of a motion, and the windows in which they are taken.
   [response/motion]='response/spectrum integrate'
+  # Section map, periodic orbits and their multipliers, the ball behind `floquet`, the proof of rest.
   [response/proof]='response/motion integrate/exact/tube'
+  # Centred annular stops: the rotating frame, its equilibria and limit cycles, their proofs.
   [response/rotating]='response/proof'
+  # `settle` runs a cell until its motion is known; aperiodic motions and their exponent.
   [response]='response/proof response/rotating'
+  # Periodic orbits and ovals of a scene as fixed points of a map of one or two parameters, their contacts and
+  # multipliers, and the orbit that a cell settles on.
   [branch/orbits]='batch response'
+  # The engine `continuation` and `segment`, a piece of a curve; `follow`: orbits along one parameter; test
+  # functions of events, grazes, doubled branches.
   [branch/continuation]='branch/orbits numerics/spectral'
+  # Lines of the rubs of machines whose numbers differ little, for a fit.
   [fit/rub]='branch/continuation'
+  # `follow_curve`: folds, doublings, tori, branch points and grazes in two parameters, by their extended systems,
+  # and their meetings.
   [branch/curves]='branch/continuation'
+  # Families of orbits over a map, the reasons of their edges, and the labels that contradict them.
   [branch/families]='branch/continuation sweep'
+  # One run with everything kept: samples, sections, mode switches, contact forces; readings of probes and the
+  # period in them.
   [trace]='batch response'
+  # One cell to one row; all cells to a map.
   [sweep]='basin response batch'
+  # The design check: unbalance response against vibration limit and clearances, dry whip, kicks; its page and
+  # tables.
   [design]='linear sweep'
+  # Cells along a line: each from its kick, or from the motion of its neighbour; section and spectrum of the settled
+  # motion.
   [line]='report trace'
+  # Run-up and run-down through rub by the adaptive solver; envelope, orbits, spectrogram of orders.
   [ramp]='integrate line response/spectrum'
+  # Loads rubbing on an elastic ring: matrices, eigenvalues, onsets, closed forms, stability charts.
   [ring]='config numerics'
+  # Documents, values, sections and the printer, the only folder that knows yaml-cpp; the readers of JSON and TOML.
   [config/yaml]='batch model'
+  # Forms of keys; the list of keys and the JSON Schema made of them.
   [config/keys]='model'
+  # Readers of rotors, stops, files of ROSS, matrices and tables.
   [config/machine]='config/keys config/yaml contact matlab structure table'
+  # Readers of kick, grid, response and solver.
   [config/study]='config/machine sweep'
+  # Reads and prints whole configurations, every problem with its place.
   [config]='config/study'
+  # The configurations of `configs/init`, which `--init` prints.
   [config/templates]='.'
+  # Texts and tables of maps: map.csv, comparisons, basins, explanations and summaries on the terminal.
   [report]='sweep'
+  # Results of a sweep on the disk: directories taken up again, shares, chunks in rounds, merging, refined and
+  # painted cells, status, verification.
   [map]='config report'
+  # The journal of `rubbranch --map`.
   [branch/journal]='branch/families map'
+  # `report.html`: settled motions recorded, thinned and compressed; `page/template` is the page itself (HTML, CSS,
+  # JavaScript), which the build embeds together with the chart library D3.
   [page]='report trace'
 )
 

@@ -15,6 +15,7 @@
 #include "shared/command_line.hpp"
 #include "shared/key_questions.hpp"
 #include "shared/program.hpp"
+#include "shared/table_columns.hpp"
 
 namespace rubsweep::apps {
 namespace {
@@ -32,6 +33,7 @@ po::options_description visible_options() {
       "instead: print a commented configuration to begin with: one_side, both_sides, annular, "
       "rotor_kit or ross")("motion-kinds",
                            "instead: print the kinds of motion, their colours and signs, as CSV")(
+      "columns", "instead: print the columns of the tables of all programs, and the words in them, as CSV")(
       "status", po::value<std::string>()->value_name("DIR"),
       "instead: say how far the map in DIR is, of which shards, and who is at work")(
       "watch", po::value<std::string>()->value_name("DIR"),
@@ -124,6 +126,11 @@ RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv) {
     beginning.key_answer = begun_configuration(given["init"].as<std::string>());
     return beginning;
   }
+  if (asks_for("columns", given)) {
+    RubsweepArguments columns;
+    columns.key_answer = table_columns;
+    return columns;
+  }
   if (asks_for("motion-kinds", given)) {
     RubsweepArguments kinds;
     kinds.motion_kinds = true;
@@ -170,12 +177,16 @@ std::string rubsweep_help() {
       "  rubsweep --verify results/benchmark/one_side\n"
       "  rubsweep configs/rotor_kit.yaml --export-matrices /tmp/matrices\n\n"
       "On a terminal the map is also shown in characters, with commands that look closer.\n\n"
-      "Writes DIR/map.csv (one row per cell, speed fastest) and DIR/config.yaml (the complete "
-      "configuration);\n"
-      "finished cells can be watched in DIR/map.partial.csv while the sweep runs. However a run ends before "
-      "the map\n"
-      "is whole, DIR/map.journal keeps every finished cell and the same command computes the others. A "
-      "finished map\n"
+      "Writes into DIR:\n"
+      "  map.csv          one row per cell, speed fastest; only ever whole\n"
+      "  config.yaml      the complete configuration, with every default\n"
+      "  painted.csv      with sweep.refine: every cell of the finest lattice\n"
+      "  report.html      with --report: a page that shows the map and the motion of each cell\n"
+      "  map.partial.csv  finished cells while the sweep runs, to look at\n"
+      "  map.journal      finished cells of a run that is not over, to go on from\n"
+      "  map.lock, map.begin.lock   who is at work, and who is about to begin\n"
+      "  map.shard-I-of-N.*, map.rank-R.*   the same of a shard or of a process of rubsweep-mpi\n"
+      "However a run ends before the map is whole, the same command computes the other cells. A finished map "
       "stays: one of another configuration is refused, one of the same is all there is to do, unless --fresh "
       "is given.\n\n"
       "A half-sine kick (kick.force_n, kick.duration_s) starts each cell, towards the wall of the first stop "

@@ -9,43 +9,28 @@ import shutil
 import sys
 
 from header_links import header_pages, link_headers, with_documents
-from markdown_page import linked_files, page_of, render, title_of, with_page_links
-
-# Pages in the order of the menu, with what they are called there. Other documents are reached by their links.
-MENU = [("README.md", "Start"), ("docs/tutorial.md", "Five lessons"), ("docs/user-guide.md", "User guide"),
-        ("docs/gallery.md", "Gallery"), ("docs/keys.md", "Every key"), ("docs/known-limits.md", "Known limits"),
-        ("docs/other-programs.md", "Tables in other programs"),
-        ("docs/method.md", "Method"), ("docs/validation.md", "Validation"), ("docs/performance.md", "Performance"),
-        ("docs/other-programs.md", "Tables elsewhere"),
-        ("docs/continuous-integration.md", "Hosted CI"), ("docs/for-helpers.md", "For helpers"),
-        ("docs/architecture.md", "Architecture"), ("results/README.md", "Results"), ("CONTRIBUTING.md", "Contributing"),
-        ("CHANGELOG.md", "Changes")]
+from key_links import REFERENCE, link_names, targets_of, with_row_names
+from markdown_page import laid_out, linked_files, page_of, render, title_of, with_page_links
+from navigation import SECTIONS, all_documents, contents, menu, neighbours
+from search_index import search_index
 
 
 def documents_of(top):
-    """Every document by its place, rendered: those of the menu, of docs, and all that these link to."""
-    waiting = [place for place, _ in MENU]
-    waiting += sorted(posixpath.join("docs", os.path.basename(path)) for path in glob.glob(os.path.join(top, "docs", "*.md")))
-    bodies = {}
+    """Every document by its place, rendered: those of the menu, of docs, and all that these link to; and the text of each."""
+    waiting = [place for section in SECTIONS for place in section.first + section.last
+               if os.path.isfile(os.path.join(top, place))] + all_documents(top)
+    bodies, texts = {}, {}
     while waiting:
         place = waiting.pop(0)
         if place in bodies:
             continue
         with open(os.path.join(top, place), encoding="utf-8") as file:
-            bodies[place] = render(file.read())
+            texts[place] = file.read()
+        bodies[place] = render(texts[place])
+        if place.startswith(REFERENCE) or place == "docs/keys.md":
+            bodies[place] = with_row_names(bodies[place])
         waiting += [linked for linked in linked_files(bodies[place], place) if linked.endswith(".md")]
-    return bodies
-
-
-def page(document, title, body, template):
-    """A whole page, with the menu as seen from it."""
-    folder = posixpath.dirname(document) or "."
-    items = [("library/index.html", "Headers of the library", False)]
-    items = [(page_of(place), text, place == document) for place, text in MENU] + items
-    menu = "\n".join(f'<a href="{posixpath.relpath(target, folder)}"{" class=here" if here else ""}>{text}</a>'
-                     for target, text, here in items)
-    return (template.replace("@TITLE@", html.escape(title)).replace("@MENU@", menu).replace("@BODY@", body)
-            .replace("@TOP@", posixpath.relpath(".", folder)))
+    return bodies, texts
 
 
 def write(path, text):
@@ -73,23 +58,46 @@ def write_back_links(site, named):
             write(path, changed)
 
 
+def clear(site):
+    """Takes away the pages of an earlier call, some of which may be of documents that are gone."""
+    for name in os.listdir(site) if os.path.isdir(site) else []:
+        path = os.path.join(site, name)
+        if name != "library" and os.path.isdir(path):
+            shutil.rmtree(path)
+
+
 def main(top, site, tag_file):
     here = os.path.dirname(os.path.abspath(__file__))
+    sys.path.insert(0, os.path.join(top, "scripts"))
+    from document_words import WORDS_PER_MINUTE, words  # pylint: disable=import-outside-toplevel
     with open(os.path.join(here, "page.html"), encoding="utf-8") as file:
         template = file.read()
     pages = header_pages(tag_file)
-    bodies = documents_of(top)
+    bodies, texts = documents_of(top)
+    targets = targets_of(bodies)
     named = {}
+    clear(site)
     for document, body in bodies.items():
         title = title_of(body)
-        to_library = posixpath.relpath("library", posixpath.dirname(document) or ".") + "/"
-        body, found = link_headers(with_page_links(body, document), pages, to_library)
+        folder = posixpath.dirname(document) or "."
+        generated = document.startswith(REFERENCE) or document == "CHANGELOG.md"
+        body, found = link_headers(with_page_links(body, document), pages, posixpath.relpath("library", folder) + "/")
+        if document not in ("docs/keys.md",) and not document.startswith(REFERENCE):
+            body = link_names(body, document, targets)
         for (anchor, heading), header_page in found:
             link = (f"../{page_of(document)}#{anchor}", f"{html.escape(title.split(':')[0])}: {heading}")
             named.setdefault(header_page, []).append(link)
-        write(os.path.join(site, page_of(document)), page(document, title, body, template))
+        parts = {"TITLE": html.escape(title), "TOP": posixpath.relpath(".", folder), "MENU": menu(document, bodies),
+                 "NEIGHBOURS": neighbours(document, bodies), "CONTENTS": contents(body),
+                 "BODY": laid_out(body, 0 if generated else words(texts[document]), WORDS_PER_MINUTE)}
+        page = template
+        for name, part in parts.items():
+            page = page.replace(f"@{name}@", part)
+        write(os.path.join(site, page_of(document)), page)
     copy_files(top, site, bodies)
-    shutil.copyfile(os.path.join(here, "style.css"), os.path.join(site, "style.css"))
+    for name in ("style.css", "site.js"):
+        shutil.copyfile(os.path.join(here, name), os.path.join(site, name))
+    write(os.path.join(site, "search_index.js"), search_index(bodies))
     write_back_links(site, named)
 
 

@@ -21,6 +21,21 @@ def render(text):
     return re.sub(r"<h([1-6])>(.*?)</h\1>", named, body, flags=re.DOTALL)
 
 
+def laid_out(body, words, words_per_minute):
+    """The body as a screen of any width needs it: tables in boxes that scroll, pictures that open, and below the title the time that
+    reading takes, unless nobody wrote the page (0 words)."""
+    body = re.sub(r"<table>.*?</table>", lambda match: f'<div class="table" tabindex="0">{match[0]}</div>', body, flags=re.DOTALL)
+    body = re.sub(r"(<a [^>]*>\s*)?(<img src=\"([^\"]*)\"[^>]*>)",
+                  lambda match: match[0] if match[1] else f'<a class="picture" href="{match[3]}">{match[2]}</a>', body)
+    # Short code is not cut at the end of a line.
+    body = re.sub(r"<code>(?=[^<]{31})", '<code class="long">', body)
+    if not words:
+        return body
+    minutes = max(1, round(words / words_per_minute))
+    time = f'<p class="reading">{words:,} words, {minutes} min</p>'.replace(",", " ", 1)
+    return re.sub(r"</h1>", lambda match: f"{match[0]}\n{time}", body, count=1)
+
+
 def anchor(heading):
     """The name of a heading, given as HTML: its letters in lower case, digits, and dashes for blanks."""
     text = html.unescape(re.sub(r"<[^>]*>", "", heading)).lower()

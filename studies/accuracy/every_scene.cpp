@@ -39,7 +39,7 @@ void print(const std::filesystem::path& file) {
   }
   if (section.empty()) return;
   const auto largest = [](const std::vector<double>& v) { return *std::max_element(v.begin(), v.end()); };
-  std::printf("%-40s %d %zu  %.1e %.1e %.1e  %.1e  %.1e %.1e\n", file.stem().c_str(), touched, section.size(),
+  std::printf("%-40s %d %zu  %.1e %.1e %.1e  %.1e  %.1e %.1e\n", file.c_str(), touched, section.size(),
               median(section), largest(section), largest(over_growth), largest(reference), median(monodromy),
               largest(monodromy));
   std::fflush(stdout);

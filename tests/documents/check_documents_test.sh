@@ -52,9 +52,18 @@ method 'Whatever they meet, guards hold. What do they hold? See below.
 
 <!-- Made by a program; what follows is not written by hand. -->
 
-What a program says.'
+What a program says.
+
+<!-- End of what is made. -->
+
+Words by hand.'
 printf '# Changes\n\nWhat a user sees.\n' >"$top/CHANGELOG.md"
 expect 'questions, tables, code, generated text and changes' 0
+method '<!-- Made by a program. -->
+What it says.
+<!-- End of what is made. -->
+What a person says.'
+expect 'text behind what is generated' 1 'docs/method.md:8: a sentence begins with What in place of a noun'
 method '- *Guards.* Of two the first
   counts. *What* else
 
@@ -62,3 +71,15 @@ method '- *Guards.* Of two the first
 expect 'no nouns' 1 'docs/method.md:5: a sentence begins with Of in place of a noun' \
   'docs/method.md:5: a sentence begins with What in place of a noun' \
   'docs/method.md:8: a sentence begins with What in place of a noun'
+
+method 'No more than this.'
+mkdir -p "$top/docs/method" "$top/docs/guide/more" "$top/docs/library"
+printf '# A chapter\n\n[up](../method.md#method), [guide](../guide/more/maps.md#maps)\n\nSome %s.\n' "$words and" \
+  >"$top/docs/method/chapter.md"
+printf '# Maps\n\n[chapter](../../method/chapter.md#a-chapters), [lost](../gone.md)\n\nSome %s.\nOf all these.\n' "$words and" \
+  >"$top/docs/guide/more/maps.md"
+printf '# Pages of doxygen\n\n[a header](response/settle.hpp)\n' >"$top/docs/library/main_page.md"
+expect 'documents in folders' 1 'docs/guide/more/maps.md: there is no heading ../../method/chapter.md#a-chapters' \
+  'docs/guide/more/maps.md: there is no ../gone.md' \
+  'docs/guide/more/maps.md:5: a sentence begins with Of in place of a noun' \
+  'docs/method/chapter.md:5: a sentence of 31 words, allowed: 30'

@@ -64,8 +64,10 @@ def wrong_answers(block, work, environment):
 
 def wrong_blocks(text, work, environment):
     """Everything in the blocks of a text that is not as promised: the block behind "Save this as `NAME`:" becomes that
-    file in the directory `work`, any other is a dialogue that is held there."""
+    file in the directory `work`, one behind "(not run here):" is only shown, any other is a dialogue that is held there."""
     for before, block in blocks(text):
+        if before.endswith("(not run here):"):
+            continue
         if name := re.search(r"Save this as `([^`]+)`:$", before):
             with open(os.path.join(work, name[1]), "w", encoding="utf-8") as file:
                 file.write("\n".join(block) + "\n")

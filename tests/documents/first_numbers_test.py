@@ -1,5 +1,5 @@
-"""first_numbers_test.py TOP: restitutions of the guide are those of the formula beside them, and the swing of its kick is
-that of an oscillator which is solved step by step."""
+"""first_numbers_test.py TOP: restitutions of docs/guide/numbers.md are those of the formula beside them, and the swing of
+its kick is that of an oscillator which is solved step by step."""
 
 import math
 import os
@@ -41,7 +41,7 @@ def swing(force, duration, mass, hz, steps=20000):
 class FirstNumbers(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        with open(os.path.join(TOP, "docs", "user-guide.md"), encoding="utf-8") as file:
+        with open(os.path.join(TOP, "docs", "guide", "numbers.md"), encoding="utf-8") as file:
             cls.text = file.read()
 
     def test_restitution(self):

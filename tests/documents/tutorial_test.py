@@ -33,7 +33,7 @@ def main(top, programs):
     environment = environment_of(programs)
     with tempfile.TemporaryDirectory() as work:
         os.symlink(os.path.join(top, "configs"), os.path.join(work, "configs"))
-        wrong = [f"{len(lessons)} lessons, expected 5"] if len(lessons) != 5 else []
+        wrong = [f"{len(lessons)} lessons, expected 6"] if len(lessons) != 6 else []
         for lesson in lessons:
             wrong += wrong_lesson(lesson, work, environment)
         if keep := os.environ.get("RUBSWEEP_TUTORIAL"):

@@ -237,18 +237,24 @@ TEST(MapCsvMapColumns, NumbersOfTheWayToTheVerdictAreNotCompared) {
     EXPECT_EQ(map_columns()[place_of_column(name)].comparison, Comparison::ignored) << name;
 }
 
-/// A column or a class that the user guide does not explain.
-TEST(MapCsvMapColumns, AndClassesStandInTheUserGuideAndInTheHelp) {
-  std::ifstream file(RUBSWEEP_TEST_DATA "/../../../docs/user-guide.md");
-  const std::string guide{std::istreambuf_iterator<char>(file), {}}, help = describe_map_columns();
-  ASSERT_FALSE(guide.empty());
-  const auto expect_both = [&](std::string_view word) {
-    EXPECT_NE(guide.find(fmt::format("`{}`", word)), std::string::npos) << word;
+std::string document(const std::string& name) {
+  std::ifstream file(RUBSWEEP_TEST_DATA "/../../../docs/" + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A column that the reference does not explain, or a class that the guide does not.
+TEST(MapCsvMapColumns, AndClassesStandInTheDocumentsAndInTheHelp) {
+  const std::string columns_page = document("reference/columns.md"),
+                    guide = document("guide/reading-a-map.md");
+  const std::string help = describe_map_columns();
+  const auto expect_both = [&](const std::string& page, std::string_view word) {
+    EXPECT_NE(page.find(fmt::format("`{}`", word)), std::string::npos) << word;
     EXPECT_NE(help.find(fmt::format("\n  {} ", word)), std::string::npos) << word;
   };
-  for (const MapColumn& column : map_columns()) expect_both(column.name);
-  for (const StudyColumn& column : all_study_columns()) expect_both(column.name);
-  for (const auto motion_class : response::motion::motion_classes) expect_both(to_string(motion_class));
+  for (const MapColumn& column : map_columns()) expect_both(columns_page, column.name);
+  for (const StudyColumn& column : all_study_columns()) expect_both(columns_page, column.name);
+  for (const auto motion_class : response::motion::motion_classes)
+    expect_both(guide, to_string(motion_class));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct RampResonance {
 /// in which the amplitude stays above a quarter of its largest value. Besides the unbalance on the mode the
 /// fit allows for a bow, for the free vibration that came before, and for what other modes add without
 /// resonance. Empty with fewer than 16 points there, with a speed that turns back, or where no mode of 0 <
-/// damping ratio < 1 fits best inside the speeds of that part. docs/method.md, "Resonance of a ramp".
+/// damping ratio < 1 fits best inside the speeds of that part. docs/method/fits.md, "Resonance of a ramp".
 std::optional<RampResonance> fit_ramp_resonance(std::span<const BodePoint> plot, double rate_hz_per_s);
 
 }  // namespace rubsweep::linear

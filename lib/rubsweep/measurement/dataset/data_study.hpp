@@ -32,8 +32,9 @@ struct Split {
 
 /// Bounds of a rub, in its recorded turns, that a machine survives.
 struct RubBounds {
-  double penetration_ratio = 0.5;  ///< largest force / stiffness of the contact / smallest clearance
-  double force_ratio = 100;        ///< largest force of a stop / weight of the rotor
+  /// Largest force / stiffness of the contact / smallest clearance.
+  double penetration_ratio = diagnose::usual_penetration_ratio;
+  double force_ratio = 100;  ///< largest force of a stop / weight of the rotor
 };
 
 /// Everything that decides the bytes of a data set: never threads, paths or times.

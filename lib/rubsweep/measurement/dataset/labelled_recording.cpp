@@ -25,11 +25,9 @@ constexpr bool of_one_recording(Unknown unknown) {
 /// Sets how deep and how hard the stops are touched.
 void measure_rub(const DataStudy& study, LabelledRecording& recording) {
   constexpr double gravity_m_per_s2 = 9.80665;
-  double clearance_m = recording.clearance_m;
-  if (study.candidates[recording.candidate].cause == diagnose::Cause::two_sides)
-    clearance_m *= std::min(1.0, value_of(recording.values, Unknown::second_clearance_ratio));
   const double force_n = recording.motion.contact.peak_contact_force_n;
-  recording.penetration_ratio = force_n / value_of(recording.values, Unknown::stiffness) / clearance_m;
+  recording.penetration_ratio = penetration_ratio(study.candidates[recording.candidate].cause,
+                                                  recording.values, recording.clearance_m, force_n);
   recording.force_ratio = force_n / (study.fixed.rotor_mass_kg * gravity_m_per_s2);
 }
 

@@ -67,4 +67,10 @@ model::Machine drawn_machine(Cause cause, const Point& values, double clearance_
   return machine;
 }
 
+double penetration_ratio(Cause cause, const Point& values, double clearance_m, double force_n) {
+  const double smallest =
+      cause == Cause::two_sides ? std::fmin(1, value_of(values, Unknown::second_clearance_ratio)) : 1;
+  return force_n / value_of(values, Unknown::stiffness) / (smallest * clearance_m);
+}
+
 }  // namespace rubsweep::diagnose

@@ -13,7 +13,7 @@ struct FixedNumbers {
   double rotor_mass_kg = 1;
   double contact_radius_m = 0.02;
   double casing_damping_ratio = 0.1;
-  double rotating_damping_ratio = 0;    ///< of a Jeffcott rotor
+  double rotating_damping_ratio = 0;      ///< of a Jeffcott rotor
   std::shared_ptr<const KnownKit> kit{};  ///< in place of a Jeffcott rotor; its mass stands above
 };
 
@@ -25,5 +25,11 @@ inline constexpr double kick_duration_s = 2e-3;
 /// one, of a kit where the probes are. The pulse is that of a knock at the stop: a half sine of
 /// kick_duration_s whose impulse is rotor mass x kick_ratio x clearance x natural angular frequency.
 model::Machine drawn_machine(Cause cause, const Point& values, double clearance_m, const FixedNumbers& fixed);
+
+/// Depth of a contact of this force over the smallest clearance.
+double penetration_ratio(Cause cause, const Point& values, double clearance_m, double force_n);
+
+/// Largest one of a rub that a machine survives, unless a study says otherwise.
+inline constexpr double usual_penetration_ratio = 0.5;
 
 }  // namespace rubsweep::diagnose

@@ -103,7 +103,7 @@ const DiscreteLine* line_of_bin(const Verdict& verdict, double order);
 /// at which the motion repeats best after that many turns, within the doubt that the marks leave, and without
 /// the slow modulation of its lines (slow_modulation.hpp). Lines above 0.4 of the readings of a turn are not
 /// looked at: there is no order between those and half of them whose noise the interpolation of the readings
-/// leaves as it is. docs/method.md, "Period of a recording".
+/// leaves as it is. docs/method/recordings.md.
 Verdict judge(std::span<const std::complex<double>> displacement_m, int samples_per_revolution, bool plane,
               const Reading& reading = {});
 

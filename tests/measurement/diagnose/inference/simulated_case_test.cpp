@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <memory>
+#include <string>
 
 #include "measurement/diagnose/light_kit.hpp"
 #include "small_problem.hpp"
@@ -55,7 +56,8 @@ TEST(SimulatedCase, OfAKitThatIsAJeffcottRotorIsTheSame) {
                kit = simulate_case(of_kit, 1, one.unit, workspace);
     ASSERT_EQ(jeffcott.has_value(), kit.has_value());
     if (!kit || jeffcott->motion.contact.hits > 40) continue;
-    EXPECT_NEAR(kit->motion.contact.peak_contact_force_n / jeffcott->motion.contact.peak_contact_force_n, 1, 1e-3);
+    EXPECT_NEAR(kit->motion.contact.peak_contact_force_n / jeffcott->motion.contact.peak_contact_force_n, 1,
+                1e-3);
     // The probe stands nearer to the bearing, where the shaft moves less, in the same way.
     const std::complex<double> ratio = kit->motion.lines.at(12) / jeffcott->motion.lines.at(12);
     EXPECT_LT(ratio.real(), 1);
@@ -64,6 +66,37 @@ TEST(SimulatedCase, OfAKitThatIsAJeffcottRotorIsTheSame) {
     if (++compared == 4) break;
   }
   EXPECT_EQ(compared, 4);
+}
+
+TEST(SimulatedCase, NoneTouchesDeeperThanHalfOfItsSmallestClearance) {
+  DiagnosisProblem problem = small_problem();
+  const Candidate known = problem.candidates[1];
+  response::spectrum::SpectrumWorkspace workspace;
+  RandomStream random(8, 0, 0);
+  for (const Cause cause : {Cause::one_side, Cause::two_sides, Cause::annular}) {
+    Candidate& candidate = problem.candidates[1] = usual_candidate(cause);
+    for (const Unknown unknown : {Unknown::natural_frequency, Unknown::damping_ratio})
+      spread_of(candidate, unknown) = spread_of(known, unknown);
+    candidate.clearance_m = {2e-4, 2e-4};
+    int shallow = 0, deep = 0;
+    for (int k = 0; k < 40; ++k) {
+      Point unit{};
+      for (double& place : unit) place = random.uniform();
+      const Point values = values_at(candidate, unit);
+      const auto any =
+          rubbing_motion(drawn_machine(cause, values, 2e-4, problem.fixed), problem.speed_hz,
+                         scene::WhirlRatio{value_of(values, Unknown::whirl_ratio)}, problem.turns, workspace);
+      if (!any) continue;
+      const double second = cause == Cause::two_sides ? value_of(values, Unknown::second_clearance_ratio) : 1;
+      const bool within = any->contact.peak_contact_force_n <=
+                          0.5 * value_of(values, Unknown::stiffness) * 2e-4 * std::fmin(1, second);
+      ++(within ? shallow : deep);
+      EXPECT_EQ(simulate_case(problem, 1, unit, workspace).has_value(), within);
+    }
+    EXPECT_GT(shallow, 0) << to_string(cause);
+    EXPECT_GT(deep, 0) << to_string(cause);
+    RecordProperty(std::string(to_string(cause)), std::to_string(deep) + " deep, " + std::to_string(shallow));
+  }
 }
 
 TEST(SimulatedCase, IsObservedTheSameEveryTime) {

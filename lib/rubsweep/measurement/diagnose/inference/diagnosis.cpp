@@ -43,6 +43,11 @@ Eigen::VectorXd probabilities_of(const Posterior& posterior) {
   return all;
 }
 
+Eigen::ArrayXd log_odds(const Posterior& posterior) {
+  const Eigen::ArrayXd p = probabilities_of(posterior);
+  return (p / (1 - p)).log();
+}
+
 bool stopped(const DiagnosisOptions& options) { return options.cases.stop && *options.cases.stop; }
 
 /// Cases of a candidate that weigh most, as centres of a proposal; empty where none weighs anything.
@@ -89,7 +94,7 @@ void narrow(const DiagnosisProblem& problem, const DiagnosisOptions& options, in
 
 Eigen::VectorXd sampling_errors(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
-                                int threads) {
+                                const Posterior& posterior, int threads) {
   Eigen::MatrixXd by_half(static_cast<Eigen::Index>(halves),
                           static_cast<Eigen::Index>(problem.candidates.size()) + 1);
   for (std::uint64_t k = 0; k < halves; ++k) {
@@ -104,10 +109,12 @@ Eigen::VectorXd sampling_errors(const DiagnosisProblem& problem, const CaseSet& 
                                   observed.direction_rad(rows), observed.probe_angle_rad(rows),
                                   observed.of_other_causes(others, Eigen::all)};
     by_half.row(static_cast<Eigen::Index>(k)) =
-        probabilities_of(posterior_of(problem, half, seen_half, seen, threads)).transpose();
+        log_odds(posterior_of(problem, half, seen_half, seen, threads)).transpose();
   }
   const Eigen::MatrixXd off = by_half.rowwise() - by_half.colwise().mean();
-  return (off.colwise().squaredNorm() / (static_cast<double>(halves) - 1)).cwiseSqrt().transpose();
+  const Eigen::ArrayXd p = probabilities_of(posterior),
+                       variance = off.colwise().squaredNorm().transpose() / (static_cast<double>(halves) - 1);
+  return variance.sqrt() * p * (1 - p);
 }
 
 Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMotion& seen,
@@ -134,7 +141,8 @@ Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMot
   diagnosis.posterior.forest.reset();
   diagnosis.p_value = p_value_of(diagnosis.set, diagnosis.observed, seen, threads);
   if (!diagnosis.stands_still && options.with_standard_error)
-    diagnosis.standard_error = sampling_errors(problem, diagnosis.set, diagnosis.observed, seen, threads);
+    diagnosis.standard_error =
+        sampling_errors(problem, diagnosis.set, diagnosis.observed, seen, diagnosis.posterior, threads);
   return diagnosis;
 }
 

@@ -12,10 +12,11 @@ namespace rubsweep::diagnose::inference {
 
 /// Standard errors of the probabilities of the candidates, "none of these" counted in, and of that one at
 /// last, which come from the number of cases: standard deviation of the answers by halves of the cases
-/// (delete-half jackknife; Shao, Wu 1989).
+/// (delete-half jackknife; Shao, Wu 1989), of their log odds times p (1 - p) of the answer by all. Halves are
+/// less sure, and near 0 and 1 what is left scatters as it is large. `posterior`: that answer.
 Eigen::VectorXd sampling_errors(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
-                                int threads);
+                                const Posterior& posterior, int threads);
 
 struct DiagnosisOptions {
   CaseOptions cases{};

@@ -18,12 +18,15 @@ std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std:
   const Point values = values_at(asked, unit);
   const scene::WhirlRatio unbalance{value_of(values, Unknown::whirl_ratio)};
   try {
-    const model::Machine machine =
-        drawn_machine(asked.cause, values, simulated_clearance_m(asked), problem.fixed);
+    const double clearance_m = simulated_clearance_m(asked);
+    const model::Machine machine = drawn_machine(asked.cause, values, clearance_m, problem.fixed);
     auto motion = asked.cause == Cause::no_rub
                       ? motion_without_contact(machine, problem.speed_hz, unbalance, problem.turns, workspace)
                       : rubbing_motion(machine, problem.speed_hz, unbalance, problem.turns, workspace);
-    if (!motion) return std::nullopt;
+    // A depth grows with the clearance as all lengths do.
+    if (!motion || penetration_ratio(asked.cause, values, clearance_m, motion->contact.peak_contact_force_n) >
+                       usual_penetration_ratio)
+      return std::nullopt;
     return SimulatedCase{.candidate = candidate, .unit = unit, .motion = *std::move(motion)};
   } catch (const ConfigError&) {
     // Numbers that are each allowed, but not together.

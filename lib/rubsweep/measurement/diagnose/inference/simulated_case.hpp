@@ -48,8 +48,8 @@ struct SimulatedCase {
 /// Clearance that cases are simulated at: the geometric mean of the candidate's bounds, m.
 double simulated_clearance_m(const Candidate& candidate);
 
-/// Simulates a candidate with these numbers; empty where it does not rub (no_rub: where it does), or cannot
-/// be run.
+/// Simulates a candidate with these numbers; empty where it does not rub (no_rub: where it does), cannot be
+/// run, or touches deeper than usual_penetration_ratio: no machine survives that.
 std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std::size_t candidate,
                                            const Point& unit,
                                            response::spectrum::SpectrumWorkspace& workspace);

@@ -1,0 +1,11 @@
+# cmake -DFILE=FILE -DHEADER=HEADER -DNAME=NAME -DOUTPUT=FILE.cpp -P embed_text.cmake: writes the definition of the text NAME that
+# HEADER declares, with what is in FILE.
+file(READ "${FILE}" text)
+file(WRITE "${OUTPUT}" "#include \"${HEADER}\"
+
+namespace rubsweep::apps {
+
+const std::string_view ${NAME} = R\"text(${text})text\";
+
+}  // namespace rubsweep::apps
+")
