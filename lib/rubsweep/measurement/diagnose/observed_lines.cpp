@@ -38,6 +38,19 @@ MotionLines with_gains(const MotionLines& lines, double x_gain, double y_gain) {
   return seen;
 }
 
+/// Lines at -1X, 2X, -2X, 3X and -3X of a motion of this size.
+std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, RandomStream& random) {
+  std::array<OtherLine, 5> drawn{{{-1}, {2}, {-2}, {3}, {-3}}};
+  for (OtherLine& line : drawn) {
+    const double largest = line.order == -1            ? lines.backward_1x
+                           : std::abs(line.order) == 2 ? lines.order_2
+                                                       : lines.order_3;
+    const double amplitude = size * share(largest, random);
+    line.amplitude = std::polar(amplitude, 2 * pi * random.uniform());
+  }
+  return drawn;
+}
+
 }  // namespace
 
 MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, double most_order,
@@ -70,18 +83,6 @@ Eigen::VectorXcd waveform_of(const MotionLines& lines, int samples_per_turn,
 
 double size_of(const MotionLines& lines) {
   return std::sqrt(std::max(0.0, lines.amplitude.squaredNorm() - std::norm(lines.at(0))));
-}
-
-std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, RandomStream& random) {
-  std::array<OtherLine, 5> drawn{{{-1}, {2}, {-2}, {3}, {-3}}};
-  for (OtherLine& line : drawn) {
-    const double largest = line.order == -1            ? lines.backward_1x
-                           : std::abs(line.order) == 2 ? lines.order_2
-                                                       : lines.order_3;
-    const double amplitude = size * share(largest, random);
-    line.amplitude = std::polar(amplitude, 2 * pi * random.uniform());
-  }
-  return drawn;
 }
 
 void add_other_lines(std::span<Complex> samples, const OtherLines& lines, double size, RandomStream& random) {

@@ -53,9 +53,6 @@ struct OtherLine {
   std::complex<double> amplitude = 0;  ///< in the unit of the motion
 };
 
-/// Lines at -1X, 2X, -2X, 3X and -3X of a motion of this size.
-std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, RandomStream& random);
-
 /// Adds lines at -1X, 2X and 3X that no rub made to a motion of this size.
 void add_other_lines(std::span<std::complex<double>> samples, const OtherLines& lines, double size,
                      RandomStream& random);
