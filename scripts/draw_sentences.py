@@ -40,8 +40,8 @@ def comments(path):
             continue
         if words:
             found.append((open_at, " ".join(words).strip()))
-        open_at, words = (number, [trailing[1]]) if trailing else (0, [])
-    return [(line, text) for line, text in found if len(text.split()) > 1 and not text.startswith("namespace ")]
+        open_at, words = (number, [trailing[1]]) if trailing and not trailing[1].startswith("namespace ") else (0, [])
+    return [(line, text) for line, text in found if len(text.split()) > 1]
 
 
 def main():
@@ -50,7 +50,7 @@ def main():
     parser.add_argument("documents", nargs="*", type=pathlib.Path)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=60)
-    chosen = parser.parse_args()
+    chosen = parser.parse_intermixed_args()
     if chosen.kind == "sentences":
         files, read = [path.resolve() for path in chosen.documents] or documents(TOP), sentences
     else:

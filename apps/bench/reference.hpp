@@ -16,9 +16,9 @@ struct Reference {
   std::vector<double> section;  ///< scaled, as TurnReport::section
   bool long_double = false;
   double long_double_error =
-      0;                      ///< of it: what a hundred times its tolerance changes, and rounding to double
-  double against_rkf78 = 0;   ///< of the exact solver: largest difference of a component from adaptive rkf78
-  double against_dopri5 = 0;  ///< and from adaptive dopri5, in (clearance, clearance omega)
+      0;  ///< reference error: what a hundred times its tolerance changes, and rounding to double
+  double against_rkf78 = 0;   ///< largest difference of a component from adaptive rkf78
+  double against_dopri5 = 0;  ///< largest difference from adaptive dopri5, in (clearance, clearance omega)
   bool closed_forms = false;  ///< no turn of the exact solver was made by a stepper or by Taylor pieces
 };
 

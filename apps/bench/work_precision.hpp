@@ -25,7 +25,7 @@ struct Measurement {
   std::optional<double> state_error;  ///< largest component, in (clearance, clearance omega); empty when the
                                       ///< run failed before
   int repeats = 0;
-  integrate::run::Effort effort;  ///< of one run of `turns` revolutions, or up to its failure
+  integrate::run::Effort effort;  ///< work of one run of `turns` revolutions, or up to its failure
 };
 
 /// Runs every variant on `scene`, all of them once, then all of them again, so that a slow spell of the

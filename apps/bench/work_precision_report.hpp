@@ -14,9 +14,9 @@ namespace rubsweep::bench {
 struct WorkPrecisionLine {
   std::string cell;
   Measurement measurement;
-  std::optional<LabelAgreement> labels{};  ///< over the whole map; empty: not asked or too slow
+  std::optional<LabelAgreement> labels{};  ///< agreement over the whole map; empty: not asked or too slow
   bool labels_too_slow = false;
-  Reference reference{};  ///< what the state error was measured against
+  Reference reference{};  ///< solver that the state error was measured against
 };
 
 /// "75 Hz whirl 0.4" or "75 Hz e 3e-05 m".

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/ring/analysis.hpp"
-#include "rubsweep/ring/static_load.hpp"
+#include "rubsweep/ring/assembly.hpp"
 #include "rubsweep/ring/study.hpp"
 
 namespace rubsweep::apps {

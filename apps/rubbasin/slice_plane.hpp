@@ -12,10 +12,10 @@ namespace rubsweep::apps {
 
 /// A number of a start as the command line names it.
 struct StartNumber {
-  std::string key;                             ///< of the configuration
-  std::string column;                          ///< of slice.csv: x_m, casing0_vx_m_per_s, or the key
+  std::string key;                             ///< key of the configuration
+  std::string column;                          ///< column of slice.csv: x_m, casing0_vx_m_per_s, or the key
   std::optional<std::size_t> casing;           ///< the stop whose casing it belongs to
-  bool is_state = false, is_velocity = false;  ///< of rotor or casing; else any key
+  bool is_state = false, is_velocity = false;  ///< state of rotor or casing; neither: any key
 };
 
 /// Reads "x,vx", "casing0.y,vx" or two keys of the configuration. Throws UsageError.

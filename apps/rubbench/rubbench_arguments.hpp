@@ -15,7 +15,7 @@ struct RubbenchArguments : StudyArguments {
   std::vector<double> relative_tolerances = {};
   bench::WorkPrecisionOptions work = {};
   std::size_t label_speeds = 12, label_unbalances = 6;  ///< 0 x 0: no labels
-  double label_seconds = 5;                             ///< for each variant
+  double label_seconds = 5;                             ///< time limit for each variant
 };
 
 /// Throws UsageError (program.hpp).

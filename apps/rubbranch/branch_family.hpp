@@ -12,7 +12,7 @@ namespace rubsweep::apps {
 struct BranchFamily {
   branch::orbits::SceneFamily scenes;
   double start = 0;          ///< value of the parameter at the cell
-  double low = 0, high = 0;  ///< its range
+  double low = 0, high = 0;  ///< ends of the range
 };
 
 /// Throws ConfigError where the configuration has no such number, or where the cell is outside of the range.

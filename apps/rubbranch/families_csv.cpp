@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "rubsweep/analysis/branch/families/outline.hpp"
+#include "rubsweep/analysis/branch/families/family.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "rubsweep/analysis/branch/families/attribution.hpp"
-#include "rubsweep/analysis/branch/families/contradiction.hpp"
 #include "rubsweep/analysis/branch/families/family.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 

@@ -12,7 +12,6 @@
 
 #include "families_csv.hpp"
 #include "rubsweep/analysis/branch/families/attribution.hpp"
-#include "rubsweep/analysis/branch/families/contradiction.hpp"
 #include "rubsweep/analysis/branch/families/family.hpp"
 #include "rubsweep/analysis/branch/journal/family_journal.hpp"
 #include "rubsweep/core/error.hpp"

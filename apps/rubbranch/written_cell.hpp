@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubbranch_arguments.hpp"
-#include "rubsweep/analysis/branch/orbits/plane_orbits.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_plane.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/config/run_config.hpp"

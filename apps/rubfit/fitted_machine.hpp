@@ -14,7 +14,7 @@ namespace rubsweep::apps {
 struct FittedMachine {
   fit::MachineFit problem;
   std::string text;                                     ///< the configuration as it is printed
-  std::shared_ptr<const scene::PreparedMachine> first;  ///< its machine
+  std::shared_ptr<const scene::PreparedMachine> first;  ///< machine of that configuration
 };
 
 /// The problem that the command line asks for. A key without bounds gets a twentieth and twenty times its

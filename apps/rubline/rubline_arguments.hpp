@@ -22,7 +22,7 @@ struct RublineArguments : StudyArguments {
   std::string along = {};                 ///< speed_hz, whirl_ratio, eccentricity_m or a key of --set
   std::optional<LineValues> values = {};  ///< empty: the axis of the configuration's sweep
   PlaceArguments place = {};              ///< where the line lies
-  std::vector<line::Pass> passes = {};    ///< at least one, in the order kick, up, down
+  std::vector<line::Pass> passes = {};    ///< passes, at least one, in the order kick, up, down
   std::optional<Figure> figure = {}, cascade_figure = {};
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;

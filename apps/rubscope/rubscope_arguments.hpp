@@ -21,10 +21,10 @@ struct ComparedCell {
 };
 
 struct RubscopeArguments : RecordingArguments {
-  std::vector<double> orders = {1, 2};           ///< of the Bode plot, multiples of 1/8
+  std::vector<double> orders = {1, 2};  ///< orders of the Bode plot, multiples of 1/8
   scope::Thresholds thresholds = {};
   std::optional<ComparedCell> compared = {};
-  model::ShownLengths shown = {};  ///< in the printed text
+  model::ShownLengths shown = {};  ///< lengths in the printed text
   std::optional<Figure> figure = {};
 };
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/core/response/motion/motion_kind.hpp"
+#include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 
 namespace rubsweep::apps {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "rubsweep/core/response/motion/motion_kind.hpp"
+#include "rubsweep/core/response/motion/motion_class.hpp"
 
 namespace rubsweep::apps {
 

@@ -9,7 +9,7 @@ namespace rubsweep::apps {
 
 /// View of a finished map where standard output is a terminal; empty texts where it is not.
 struct TerminalView {
-  std::string map;   ///< in characters; empty where the values of an axis are in no order
+  std::string map;   ///< map in characters; empty where the values of an axis are in no order
   std::string next;  ///< commands that look closer: the most frequent rub by rubtrace, the report
 };
 

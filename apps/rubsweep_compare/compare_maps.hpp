@@ -19,8 +19,8 @@ enum class CellVerdict {
 
 struct ComparedCell {
   double speed_hz = 0;
-  double unbalance = 0;        ///< in the unit of the maps' second axis
-  std::vector<double> keys{};  ///< of MapComparison::keys
+  double unbalance = 0;        ///< unbalance in the unit of the maps' second axis
+  std::vector<double> keys{};  ///< values of MapComparison::keys
   CellVerdict verdict = CellVerdict::equal;
   /// Class and order, such as "subharmonic 1/2"; empty where there is no such cell.
   std::string label_a, label_b;
@@ -29,7 +29,7 @@ struct ComparedCell {
 /// The worst difference of one column.
 struct ColumnDifference {
   std::string column;
-  std::size_t cells = 0;          ///< in how many it differs
+  std::size_t cells = 0;          ///< number of cells in which it differs
   std::optional<double> largest;  ///< relative difference; empty: a word, or a number on one side only
   std::size_t cell = 0;           ///< where, an index into MapComparison::cells
   std::string a, b;
@@ -38,9 +38,9 @@ struct ColumnDifference {
 struct MapComparison {
   std::string axis;                          ///< second axis: whirl_ratio or eccentricity_m
   std::vector<std::string> keys;             ///< columns of the axes over keys of the configuration
-  std::vector<ComparedCell> cells;           ///< of A in its order, then those that only B has
-  std::vector<ColumnDifference> columns;     ///< that differ, of cells with equal class and order
-  std::vector<std::string> missing_columns;  ///< that only one of the maps has: not compared
+  std::vector<ComparedCell> cells;           ///< cells of A in its order, then those that only B has
+  std::vector<ColumnDifference> columns;     ///< columns that differ, of cells with equal class and order
+  std::vector<std::string> missing_columns;  ///< columns that only one of the maps has: not compared
   std::string digest_a, digest_b;            ///< empty where a file says none
 
   std::size_t count(CellVerdict verdict) const;

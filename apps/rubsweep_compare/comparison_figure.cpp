@@ -27,7 +27,7 @@ constexpr std::array styles{Style{CellVerdict::equal, "equal", "#d9d9d9"},
 /// A number of a cell that the picture may be drawn over.
 struct Axis {
   std::string column;
-  std::vector<double> values;     ///< of the cells, in their order
+  std::vector<double> values;     ///< values of the cells, in their order
   std::vector<double> different;  ///< ascending
 };
 

@@ -12,7 +12,7 @@ struct ExperimentTables {
   std::string sensors_csv;         ///< t_s, speed_hz, shaft_angle_rad, then sensor_i_m
   std::string bode_csv;            ///< run-up only: speed_hz, then sensor_i_amplitude_m, sensor_i_phase_deg
   std::string identification_csv;  ///< quantity, sensor, value
-  std::string summary;             ///< for a terminal
+  std::string summary;             ///< text for a terminal
 };
 
 /// t_s, speed_hz, shaft_angle_rad, then sensor_i_m: samples x sensors of a run at this speed.

@@ -16,7 +16,7 @@ struct RampTables {
   std::string spectrogram_csv;   ///< t_s, speed_hz, order, amplitude_m: significant lines up to order 8
   std::string quasi_static_csv;  ///< speed_hz, class, order, peak_displacement_m
   std::string rub_csv;           ///< source (ramp or quasi_static), from_hz, to_hz of every stretch that rubs
-  std::string summary;           ///< for a terminal
+  std::string summary;           ///< text for a terminal
 };
 
 /// Speeds between which neighbouring cells all rub, in the order of the points.

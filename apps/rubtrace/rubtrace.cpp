@@ -17,7 +17,7 @@
 #include "motion_summary.hpp"
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
-#include "rubsweep/analysis/trace/probe_period.hpp"
+#include "rubsweep/analysis/trace/probe.hpp"
 #include "rubsweep/analysis/trace/trace_csv.hpp"
 #include "rubsweep/analysis/trace/trace_run.hpp"
 #include "rubsweep/core/error.hpp"

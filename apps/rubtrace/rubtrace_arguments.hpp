@@ -14,24 +14,24 @@ namespace rubsweep::apps {
 /// A check of the design.
 struct DesignCheckArguments {
   std::optional<design::SpeedRange> operating = {};  ///< empty: the speeds of the sweep
-  std::string operating_option = {};                 ///< that gave it
+  std::string operating_option = {};                 ///< option that gave the operating range
   int kick_speeds = 11;
   int threads = 0;
 };
 
 struct RubtraceArguments : StudyArguments {
-  PlaceArguments place = {};                    ///< of a trace; of a run-up or design check its unbalance
+  PlaceArguments place = {};                    ///< place of a trace; unbalance of a run-up or design check
   bool free_response = false;                   ///< an experiment without contact instead of a trace
   std::optional<ramp::SpeedRamp> run_up = {};   ///< another one
-  bool with_stops = false;                      ///< of the run-up
+  bool with_stops = false;                      ///< true: the run-up has its stops
   std::optional<CampbellSpeeds> campbell = {};  ///< and another one
   std::optional<DesignCheckArguments> design_check = {};
-  double duration_s = 2;   ///< of the free response
-  double sample_s = 1e-3;  ///< of the sensors
+  double duration_s = 2;   ///< duration of the free response
+  double sample_s = 1e-3;  ///< sampling time of the sensors
   double noise_m = 0;
   bool probes = false;                ///< the sensors look at a trace, too
   std::optional<Figure> figure = {};  ///< drawn of a trace, a Campbell diagram or a run-up with stops
-  model::ShownLengths shown = {};     ///< in the printed text
+  model::ShownLengths shown = {};     ///< lengths in the printed text
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};
 };

@@ -25,7 +25,8 @@ bool answered(std::string_view program, Action action, const std::function<std::
 
 /// Functions of a program for each action on a configuration that was read.
 struct StudyActions {
-  std::function<std::string()> size, explanation, configuration;  ///< of --check, --explain, --print-config
+  std::function<std::string()> size, explanation,
+      configuration;  ///< answers to --check, --explain, --print-config
   std::function<int()> run;
 };
 

@@ -22,7 +22,7 @@ bool run_child(std::vector<std::string> command, const ChildStreams& streams = {
 
 /// How a child ended.
 struct ChildEnd {
-  int code = 0;  ///< that it exited with, or the number of the signal
+  int code = 0;  ///< exit code, or the number of the signal
   bool by_signal = false;
 };
 

@@ -12,7 +12,7 @@ enum ExitCode : int {
   maps_differ = 5,
   directory_in_use = 6,
   not_whole = 7,        ///< results are damaged, unfinished, or do not belong together
-  unfinished = 75,      ///< this process did what it could, others must go on (sysexits: EX_TEMPFAIL)
+  unfinished = 75,      ///< work is left for other processes (sysexits: EX_TEMPFAIL)
   software_fault = 70,  ///< out of memory, or a fault of the program itself (sysexits: EX_SOFTWARE)
 };
 

@@ -13,9 +13,9 @@ struct RecordingArguments {
   Action action = Action::run;  ///< help and version: nothing else is filled in
   bool quiet = false;
   std::filesystem::path recording = {};
-  std::filesystem::path instrument = {};  ///< of --instrument, else the recording with the ending .yaml
+  std::filesystem::path instrument = {};  ///< file of --instrument, else the recording with the ending .yaml
   std::filesystem::path directory =
-      {};  ///< of --output, else the recording without its ending and with another
+      {};  ///< directory of --output, else the recording without its ending and with another
 };
 
 /// --instrument.

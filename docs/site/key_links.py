@@ -26,8 +26,9 @@ def with_row_names(body):
 
 
 def rows_of(body):
-    """Pairs of name and text of the rows that can be linked to."""
-    return [(html.unescape(name), text_of(row)) for name, row in re.findall(r'<tr id="([^"]*)">(.*?)</tr>', body, flags=re.DOTALL)]
+    """Pairs of name and text of the rows that can be linked to, without the name."""
+    cells = lambda row: [cell for cell in map(text_of, row.split("</td>")[1:]) if cell]
+    return [(html.unescape(name), "; ".join(cells(row))) for name, row in re.findall(r'<tr id="([^"]*)">(.*?)</tr>', body, flags=re.DOTALL)]
 
 
 def text_of(part):

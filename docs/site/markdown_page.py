@@ -32,7 +32,7 @@ def laid_out(body, words, words_per_minute):
     if not words:
         return body
     minutes = max(1, round(words / words_per_minute))
-    time = f'<p class="reading">{words:,} words, {minutes} min</p>'.replace(",", " ", 1)
+    time = f'<p class="reading">{words} words, {minutes} min</p>'
     return re.sub(r"</h1>", lambda match: f"{match[0]}\n{time}", body, count=1)
 
 

@@ -29,7 +29,7 @@ SECTIONS = [
             ["docs/known-limits.md", "docs/other-programs.md", "docs/continuous-integration.md", "docs/for-helpers.md"], in_a_row=True),
     Section("Reference", ["docs/reference/README.md", "docs/keys.md"], "docs/reference"),
     Section("Method", ["docs/method.md"], "docs/method", in_a_row=True),
-    Section("Validation and performance", ["docs/validation.md", "docs/performance.md"], "", ["results/README.md"]),
+    Section("Validation and performance", ["docs/validation.md"], "docs/validation", ["docs/performance.md", "results/README.md"]),
     Section("Developers", ["docs/architecture.md", "CONTRIBUTING.md"], "", ["library/index.html"]),
     Section("History", [], "docs/history", ["CHANGELOG.md"]),
 ]

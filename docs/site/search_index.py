@@ -22,7 +22,7 @@ def entries(document, body):
         # The rows tell what the tables would; pages that list what others explain would only hide these.
         found = [[*entry[:4], re.sub(r"\s+", " ", entry[4])[:300]] for entry in found]
         if not document.endswith(("/columns.md", "/words.md", "/files.md")):
-            found += [[page, row, row, name, text.removeprefix("– ").removeprefix(row).strip()] for row, text in rows_of(body)]
+            found += [[page, row, row, name, text] for row, text in rows_of(body)]
     return found
 
 

@@ -14,7 +14,7 @@ MADE = re.compile(r"^<!-- Made by (?P<command>(?s:.*?)),\n     commit .*, on .* 
 
 
 def printed(command):
-    """What a command prints, run in the top folder."""
+    """Output of a command, run in the top folder."""
     one_line = " ".join(command.split("\n     "))
     done = subprocess.run(["bash", "-o", "pipefail", "-c", one_line], cwd=TOP, capture_output=True, text=True, check=False)
     if done.returncode != 0 or not done.stdout.startswith("|"):

@@ -8,8 +8,7 @@
 
 #include "rubsweep/core/contact/force_law.hpp"
 #include "rubsweep/core/contact/friction_law.hpp"
-#include "rubsweep/core/numerics/dense/least_norm.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/scene/quiet_motion.hpp"
 
 namespace rubsweep::audit {

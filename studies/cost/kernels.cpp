@@ -8,7 +8,6 @@
 
 #include "rubsweep/core/integrate/exact/exact_run.hpp"
 #include "rubsweep/core/integrate/start.hpp"
-#include "rubsweep/core/numerics/aligned_matrix.hpp"
 #include "rubsweep/core/numerics/matrix_vector.hpp"
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 #include "support/set_a_cell.hpp"

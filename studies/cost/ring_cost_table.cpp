@@ -9,7 +9,7 @@
 #include "ring/support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/ring/analysis.hpp"
-#include "rubsweep/ring/chart.hpp"
+#include "rubsweep/ring/study.hpp"
 
 namespace {
 

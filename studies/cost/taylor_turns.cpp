@@ -11,7 +11,7 @@
 #include "bench/reference.hpp"
 #include "bench/work_precision.hpp"
 #include "rubsweep/core/integrate/start.hpp"
-#include "rubsweep/core/response/growth.hpp"
+#include "rubsweep/core/response/lyapunov_exponent.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 

@@ -76,6 +76,7 @@ class SiteTest(unittest.TestCase):
         self.assertGreater(len(self.pages), 20)
         for page in self.pages:
             self.open(page)
+            self.assertNotIn("@", self.browser.run("return document.querySelector('#menu').textContent"))
             for width, height in WIDTHS.items():
                 self.browser.resize(width, height)
                 whole, window, wide = self.browser.run(TOO_WIDE)
@@ -90,6 +91,9 @@ class SiteTest(unittest.TestCase):
                     self.browser.resize(width, height)
                     self.open(start)
                     self.look_for("stops.N.friction.coefficient")
+                    left, right = self.browser.run("const box = document.getElementById('found').getBoundingClientRect(); "
+                                                   "return [box.left, box.right]")
+                    self.assertTrue(0 <= left < right <= width, (left, right))
                     self.browser.press("#search", ENTER)
                     self.browser.wait(lambda: "#" in self.place(), "the key is not opened")
                     self.assertEqual(self.place(), "docs/reference/keys/stops.html#stops.N.friction.coefficient")

@@ -15,8 +15,8 @@ namespace {
 constexpr int turns = 6;
 
 struct Point {
-  double error = 0;      ///< of the section after 6 turns, largest component, scaled
-  double rhs_calls = 0;  ///< per turn
+  double error = 0;      ///< error of the section after 6 turns, largest component, scaled
+  double rhs_calls = 0;  ///< calls per turn
 };
 
 Point measure(const run::SolverOptions& options) {
@@ -87,8 +87,8 @@ TEST(ContactOrder, SmoothedStopsAtItsOwnError) {
 
 TEST(ContactOrder, SmoothingErrorGoesWithTheWidth) {
   const double ratio = smoothed(1e-12, 4e-7).error / smoothed(1e-12, 1e-7).error;
-  EXPECT_GT(ratio, 3);   // at least with the width
-  EXPECT_LT(ratio, 20);  // at best with its square
+  EXPECT_GT(ratio, 3);   // order 1 at least: the error falls with the width
+  EXPECT_LT(ratio, 20);  // order 2 at best: the error falls with its square
 }
 
 TEST(ContactOrder, LocatedNeedsFewerCallsThanThePlainStepper) {

@@ -11,7 +11,10 @@ import sys
 import unittest
 
 from header_links import link_headers, with_documents
-from markdown_page import anchor, page_of, render, with_page_links
+from key_links import link_names, rows_of, targets_of, with_row_names
+from markdown_page import anchor, laid_out, page_of, render, with_page_links
+from navigation import contents, menu, neighbours
+from search_index import entries
 
 TOP, SITE = sys.argv[1:3] if len(sys.argv) > 2 else (None, None)
 
@@ -98,6 +101,58 @@ class Parts(unittest.TestCase):
         self.assertIn('<a href="../library/settle.html"><code>response/settle.cpp</code></a>', linked)
         self.assertEqual(linked.count("<a "), 1)
         self.assertEqual(named, [(("x", "X"), "settle.html")])
+
+    def test_rows_of_the_reference_can_be_linked_to(self):
+        body = with_row_names("<tr>\n<td><code>rotor.mass_kg</code></td>\n<td>mass</td>\n<td>kg</td>\n</tr>\n"
+                              "<tr>\n<td>– <code>rest</code></td>\n<td>at rest</td>\n</tr>\n"
+                              "<tr>\n<td><code>rest</code></td>\n<td>again</td>\n</tr>\n"
+                              "<tr>\n<td><code>--output DIR</code></td>\n<td>there</td>\n</tr>\n")
+        self.assertEqual(rows_of(body), [("rotor.mass_kg", "mass; kg"), ("rest", "at rest")])
+
+    def test_keys_in_code_become_links_once_in_a_section(self):
+        row = "<tr>\n<td><code>{}</code></td>\n<td>x</td>\n</tr>\n"
+        bodies = {"docs/reference/keys/stops.md": with_row_names(row.format("stops.N.angle_deg") + row.format("stops")),
+                  "docs/reference/programs/rubsweep.md": with_row_names(row.format("speed_hz") + row.format("order"))}
+        targets = targets_of(bodies)
+        self.assertEqual(sorted(targets), ["speed_hz", "stops.N.angle_deg"])
+        code = "<code>stops.0.angle_deg</code>"
+        body = link_names(f'<h2 id="a">A</h2>{code}{code}<code>order</code><pre>{code}</pre><h2 id="b">B</h2>{code}', "docs/guide/a.md",
+                          targets)
+        self.assertEqual(body.count('<a class="key" href="../reference/keys/stops.html#stops.N.angle_deg">'), 2)
+        self.assertEqual(body.count("<a "), 2)
+
+    def test_a_page_fits_every_screen(self):
+        body = laid_out('<h1 id="t">T</h1><table><tr></tr></table><img src="a.png" alt="A" /><a href="b"><img src="c.png" /></a>'
+                        f"<code>short</code><code>{'x' * 40}</code>", 700, 200)
+        self.assertIn('<h1 id="t">T</h1>\n<p class="reading">700 words, 4 min</p>', body)
+        self.assertIn('<div class="table" tabindex="0"><table>', body)
+        self.assertIn('<a class="picture" href="a.png"><img src="a.png"', body)
+        self.assertIn('<a href="b"><img src="c.png"', body)
+        self.assertEqual(body.count('<code class="long">'), 1)
+        self.assertNotIn("reading", laid_out("<h1>T</h1>", 0, 200))
+
+    def test_pages_of_a_section_stand_as_its_first_one_links_to_them(self):
+        title = '<h1 id="{0}">{0}</h1>'.format
+        bodies = {"docs/method.md": title("All") + '<a href="method/z.md">z</a><a href="method/b.md">b</a>',
+                  "docs/method/a.md": title("A"), "docs/method/b.md": title("B: more"), "docs/method/z.md": title("Z")}
+        seen = menu("docs/method/b.md", bodies)
+        self.assertEqual(re.findall(r">([^<]+)</a>", seen), ["All", "Z", "B", "A", "Headers of the library"])
+        self.assertIn('<a href="b.html" class=here aria-current=page>', seen)
+        self.assertEqual(seen.count("<details open>"), 1)
+        self.assertEqual(re.findall(r'href="([^"]*)"', neighbours("docs/method/b.md", bodies)), ["z.html", "a.html"])
+        self.assertEqual(re.findall(r'href="([^"]*)"', neighbours("docs/method.md", bodies)), ["method/z.html"])
+
+    def test_contents_of_a_page(self):
+        self.assertEqual(contents('<h2 id="a">A</h2><h2 id="b">B</h2>'), "")
+        self.assertIn('<a href="#a">A b</a>', contents('<h2 id="a">A <code>b</code></h2>' * 3))
+
+    def test_the_search_knows_sections_and_rows(self):
+        body = '<h1 id="t">Title: more</h1><p>One &lt; two.</p><h2 id="s">Part</h2><p>Three.</p>'
+        self.assertEqual(entries("docs/a.md", body), [["docs/a.html", "", "Title: more", "", "One < two."],
+                                                      ["docs/a.html", "s", "Part", "Title", "Three."]])
+        row = with_row_names("<tr>\n<td><code>speed_hz</code></td>\n<td>Hz</td>\n<td>speed</td>\n</tr>")
+        self.assertIn(["docs/reference/programs/x.html", "speed_hz", "speed_hz", "X", "Hz; speed"],
+                      entries("docs/reference/programs/x.md", f'<h1 id="x">X</h1>{row}'))
 
     def test_a_page_of_doxygen_is_changed_once(self):
         page = '<div class="contents">\n<p>Settles as <code>docs/method.md</code> and docs/a-b.md say.</p>'

@@ -7,8 +7,8 @@ namespace rubsweep::fuzz {
 
 /// Fate of a configuration.
 enum class Ending {
-  refused,   ///< by the reader, with a place for every problem
-  no_plan,   ///< by the prepared: numbers that are allowed each but cannot be computed together
+  refused,   ///< refusal by the reader, with a place for every problem
+  no_plan,   ///< refusal by the preparation: numbers allowed each but not computable together
   evaluated  ///< to a row, whatever its status
 };
 

@@ -27,7 +27,7 @@ struct HardScene {
   /// Scaled section after `turns` by a closed form or by a reference that shares no code with the solvers;
   /// empty: two steppers of the library must agree.
   std::vector<double> section = {};
-  std::optional<int> hits = {};         ///< over all turns
+  std::optional<int> hits = {};         ///< hits over all turns
   std::optional<double> energy_j = {};  ///< stored at the end as at the start
   double error_per_tolerance = 100;  ///< largest section error, in units of the solver's relative tolerance
 };

@@ -186,4 +186,5 @@ TEST(ReadRingConfig, HasABase) {
 }
 
 }  // namespace
+
 }  // namespace rubsweep::config::ring

@@ -4,7 +4,7 @@
 
 #include "ring/multiprecision.hpp"
 #include "ring/random_system.hpp"
-#include "rubsweep/ring/eigenvalues.hpp"
+#include "rubsweep/ring/assembly.hpp"
 
 namespace rubsweep::ring {
 namespace {

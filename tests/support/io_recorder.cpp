@@ -25,7 +25,7 @@ Function* real(const char* name) {
 }
 
 struct Opened {
-  int number = 0;    ///< of the opening
+  int number = 0;    ///< number of the opening
   std::string path;  ///< absolute
   bool directory = false;
   bool append = false;
@@ -33,7 +33,7 @@ struct Opened {
 
 struct Recorder {
   std::mutex mutex;
-  std::map<int, Opened> files;  ///< by descriptor
+  std::map<int, Opened> files;  ///< files by descriptor
   int opened = 0;
   int output = -1;
   std::string below;

@@ -10,9 +10,10 @@ namespace rubsweep::test {
 struct LongDoubleErrors {
   double section = 0;  ///< largest entry
   double over_growth =
-      0;                 ///< the same over what the turns make of a change of the start by one, at least one
-  double reference = 0;  ///< of the long double section itself: what a hundred times its tolerance changes
-  double monodromy = 0;  ///< of the last turn's monodromy matrix, over its largest entry
+      0;  ///< the same over what the turns make of a change of the start by one, at least one
+  double reference =
+      0;  ///< error of the long double section itself: what a hundred times its tolerance changes
+  double monodromy = 0;  ///< error of the last turn's monodromy matrix, over its largest entry
   bool touched = false;
 };
 

@@ -26,6 +26,6 @@
 /// std::puts(branch::continuation::branch_summary("speed_hz", {found}).c_str());
 /// ```
 
-#include "rubsweep/analysis/branch/continuation/branch_csv.hpp"
+#include "rubsweep/analysis/branch/continuation/branch_point.hpp"
 #include "rubsweep/analysis/branch/continuation/follow.hpp"
 #include "rubsweep/analysis/branch/orbits/settled_start.hpp"

@@ -19,5 +19,4 @@
 /// ```
 
 #include "rubsweep/core/response/motion/motion.hpp"
-#include "rubsweep/core/response/motion/motion_kind.hpp"
-#include "rubsweep/core/response/motion/proof.hpp"
+#include "rubsweep/core/response/motion/motion_class.hpp"

@@ -3,11 +3,30 @@
 #include <string>
 #include <vector>
 
+#include "rubsweep/ring/changes.hpp"
 #include "rubsweep/ring/closed_forms.hpp"
-#include "rubsweep/ring/onsets.hpp"
 #include "rubsweep/ring/track.hpp"
 
 namespace rubsweep::ring {
+
+/// Change of stability at one speed. Kinds: divergence_begin, divergence_end (a real root crosses zero);
+/// flutter_begin, flutter_end (the real part of a pair crosses zero); coupling_begin, coupling_end (two
+/// neutral pairs merge and part again, without friction); real_split (a pair becomes two real roots),
+/// real_merger (the reverse); veering (closest approach of two frequencies that do not merge); stable_from,
+/// stable_to.
+struct Onset {
+  std::string kind;
+  double speed_rad_per_s = 0;
+  std::vector<std::string> modes;
+  std::string note;
+};
+
+/// Onsets of a change of the signature, with the modes they concern (none without a track).
+std::vector<Onset> describe_change(const Change& change, const Track& track, bool has_friction);
+
+/// Closest approaches of neighbouring frequencies within a quarter of their mean, of a track without
+/// friction.
+std::vector<Onset> veerings(const Track& track, const NormalForm& form);
 
 /// A range of speeds over which the same modes are unstable in the same way.
 struct Regime {

@@ -3,9 +3,11 @@
 #include <boost/math/special_functions/cos_pi.hpp>
 #include <boost/math/special_functions/sin_pi.hpp>
 #include <cmath>
+#include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 
 namespace rubsweep::ring {
 namespace {
@@ -45,6 +47,18 @@ void add_load(Matrices& matrices, const System& system, const Load& load, Index 
   add(matrices.rotation, own);
   matrices.force += reach * (-system.preload_n * maps.inward.transpose());
   matrices.centrifugal += reach * Vector2d(load.centrifugal_mass_kg * system.ring.radius_m.value_or(0), 0);
+}
+
+using Eigen::MatrixXcd;
+
+/// Where several roots merge at once Eigen's own limit may be too low.
+constexpr Index iterations_per_row = 4000;
+
+numerics::dense::GeneralModes solve(const MatrixXd& matrix, bool with_vectors) {
+  numerics::dense::GeneralModes modes =
+      numerics::dense::general_modes(matrix, with_vectors, iterations_per_row);
+  if (!modes.converged) throw SolverError("the eigenvalue iteration did not converge");
+  return modes;
 }
 
 }  // namespace
@@ -127,6 +141,83 @@ Matrices assemble(const System& system) {
     add_load(matrices, system, system.loads[j], coordinates[j]);
   }
   return matrices;
+}
+
+bool StaticLoad::valid() const {
+  for (std::size_t j = 0; j < normal_n.size(); ++j) {
+    if (!(std::isfinite(normal_n[j]) && normal_n[j] > 0 && slip_m_per_s[j] > 0)) return false;
+  }
+  return true;
+}
+
+StaticLoad static_load(const System& system, double speed_rad_per_s) {
+  const double speed2 = speed_rad_per_s * speed_rad_per_s, radius = system.ring.radius_m.value();
+  const Matrices matrices = assemble(system);
+  const Eigen::VectorXd rest =
+      numerics::dense::solve_full_pivot(matrices.stiffness - speed2 * matrices.softening,
+                                        Eigen::VectorXd(matrices.force + speed2 * matrices.centrifugal));
+  const auto coordinates = load_coordinates(system);
+  StaticLoad result;
+  for (std::size_t j = 0; j < system.loads.size(); ++j) {
+    const Load& load = system.loads[j];
+    const LoadMaps maps = load_maps(system.ring, load, coordinates[j], matrices.coordinates());
+    const Eigen::Vector2d stiffness(
+        load.radial_stiffness_n_per_m - speed2 * load.radial_mass_kg,
+        load.tangential_stiffness_n_per_m - speed2 * (load.flexural_mass_kg - load.rotary_mass_kg));
+    const Eigen::Vector2d tip = maps.tip * rest;
+    const Eigen::Vector2d carried(stiffness(0) * tip(0) - speed2 * load.centrifugal_mass_kg * radius,
+                                  stiffness(1) * tip(1));
+    result.normal_n.push_back(maps.inward * carried + system.preload_n);
+    // The tip runs at Omega (R - u); the surface at Omega eta u, by the standing wave that the ring turns
+    // through.
+    const double inward = maps.inward * tip;
+    result.slip_m_per_s.push_back(speed_rad_per_s * (radius + (surface_ratio(system.ring) - 1) * inward));
+  }
+  return result;
+}
+
+Eigen::VectorXcd eigenvalues(const NormalForm& form, double speed_rad_per_s) {
+  return form.reference_rad_per_s * solve(state_matrix(form, speed_rad_per_s), false).values;
+}
+
+Spectrum spectrum(const NormalForm& form, double speed_rad_per_s) {
+  numerics::dense::GeneralModes all = solve(state_matrix(form, speed_rad_per_s), true);
+  Spectrum result;
+  result.vectors = std::move(all.vectors);
+  result.values = form.reference_rad_per_s * all.values;
+  // Rows of the inverse are the left eigenvectors, scaled to y^H x = 1.
+  const MatrixXcd left = numerics::dense::inverse(result.vectors);
+  const MatrixXcd moved = state_matrix_slope(form, speed_rad_per_s) * result.vectors;
+  result.slopes.resize(result.values.size());
+  for (Index i = 0; i < result.values.size(); ++i) {
+    const std::complex<double> slope = left.row(i) * moved.col(i);
+    result.slopes(i) = std::isfinite(std::abs(slope)) ? slope : 0;
+  }
+  return result;
+}
+
+double size_of(const Eigen::VectorXcd& values) { return values.cwiseAbs().maxCoeff(); }
+
+double zero_tolerance(const NormalForm& form) { return form.has_friction ? 1e-11 : 1e-7; }
+
+Signature signature(const NormalForm& form, const Eigen::VectorXcd& values) {
+  const double size = size_of(values), zero = zero_tolerance(form) * size;
+  // Equal real roots of uncoupled loads may come out as a pair this close to the axis.
+  const double equal = 1e-7 * size;
+  Signature counts;
+  for (const std::complex<double>& value : values) {
+    const bool grows = value.real() > zero;
+    if (std::abs(value.imag()) <= equal) {
+      ++(grows ? counts.growing_real : counts.decaying_real);
+    } else if (value.imag() > 0 && grows) {
+      ++counts.growing_pairs;
+    }
+  }
+  return counts;
+}
+
+Signature signature(const NormalForm& form, double speed_rad_per_s) {
+  return signature(form, eigenvalues(form, speed_rad_per_s));
 }
 
 }  // namespace rubsweep::ring

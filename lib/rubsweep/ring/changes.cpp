@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/ring/closed_forms.hpp"
 
 namespace rubsweep::ring {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "rubsweep/ring/eigenvalues.hpp"
+#include "rubsweep/ring/assembly.hpp"
 
 namespace rubsweep::ring {
 

@@ -62,7 +62,7 @@ double aperiodic_speed(const Load& load, double friction_coefficient);
 ///
 struct NeutralSpeed {
   double speed_rad_per_s;
-  double frequency_rad_per_s;  ///< in the rotating frame
+  double frequency_rad_per_s;  ///< frequency in the rotating frame
   bool forward;                ///< the lower sign
 };
 std::vector<NeutralSpeed> neutral_speeds(const Ring& ring, const Load& load);

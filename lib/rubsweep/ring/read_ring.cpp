@@ -1,6 +1,5 @@
 #include "rubsweep/ring/read_ring.hpp"
 
-#include <array>
 #include <numbers>
 
 #include "rubsweep/maps/config/yaml/section.hpp"

@@ -10,10 +10,10 @@
 #include "rubsweep/maps/config/study/axis.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
-#include "rubsweep/ring/chart.hpp"
 #include "rubsweep/ring/study.hpp"
 
 namespace rubsweep::config::ring {
+
 inline constexpr Words<rubsweep::ring::Parameter, 5> parameters{
     {"friction_coefficient", "angle_deg", "inclination_deg", "radial_stiffness_n_per_m",
      "tangential_stiffness_n_per_m"},

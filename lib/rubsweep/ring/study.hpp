@@ -1,14 +1,64 @@
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "rubsweep/core/enumerator_word.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
-#include "rubsweep/ring/chart.hpp"
+#include "rubsweep/ring/analysis.hpp"
 #include "rubsweep/ring/system.hpp"
 
 namespace rubsweep::ring {
+
+/// Parameter that a stability chart varies beside the speed.
+enum class Parameter {
+  friction_coefficient,
+  angle_deg,
+  inclination_deg,
+  radial_stiffness_n_per_m,
+  tangential_stiffness_n_per_m
+};
+constexpr std::string_view to_string(Parameter parameter) { return enumerator_word(parameter); }
+
+struct ChartAxis {
+  Parameter parameter = Parameter::friction_coefficient;
+  std::optional<std::size_t> load;  ///< from 0; empty: every load alike. Not for the friction coefficient
+  std::vector<double> values;
+  std::optional<batch::Spacing> spacing{};  ///< how they are written; empty where they are listed
+};
+
+/// The system with this value of the parameter.
+System with_parameter(System system, const ChartAxis& axis, double value);
+
+/// One point of a chart: the eigenvalue that grows fastest, or decays slowest.
+struct ChartPoint {
+  Signature signature;
+  double growth_per_s = 0;
+  double frequency_rad_per_s = 0;
+};
+
+/// All speeds at one value of the parameter.
+struct ChartLine {
+  double value = 0;
+  std::vector<ChartPoint> points;  ///< empty when `status` is not ok
+  std::vector<Onset> onsets;  ///< between those speeds, without modes; couplings are those without friction
+  std::string status = "ok";  ///< singular_mass or not_converged
+};
+ChartLine evaluate_line(const System& system, const ChartAxis& axis, double value,
+                        const std::vector<double>& speeds_rad_per_s);
+
+/// Every line on `threads` threads (0: all processors), in the order of the axis, with the same content for
+/// any number of threads. `on_line` sees each as it is finished, one at a time. Once `stop` is true no new
+/// line starts; lines that did not run stay empty.
+std::vector<std::optional<ChartLine>> run_chart(const System& system, const ChartAxis& axis,
+                                                const std::vector<double>& speeds_rad_per_s, int threads,
+                                                const std::function<void(const ChartLine&)>& on_line,
+                                                const std::atomic<bool>& stop);
 
 /// One run of `ringstab`.
 struct Study {

@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "rubsweep/core/numerics/assignment.hpp"
-#include "rubsweep/ring/eigenvalues.hpp"
 
 namespace rubsweep::ring {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/ring/eigenvalues.hpp"
+#include "rubsweep/ring/assembly.hpp"
 
 namespace rubsweep::ring {
 

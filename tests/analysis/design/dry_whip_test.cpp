@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/scene/kit_machine.hpp"
-#include "rubsweep/core/structure/system_at.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
 namespace rubsweep::design {

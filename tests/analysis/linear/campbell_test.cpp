@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -12,8 +13,9 @@
 #include "core/scene/one_side_machine.hpp"
 #include "core/scene/table_machine.hpp"
 #include "core/structure/steel.hpp"
+#include "rubsweep/core/model/machine.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_element.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 
@@ -294,5 +296,37 @@ TEST(Campbell, RatiosOfModesAreThose) {
     EXPECT_NEAR(mode.points.front().damping_ratio, mode.number <= 2 ? 0.01 : 0.03, 1e-9) << mode.number;
 }
 
+/// A Jeffcott rotor of 30 Hz whose whirl does not depend on the speed.
+model::Machine jeffcott(double damping_ratio) {
+  model::Machine machine;
+  machine.rotor =
+      model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = damping_ratio};
+  return machine;
+}
+
+std::vector<FollowedMode> first_mode(const WhirlProblem& problem, std::span<const double> speeds_hz) {
+  std::vector<FollowedMode> curve;
+  for (const double speed_hz : speeds_hz) curve.push_back({speed_hz, problem.at(speed_hz).modes.front()});
+  return curve;
+}
+
+TEST(CampbellCriticalSpeeds, OfAJeffcottRotorIsItsDampedFrequency) {
+  const FreeRotor rotor = free_rotor(jeffcott(0.1));
+  const std::array speeds_hz{10.0, 25.0, 50.0};
+  const WhirlProblem problem(rotor, speeds_hz, 100);
+  const auto found = critical_points(problem, first_mode(problem, speeds_hz));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].speed_hz, 30 * std::sqrt(1 - 0.01), 1e-10);
+  EXPECT_NEAR(found[0].mode.damping_ratio(), 0.1, 1e-10);
+}
+
+TEST(CampbellCriticalSpeeds, AreNoneWhereTheSpeedStaysBelowTheFrequency) {
+  const FreeRotor rotor = free_rotor(jeffcott(0.1));
+  const std::array speeds_hz{10.0, 25.0};
+  const WhirlProblem problem(rotor, speeds_hz, 100);
+  EXPECT_TRUE(critical_points(problem, first_mode(problem, speeds_hz)).empty());
+}
+
 }  // namespace
+
 }  // namespace rubsweep::linear

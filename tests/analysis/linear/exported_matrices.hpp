@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/core/structure/matrix_export.hpp"
+#include "rubsweep/core/structure/matrix_shaft.hpp"
 
 namespace rubsweep::linear {
 

@@ -12,7 +12,7 @@
 #include "core/scene/table_machine.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/scene/constant_load.hpp"
-#include "rubsweep/core/structure/system_at.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 
 namespace rubsweep::linear {
 namespace {

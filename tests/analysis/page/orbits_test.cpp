@@ -3,12 +3,153 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
+#include "analysis/page/decoded.hpp"
 #include "maps/sweep/one_side_study.hpp"
 #include "rubsweep/core/error.hpp"
 
 namespace rubsweep::page {
 namespace {
+
+/// An ellipse of 3 by 1 mm with a wall that is open but for a few samples, two turns long.
+SettledOrbit ellipse() {
+  SettledOrbit orbit;
+  orbit.first_revolution = 70000;
+  orbit.turns = 2;
+  orbit.steps_per_turn = 256;
+  orbit.signals.resize(5);
+  for (int k = 0; k <= 512; ++k) {
+    const double phase = 2 * std::numbers::pi * k / 256;
+    orbit.signals[0].push_back(3e-3 * std::cos(phase));
+    orbit.signals[1].push_back(1e-3 * std::sin(phase) + 5e-4);
+    orbit.signals[2].push_back(0);
+    orbit.signals[3].push_back(1e-5 * std::sin(8 * phase));
+    orbit.signals[4].push_back(1.4999e-3 - orbit.signals[1].back());
+  }
+  orbit.section_m = {{3e-3, 5e-4}, {-3e-3, 4e-4}};
+  orbit.spectrum = {2, 4, {0, 0, 1e-7, 2e-3, 5e-4, 0, 1e-3, 1e-5}};
+  return orbit;
+}
+
+TEST(OrbitsEncodeOrbit, IsReadBackWithinItsLevels) {
+  const SettledOrbit orbit = ellipse();
+  Bytes bytes(encode_orbit(1319, orbit));
+  EXPECT_EQ(bytes.integer(4), 1319u);
+  bytes.integer(4);
+  EXPECT_EQ(bytes.integer(4), 70000u);
+  EXPECT_EQ(bytes.integer(2), 2u);
+  EXPECT_EQ(bytes.integer(2), 256u);
+  const auto samples = bytes.integer(2);
+  EXPECT_EQ(bytes.integer(2), 5u);
+  EXPECT_LT(samples, 170u);
+  std::vector<std::size_t> steps;
+  for (const int gap : bytes.planes16(samples))
+    steps.push_back((steps.empty() ? 0 : steps.back()) + static_cast<std::size_t>(gap));
+  EXPECT_EQ(steps.front(), 0u);
+  EXPECT_EQ(steps.back(), 512u);
+  for (const std::vector<double>& signal : orbit.signals) {
+    const auto [low, high] = std::minmax_element(signal.begin(), signal.end());
+    const double level = (*high - *low) / levels;
+    const std::vector<double> values = bytes.levels(samples);
+    for (std::size_t i = 0; i < samples; ++i) EXPECT_NEAR(values[i], signal[steps[i]], 0.51 * level + 1e-9);
+  }
+  EXPECT_EQ(bytes.integer(2), 2u);
+  const auto x = bytes.levels(2), y = bytes.levels(2);
+  EXPECT_NEAR(x[0], 3e-3, 1e-9);
+  EXPECT_NEAR(x[1], -3e-3, 1e-9);
+  EXPECT_NEAR(y[1], 4e-4, 1e-9);
+  // Lines -1/2, 0, 1 and 3/2; the others are below a thousandth of the largest.
+  EXPECT_EQ(bytes.integer(2), 2u);
+  EXPECT_EQ(bytes.integer(2), 4u);
+  EXPECT_FLOAT_EQ(bytes.number(), 2e-3f);
+  const std::vector<int> places{-1, 0, 2, 3};
+  for (const int place : places) EXPECT_EQ(static_cast<std::int16_t>(bytes.integer(2)), place);
+  for (const double amplitude : {2e-3, 5e-4, 1e-3, 1e-5})
+    EXPECT_NEAR(2e-3 * static_cast<double>(bytes.integer(2)) / 65535, amplitude, 2e-8);
+  EXPECT_TRUE(bytes.at_end());
+}
+
+TEST(OrbitsEncodeOrbit, KeepsBothSidesOfEachChangeOfContact) {
+  const SettledOrbit orbit = ellipse();
+  Bytes bytes(encode_orbit(0, orbit));
+  for (const std::size_t size : {4u, 4u, 4u, 2u, 2u}) bytes.integer(size);
+  const auto samples = bytes.integer(2);
+  bytes.integer(2);
+  std::vector<std::size_t> steps;
+  for (const int gap : bytes.planes16(samples))
+    steps.push_back((steps.empty() ? 0 : steps.back()) + static_cast<std::size_t>(gap));
+  int changes = 0;
+  for (std::size_t k = 1; k < orbit.signals[4].size(); ++k) {
+    if ((orbit.signals[4][k] < 0) == (orbit.signals[4][k - 1] < 0)) continue;
+    ++changes;
+    EXPECT_TRUE(std::binary_search(steps.begin(), steps.end(), k));
+    EXPECT_TRUE(std::binary_search(steps.begin(), steps.end(), k - 1));
+  }
+  EXPECT_EQ(changes, 4);
+}
+
+TEST(OrbitsEncodeOrbit, ASignalThatRestsHasOneLevel) {
+  std::string bytes;
+  const std::vector<double> rest(10, 1e-3);
+  append_levels(bytes, rest);
+  for (const double value : Bytes(bytes).levels(10)) EXPECT_NEAR(value, 1e-3, 1e-10);
+}
+
+using Signals = std::vector<std::vector<double>>;
+
+std::vector<double> circle(int steps) {
+  std::vector<double> values;
+  for (int k = 0; k <= steps; ++k) values.push_back(std::cos(2 * std::numbers::pi * k / steps));
+  return values;
+}
+
+/// The largest distance of a sample from the straight line between its kept neighbours, sample by sample.
+double largest_distance(const std::vector<double>& signal, const std::vector<std::size_t>& kept) {
+  double largest = 0;
+  for (std::size_t k = 0; k < signal.size(); ++k) {
+    const auto next = std::upper_bound(kept.begin(), kept.end(), k);
+    if (next == kept.end()) continue;
+    const std::size_t a = *(next - 1), b = *next;
+    const double slope = (signal[b] - signal[a]) / static_cast<double>(b - a);
+    largest = std::max(largest, std::abs(signal[k] - signal[a] - slope * static_cast<double>(k - a)));
+  }
+  return largest;
+}
+
+TEST(OrbitsEncodeOrbit, AStraightLineNeedsItsEnds) {
+  const Signals signals{{0, 1, 2, 3, 4, 5}};
+  EXPECT_EQ(needed_samples(signals, 1e-12, {}), (std::vector<std::size_t>{0, 5}));
+}
+
+TEST(OrbitsEncodeOrbit, ACornerStays) {
+  const Signals signals{{0, 0, 0, 1, 2, 3}, {5, 5, 5, 5, 5, 5}};
+  EXPECT_EQ(needed_samples(signals, 1e-12, {}), (std::vector<std::size_t>{0, 2, 5}));
+}
+
+TEST(OrbitsEncodeOrbit, NoSampleIsMissedByMoreThanTheTolerance) {
+  for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-5}) {
+    Signals signals{circle(512), circle(512)};
+    for (std::size_t k = 0; k < signals[1].size(); ++k) signals[1][k] = std::abs(signals[1][k]) - 0.3;
+    const auto kept = needed_samples(signals, tolerance, {});
+    for (const auto& signal : signals) EXPECT_LE(largest_distance(signal, kept), tolerance);
+  }
+}
+
+TEST(OrbitsEncodeOrbit, ACircleTakesAboutAsManyAsItsSagittaSays) {
+  // Chords of a cosine that miss it by at most e: arcs of about sqrt(8 e) where it bends most.
+  const Signals signals{circle(512)};
+  const auto kept = needed_samples(signals, 2.5e-3, {});
+  EXPECT_GT(kept.size(), 20u);
+  EXPECT_LT(kept.size(), 60u);
+}
+
+TEST(OrbitsEncodeOrbit, AskedOnesStayAndAllAscend) {
+  const Signals signals{{0, 1, 2, 3, 4, 5}};
+  const std::vector<std::size_t> always{0, 2, 3, 5};
+  EXPECT_EQ(needed_samples(signals, 1e-12, always), always);
+}
 
 TEST(Orbits, ASmallMapKeepsAllItsCells) {
   const ThinnedGrid grid = thinned_grid(3, 2, 6);
@@ -78,4 +219,5 @@ TEST(OrbitsWalls, AreNoneWhereKeysAreNotAllowed) {
 }
 
 }  // namespace
+
 }  // namespace rubsweep::page

@@ -178,7 +178,7 @@ std::vector<Complex> reference(const SpeedRamp& ramp, double sample_s, std::size
   const auto moved = [](const State& s, double h, const State& r) {
     return State{s.z + h * r.z, s.v + h * r.v, s.y + h * r.y, s.u + h * r.u};
   };
-  State s{{0, 0}, {0, 0}, {0, 0}, {0, 0}};  // its quiet motion reaches the wall: at rest
+  State s{{0, 0}, {0, 0}, {0, 0}, {0, 0}};  // the quiet motion reaches the wall: at rest
   EXPECT_EQ(cell.start, scene::Start::contact);
   std::vector<Complex> samples;
   constexpr int steps = 400;
@@ -207,7 +207,7 @@ TEST(RampRun, ThroughImpactsIsThatOfSmallFixedSteps) {
     largest = std::max(largest, std::abs(z));
     ASSERT_NEAR(std::abs(z - expected[k]), 0, 2e-5 * 1e-3) << k;
   }
-  EXPECT_GT(largest, 1.2e-3);  // it hit the wall
+  EXPECT_GT(largest, 1.2e-3);  // the rotor hit the wall
 }
 
 TEST(RampRun, ASlowOneFollowsTheQuasiStaticMotionAndRubsWhereThatDoes) {

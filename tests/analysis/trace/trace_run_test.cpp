@@ -177,7 +177,7 @@ TEST(TraceRunLastWindow, HoldsTheMeasuresOfTheMap) {
                     .window_revolutions = 13,
                     .floquet_proof = false,
                     .max_order = 4};
-  study.solver.method = integrate::run::Method::adaptive;  // as the trace of these tests
+  study.solver.method = integrate::run::Method::adaptive;  // the method of the trace of these tests
   response::motion::Workspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, 0, workspace);
   ASSERT_EQ(row.order, 2);
@@ -248,7 +248,7 @@ TEST(TraceRun, GoesOnToTheFailure) {
   response::spectrum::SpectrumWorkspace workspace;
   const TraceWindow window = last_window(trace, options, std::nullopt, workspace);
   EXPECT_EQ(window.turns, 3);
-  EXPECT_NEAR(window.spectrum.amplitude(0), std::sqrt(8) * 1e-3, 1e-15);  // at (2, 2) in the mean
+  EXPECT_NEAR(window.spectrum.amplitude(0), std::sqrt(8) * 1e-3, 1e-15);  // the mean is (2, 2)
   EXPECT_EQ(window.contact.hits, 3);
   EXPECT_EQ(facts_of_last(trace, 2).peak_displacement_m, 3);
   EXPECT_EQ(facts_of_last(trace, 2).hits, 2);

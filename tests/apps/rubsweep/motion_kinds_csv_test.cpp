@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "rubsweep/core/response/motion/motion_kind.hpp"
+#include "rubsweep/core/response/motion/motion_class.hpp"
 
 namespace rubsweep::apps {
 namespace {

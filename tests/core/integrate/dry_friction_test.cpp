@@ -88,7 +88,7 @@ TEST(DryFriction, ABeltCarriesTheMassUntilTheSpringIsAsStrongAsFriction) {
   const double let_go = -(limit - damping * v), leaves = -let_go / v;
   const double decay = damping / 2, rate = std::sqrt(1 - decay * decay);
   const auto slid = [&](double t) {
-    const double from = let_go + limit, s = t - leaves;  // about -mu N
+    const double from = let_go + limit, s = t - leaves;  // friction of about -mu N
     const double b = (-v + decay * from) / rate;
     const double e = std::exp(-decay * s), cosine = std::cos(rate * s), sine = std::sin(rate * s);
     return std::pair{-limit + e * (from * cosine + b * sine),
@@ -344,7 +344,7 @@ TEST_P(DryFrictionRandom, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDiff
       EXPECT_LT(largest_difference(a.section, b.section), 2e-8) << "cell " << cell << " turn " << k;
       if (const Eigen::MatrixXd* moved = a.tangent_vectors.get()) {
         const Eigen::MatrixXd by_solver = *moved;
-        stuck += std::abs(by_solver.determinant()) < 1e-9;  // what sticks loses a rank
+        stuck += std::abs(by_solver.determinant()) < 1e-9;  // a contact that sticks takes a rank away
         asked.tangent_vectors.resize(4, 0);
         double worst = 0;
         for (Eigen::Index j = 0; j < 4; ++j) {

@@ -94,7 +94,7 @@ TEST(Pulses, OfAFreeOscillatorAddUpByTheClosedForm) {
       }
     }
     EXPECT_EQ(a.effort.taylor_turns + a.effort.adaptive_turns, 0);
-    EXPECT_GT(a.section[0] * a.section[0] + a.section[2] * a.section[2], 1e-6);  // it still swings
+    EXPECT_GT(a.section[0] * a.section[0] + a.section[2] * a.section[2], 1e-6);  // the rotor still swings
   }
 }
 

@@ -55,7 +55,7 @@ TEST(CertifiedStepCrosses, TheZeroLiesBetweenItsBounds) {
 
 TEST(CertifiedStepRootOfSeries, FindsTheZeroOfASine) {
   for (const double start : {-0.7, -0.1, -1e-9, 0.2}) {
-    std::array<double, 19> terms{};  // of sin(start + x)
+    std::array<double, 19> terms{};  // terms of sin(start + x)
     double factorial = 1;
     for (std::size_t k = 0; k < terms.size(); ++k) {
       if (k > 0) factorial *= static_cast<double>(k);

@@ -23,4 +23,5 @@ TEST(ExponentialSeries, Reciprocals) {
 }
 
 }  // namespace
+
 }  // namespace rubsweep::numerics

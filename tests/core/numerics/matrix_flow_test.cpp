@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <cmath>
 #include <set>
+#include <unsupported/Eigen/MatrixFunctions>
+#include <vector>
 
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/core/numerics/pair_flow.hpp"
-#include "rubsweep/core/numerics/step_table.hpp"
+#include "rubsweep/core/numerics/exponential_series.hpp"
 
 namespace rubsweep::numerics {
 namespace {
@@ -99,5 +102,72 @@ TEST(MatrixFlowBound, DoesNotDependOnTheUnitOfTime) {
     EXPECT_LT((in_unit(order) - usual).cwiseQuotient(usual).cwiseAbs().maxCoeff(), 1e-6) << order;
 }
 
+Eigen::Matrix2d exponential(const Pair& g, double duration) {
+  Eigen::Matrix<long double, 2, 2> a;
+  a << g.uu, g.uv, g.vu, g.vv;
+  return (a * static_cast<long double>(duration)).exp().cast<double>();
+}
+
+void expect_flow(const Pair& g, double duration) {
+  const Pair flow = pair_flow(g, duration);
+  const Eigen::Matrix2d expected = exponential(g, duration);
+  const double size = std::max(1.0, expected.cwiseAbs().maxCoeff());
+  EXPECT_NEAR(flow.uu, expected(0, 0), 2e-14 * size);
+  EXPECT_NEAR(flow.uv, expected(0, 1), 2e-14 * size);
+  EXPECT_NEAR(flow.vu, expected(1, 0), 2e-14 * size);
+  EXPECT_NEAR(flow.vv, expected(1, 1), 2e-14 * size);
+}
+
+TEST(MatrixFlowPairFlow, IsTheMatrixExponentialOfEveryKindOfPair) {
+  for (const double duration : {0.0, 1e-9, 0.3, 2.0, -0.7}) {
+    SCOPED_TRACE(duration);
+    for (const double damping : {0.0, 0.1, 1.9, 2.0, 2.0 + 1e-9, 2.1, 5.0}) {
+      SCOPED_TRACE(damping);
+      expect_flow({0, 1, -1, -damping}, duration);
+    }
+    expect_flow({-0.2, 3, -3, -0.2}, duration);
+    expect_flow({-0.2, 0, 0, -4}, duration);
+    expect_flow({0, 1, 0, 0}, duration);
+  }
+}
+
+TEST(MatrixFlowPairFlow, DoesNotOverflowWhereDampingIsHuge) {
+  const Pair flow = pair_flow({0, 1, -1, -1e4}, 1.0);
+  EXPECT_NEAR(flow.uu, std::exp(-1e-4), 1e-7);
+  EXPECT_TRUE(std::isfinite(flow.vv));
+}
+
+/// Oscillators without damping, lightly, critically and otherwise damped; a spiral; two real eigenvalues.
+const std::vector<Pair> every_kind{{0, 5, -5, 0},   {0, 5, -5, -1},  {0, 5, -5, -10},
+                                   {0, 1, -25, -2}, {-1, 4, -4, -1}, {-1, 0, 0, -5}};
+
+TEST(MatrixFlowPairFlowPairSeries, SumsToTheFlow) {
+  constexpr double fastest = 10;
+  const PairSeries series = pair_series(every_kind, fastest);
+  for (std::size_t j = 0; j < every_kind.size(); ++j) {
+    for (const double x : {-1.0, 0.03, 0.5, 1.0}) {
+      double unit = 0, generator = 0;
+      for (Eigen::Index k = most_series_terms; k-- > 0;) {
+        unit = unit * x + series.unit(static_cast<Eigen::Index>(j), k);
+        generator = generator * x + series.generator(static_cast<Eigen::Index>(j), k);
+      }
+      const Pair& g = every_kind[j];
+      const Pair flow = pair_flow(g, x / fastest);
+      EXPECT_NEAR(unit + generator * g.uu, flow.uu, 1e-14) << j << ' ' << x;
+      EXPECT_NEAR(generator * g.uv, flow.uv, 1e-14) << j << ' ' << x;
+      EXPECT_NEAR(generator * g.vu, flow.vu, 1e-14) << j << ' ' << x;
+      EXPECT_NEAR(unit + generator * g.vv, flow.vv, 1e-14) << j << ' ' << x;
+    }
+  }
+}
+
+TEST(MatrixFlowPairFlowPairSeries, StartsAtTheUnitMatrix) {
+  const PairSeries series = pair_series(every_kind, 10);
+  EXPECT_TRUE((series.unit.col(0) == 1).all());
+  EXPECT_TRUE((series.generator.col(0) == 0).all());
+  EXPECT_TRUE((series.generator.col(1) == 0.1).all());
+}
+
 }  // namespace
+
 }  // namespace rubsweep::numerics

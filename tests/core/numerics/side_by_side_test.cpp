@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include "rubsweep/core/numerics/aligned_matrix.hpp"
 #include "rubsweep/core/numerics/matrix_vector.hpp"
 
 namespace rubsweep::numerics {

@@ -4,9 +4,33 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <random>
 
 namespace rubsweep::numerics {
 namespace {
+
+TEST(TaylorSeriesRootBelow, IsBelowTheRootByAThousandthAtMost) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> exponent(-300, 300);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const double x = std::pow(10, exponent(random));
+    for (const int k : {16, 22, 23, 24}) {
+      const double share = root_below(x, k) / std::pow(x, 1.0 / k);
+      ASSERT_LT(share, 1) << x << " " << k;
+      ASSERT_GT(share, 1 - 1e-3) << x << " " << k;
+    }
+  }
+}
+
+TEST(TaylorSeriesRootBelow, IsTheRootOfWhatItDoesNotLookInto) {
+  using Limits = std::numeric_limits<double>;
+  EXPECT_EQ(root_below(0, 24), 0);
+  EXPECT_EQ(root_below(Limits::infinity(), 24), Limits::infinity());
+  EXPECT_TRUE(std::isnan(root_below(Limits::quiet_NaN(), 24)));
+  EXPECT_EQ(root_below(Limits::denorm_min(), 24), std::pow(Limits::denorm_min(), 1.0 / 24));
+  EXPECT_EQ(root_below(9, 2), 3);
+}
 
 constexpr int order = most_taylor_order;
 
@@ -93,5 +117,30 @@ TEST(TaylorSeriesTanh, FollowsTanhOfAMovingArgument) {
   }
 }
 
+TEST(TaylorSeriesPlaneSeries, SumsOfEveryLengthAreTheSums) {
+  PlaneSeries a, b;
+  for (int k = 0; k <= most_taylor_order; ++k) {
+    a.set(k, Twin{1.0 + k, 2.0 - k});
+    b.set(k, 3.0 * k - 7);
+    EXPECT_EQ(b.number(k), 3.0 * k - 7);
+  }
+  for (int k = 0; k <= most_taylor_order; ++k) {
+    for (int first = 0; first <= k; ++first) {
+      double along = 0, across = 0;
+      for (int j = first; j <= k; ++j) {
+        along += (1.0 + j) * (3.0 * (k - j) - 7);
+        across += (2.0 - j) * (3.0 * (k - j) - 7);
+      }
+      EXPECT_EQ(sum_of_products(a, b, k, first, k)[0], along) << k << ' ' << first;
+      EXPECT_EQ(sum_of_products(a, b, k, first, k)[1], across) << k << ' ' << first;
+      if (first == 0) {
+        EXPECT_EQ(product_term(a, b, k)[1], across);
+      }
+    }
+    EXPECT_EQ(sum_of_products(a, b, k, 3, 2)[0], 0);
+  }
+}
+
 }  // namespace
+
 }  // namespace rubsweep::numerics

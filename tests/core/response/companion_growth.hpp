@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/core/response/growth.hpp"
 #include "rubsweep/core/response/lyapunov_exponent.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
 

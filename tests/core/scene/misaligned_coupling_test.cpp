@@ -6,7 +6,7 @@
 
 #include "core/scene/misaligned_machine.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
-#include "rubsweep/core/structure/system_at.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 
 namespace rubsweep::scene {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "rubsweep/core/structure/jeffcott.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 
 namespace rubsweep::scene {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "core/structure/steel.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
-#include "rubsweep/core/numerics/dense/self_adjoint.hpp"
+#include "rubsweep/core/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_element.hpp"
 
 namespace rubsweep::structure {
@@ -226,4 +226,5 @@ TEST(BeamShaft, AStationWithoutNodeIsAnError) {
 }
 
 }  // namespace
+
 }  // namespace rubsweep::structure

@@ -10,11 +10,11 @@
 #include "core/structure/written_rotor.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 #include "rubsweep/core/structure/full_reference.hpp"
 #include "rubsweep/core/structure/kit_assembly.hpp"
 #include "rubsweep/core/structure/stability.hpp"
-#include "rubsweep/core/structure/system_at.hpp"
 
 namespace rubsweep::structure {
 namespace {

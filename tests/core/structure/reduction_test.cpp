@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/structure/steel.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -168,4 +168,5 @@ TEST(Reduction, StructuralDampingIsThatOfEachMode) {
 }
 
 }  // namespace
+
 }  // namespace rubsweep::structure

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "rubsweep/core/structure/jeffcott.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 #include "rubsweep/core/structure/kit_assembly.hpp"
 
 namespace rubsweep::structure {

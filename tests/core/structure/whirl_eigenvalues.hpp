@@ -5,8 +5,8 @@
 #include <complex>
 #include <vector>
 
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
 #include "rubsweep/core/structure/lateral_system.hpp"
 

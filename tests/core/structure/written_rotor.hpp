@@ -7,10 +7,8 @@
 #include <vector>
 
 #include "rubsweep/core/model/rotor_kit.hpp"
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
-#include "rubsweep/core/numerics/dense/self_adjoint.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
 
 namespace rubsweep::structure {

@@ -107,7 +107,7 @@ TEST(Refinement, AlongOneAxisMissesNoIslandAsLongAsItsBound) {
       const Grid grid = speeds ? grid_of(65, 1, {4, probes}) : grid_of(1, 65, {4, probes});
       const auto length = static_cast<double>(island_bound(grid));
       EXPECT_EQ(length == 16, probes == 0);
-      int missed = 0;  // of islands that are shorter by one
+      int missed = 0;  // number of islands that are shorter by one
       for (double x = 0; x + length <= 65; ++x) {
         const auto along = [=](double i, double j, double cells) {
           return std::max(i, j) >= x && std::max(i, j) < x + cells ? 1 : 0;

@@ -52,10 +52,10 @@ TEST(RecordedMotion, EdgesBetweenTwoSamplesDoNotSmearItsLines) {
 /// A motion of lines at multiples of 1 / period, read `readings` times a turn, with a mark whose edge is
 /// sharp.
 struct Read {
-  double readings = 0;      ///< of a turn at the begin
-  double speed_change = 0;  ///< from begin to end, relative
+  double readings = 0;      ///< readings in a turn at the begin
+  double speed_change = 0;  ///< change from begin to end, relative
   int period = 1;
-  double mark_share = 0.25, noise = 1e-3;  ///< of 1X
+  double mark_share = 0.25, noise = 1e-3;  ///< share of the mark in a turn, and noise as a share of 1X
 };
 
 recording::Recording recorded(const Read& read, unsigned seed, int turns = 32) {

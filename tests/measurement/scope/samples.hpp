@@ -2,6 +2,6 @@
 
 namespace rubsweep::scope {
 
-inline constexpr int samples = 128;  ///< of a turn
+inline constexpr int samples = 128;  ///< samples of a turn
 
 }  // namespace rubsweep::scope

@@ -15,11 +15,11 @@ namespace rubsweep::scope {
 
 struct Unsteady {
   double speed_wander = 0;                  ///< largest relative departure of the speed
-  double amplitude_wander = 0;              ///< the same of the amplitude
+  double amplitude_wander = 0;              ///< largest relative departure of the amplitude
   double other_order = 0, other_share = 0;  ///< a line beside 1X, as a share of it
   double other_swing = 0;                   ///< relative swing of that line, once over the recording
   double near_bins = 0, near_share = 0;     ///< a third line so many bins beside the other, as a share of it
-  double noise_share = 5e-3;                ///< of every reading
+  double noise_share = 5e-3;                ///< noise of every reading over the size
   double step_um = 1e-3;                    ///< step of the converter; 1X has 100 um
   double edge_readings = 0;                 ///< readings on an edge of the mark
   double mark_noise_v = 0.05;               ///< noise of the mark, which is 8 V high

@@ -12,9 +12,9 @@
 #include "rubsweep/analysis/design/unbalance_response.hpp"
 #include "rubsweep/core/contact/friction_bounds.hpp"
 #include "rubsweep/core/contact/friction_law.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
-#include "rubsweep/core/numerics/spectral/hermitian.hpp"
-#include "rubsweep/core/structure/system_at.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
+#include "rubsweep/core/numerics/spectral/decompositions.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 
 namespace rubsweep::design {
 namespace {

@@ -21,7 +21,7 @@ std::optional<double> friction_of_dry_whip(std::complex<double> receptance_m_per
 struct DryWhip {
   double least_friction = 0;  ///< below it there is none
   double whirl_hz = 0;        ///< backward, > 0
-  double speed_hz = 0;        ///< of the shaft
+  double speed_hz = 0;        ///< speed of the shaft
 };
 
 /// The least friction of dry whip of stop `stop`, an annular one that is taken as centred, at one speed of

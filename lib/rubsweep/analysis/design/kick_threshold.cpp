@@ -1,7 +1,6 @@
 #include "rubsweep/analysis/design/kick_threshold.hpp"
 
 #include <map>
-#include <utility>
 
 #include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"

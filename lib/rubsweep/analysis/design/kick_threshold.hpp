@@ -17,7 +17,7 @@ struct KickThreshold {
   std::optional<double> force_n;  ///< empty: rub goes on after none of the kicks; 0: the quiet motion rubs
   std::string motion;      ///< class and order of the rub, such as "subharmonic 1/2"; empty without one
   std::size_t runs = 0;    ///< cells that were simulated
-  std::size_t failed = 0;  ///< of them, those that failed: counted as not rubbing
+  std::size_t failed = 0;  ///< number of runs that failed: they count as not rubbing
 };
 
 /// Kicks to try, as multiples of the configuration's force; between those where rub begins the force is

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "rubsweep/core/scene/constant_load.hpp"
-#include "rubsweep/core/structure/system_at.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 
 namespace rubsweep::design {

@@ -19,7 +19,7 @@ struct BodePoint {
 /// Readings of one sensor during a run-up, sample by sample.
 struct OneXSignal {
   std::span<const std::complex<double>> phasor_m;  ///< A of the part Re(A e^{i phi}) at this instant
-  std::span<const double> noise_m;                 ///< on the readings; empty: none
+  std::span<const double> noise_m;                 ///< noise of the readings; empty: none
   std::span<const double> shaft_angle_rad;         ///< phi, rising
   std::span<const double> speed_hz;
   double sensor_angle_deg = 0;  ///< direction of the sensor, which the mark passes that much later
@@ -27,7 +27,7 @@ struct OneXSignal {
 
 /// 1X of a run-up as a tracking filter shows it that looks at `revolutions` at once.
 struct OneX {
-  std::vector<BodePoint> plot;  ///< one per revolution: A in the middle of the window
+  std::vector<BodePoint> plot;  ///< amplitudes A in the middle of the window, one per revolution
   double largest_amplitude_m = 0;
   /// Speed at which the amplitude was largest; empty where that is at an end of the plot, beyond which it may
   /// go on. On a fast ramp it is not the critical speed: the vibration comes later than the shaft.

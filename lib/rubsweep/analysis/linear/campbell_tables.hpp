@@ -4,9 +4,24 @@
 #include <vector>
 
 #include "rubsweep/analysis/linear/campbell.hpp"
-#include "rubsweep/analysis/linear/lock_speeds.hpp"
 
 namespace rubsweep::linear {
+
+/// Shaft speed at which two whirl modes can lock to each other through a contact that bounces. Whirl
+/// frequencies count positive forward, negative backward. Seen from the turning shaft they are w - W; where p
+/// (w_first - W) = q (w_second - W), W = (p w_first - q w_second) / (p - q), one whirls p and the other q
+/// times before both meet the wall again at one place of the shaft (Shaw, Champneys and Friswell, Proc. R.
+/// Soc. A 472, 2016, 20160303).
+struct LockSpeed {
+  int first = 0, second = 0;  ///< numbers of the modes
+  int p = 0, q = 0;
+  double speed_hz = 0;
+};
+
+/// Lock speeds of all pairs of the first four modes of a diagram for coprime p > q from 1 to 3, ascending,
+/// within its speeds. Modes do not count where they are damped by more than half of critical: such a one is
+/// gone before it comes round. Frequencies between the speeds of the diagram by monotone cubics.
+std::vector<LockSpeed> lock_speeds(const Campbell& diagram);
 
 /// A Campbell diagram as texts. Speeds and frequencies in Hz.
 struct CampbellTables {

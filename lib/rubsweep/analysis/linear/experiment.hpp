@@ -2,10 +2,10 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "rubsweep/analysis/linear/bode.hpp"
-#include "rubsweep/analysis/linear/free_decay.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
 #include "rubsweep/analysis/linear/ramp_resonance.hpp"
 
@@ -19,6 +19,14 @@ struct Sampling {
 
 /// Most samples of one experiment.
 inline constexpr double most_samples = 1e6;
+
+/// A damped oscillation offset + e^{-ratio w t} amplitude cos(w sqrt(1 - ratio^2) t + phase) through samples.
+struct FreeDecay {
+  double natural_frequency_hz = 0;  ///< undamped, w / 2 pi
+  double damping_ratio = 0;
+  double amplitude_m = 0;  ///< at the first sample
+  double misfit = 0;       ///< root of the unexplained share of the signal's energy about its mean, 0..1
+};
 
 /// Response to the machine's kick at standstill, without its stops. A damped oscillation is fitted to each
 /// sensor's signal after the first quarter, when faster modes are gone.
@@ -56,5 +64,10 @@ double lowest_frequency_hz(const scene::PreparedMachine& machine);
 RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz, double rate_hz_per_s,
              double eccentricity_m, const Sampling& sampling);
 inline constexpr int bode_revolutions = 10;
+
+/// Least-squares fit over equidistant samples, at least 16; starts from the largest line of the spectrum, so
+/// that the strongest mode is the one that is found. Throws ConfigError for fewer samples or a signal that
+/// does not move, SolverError where the fit does not settle.
+FreeDecay fit_free_decay(std::span<const double> displacement_m, double sample_s);
 
 }  // namespace rubsweep::linear

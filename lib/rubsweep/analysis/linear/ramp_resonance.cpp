@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 namespace rubsweep::linear {
 namespace {

@@ -6,11 +6,10 @@
 #include <numbers>
 #include <variant>
 
-#include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/spectral/hermitian.hpp"
+#include "rubsweep/core/numerics/spectral/decompositions.hpp"
 #include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
-#include "rubsweep/core/structure/jeffcott.hpp"
 #include "rubsweep/core/structure/stability.hpp"
 
 namespace rubsweep::linear {

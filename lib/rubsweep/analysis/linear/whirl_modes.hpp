@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "rubsweep/core/model/machine.hpp"
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/free_modes.hpp"
-#include "rubsweep/core/structure/full_system.hpp"
+#include "rubsweep/core/structure/lateral_system.hpp"
 
 namespace rubsweep::linear {
 

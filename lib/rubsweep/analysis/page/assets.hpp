@@ -7,7 +7,7 @@ namespace rubsweep::page {
 /// A file that the build put into the program.
 struct Asset {
   std::string_view text;
-  std::string_view sha256;  ///< of the text, 64 hexadecimal digits
+  std::string_view sha256;  ///< digest of the text, 64 hexadecimal digits
 };
 
 /// The page's document with its places to fill in, its style sheet and its script.

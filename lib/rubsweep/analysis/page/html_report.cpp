@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/analysis/page/findings.hpp"
 #include "rubsweep/analysis/page/page.hpp"
 #include "rubsweep/analysis/page/painted_table.hpp"
 #include "rubsweep/core/error.hpp"

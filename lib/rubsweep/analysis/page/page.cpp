@@ -14,7 +14,7 @@
 
 #include "rubsweep/analysis/page/assets.hpp"
 #include "rubsweep/analysis/page/compressed.hpp"
-#include "rubsweep/core/response/motion/motion_kind.hpp"
+#include "rubsweep/core/response/motion/motion_class.hpp"
 
 namespace rubsweep::page {
 namespace {

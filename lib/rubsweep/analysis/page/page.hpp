@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/analysis/page/boundaries.hpp"
 #include "rubsweep/analysis/page/map_table.hpp"
 #include "rubsweep/analysis/page/orbits.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"

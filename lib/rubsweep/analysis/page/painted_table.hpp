@@ -1,10 +1,12 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "rubsweep/analysis/page/map_table.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
+#include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::page {
 
@@ -23,5 +25,9 @@ struct PaintedTable {
 /// before it, the status not_computed, and nothing else. Throws IoError where a row of the map lies in no
 /// cell, or a cell that the refinement asks for has no row.
 PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid);
+
+/// Findings of a map, one sentence each, for people: size, share and extent of lasting rub, its most frequent
+/// motion, the largest force and displacement, chaos, what is proven, and which cells say little.
+std::vector<std::string> findings(const MapTable& map, const sweep::Grid& grid);
 
 }  // namespace rubsweep::page

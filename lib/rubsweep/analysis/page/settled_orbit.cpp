@@ -1,14 +1,13 @@
 #include "rubsweep/analysis/page/settled_orbit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <span>
 #include <utility>
 
 #include "rubsweep/analysis/trace/trace_state.hpp"
 #include "rubsweep/core/response/motion/motion.hpp"
-#include "rubsweep/core/response/motion/record_settled.hpp"
+#include "rubsweep/core/response/motion/record.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
 

@@ -14,11 +14,11 @@ namespace rubsweep::page {
 
 /// Facts from the row of a map that the recording of its settled motion needs.
 struct KnownMotion {
-  std::string_view motion_class;          ///< as map.csv writes it
-  std::optional<int> order;               ///< of a periodic motion
-  long revolutions = 0;                   ///< after which the verdict stood
-  bool proven = false;                    ///< by multipliers: the run was on its way to the motion by then
-  std::optional<double> hertz_force_n{};  ///< at which the secants of Hertz' contacts were taken in the end
+  std::string_view motion_class;  ///< class as map.csv writes it
+  std::optional<int> order;       ///< order of a periodic motion
+  long revolutions = 0;           ///< after which the verdict stood
+  bool proven = false;            ///< multipliers prove it; the run was on its way to the motion by then
+  std::optional<double> hertz_force_n{};  ///< force of the last secants of Hertz' contacts
 };
 
 /// The settled motion of one cell, long enough to be drawn. Lengths in metres, as deviations from rest.
@@ -30,7 +30,7 @@ struct SettledOrbit {
   /// turns x steps_per_turn + 1 samples at equal distances, both ends included.
   std::vector<std::vector<double>> signals;
   std::vector<std::complex<double>> section_m;  ///< once per turn; of an aperiodic motion over more turns
-  response::spectrum::FullSpectrum spectrum;    ///< over the window that the map takes
+  response::spectrum::FullSpectrum spectrum;    ///< spectrum over the window that the map takes
 };
 
 /// Most turns of a motion without a period that are drawn.

@@ -20,7 +20,7 @@ struct RampSupport {
 /// L, time by the reference speed.
 struct RampForces {
   double start_speed = 0;       ///< shaft speed / reference speed at the start
-  double acceleration = 0;      ///< its rate per radian of the reference rotation
+  double acceleration = 0;      ///< change of the rate per radian of the reference rotation
   Eigen::VectorXcd unbalance;   ///< M^-1 e U / L: forces Re(unbalance (W^2 - i W') e^{i phi})
   Eigen::VectorXcd bow;         ///< M^-1 b / (L reference speed^2): forces Re(bow e^{i phi}); empty: none
   Eigen::VectorXcd second;      ///< the same, forces Re(second e^{2 i phi}); empty: none
@@ -125,7 +125,7 @@ class RampDynamics : private integrate::law::OwnSystem<N>, public integrate::law
   }
 
   RampForces forces_;
-  std::vector<double> reference_surface_m_per_s_;  ///< of each contact
+  std::vector<double> reference_surface_m_per_s_;  ///< surface speed of each contact
 };
 
 }  // namespace rubsweep::ramp

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "rubsweep/core/response/spectrum/hann_window.hpp"
+#include "rubsweep/core/response/spectrum/discrete_lines.hpp"
 
 namespace rubsweep::ramp {
 namespace {

@@ -13,7 +13,7 @@ namespace rubsweep::ramp {
 
 /// The extremes of a rotor over a short part of a ramp.
 struct EnvelopePoint {
-  double t_s = 0, speed_hz = 0;  ///< in its middle
+  double t_s = 0, speed_hz = 0;  ///< time and speed in its middle
   double lowest_x_m = std::numeric_limits<double>::infinity(), highest_x_m = -lowest_x_m;
   double lowest_y_m = lowest_x_m, highest_y_m = -lowest_x_m;
   double peak_displacement_m = 0, peak_contact_force_n = 0;
@@ -23,20 +23,20 @@ struct EnvelopePoint {
 
 /// A few turns of a ramp.
 struct RampOrbit {
-  double speed_hz = 0;  ///< at its begin
+  double speed_hz = 0;  ///< speed at its begin
   std::vector<RampSample> samples;
 };
 
 /// Full spectrum over orders: of samples at equal shaft angles, so that an order stays one line however fast
 /// the speed changes, under a Hann window, so that a resonance stays at its orders.
 struct OrderSpectrum {
-  double t_s = 0, speed_hz = 0;  ///< in the middle of its turns
+  double t_s = 0, speed_hz = 0;  ///< time and speed in the middle of its turns
   response::spectrum::FullSpectrum spectrum;
 };
 
 /// Speeds between which the rotor never was without contact for as many as `most_free_turns` turns.
 struct RubbingSpan {
-  double from_hz = 0, to_hz = 0;  ///< in the order of the ramp
+  double from_hz = 0, to_hz = 0;  ///< ends in the order of the ramp
 };
 inline constexpr int most_free_turns = 24;
 
@@ -66,8 +66,8 @@ class RampRecord {
   void take_spectrum();
 
   SpeedRamp ramp_;
-  std::size_t points_;       ///< of the envelope
-  long window_ = 0, every_;  ///< of the spectrum that is being filled, and which ones are taken
+  std::size_t points_;       ///< number of points of the envelope
+  long window_ = 0, every_;  ///< number of the spectrum that is being filled, and which ones are taken
   long next_angle_sample_ = 0;
   std::optional<RampSample> last_;
   std::optional<double> last_contact_s_;

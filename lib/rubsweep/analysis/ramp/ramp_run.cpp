@@ -1,14 +1,12 @@
 #include "rubsweep/analysis/ramp/ramp_run.hpp"
 
-#include <algorithm>
 #include <complex>
-#include <numbers>
 #include <span>
 
 #include "rubsweep/analysis/ramp/ramp_dynamics.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/adaptive/adaptive_run.hpp"
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/scene/observed.hpp"
 

@@ -17,7 +17,7 @@ namespace rubsweep::ramp {
 /// 2).
 struct SpeedRamp {
   double from_hz = 0, to_hz = 0;  ///< > 0
-  double rate_hz_per_s = 0;       ///< with the sign of to - from, not 0
+  double rate_hz_per_s = 0;       ///< rate with the sign of to - from, not 0
   double eccentricity_m = 0;
 
   double duration_s() const { return (to_hz - from_hz) / rate_hz_per_s; }
@@ -41,7 +41,7 @@ struct RampSample {
 /// A stretch of a ramp as long as one turn at its fastest speed; the last one is shorter.
 struct RampStretch {
   double begin_s = 0, end_s = 0;
-  std::vector<RampSample> samples;  ///< at equal distances from the begin on, the end left out
+  std::vector<RampSample> samples;  ///< samples at equal distances from the begin on, the end left out
   int hits = 0;                     ///< contacts that began
   double touching_s = 0;            ///< time with at least one contact touching
   bool touched = false;

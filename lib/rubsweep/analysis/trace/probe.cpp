@@ -1,14 +1,76 @@
 #include "rubsweep/analysis/trace/probe.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
-#include <utility>
+#include <span>
 
 namespace rubsweep::trace {
 namespace {
 
 constexpr std::uint64_t noise_seed = 1;
+
+using Complex = std::complex<double>;
+
+constexpr double least_angle = 0.17;  ///< |sin| of 10 degrees
+constexpr double highest_order = 8;
+constexpr double below_folding = 0.49;  ///< of the sampling rate
+constexpr double unexplained = 1e-3;
+constexpr double noise_share = 1.5;
+constexpr double degree = std::numbers::pi / 180;
+
+/// Sum of e^{i step j} over j = 0 .. count - 1.
+Complex geometric(double step_rad, std::size_t count) {
+  Complex sum = 0;
+  for (std::size_t j = 0; j < count; ++j) sum += std::polar(1.0, step_rad * static_cast<double>(j));
+  return sum;
+}
+
+/// Energy per reading that lines at multiples of 1/n, 0X included, leave of `z`. The readings are
+/// equidistant, so that the normal equations have one number for each difference of two lines.
+double left_by_lines(std::span<const Complex> z, double turns_per_reading, int n) {
+  const double highest = std::min(highest_order, below_folding / turns_per_reading);
+  const int k_most = static_cast<int>(std::floor(highest * n));
+  const Eigen::Index lines = 2 * k_most + 1;
+  if (lines >= static_cast<Eigen::Index>(z.size())) return std::numeric_limits<double>::infinity();
+  const double spacing_rad = 2 * std::numbers::pi * turns_per_reading / n;
+  std::vector<Complex> overlap;
+  for (Eigen::Index d = 0; d < lines; ++d)
+    overlap.push_back(geometric(spacing_rad * static_cast<double>(d), z.size()));
+  Eigen::MatrixXcd normal(lines, lines);
+  Eigen::VectorXcd seen(lines);
+  for (Eigen::Index a = 0; a < lines; ++a) {
+    for (Eigen::Index b = 0; b < lines; ++b) {
+      const auto d = static_cast<std::size_t>(std::abs(b - a));
+      normal(a, b) = b >= a ? overlap[d] : std::conj(overlap[d]);
+    }
+    const double rate = spacing_rad * static_cast<double>(a - k_most);
+    Complex sum = 0;
+    for (std::size_t j = 0; j < z.size(); ++j) sum += z[j] * std::polar(1.0, -rate * static_cast<double>(j));
+    seen(a) = sum;
+  }
+  double energy = 0;
+  for (const Complex& value : z) energy += std::norm(value);
+  const double explained = seen.dot(normal.ldlt().solve(seen)).real();
+  return std::max(0.0, energy - explained) / static_cast<double>(z.size());
+}
+
+double energy_without_mean(std::span<const Complex> z) {
+  Complex mean = 0;
+  for (const Complex& value : z) mean += value;
+  mean /= static_cast<double>(z.size());
+  double energy = 0;
+  for (const Complex& value : z) energy += std::norm(value - mean);
+  return energy / static_cast<double>(z.size());
+}
+
+std::span<const Complex> last_of(const std::vector<Complex>& z, double turns_per_reading, int turns) {
+  const auto wanted = static_cast<std::size_t>(std::floor(turns / turns_per_reading));
+  return std::span(z).last(std::min(wanted, z.size()));
+}
 
 }  // namespace
 
@@ -65,6 +127,76 @@ Eigen::MatrixXd ProbeReader::readings_m() const {
     for (double& value : readings.col(i)) value += noise(random);
   }
   return readings;
+}
+
+std::optional<ProbePair> pair_of(const std::vector<double>& angle_deg, const std::vector<double>& places_m) {
+  for (std::size_t i = 0; i < angle_deg.size(); ++i) {
+    for (std::size_t j = i + 1; j < angle_deg.size(); ++j) {
+      const bool same_place = places_m.empty() || places_m[i] == places_m[j];
+      if (same_place && std::abs(std::sin((angle_deg[j] - angle_deg[i]) * degree)) > least_angle)
+        return ProbePair{i, j};
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Complex> displacement_of(const Eigen::MatrixXd& readings_m, const ProbePair& pair,
+                                     const std::vector<double>& angle_deg) {
+  const double a = angle_deg[pair.first] * degree, b = angle_deg[pair.second] * degree,
+               sine = std::sin(b - a);
+  std::vector<Complex> z;
+  for (Eigen::Index k = 0; k < readings_m.rows(); ++k) {
+    const double first = readings_m(k, static_cast<Eigen::Index>(pair.first)),
+                 second = readings_m(k, static_cast<Eigen::Index>(pair.second));
+    z.emplace_back((first * std::sin(b) - second * std::sin(a)) / sine,
+                   (second * std::cos(a) - first * std::cos(b)) / sine);
+  }
+  return z;
+}
+
+ProbePeriod find_period(const std::vector<Complex>& displacement_m, double sample_s, double speed_hz,
+                        double noise_m, int turns, int max_order) {
+  const double turns_per_reading = sample_s * speed_hz;
+  const auto z = last_of(displacement_m, turns_per_reading, turns);
+  ProbePeriod found;
+  found.readings = static_cast<int>(z.size());
+  found.unexplained_share = 1;
+  if (z.empty()) return found;
+  const double energy = energy_without_mean(z);
+  if (!(energy > 0)) return found;
+  found.allowed_share = unexplained + noise_share * 2 * noise_m * noise_m / energy;
+  for (int n = 1; n <= max_order; ++n) {
+    const double share = left_by_lines(z, turns_per_reading, n) / energy;
+    if (share <= found.allowed_share) {
+      found.period = n;
+      found.unexplained_share = share;
+      return found;
+    }
+    found.unexplained_share = std::min(found.unexplained_share, share);
+  }
+  return found;
+}
+
+response::spectrum::FullSpectrum probe_spectrum(const std::vector<Complex>& displacement_m, double sample_s,
+                                                double speed_hz, int turns, int period,
+                                                response::spectrum::SpectrumWorkspace& workspace) {
+  const double turns_per_reading = sample_s * speed_hz;
+  const auto z = last_of(displacement_m, turns_per_reading, turns);
+  std::size_t best = 0;
+  double best_off = std::numeric_limits<double>::infinity();
+  int best_turns = 0;
+  for (std::size_t count = z.size(); count > z.size() / 2 && count > 0; --count) {
+    const double there = static_cast<double>(count) * turns_per_reading;
+    const double whole = period * std::round(there / period), off = std::abs(there - whole);
+    if (whole < 1 || !(off < best_off - 1e-9)) continue;
+    best = count;
+    best_off = off;
+    best_turns = static_cast<int>(whole);
+  }
+  if (best == 0) return {};
+  auto spectrum = response::spectrum::full_spectrum(z.last(best), 1, workspace);
+  spectrum.turns = best_turns;
+  return spectrum;
 }
 
 }  // namespace rubsweep::trace

@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/analysis/trace/probe_period.hpp"
+#include "rubsweep/analysis/trace/probe.hpp"
 #include "rubsweep/analysis/trace/trace_run.hpp"
 #include "rubsweep/core/model/length_text.hpp"
-#include "rubsweep/core/response/motion/motion.hpp"
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 
 namespace rubsweep::trace {

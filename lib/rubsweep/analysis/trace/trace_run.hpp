@@ -16,7 +16,7 @@
 namespace rubsweep::trace {
 
 struct TraceOptions {
-  double speed_hz = 0;   ///< of the scene, as it was asked for: times come out without rounding twice
+  double speed_hz = 0;   ///< speed of the scene as it was asked for: times come out without rounding twice
   long revolutions = 0;  ///< >= 1; the run never stops earlier but by failing
   int samples_per_revolution = 0;  ///< >= 4
   int window_revolutions = 0;      ///< >= 1: the end of the run that `last_window` may look at
@@ -52,10 +52,10 @@ struct Trace {
   std::vector<TracedState> trajectory;  ///< samples at t = k T / N, k = 0 .. revolutions N - 1
   std::vector<TracedState> section;     ///< states at t = 0, T, 2 T, ...: one more than revolutions
   std::vector<TracedSwitch> switches;   ///< none where the law is smoothed: nothing is located then
-  std::vector<response::motion::ContactFacts> turns;  ///< one per whole revolution
+  std::vector<response::motion::ContactFacts> turns;  ///< facts of every whole revolution
   /// Samples of the last window, or of the whole run if shorter.
   std::vector<std::complex<double>> displacement_m;
-  Eigen::MatrixXd readings_m;  ///< of the probes, readings x probes: from the start through all whole turns
+  Eigen::MatrixXd readings_m;                   ///< readings x probes, from the start through all whole turns
   std::optional<long> last_contact_revolution;  ///< 1 for the first; empty: no wall was touched
   integrate::run::Effort effort;
 };

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rubsweep/core/numerics/dense/least_norm.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 
 namespace rubsweep::contact {
 namespace {

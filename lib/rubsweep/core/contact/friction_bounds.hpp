@@ -10,7 +10,7 @@ namespace rubsweep::contact {
 struct FrictionBounds {
   double smallest = 0;  ///< below 0: friction that drives the slip; -infinity: a falling viscous part
   double smallest_at_m_per_s = 0;
-  double largest = 0;  ///< without the viscous part
+  double largest = 0;  ///< largest force without the viscous part
 };
 
 FrictionBounds friction_bounds(const model::Friction& friction);

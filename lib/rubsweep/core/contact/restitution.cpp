@@ -33,7 +33,7 @@ double delivered_restitution(double damping_ratio) {
   const double w = std::sqrt(1 - z * z);
   const double a = -(p1 + 2 * z * v1);
   const double b = (-(v1 + 2 * z * a) + z * a) / w;
-  const double phase = std::atan2(-a, b);  // in (0, pi) since a < 0
+  const double phase = std::atan2(-a, b);  // angle in (0, pi) since a < 0
   const double t = phase / w;
   // Speed of p(t) = e^{-z t} (p1 cos w t + (v1 + z p1)/w sin w t).
   const double q = (v1 + z * p1) / w;

@@ -100,8 +100,8 @@ Eigen::Vector2d normal_at(const Wall& wall, const Eigen::Vector2d& distance);
 /// How a wall is drawn, seen from the rotor's rest position.
 struct Outline {
   bool around = false;           ///< a circle around the rotor, else a line
-  Eigen::Vector2d normal{0, 1};  ///< of a line: from the rest position towards it
-  Eigen::Vector2d centre{0, 0};  ///< of a circle
+  Eigen::Vector2d normal{0, 1};  ///< normal of a line: from the rest position towards it
+  Eigen::Vector2d centre{0, 0};  ///< centre of a circle
 };
 Outline outline(const Wall& wall);
 

@@ -10,7 +10,7 @@ namespace rubsweep::model {
 struct Casing {
   double mass_kg = required;
   double stiffness_n_per_m = required;  ///< mount stiffness, the same in x and y
-  double damping_ratio = required;      ///< of the mount: c / (2 sqrt(k m))
+  double damping_ratio = required;      ///< damping ratio of the mount: c / (2 sqrt(k m))
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("mass_kg", self.mass_kg, key(positive, "mass of the casing"));

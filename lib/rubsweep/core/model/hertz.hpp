@@ -21,7 +21,7 @@ struct HertzBody {
 };
 
 enum class HertzShape { cylinder, flat, hole };  ///< the casing's: convex, plane, or around the rotor
-enum class HertzHalfWidth { textbook, paper };   ///< which formula gives the width of the contact
+enum class HertzHalfWidth { textbook, paper };   ///< formula for the width of the contact
 inline constexpr Words<HertzShape, 3> hertz_shapes{
     {"cylinder", "flat", "hole"}, {HertzShape::cylinder, HertzShape::flat, HertzShape::hole}};
 inline constexpr Words<HertzHalfWidth, 2> hertz_half_widths{

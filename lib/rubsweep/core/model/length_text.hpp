@@ -17,7 +17,7 @@ std::string_view word_of(LengthUnit unit);
 
 /// How lengths are said to a reader.
 struct ShownLengths {
-  std::optional<LengthUnit> unit = {};  ///< that was asked for; empty: the usual one of the text
+  std::optional<LengthUnit> unit = {};  ///< unit that was asked for; empty: the usual one of the text
   bool peak_to_peak = false;            ///< amplitudes as twice their size, as vibration is often given
 };
 

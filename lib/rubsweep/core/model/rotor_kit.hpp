@@ -54,7 +54,7 @@ struct Disc {
 struct PointMass {
   double position_m = required;
   double mass_kg = required;
-  std::optional<double> mass_y_kg = std::nullopt;  ///< of the motion in y, where it is another than in x
+  std::optional<double> mass_y_kg = std::nullopt;  ///< mass of the motion in y, where it is another than in x
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
@@ -95,12 +95,12 @@ struct Coupling {
   double angular_offset_rad = 0;
   double angular_phase_deg = 0;
   double parallel_misalignment_m = 0;
-  double parallel_misalignment_angle_deg = 0;  ///< from +x towards +y
+  double parallel_misalignment_angle_deg = 0;  ///< angle from +x towards +y
   double angular_misalignment_rad = 0;
   double angular_misalignment_angle_deg = 0;
   double lateral_asymmetry_ratio = 0;
   double angular_asymmetry_ratio = 0;
-  double stiff_axis_phase_deg = 0;  ///< from the mark on the shaft
+  double stiff_axis_phase_deg = 0;  ///< angle from the mark on the shaft
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, key(positive, "place inside the shaft"));
@@ -156,7 +156,7 @@ struct BowPoints {  ///< the least bent line through these points
 };
 struct BowMode {  ///< the shape of a mode of the shaft on its supports, 1 the lowest
   int mode = 1;
-  double amplitude_m = required;  ///< its largest deflection
+  double amplitude_m = required;  ///< largest deflection
 };
 struct Bow {
   std::variant<BowPoints, BowMode> shape;
@@ -216,7 +216,7 @@ struct RotorKit {
   static constexpr Range damping_ratio_range{.low = 0, .high = 1};
   static constexpr int most_modes = 40;
   static constexpr int most_elements = 400;
-  static constexpr int most_parts = 400;  ///< of each list
+  static constexpr int most_parts = 400;  ///< limit of each list
 
   /// Keys beside the parts.
   static void visit_fields(auto& self, auto&& visit) {

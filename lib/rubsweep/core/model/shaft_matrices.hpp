@@ -38,7 +38,7 @@ struct NodeUnbalance {
   std::string node;
   double mass_kg = required;
   double eccentricity_ratio = 1;
-  double phase_deg = 0;  ///< from the mark on the shaft, in the direction of rotation
+  double phase_deg = 0;  ///< angle from the mark on the shaft, in the direction of rotation
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("mass_kg", self.mass_kg, key(physical::mass_kg, "mass that stands off"));
@@ -56,7 +56,7 @@ struct ShaftMatrices {
   /// n, kg per metre of eccentricity e: forces Re(e w^2 unbalance_kg e^{i w t}). NaN where the other plane
   /// says it.
   Eigen::VectorXcd unbalance_kg;
-  std::vector<NodeUnbalance> unbalance;  ///< beside unbalance_kg
+  std::vector<NodeUnbalance> unbalance;  ///< unbalances beside unbalance_kg
 
   static constexpr std::size_t most_degrees_of_freedom = 2000;
 };

@@ -87,7 +87,7 @@ struct ShaftLayer {
 /// segment.
 struct ShaftSegment : ShaftLayer {
   double length_m = required;
-  std::vector<ShaftLayer> layers{};  ///< beside the segment's own section, over all of its length
+  std::vector<ShaftLayer> layers{};  ///< layers beside the segment's own section, over all of its length
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("length_m", self.length_m, key(physical::length_m, "length of the segment"));

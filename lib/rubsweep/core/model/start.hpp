@@ -11,7 +11,7 @@ namespace rubsweep::model {
 /// Position and velocity of a body. A number that is not given stays as on the quiet whirl, or as at rest
 /// where that reaches a wall.
 struct BodyState {
-  std::optional<double> x_m{}, y_m{};  ///< from the unloaded position
+  std::optional<double> x_m{}, y_m{};  ///< displacement from the unloaded position
   std::optional<double> vx_m_per_s{}, vy_m_per_s{};
 
   static void visit_fields(auto& self, auto&& visit) {
@@ -28,7 +28,7 @@ struct BodyState {
 /// The state in which runs begin, t = 0 being the instant of smallest gap at the first stop.
 struct Start {
   BodyState rotor{};
-  std::vector<std::optional<BodyState>> casings{};  ///< by their stops; those that are not there: none given
+  std::vector<std::optional<BodyState>> casings{};  ///< casings of the stops; missing: none given
   /// Everything stands where no force has moved it, whatever is given above. The mark of the shaft is along
   /// +x at t = 0, and all forces act from then on.
   bool at_rest = false;

@@ -88,7 +88,7 @@ class Matching {
   const Eigen::MatrixXd& cost_;
   Index start_;  ///< number of rows, and the column at which every path starts
   Eigen::VectorXd row_price_, column_price_;
-  std::vector<Index> row_of_;  ///< of every column; `none`: not matched yet
+  std::vector<Index> row_of_;  ///< row of every column; `none`: not matched yet
 };
 
 }  // namespace

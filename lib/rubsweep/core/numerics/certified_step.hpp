@@ -49,7 +49,7 @@ inline double halley_step(double value, double slope, double half_curvature) {
 /// Zero next to zero of sum terms[k] x^k, three terms or more, for a function that rises up to it.
 inline double root_of_series(std::span<const double> terms) {
   constexpr int most_iterations = 12;
-  constexpr double last_step = 2e-5;  // its cube is rounding
+  constexpr double last_step = 2e-5;  // a step whose cube is rounding
   double x = halley_step(terms[0], terms[1], terms[2]), last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < most_iterations; ++i) {
     double value = 0, slope = 0, half_curvature = 0;

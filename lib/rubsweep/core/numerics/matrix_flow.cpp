@@ -3,10 +3,26 @@
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "rubsweep/core/numerics/long_matrix.hpp"
-#include "rubsweep/core/numerics/step_table.hpp"
-
 namespace rubsweep::numerics {
+namespace {
+
+/// cos(sqrt(x)) and sin(sqrt(x)) / sqrt(x), continued through x <= 0 by their hyperbolic partners.
+struct CosineAndSinc {
+  double c, s;
+};
+
+CosineAndSinc cosine_and_sinc(double x) {
+  // Here the series is exact to rounding, on both sides of zero.
+  if (std::abs(x) < 1e-2) {
+    return {1 - x / 2 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56 * (1 - x / 90)))),
+            1 - x / 6 * (1 - x / 20 * (1 - x / 42 * (1 - x / 72 * (1 - x / 110))))};
+  }
+  const double root = std::sqrt(std::abs(x));
+  if (x > 0) return {std::cos(root), std::sin(root) / root};
+  return {std::cosh(root), std::sinh(root) / root};
+}
+
+}  // namespace
 
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
@@ -88,6 +104,49 @@ RowVectorXd FlowBound::of(const RowVectorXd& row) const {
     now = now * step_;
   }
   return largest * between_;
+}
+
+Pair pair_flow(const Pair& g, double duration) {
+  const double mean = (g.uu + g.vv) / 2, half = (g.uu - g.vv) / 2;
+  // det - mean^2, without the cancellation of the diagonal's product.
+  const double q = -g.uv * g.vu - half * half;
+  const double square = q * duration * duration;
+  double c = 0, s = 0;
+  if (square < -100) {
+    // cosh would overflow where its product with the decay is small.
+    const double root = std::sqrt(-q);
+    const double slow = std::exp((mean + root) * duration), fast = std::exp((mean - root) * duration);
+    c = (slow + fast) / 2;
+    s = (slow - fast) / (2 * root);
+  } else {
+    const auto pair = cosine_and_sinc(square);
+    const double decay = std::exp(mean * duration);
+    c = decay * pair.c;
+    s = decay * pair.s * duration;
+  }
+  return {c + s * half, s * g.uv, s * g.vu, c - s * half};
+}
+
+/// By Cayley and Hamilton, G^2 = trace G - determinant: every power of G is some of 1 and some of G.
+PairSeries pair_series(const std::vector<Pair>& generators, double fastest_rad_per_s) {
+  const auto count = static_cast<Eigen::Index>(generators.size());
+  PairSeries series;
+  series.unit.setZero(count, most_series_terms);
+  series.generator.setZero(count, most_series_terms);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const Pair& g = generators[static_cast<std::size_t>(j)];
+    const double trace = (g.uu + g.vv) / fastest_rad_per_s;
+    const double determinant = (g.uu * g.vv - g.uv * g.vu) / (fastest_rad_per_s * fastest_rad_per_s);
+    double unit = 1, generator = 0;  // of G^k / k!, time in units of 1 / fastest
+    for (std::size_t k = 0; k < most_series_terms; ++k) {
+      series.unit(j, static_cast<Eigen::Index>(k)) = unit;
+      series.generator(j, static_cast<Eigen::Index>(k)) = generator / fastest_rad_per_s;
+      const double last = generator;
+      generator = reciprocals[k + 1] * (unit + trace * last);
+      unit = -reciprocals[k + 1] * determinant * last;
+    }
+  }
+  return series;
 }
 
 }  // namespace rubsweep::numerics

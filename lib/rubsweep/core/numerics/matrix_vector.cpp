@@ -1,6 +1,5 @@
 #include "rubsweep/core/numerics/matrix_vector.hpp"
 
-#include <algorithm>
 #include <cstring>
 
 #include "rubsweep/core/numerics/lanes.hpp"

@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/core/numerics/long_matrix.hpp"
-#include "rubsweep/core/numerics/pair_flow.hpp"
+#include "rubsweep/core/numerics/matrix_flow.hpp"
 
 namespace rubsweep::numerics {
 

@@ -4,11 +4,11 @@
 
 namespace rubsweep::numerics {
 
-/// Piecewise cubic through points that has no extremum between them: slopes by Fritsch and Butland (SIAM J. Sci.
-/// Stat. Comput. 5, 1984), the weighted harmonic mean of the secants beside a point, 0 where these differ in sign;
-/// at both ends the three-point formula, limited so that the curve stays monotone (as `pchip` of SLATEC). Its first
-/// derivative is continuous. Unlike boost::math::interpolators::pchip it takes two or three points too, and its ends
-/// are of second order.
+/// Piecewise cubic through points that has no extremum between them: slopes by Fritsch and Butland (SIAM J.
+/// Sci. Stat. Comput. 5, 1984), the weighted harmonic mean of the secants beside a point, 0 where these
+/// differ in sign; at both ends the three-point formula, limited so that the curve stays monotone (as `pchip`
+/// of SLATEC). Its first derivative is continuous. Unlike boost::math::interpolators::pchip it takes two or
+/// three points too, and its ends are of second order.
 class Pchip {
  public:
   /// x strictly ascending, as many y as x, at least one of each. One point is a constant.
@@ -22,7 +22,7 @@ class Pchip {
  private:
   struct Place {
     std::size_t piece;
-    double share;  ///< of the piece's width, 0 to 1
+    double share;  ///< share of the piece's width, 0 to 1
   };
   Place place_of(double x) const;
 

@@ -1,13 +1,36 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
-#include "rubsweep/core/numerics/root_below.hpp"
 #include "rubsweep/core/numerics/twin.hpp"
 
 namespace rubsweep::numerics {
+
+/// The k-th root of x > 0, or up to a thousandth of it less: enough for the length of a step, in a quarter of
+/// std::pow's time. With x = 2^e (1 + f), polynomials approximate log2(1 + f) and the power of two; low roots
+/// and subnormal numbers are left to std::pow.
+inline double root_below(double x, int k) {
+  constexpr int least_root = 16, digits = 52, bias = 1023;
+  using Limits = std::numeric_limits<double>;
+  if (k < least_root || !(x >= Limits::min() && x <= Limits::max())) return std::pow(x, 1.0 / k);
+  constexpr auto one = std::uint64_t{bias} << digits, fraction = (std::uint64_t{1} << digits) - 1;
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const double f = std::bit_cast<double>((bits & fraction) | one) - 1;
+  // Within 0.01, of which the root keeps a k-th part; `bias` is added to be above zero, where the whole part
+  // is what a conversion leaves.
+  const double logarithm = (static_cast<int>(bits >> digits) - bias + f * (4 - f) / 3) / k + bias;
+  const auto whole = static_cast<std::uint64_t>(static_cast<std::int64_t>(logarithm));
+  const double g = logarithm - static_cast<double>(static_cast<std::int64_t>(whole));
+  // Relative error below 1.5e-4.
+  const double power = 1 + g * (0.695976 + g * (0.224940 + g * 0.079084));
+  constexpr double below = 1 - 4.5e-4;
+  return below * power * std::bit_cast<double>(whole << digits);
+}
 
 /// Highest order of a power series here.
 inline constexpr int most_taylor_order = 24;
@@ -112,5 +135,61 @@ struct TanhSeries {
     z.set(k, -square_term(y, k));
   }
 };
+
+/// Coefficients of the power series of a vector in a plane. That of a number has each of them twice. A
+/// coefficient is one register, written and read as a whole: a product waits neither for one that was just
+/// written nor for a sum across registers.
+class PlaneSeries {
+ public:
+  Twin operator[](int k) const { return terms_[k]; }
+  void set(int k, Twin value) { terms_[k] = value; }
+  void set(int k, double value) { terms_[k] = both(value); }
+  double number(int k) const { return terms_[k][0]; }
+
+ private:
+  Twin terms_[most_taylor_order + 2];  ///< one more than the order: a rate asks for the next
+};
+
+/// `Count` such series side by side: what is done with all of them alike waits less than what is done with
+/// one after the other.
+template <int Count>
+class PlaneSeriesBundle {
+ public:
+  using Term = std::array<Twin, static_cast<std::size_t>(Count)>;  ///< coefficient of each
+  const Term& operator[](int k) const { return terms_[k]; }
+  void set(int k, const Term& value) { terms_[k] = value; }
+  void set(int k, std::size_t which, Twin value) { terms_[k][which] = value; }
+
+  /// One of them, as a PlaneSeries is read.
+  struct Member {
+    const PlaneSeriesBundle& all;
+    std::size_t which;
+    Twin operator[](int k) const { return all[k][which]; }
+  };
+  Member member(std::size_t which) const { return {*this, which}; }
+
+ private:
+  Term terms_[most_taylor_order + 2];
+};
+
+/// Sum of a_j b_{k-j}, component by component, for `first` <= j <= `last`; of series or members of
+/// bundles.
+template <class A, class B>
+Twin sum_of_products(const A& a, const B& b, int k, int first, int last) {
+  Twin even{}, odd{};
+  int j = first;
+  for (; j < last; j += 2) {
+    even += a[j] * b[k - j];
+    odd += a[j + 1] * b[k - j - 1];
+  }
+  if (j == last) even += a[j] * b[k - j];
+  return even + odd;
+}
+
+/// Coefficient k of a b, component by component.
+template <class A, class B>
+Twin product_term(const A& a, const B& b, int k) {
+  return sum_of_products(a, b, k, 0, k);
+}
 
 }  // namespace rubsweep::numerics

@@ -10,13 +10,11 @@
 #include "rubsweep/core/integrate/run/pulse_times.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
 #include "rubsweep/core/integrate/run/work_bound.hpp"
+#include "rubsweep/core/response/aperiodic.hpp"
 #include "rubsweep/core/response/motion/record.hpp"
-#include "rubsweep/core/response/motion/record_settled.hpp"
 #include "rubsweep/core/response/proof/orbit_proof.hpp"
 #include "rubsweep/core/response/proof/rest_proof.hpp"
-#include "rubsweep/core/response/recorded_run.hpp"
 #include "rubsweep/core/response/rotating/rotating_proof.hpp"
-#include "rubsweep/core/response/torus_watch.hpp"
 #include "rubsweep/core/response/verdict.hpp"
 
 namespace rubsweep::response {

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "rubsweep/core/response/followed.hpp"
-#include "rubsweep/core/response/growth.hpp"
+#include "rubsweep/core/response/lyapunov_exponent.hpp"
 #include "rubsweep/core/response/motion/poincare_section.hpp"
 
 namespace rubsweep::response {

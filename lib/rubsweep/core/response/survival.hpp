@@ -24,10 +24,10 @@ struct Survival {
 /// How often chaos is left, and by what.
 struct SurvivalOptions {
   int companions = 2;
-  int turns = 320;         ///< of each; one that escapes is not followed on
+  int turns = 320;         ///< turns followed per companion, fewer for one that escapes
   int window = 64;         ///< turns without contact that are an escape; a period shows in as many
   int max_order = 12;      ///< a section that returns within so many turns is an escape, too
-  double distance = 0.01;  ///< of companions, in standard deviations of the section along the motion
+  double distance = 0.01;  ///< distance of companions, in standard deviations of the section along the motion
 };
 
 /// Follows companions from nearby states of the last section of `motion`, which was chaotic for all of its

@@ -16,7 +16,7 @@
 #include "rubsweep/core/scene/constant_load.hpp"
 #include "rubsweep/core/scene/given_start.hpp"
 #include "rubsweep/core/scene/two_orders.hpp"
-#include "rubsweep/core/structure/system_at.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 
 namespace rubsweep::scene {
 namespace {

@@ -1,6 +1,6 @@
 #include "rubsweep/core/scene/constant_load.hpp"
 
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 
 namespace rubsweep::scene {
 namespace {

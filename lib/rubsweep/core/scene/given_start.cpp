@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/dense/least_norm.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/scene/constant_load.hpp"
 
 namespace rubsweep::scene {

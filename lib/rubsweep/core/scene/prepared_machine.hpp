@@ -16,7 +16,7 @@ class StructuresAtSpeeds;
 struct PreparedMachine {
   model::Machine machine;
   structure::Assembly assembly;
-  std::optional<structure::Reduction> reduction;    ///< of a rotor kit
+  std::optional<structure::Reduction> reduction;    ///< reduction of a rotor kit
   std::shared_ptr<StructuresAtSpeeds> at_speeds{};  ///< where supports follow tables: see prepared_at
 };
 

@@ -2,8 +2,7 @@
 
 #include <complex>
 
-#include "rubsweep/core/numerics/dense/least_norm.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/scene/two_orders.hpp"
 
 namespace rubsweep::scene {

@@ -7,7 +7,6 @@
 
 #include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/model/friction.hpp"
-#include "rubsweep/core/structure/impulse_train.hpp"
 #include "rubsweep/core/structure/linear_system.hpp"
 
 namespace rubsweep::scene {

@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/core/structure/impulse_train.hpp"
+#include "rubsweep/core/model/casing.hpp"
+#include "rubsweep/core/model/rotor.hpp"
 #include "rubsweep/core/structure/linear_system.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 
@@ -22,7 +23,7 @@ struct Assembly {
                            ///< at any speed w
   Eigen::VectorXcd second_n;  ///< n or empty: couplings of unequal stiffness force Re(second_n e^{2 i w t})
                               ///< at any speed w
-  Eigen::VectorXd static_n;                       ///< n or empty: loads beside the weight that do not change
+  Eigen::VectorXd static_n;   ///< n or empty: loads beside the weight that do not change
   std::vector<ImpulseTrain> impulses;             ///< of faulty bearings
   std::vector<int> rotor_points;                  ///< one per stop
   std::vector<std::optional<int>> casing_points;  ///< one per stop; empty: rigid casing, no state
@@ -40,5 +41,16 @@ void add_body(LinearSystem& system, Eigen::Index first, double mass_kg, double s
 /// Throws ConfigError where some number of the assembly is not finite, or its mass matrix is not positive
 /// definite to rounding: no motion of it could be computed.
 void refuse_unusable(const Assembly& assembly);
+
+/// The linear system of an assembly at one speed of the shaft: gyroscopic moments, damping that turns with
+/// the shaft, and supports by their tables, which must reach the speed.
+LinearSystem system_at(const Assembly& assembly, double speed_rad_per_s);
+
+/// Jeffcott rotor and the moving ones among `casings` (one entry per stop). Coordinates: x and y of the
+/// rotor, then x and y of every moving casing in the order of the stops; mass, damping and stiffness
+/// diagonal, the circulatory matrix of rotating damping between x and y of the rotor. The unbalance turns
+/// from +x towards +y: at t = 0 it points along +x.
+Assembly assemble_jeffcott(const model::JeffcottRotor& rotor,
+                           const std::vector<std::optional<model::Casing>>& casings);
 
 }  // namespace rubsweep::structure

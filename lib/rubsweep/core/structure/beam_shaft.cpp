@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <string>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_element.hpp"
-#include "rubsweep/core/structure/beam_mesh.hpp"
 #include "rubsweep/core/structure/matrix_shaft.hpp"
-#include "rubsweep/core/structure/phasor.hpp"
 
 namespace rubsweep::structure {
 namespace {

@@ -2,12 +2,19 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <complex>
+#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "rubsweep/core/model/rotor_kit.hpp"
 
 namespace rubsweep::structure {
+
+/// Complex number of a vector in the plane: its length, and its angle from +x towards +y in degrees.
+inline std::complex<double> phasor(double amplitude, double phase_deg) {
+  return std::polar(amplitude, phase_deg * std::numbers::pi / 180);
+}
 
 /// Matrices between the planes: entry [a][b] is the force in plane a by the motion in plane b (0: x, 1: y).
 using PlanePairs = std::array<std::array<Eigen::MatrixXd, 2>, 2>;
@@ -47,8 +54,8 @@ struct BeamShaft {
 };
 
 /// Mesh and matrices of a valid kit. Nodes stand at the ends of segments, at every part, and at `stations_m`,
-/// with elements between them no longer than the shaft's length / kit.elements. Those of a kit with matrices are the
-/// nodes of these; throws ConfigError where a part or one of `stations_m` is at none of them.
+/// with elements between them no longer than the shaft's length / kit.elements. Those of a kit with matrices
+/// are the nodes of these; throws ConfigError where a part or one of `stations_m` is at none of them.
 BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<double>& stations_m);
 
 /// Displacement of a support against what it stands on, per coordinate of one plane, n.

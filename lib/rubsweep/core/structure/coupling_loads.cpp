@@ -2,8 +2,7 @@
 
 #include <complex>
 
-#include "rubsweep/core/numerics/dense/lu.hpp"
-#include "rubsweep/core/structure/phasor.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 
 namespace rubsweep::structure {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/numerics/split_mix.hpp"
 
 namespace rubsweep::structure {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "rubsweep/core/structure/full_system.hpp"
+#include "rubsweep/core/structure/lateral_system.hpp"
 
 namespace rubsweep::structure {
 

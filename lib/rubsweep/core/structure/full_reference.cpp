@@ -11,10 +11,9 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/free_modes.hpp"
 #include "rubsweep/core/structure/seen_modes.hpp"
-#include "rubsweep/core/structure/system_at.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -24,7 +23,7 @@ using Eigen::MatrixXcd;
 using std::numbers::pi;
 
 constexpr double grid_decades = 2.5;
-constexpr double grows = 1e-4;  ///< share of its frequency at which a vibration surely grows
+constexpr double growing = 1e-4;  ///< share of its frequency at which a vibration surely grows
 
 /// Points for a system of so many coordinates: a solution takes the third power of these.
 int points_for(Index coordinates) {
@@ -86,7 +85,7 @@ bool any_grows(const Eigen::VectorXcd& rates, double share) {
 /// speed at which one begins to.
 bool contradict(const Eigen::VectorXcd& one, const Eigen::VectorXcd& other) {
   const auto only_first = [](const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
-    return any_grows(a, grows) && !any_grows(b, grows / 4);
+    return any_grows(a, growing) && !any_grows(b, growing / 4);
   };
   return only_first(one, other) || only_first(other, one);
 }
@@ -271,10 +270,10 @@ FullReference::Growth FullReference::growth(const Reduction& reduction) const {
         matrices_at(reduced.matrices, at.speed_rad_per_s, at.supports_rad_per_s), beyond * highest);
     growth.mistaken = growth.mistaken || contradict(found, exact);
     for (const std::complex<double>& rate : exact) {
-      if (rate.real() > grows * std::abs(rate)) growth.error = std::max(growth.error, distance(rate, found));
+      if (rate.real() > growing * std::abs(rate)) growth.error = std::max(growth.error, distance(rate, found));
     }
     for (const std::complex<double>& rate : found) {
-      if (rate.real() > grows * std::abs(rate) && std::abs(rate) <= highest / beyond)
+      if (rate.real() > growing * std::abs(rate) && std::abs(rate) <= highest / beyond)
         growth.error = std::max(growth.error, distance(rate, exact));
     }
   }
@@ -289,7 +288,7 @@ bool growth_is_mistaken(const BeamShaft& shaft, const model::RotorKit& kit, cons
   const Eigen::VectorXcd found = rates_within({small.mass, small.damping, small.stiffness}, 10 * highest);
   double furthest = highest;
   for (const std::complex<double>& rate : found)
-    if (rate.real() > grows * std::abs(rate)) furthest = std::max(furthest, 1.5 * std::abs(rate));
+    if (rate.real() > growing * std::abs(rate)) furthest = std::max(furthest, 1.5 * std::abs(rate));
   const FullSystem full = full_system(shaft, kit);
   const auto tables = full.tables.empty() ? std::nullopt : std::optional(speed_rad_per_s);
   const Eigen::VectorXcd exact = rates_within(matrices_at(full, speed_rad_per_s, tables), furthest);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "rubsweep/core/structure/assembly.hpp"
-#include "rubsweep/core/structure/full_system.hpp"
+#include "rubsweep/core/structure/lateral_system.hpp"
 #include "rubsweep/core/structure/reduction.hpp"
 
 namespace rubsweep::structure {

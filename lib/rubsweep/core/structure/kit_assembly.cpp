@@ -10,7 +10,6 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/structure/coupling_loads.hpp"
-#include "rubsweep/core/structure/reduce_to_modes.hpp"
 
 namespace rubsweep::structure {
 namespace {

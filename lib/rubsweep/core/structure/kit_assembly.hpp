@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <vector>
-
 #include "rubsweep/core/model/machine.hpp"
 #include "rubsweep/core/structure/assembly.hpp"
 #include "rubsweep/core/structure/reduction.hpp"

@@ -2,8 +2,11 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "rubsweep/core/structure/beam_shaft.hpp"
+#include "rubsweep/core/structure/tabled_support.hpp"
 
 namespace rubsweep::structure {
 
@@ -24,7 +27,8 @@ struct LateralSystem {
   Eigen::VectorXd scatter(std::size_t plane, const Eigen::VectorXd& per_shape) const;
 };
 
-/// Galerkin projection, with the damping of supports and material. The identity as basis gives the full model.
+/// Galerkin projection, with the damping of supports and material. The identity as basis gives the full
+/// model.
 LateralSystem project(const BeamShaft& shaft, const PlaneBases& bases);
 
 /// Undamped modes of one plane at rest, lowest first.
@@ -38,5 +42,25 @@ struct PlaneModes {
 /// lowest frequencies: these are the ones that come out with full relative accuracy. At least one. Throws
 /// ConfigError when the stiffness is not positive definite, or no mode can be computed.
 PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, Eigen::Index count);
+
+/// A rotor kit in all coordinates of its finite elements, x and y side by side: what its reduced models are
+/// judged by. Nothing of it comes from a reduced basis: structural damping is that of all modes.
+struct FullSystem {
+  LateralSystem system;         ///< shapes are the coordinates themselves; without what depends on the speed
+  Eigen::MatrixXd circulatory;  ///< as of Assembly
+  std::vector<TabledSupport> tables;  ///< supports that follow the speed; `system` holds their middle one
+};
+
+FullSystem full_system(const BeamShaft& shaft, const model::RotorKit& kit);
+
+/// mass q'' + damping q' + stiffness q = forces at one speed.
+struct SpeedMatrices {
+  Eigen::MatrixXd mass, damping, stiffness;
+};
+
+/// The matrices at a speed; supports by tables as the matrices hold them (`supports_rad_per_s` empty) or at a
+/// speed of their tables.
+SpeedMatrices matrices_at(const FullSystem& full, double speed_rad_per_s,
+                          std::optional<double> supports_rad_per_s = {});
 
 }  // namespace rubsweep::structure

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
-#include "rubsweep/core/structure/matrix_layout.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
+#include "rubsweep/core/structure/matrix_shaft.hpp"
 
 namespace rubsweep::structure {
 namespace {

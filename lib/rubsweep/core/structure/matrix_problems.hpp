@@ -13,7 +13,7 @@ namespace rubsweep::structure {
 struct MatrixProblem {
   std::string key;             ///< mass, stiffness, damping, gyroscopic, unbalance or degrees_of_freedom
   std::string wrong, allowed;  ///< finish a sentence about it, and "allowed: "
-  std::optional<std::size_t> degree_of_freedom = std::nullopt;  ///< to blame, by its number
+  std::optional<std::size_t> degree_of_freedom = std::nullopt;  ///< number of the coordinate to blame
 };
 
 /// All problems of matrices that pass model::validate: a node with one direction but not its partner in the

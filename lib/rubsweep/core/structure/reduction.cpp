@@ -9,7 +9,6 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/structure/full_reference.hpp"
-#include "rubsweep/core/structure/reduce_to_modes.hpp"
 #include "rubsweep/core/structure/seen_modes.hpp"
 
 namespace rubsweep::structure {

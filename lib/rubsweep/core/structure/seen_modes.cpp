@@ -31,7 +31,7 @@ double rounding_of(const PlaneModes& modes, Index j) {
   return of_the_first * std::pow(w(j) / w(0), 2) / std::max(apart, of_the_first);
 }
 
-using Marks = std::array<std::vector<bool>, 2>;  ///< per plane and mode
+using Marks = std::array<std::vector<bool>, 2>;  ///< marks per plane and mode
 
 StudiedPlane plane_of(const BeamShaft& shaft, std::size_t index) {
   StudiedPlane plane;

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/lateral_system.hpp"
 
 namespace rubsweep::structure {

@@ -5,10 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
-#include "rubsweep/core/structure/system_at.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 
 namespace rubsweep::structure {
 namespace {

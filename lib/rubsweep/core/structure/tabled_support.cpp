@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <string>
 #include <utility>
 
 #include "rubsweep/core/error.hpp"

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <string>
-#include <vector>
 
 #include "rubsweep/core/model/machine.hpp"
 #include "rubsweep/core/numerics/pchip.hpp"

@@ -17,8 +17,8 @@ struct LabelGrid {
 /// How mixed basins are (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan 2016): the mean over boxes of
 /// the entropy sum p log(1 / p), p being the shares of the labels in a box.
 struct BasinEntropy {
-  double all = 0;       ///< over all boxes
-  double boundary = 0;  ///< over those with more than one label; above log 2 the boundary is fractal
+  double all = 0;       ///< mean over all boxes
+  double boundary = 0;  ///< mean over boxes with more than one label; above log 2 the boundary is fractal
 };
 
 /// Entropy from boxes of `side` x `side` points (side >= 1), side by side, without remainders at far ends.
@@ -29,7 +29,7 @@ BasinEntropy basin_entropy(const LabelGrid& grid, std::size_t side);
 /// 1985). 1: a line; near 0: a better knowledge of the start hardly helps.
 struct UncertaintyExponent {
   double value = 0;
-  double standard_error = 0;  ///< of the straight line through log f over log e
+  double standard_error = 0;  ///< error of the straight line through log f over log e
 };
 
 /// Exponent from boxes of 2, 3, 5, 9, ... points a side (1, 2, 4, 8, ... steps), up to a quarter of the

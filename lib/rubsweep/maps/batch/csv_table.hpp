@@ -37,7 +37,7 @@ class CsvReader {
   /// Position of a row in the file.
   struct RowPosition {
     std::uint64_t offset = 0;
-    std::size_t line = 0;  ///< from 1
+    std::size_t line = 0;  ///< number of the line, from 1
   };
 
   /// Reads the next row; false when there is none.
@@ -61,7 +61,7 @@ class CsvReader {
 
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  struct Line {  ///< as getline(3) wants it
+  struct Line {  ///< line as getline(3) wants it
     char* text = nullptr;
     std::size_t capacity = 0;
     Line() = default;
@@ -71,7 +71,7 @@ class CsvReader {
   } line_;
   RowPosition next_{0, 1};  ///< where the next line starts
   RowPosition place_;
-  std::string record_;  ///< one line, or more where a quoted cell goes on
+  std::string record_;  ///< text of one line, or more where a quoted cell goes on
   std::vector<std::string> comments_, header_, cells_;
 };
 

@@ -105,7 +105,7 @@ void require_own_text(int descriptor, const std::filesystem::path& path) {
 /// The file at `path` to be locked, and whether it may be written: in a directory that is shared it may be
 /// one that only its owner can write, and who that is does not matter when he is dead.
 std::pair<Descriptor, bool> open_lock(const std::filesystem::path& path) {
-  constexpr int most_attempts = 3;  // it may be removed between the two ways to open it
+  constexpr int most_attempts = 3;  // the file may be removed between opening it and locking it
   for (int attempt = 1;; ++attempt) {
     constexpr int ours = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
     const int writable = ::open(path.c_str(), O_RDWR | O_CREAT | ours, 0666);
@@ -141,7 +141,7 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
     }
     guards_ = error != ENOLCK;
     if (error != 0 && error != EWOULDBLOCK && guards_) throw_io_error("lock", path_, error);
-    if (error == EWOULDBLOCK || !still_there) continue;  // its holder has just removed it
+    if (error == EWOULDBLOCK || !still_there) continue;  // the holder has just removed the file
     // A dead owner's file is replaced by one of ours where the directory lets us.
     if (!may_write && mode == LockMode::exclusive && ::unlink(path_.c_str()) == 0) continue;
     writable = may_write;

@@ -72,7 +72,7 @@ class ChunkQueue {
 
   std::mutex mutex_;
   std::vector<std::size_t> cells_;
-  std::size_t stride_;  ///< from a cell to the one that is dealt out next; every cell is met once
+  std::size_t stride_;  ///< distance from a cell to the one dealt out next; every cell is met once
   std::size_t dealt_ = 0;
   std::vector<Last> last_;  ///< chunk of each worker
 };

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/structure/matrix_export.hpp"
+#include "rubsweep/core/structure/matrix_shaft.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/file.hpp"
 #include "rubsweep/maps/config/study/study.hpp"

@@ -111,7 +111,7 @@ void add_restitutions(const sweep::Study& study, std::vector<Question>& question
          fmt::format("{} is nominal, and an impact returns {:.2g} of its speed: this law returns at least {} "
                      "(restitution_delivered?)",
                      nominal->value, contact::delivered_restitution(ratio), least)});
-    return;  // of equal questions the first
+    return;  // the first of equal questions
   }
 }
 

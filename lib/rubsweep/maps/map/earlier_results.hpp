@@ -25,11 +25,11 @@ void refuse_journal_of_another(const std::filesystem::path& path, const batch::J
 
 /// A map.csv as an earlier run left it.
 struct FinishedMap {
-  std::string digest;         ///< of its study; empty: it says none, and is no map of this program
+  std::string digest;         ///< digest of its study; empty: it says none, and is no map of this program
   bool known_columns = true;  ///< false: the version that wrote it had other columns
   std::size_t cells = 0;
   std::string missing;         ///< the first cell without a row, where a map must have all
-  report::MapSummary summary;  ///< of known columns
+  report::MapSummary summary;  ///< summary of known columns
 };
 
 /// Throws DamagedTable where the table at `path` is not as it was written, IoError; warns on stderr as

@@ -30,7 +30,7 @@ std::string problem_of(const std::filesystem::path& file, const std::set<std::st
 /// Verdict on a page of HTML; one without a checksum is looked at only where it is the report of a map.
 struct CheckedPage {
   std::string text;
-  bool summed = false;  ///< it has a checksum, and so is ours
+  bool summed = false;  ///< true: the file has a checksum, and so has ours
   std::string problem;
 };
 CheckedPage check_page_file(const std::filesystem::path& page, bool of_map);

@@ -17,7 +17,7 @@ struct Variable {
   std::string name{};
   Kind kind = Kind::other;
   bool complex = false;
-  std::vector<std::size_t> dims{};  ///< at least two, but none of an object
+  std::vector<std::size_t> dims{};  ///< dimensions: at least two, but none of an object
   /// Real numbers, column by column, of a sparse matrix its zeros as well; empty where nobody wanted them.
   std::vector<double> values{};
   std::vector<Variable> fields{};  ///< fields of the first one of an array of structures

@@ -57,7 +57,7 @@ struct Element {
 
 Element take_element(Bytes& in) {
   const auto tag = in.number<std::uint32_t>();
-  if (const std::uint32_t size = tag >> 16; size > 0) {  // at most four bytes, in the tag itself
+  if (const std::uint32_t size = tag >> 16; size > 0) {  // four bytes at most, in the tag itself
     if (size > 4) throw FileError{"is damaged: an element of another size than it can have"};
     return {tag & 0xffff, Bytes(in.take(4).substr(0, size), in.swapped())};
   }

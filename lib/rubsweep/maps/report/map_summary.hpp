@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "rubsweep/core/response/motion/motion_kind.hpp"
+#include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/maps/sweep/row.hpp"
 
 namespace rubsweep::report {

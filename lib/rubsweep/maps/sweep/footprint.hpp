@@ -10,7 +10,7 @@ namespace rubsweep::sweep {
 
 /// Who computes a sweep.
 struct Workers {
-  int threads = 1;  ///< of each process
+  int threads = 1;  ///< threads of each process
   int ranks = 0;    ///< processes of MPI that share the work; 0: one process without MPI
 };
 

@@ -281,7 +281,7 @@ std::size_t island_bound(const Grid& grid) {
 std::optional<double> boundary_exponent(const Grid& grid, std::span<const int> labels) {
   const Planes planes = planes_of(grid);
   const int levels = grid.refinement->levels;
-  std::map<int, double> split_cells;  // by level
+  std::map<int, double> split_cells;  // number of cells by level
   visit_lattice(planes, levels, [&](const Block& lattice_block) {
     visit_blocks(
         planes, lattice_block, labels, 0, [](const Block&) {},

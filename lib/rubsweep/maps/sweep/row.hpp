@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/core/response/motion/motion_kind.hpp"
-#include "rubsweep/core/response/motion/proof.hpp"
+#include "rubsweep/core/response/motion/motion.hpp"
+#include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/core/response/survival.hpp"
 #include "rubsweep/maps/sweep/basin_sampling.hpp"
 #include "rubsweep/maps/sweep/threshold.hpp"

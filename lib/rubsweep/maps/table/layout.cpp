@@ -24,7 +24,7 @@ std::vector<Line> first_lines(std::string_view text) {
     const auto offset = static_cast<std::size_t>(text.data() - begin);
     const std::string_view line = take_line(text);
     if (line.starts_with("***End_of_Header***"))
-      lines.clear();  // of LabVIEW: the table comes behind it
+      lines.clear();  // lines of LabVIEW's head: the table comes behind it
     else if (line.find_first_not_of(" \t") != std::string_view::npos)
       lines.push_back({line, number, offset});
   }

@@ -11,9 +11,9 @@ namespace rubsweep::table {
 
 /// A column of a table.
 struct Column {
-  Heading heading;            ///< without a name where the table says none
+  Heading heading;            ///< heading, without a name where the table says none
   std::size_t column = 1;     ///< byte of its name in its line, from 1
-  bool is_text = false;       ///< its cells are words and no numbers: a comment, a status
+  bool is_text = false;       ///< true: cells are words and no numbers: a comment, a status
   std::size_t text_line = 0;  ///< line of one such cell
 };
 
@@ -21,9 +21,9 @@ struct Column {
 struct Layout {
   char separator = ',';
   std::vector<Column> columns;
-  std::size_t names_line = 0;      ///< from 1; 0: the table has no names
+  std::size_t names_line = 0;      ///< line number from 1; 0: the table has no names
   std::size_t numbers_offset = 0;  ///< place of the first number
-  std::size_t numbers_line = 1;    ///< and in which line, from 1
+  std::size_t numbers_line = 1;    ///< line of the first numbers, from 1
   std::size_t fewest_cells = 1;    ///< least length of a row: up to its last column of numbers
 };
 

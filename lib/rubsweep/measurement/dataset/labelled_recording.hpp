@@ -20,7 +20,7 @@ struct MachineDraw {
   diagnose::Point unit{};  ///< places in the ranges of its candidate; those of one recording are drawn anew
   double clearance_m = 0, stop_angle_deg = 0, mark_turns = 0;
   std::string_view part{};     ///< training, validation or test
-  std::vector<double> gain{};  ///< of each probe
+  std::vector<double> gain{};  ///< gain of each probe
 };
 
 /// Candidates take turns.
@@ -35,10 +35,10 @@ struct LabelledRecording {
   std::string_view part{};  ///< training, validation or test, the same for all recordings of a machine
   diagnose::Point values{};
   double speed_hz = 0, clearance_m = 0, stop_angle_deg = 0;
-  double mark_turns = 0;                          ///< of the shaft, from the first reading to the mark
+  double mark_turns = 0;                          ///< turns of the shaft from the first reading to the mark
   double noise_m = 0;                             ///< standard deviation of every reading
-  std::vector<double> gain{};                     ///< of each probe
-  double penetration_ratio = 0, force_ratio = 0;  ///< as RubBounds has them
+  std::vector<double> gain{};                     ///< gain of each probe
+  double penetration_ratio = 0, force_ratio = 0;  ///< ratios as RubBounds has them
   diagnose::SimulatedMotion motion{};             ///< label; its samples are used up
   std::string sha256{};                           ///< digest of its file, once that is written
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: of two probes

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/dense/self_adjoint.hpp"
+#include "rubsweep/core/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/batch/opened_file.hpp"
 

@@ -11,7 +11,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/shaft_matrices.hpp"
-#include "rubsweep/core/response/rotating/symmetry.hpp"
+#include "rubsweep/core/response/rotating/rotating_frame.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"

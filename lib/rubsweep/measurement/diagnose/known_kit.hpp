@@ -11,20 +11,20 @@ namespace rubsweep::diagnose {
 
 /// A rotor kit as far as it is known.
 struct KnownKit {
-  std::vector<model::RotorKit> likely;   ///< each as likely as the others; the lowest natural frequency first
-  double natural_frequency_hz = 0;       ///< lowest bending frequency at rest, of the middle one
+  std::vector<model::RotorKit> likely;  ///< each as likely as the others; the lowest natural frequency first
+  double natural_frequency_hz = 0;      ///< lowest bending frequency at rest, of the middle one
   double rotor_mass_kg = 0;
-  double probe_position_m = 0;           ///< of the first sensor
-  double from_m = 0, to_m = 0;           ///< first and last support on the shaft: stops stand between them
-  double length_m = 0;                   ///< of the shaft
-  bool same_all_around = false;          ///< no direction across the shaft differs from another
-  std::vector<double> nodes_m{};         ///< of a kit of matrices, whose stops stand at nodes
-  std::string digest{};                  ///< of all that decided the kits, for tables of cases
+  double probe_position_m = 0;    ///< place of the first sensor
+  double from_m = 0, to_m = 0;    ///< first and last support on the shaft: stops stand between them
+  double length_m = 0;            ///< length of the shaft
+  bool same_all_around = false;   ///< no direction across the shaft differs from another
+  std::vector<double> nodes_m{};  ///< nodes of a kit of matrices, where its stops stand
+  std::string digest{};           ///< digest of all that decided the kits, for tables of cases
 };
 
 /// Throws ConfigError, opened by `name`, where a kit has a length or a force that does not grow with the
-/// unbalance (bow, couplings out of line, static loads, a faulty bearing, clearances from the sag), torsion, or
-/// no sensor.
+/// unbalance (bow, couplings out of line, static loads, a faulty bearing, clearances from the sag), torsion,
+/// or no sensor.
 void refuse_unscalable(const model::RotorKit& kit, const std::string& name);
 
 /// Kits from draws of what is not known. Each keeps the modes up to most_order times the speed and one more,

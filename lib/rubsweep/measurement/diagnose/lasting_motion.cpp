@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "rubsweep/core/integrate/exact/modes/mode_cache.hpp"
-#include "rubsweep/core/response/motion/record_settled.hpp"
+#include "rubsweep/core/response/motion/record.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "rubsweep/core/model/machine.hpp"
-#include "rubsweep/core/response/motion/contact_facts.hpp"
+#include "rubsweep/core/response/motion/motion.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/measurement/diagnose/observed_lines.hpp"
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "rubsweep/core/response/motion/record_settled.hpp"
+#include "rubsweep/core/response/motion/record.hpp"
 #include "rubsweep/core/response/settle.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/measurement/diagnose/lasting_motion.hpp"

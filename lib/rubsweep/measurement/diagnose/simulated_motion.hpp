@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "rubsweep/core/model/machine.hpp"
-#include "rubsweep/core/response/motion/contact_facts.hpp"
+#include "rubsweep/core/response/motion/motion.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
-#include "rubsweep/core/response/motion/proof.hpp"
 #include "rubsweep/core/response/motion/workspace.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 

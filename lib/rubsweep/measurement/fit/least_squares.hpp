@@ -32,7 +32,7 @@ struct LeastSquaresOptions {
   /// (Huber); 0: all count by the square.
   double robust_beyond = 0;
   int starts = 1;            ///< further ones are drawn between the bounds, the same in every run
-  int most_iterations = 60;  ///< of each start
+  int most_iterations = 60;  ///< limit of each start
   std::function<void(int start, int iteration, double cost)> on_iteration{};
   /// The best so far is returned, without waiting for the derivatives that are being made; no value where
   /// there is none yet.
@@ -43,11 +43,11 @@ struct LeastSquaresOptions {
 struct LeastSquaresFit {
   Eigen::VectorXd value, residuals;
   double cost = 0;
-  Eigen::MatrixXd jacobian;      ///< of the residuals, by central differences
-  int iterations = 0;            ///< of the best start
+  Eigen::MatrixXd jacobian;      ///< derivatives of the residuals, by central differences
+  int iterations = 0;            ///< iterations of the best start
   int starts = 0, agreeing = 0;  ///< finished ones, and those that reached the same cost within 1 %
   bool converged = false, stopped = false;
-  std::vector<bool> at_bound;  ///< per parameter
+  std::vector<bool> at_bound;  ///< flag of each parameter
 };
 
 /// Levenberg and Marquardt's descent between bounds (Ceres Solver), from each start; derivatives by central

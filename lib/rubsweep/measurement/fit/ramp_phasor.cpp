@@ -10,7 +10,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/core/scene/quiet_motion.hpp"
-#include "rubsweep/core/structure/system_at.hpp"
+#include "rubsweep/core/structure/assembly.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 
 namespace rubsweep::fit {

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
-#include "rubsweep/core/numerics/spectral/singular_values.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
+#include "rubsweep/core/numerics/spectral/decompositions.hpp"
 
 namespace rubsweep::fit {
 namespace {

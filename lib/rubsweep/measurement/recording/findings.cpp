@@ -25,7 +25,7 @@ struct Values {
   double low = INFINITY, high = -INFINITY;
   double step = INFINITY;  ///< smallest distance of two values: that of the converter, if there is one
   std::size_t at_low = 0, at_high = 0;  ///< readings of the smallest and of the largest value
-  std::size_t most_between = 0;         ///< of the value between them that is read most often
+  std::size_t most_between = 0;         ///< readings of the value between them that is read most often
 };
 
 Values values_of(std::span<const double> readings) {

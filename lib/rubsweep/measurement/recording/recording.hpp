@@ -17,13 +17,13 @@ inline constexpr int samples_per_revolution = 128;
 /// Measured motion over whole turns of the shaft, at equal angles.
 struct Recording {
   double sampling_rate_hz = 0;
-  std::vector<double> turn_begin_s{};  ///< one more than there are turns
+  std::vector<double> turn_begin_s{};  ///< begins of the turns, and the end of the last one
   /// Displacement x + iy in metres, samples_per_revolution of every turn; of one probe its reading, real.
   std::vector<std::complex<double>> displacement_m{};
   bool plane = false;      ///< two probes
   bool from_rest = false;  ///< displacements count from where the rotor rests
   AngleDoubt angle_doubt{};
-  std::vector<std::string> findings{};  ///< what is wrong with the numbers, sentences without a full stop
+  std::vector<std::string> findings{};  ///< faults of the numbers, sentences without a full stop
 
   int turns() const { return static_cast<int>(turn_begin_s.size()) - 1; }
   double mean_speed_hz() const { return turns() / (turn_begin_s.back() - turn_begin_s.front()); }

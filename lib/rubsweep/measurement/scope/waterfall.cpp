@@ -9,7 +9,7 @@
 #include <span>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/response/spectrum/hann_window.hpp"
+#include "rubsweep/core/response/spectrum/discrete_lines.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/measurement/recording/shaft_turns.hpp"
 

@@ -19,7 +19,7 @@ bool speed_changes(const recording::Recording& recording);
 
 /// Component of one order of a signal over a few turns: Re(A e^{i order phi}), phi = 0 at the mark.
 struct OrderPoint {
-  double t_s = 0, speed_hz = 0;           ///< in the middle of these turns
+  double t_s = 0, speed_hz = 0;           ///< time and speed in the middle of these turns
   std::complex<double> x_m = 0, y_m = 0;  ///< A of the displacement in x and in y; of one probe x alone
 };
 

@@ -118,7 +118,8 @@ std::vector<BranchEvent> on_one_step(const orbits::SceneFamily& family, double f
   orbits::OrbitProblem problem = orbits::scene_orbits(family, 1, {}, modes);
   problem.low = first;
   problem.high = last;
-  problem.parameter_scale = (last - first) / 10;  // beside it the state changes little: the tangent keeps on
+  problem.parameter_scale =
+      (last - first) / 10;  // a parameter beside which the state changes little: the tangent keeps on
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(4);
   const auto from = orbit_from(problem, rest, first);
   auto to = orbit_from(problem, rest, last);

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "analysis/branch/curves/plain_planes.hpp"
-#include "rubsweep/analysis/branch/curves/curve_newton.hpp"
+#include "rubsweep/analysis/branch/curves/curve.hpp"
 
 namespace rubsweep::test {
 

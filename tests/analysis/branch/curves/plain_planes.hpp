@@ -2,7 +2,7 @@
 
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"
 #include "rubsweep/analysis/branch/curves/follow_curve.hpp"
-#include "rubsweep/analysis/branch/orbits/plane_orbits.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_plane.hpp"
 
 namespace rubsweep::test {
 

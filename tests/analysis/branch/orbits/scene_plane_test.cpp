@@ -285,4 +285,5 @@ TEST(ScenePlane, FoldOfTheFullAnnularRub) {
 }
 
 }  // namespace
+
 }  // namespace rubsweep::branch::orbits

@@ -51,7 +51,7 @@ TEST(CreepChoice, ExpandsAContactThatFrictionHoldsAndNotTheNextOne) {
   ASSERT_TRUE(choice.due(rolling.ratio()));
   ASSERT_TRUE(rolling.begin(choice, 1e-3));
   EXPECT_TRUE(rolling.motion.any_creeps());
-  EXPECT_EQ(rolling.ratio(), 0);  // of what does not creep
+  EXPECT_EQ(rolling.ratio(), 0);  // nothing creeps
   EXPECT_GT(choice.known_rad(), 12e-3);
   EXPECT_LE(choice.known_rad(), 0.5);
   choice.end(rolling.motion, rolling.dynamics);

@@ -16,7 +16,7 @@ namespace {
 constexpr int holding_order = 12;
 using State = Eigen::Vector4d;
 
-constexpr double angle_rad = 0.3;  ///< of the normal
+constexpr double angle_rad = 0.3;  ///< angle of the normal
 
 /// A rotor that sticks to a wall by dry friction.
 struct Sticking {

@@ -34,5 +34,59 @@ TEST(MotionClasses, WhatRubsAndWhatRepeats) {
   }
 }
 
+using spectrum::OrbitKind;
+using spectrum::WhirlKind;
+
+TEST(MotionClassMotionKind, EveryClassHasARowWhateverItsMeasures) {
+  for (const MotionClass motion_class : motion_classes) {
+    const MotionKind& kind = kind_of(motion_class, {}, {}, {}, false);
+    EXPECT_TRUE(kind.name.starts_with(to_string(motion_class))) << kind.name;
+    EXPECT_EQ(motion_kind_of(kind.name), &kind);
+    if (motion_class != MotionClass::unsettled) {
+      EXPECT_EQ(kind.settled_rub, row_of(motion_class).rubs) << kind.name;
+    }
+  }
+  EXPECT_EQ(motion_kind_of("rolling"), nullptr);
+}
+
+TEST(MotionClassMotionKind, SubharmonicMotionsOfLongPeriodsAreOne) {
+  const auto name = [](int order) { return kind_of(MotionClass::subharmonic, order, {}, {}, false).name; };
+  EXPECT_EQ(name(2), "subharmonic_2");
+  EXPECT_EQ(name(7), "subharmonic_7");
+  EXPECT_EQ(name(8), "subharmonic_8");
+  EXPECT_EQ(name(13), "subharmonic_8");
+}
+
+TEST(MotionClassMotionKind, ShapeAndDirectionPartTheMotionsAtAnAnnularStop) {
+  const auto circle = [](WhirlKind whirl) {
+    return kind_of(MotionClass::synchronous, 1, OrbitKind::circle, whirl, false).name;
+  };
+  EXPECT_EQ(circle(WhirlKind::forward), "synchronous_circle");
+  EXPECT_EQ(circle(WhirlKind::mixed), "synchronous_circle");
+  EXPECT_EQ(circle(WhirlKind::backward), "synchronous_circle_backward");
+  EXPECT_EQ(kind_of(MotionClass::synchronous, 1, OrbitKind::oval, WhirlKind::backward, false).name,
+            "synchronous");
+  const auto closed = [](WhirlKind whirl, bool comb) {
+    return kind_of(MotionClass::quasi_periodic, {}, OrbitKind::oval, whirl, comb).name;
+  };
+  EXPECT_EQ(closed(WhirlKind::forward, true), "quasi_periodic_oval");
+  EXPECT_EQ(closed(WhirlKind::backward, true), "quasi_periodic_whip");
+  EXPECT_EQ(closed(WhirlKind::backward, false), "quasi_periodic");
+}
+
+TEST(MotionClassMotionKind, NamesLabelsAndColoursAreUnique) {
+  std::set<std::string_view> names, labels;
+  std::set<std::uint32_t> colours, dark;
+  for (const MotionKind& kind : motion_kinds) {
+    names.insert(kind.name);
+    labels.insert(kind.label);
+    colours.insert(kind.colour);
+    dark.insert(kind.dark_colour);
+  }
+  for (const std::size_t size : {names.size(), labels.size(), colours.size(), dark.size()})
+    EXPECT_EQ(size, motion_kinds.size());
+}
+
 }  // namespace
+
 }  // namespace rubsweep::response::motion

@@ -123,7 +123,7 @@ TEST(PoincareSection, RefusesRowsThatHaveNoShape) {
 TEST(PoincareSectionReturns, AfterItsOrderOnceEveryNumberIsWithinTheTolerance) {
   SectionReturns returns(2);
   EXPECT_FALSE(returns.returned({1, 5}));
-  EXPECT_FALSE(returns.returned({1, 5}));  // of one turn ago
+  EXPECT_FALSE(returns.returned({1, 5}));  // the section of one turn ago
   EXPECT_FALSE(returns.returned({1, 5 + 2 * section_tolerance}));
   EXPECT_TRUE(returns.returned({1 - section_tolerance / 2, 5}));
   EXPECT_FALSE(returns.returned({2, 5 + 2 * section_tolerance}));

@@ -2,6 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "rubsweep/core/integrate/run/state_scale.hpp"
+#include "rubsweep/core/integrate/start.hpp"
+#include "support/set_a_cell.hpp"
 #include "support/simple_scenes.hpp"
 
 namespace rubsweep::response::motion {
@@ -59,5 +67,138 @@ TEST(Record, HoldsTwoWindowsOfEqualLength) {
   EXPECT_EQ(together(newer.contact).peak_contact_force_n, 9);
 }
 
+/// Mass that swings along x, one period in so many revolutions where it is not damped: from 1e-4 m, a tenth
+/// of the clearance, at rest.
+scene::Scene swinging(double period_turns, double damping_ratio = 0) {
+  const double w = 2 * std::numbers::pi / period_turns;
+  scene::Scene scene = test::one_mass_scene(1, w * w, 2 * damping_ratio * w, 1, 1e-3);
+  scene.displacement_m << 1e-4, 0;
+  return scene;
+}
+
+TEST(RecordSettled, HoldsTheSamplesOfTheTurnsBehindThoseThatPass) {
+  integrate::exact::modes::ModeCache modes;
+  const auto record = record_settled(
+      swinging(7.3), {}, modes, {.settling = {.most_turns = 5}, .turns = 2, .samples_per_revolution = 16});
+  ASSERT_TRUE(record);
+  EXPECT_EQ(record->passed, 5);
+  EXPECT_FALSE(record->touched);
+  ASSERT_EQ(record->displacement_m.size(), 32u);
+  for (int k = 0; k < 32; ++k) {
+    const auto z = record->displacement_m[static_cast<std::size_t>(k)];
+    EXPECT_NEAR(z.real(), 1e-4 * std::cos(2 * std::numbers::pi * (5 + k / 16.0) / 7.3), 1e-12) << k;
+    EXPECT_NEAR(z.imag(), 0, 1e-15);
+  }
+  EXPECT_NEAR(record->end[0], 0.1 * std::cos(2 * std::numbers::pi * 7 / 7.3), 1e-9);
+}
+
+TEST(RecordSettled, IsSettledWhereTheSectionReturns) {
+  integrate::exact::modes::ModeCache modes;
+  const auto turns = [&](const Settling& settling) {
+    const auto record = record_settled(swinging(3), {}, modes, {.settling = settling});
+    return record ? record->passed : -1;
+  };
+  EXPECT_EQ(turns({.most_turns = 50, .order = 3}), 3);
+  EXPECT_EQ(turns({.most_turns = 50, .order = 3, .fewest_turns = 20}), 20);
+  EXPECT_EQ(turns({.most_turns = 50, .order = 2}), 50);
+  EXPECT_EQ(turns({.most_turns = 50}), 50);
+}
+
+TEST(RecordSettled, ADampedMotionReturnsOnceItHasDiedAway) {
+  integrate::exact::modes::ModeCache modes;
+  const auto record =
+      record_settled(swinging(3, 0.05), {}, modes, {.settling = {.most_turns = 500, .order = 3}});
+  ASSERT_TRUE(record);
+  // Displacement in clearances, and its rate per radian of the shaft, from the closed form.
+  const double w = 2 * std::numbers::pi / 3, decay = 0.05 * w, damped = std::sqrt(w * w - decay * decay);
+  const auto state = [&](long turns) {
+    const auto t = static_cast<double>(turns);
+    return std::complex(
+        0.1 * std::exp(-decay * t) * (std::cos(damped * t) + decay / damped * std::sin(damped * t)),
+        -0.1 * std::exp(-decay * t) * w * w / damped * std::sin(damped * t) / (2 * std::numbers::pi));
+  };
+  long settled = 3;
+  const auto returns = [&](long turns) {
+    const auto step = state(turns) - state(turns - 3);
+    return std::max(std::abs(step.real()), std::abs(step.imag())) <= 1e-5;
+  };
+  while (!returns(settled)) ++settled;
+  EXPECT_GT(settled, 30);
+  EXPECT_EQ(record->passed, settled);
+}
+
+TEST(RecordSettled, GivesUpAMotionThatTouchesNothingAnyMore) {
+  integrate::exact::modes::ModeCache modes;
+  const Wanted wanted{.settling = {.most_turns = 20, .longest_flight = 10}, .turns = 1};
+  EXPECT_FALSE(record_settled(swinging(3), {}, modes, wanted));
+  const Wanted shorter{.settling = {.most_turns = 10, .longest_flight = 10}, .turns = 1};
+  EXPECT_TRUE(record_settled(swinging(3), {}, modes, shorter));
+}
+
+TEST(RecordSettled, GivesUpWhereWorkIsUsedUpWhileItSettlesOrIsRecorded) {
+  integrate::exact::modes::ModeCache modes;
+  EXPECT_FALSE(
+      record_settled(swinging(3), {}, modes, {.settling = {.most_turns = 1, .most_work = 0}, .turns = 0}));
+  EXPECT_FALSE(record_settled(swinging(3), {}, modes, {.settling = {.most_work = 0}, .turns = 1}));
+}
+
+TEST(RecordSettled, BeginsAtAGivenSectionAndShowsEveryTurn) {
+  integrate::exact::modes::ModeCache modes;
+  const std::vector<double> start{0.2, 0, 0, 0};
+  std::vector<long> left;
+  std::vector<double> begins;
+  const auto record = record_settled(
+      swinging(4), {}, modes,
+      {.start = start, .turns = 3, .samples_per_revolution = 8, .take = [&](const RecordedTurn& turn) {
+         left.push_back(turn.left);
+         begins.push_back(turn.begin[0]);
+         EXPECT_EQ(turn.report.sample_count, 8);
+       }});
+  ASSERT_TRUE(record);
+  EXPECT_TRUE(record->displacement_m.empty());
+  EXPECT_EQ(left, (std::vector<long>{3, 2, 1}));
+  ASSERT_EQ(begins.size(), 3u);
+  EXPECT_EQ(begins[0], 0.2);
+  EXPECT_NEAR(begins[1], 0, 1e-9);
+  EXPECT_NEAR(begins[2], -0.2, 1e-9);
+}
+
+TEST(RecordSettled, TheFactsAreThoseOfTheRecordedTurns) {
+  const scene::Cell cell = test::cell_of({});
+  integrate::exact::modes::ModeCache modes;
+  const auto record = record_settled(
+      cell.scene, {}, modes,
+      {.settling = {.most_turns = 60}, .turns = 12, .samples_per_revolution = 32, .peaks = true});
+  ASSERT_TRUE(record);
+  const integrate::run::Run run = integrate::start(cell.scene, {}, modes);
+  integrate::run::TurnReport turn;
+  int hits = 0;
+  double contact = 0, force_n = 0;
+  for (int k = 0; k < 72; ++k) {
+    ASSERT_EQ(run.advance({.peaks = true}, turn), integrate::run::Outcome::ok);
+    if (k < 60) continue;
+    hits += turn.hits;
+    contact += turn.contact_fraction / 12;
+    force_n = std::max(force_n, turn.peak_contact_force_n);
+  }
+  EXPECT_EQ(record->contact.hits, hits);
+  EXPECT_EQ(record->touched, hits > 0 || contact > 0);
+  EXPECT_NEAR(record->contact.contact_fraction, contact, 1e-9);
+  EXPECT_NEAR(record->contact.peak_contact_force_n, force_n, 1e-6 * force_n);
+}
+
+TEST(RecordSettled, QuietSamplesAreTheClosedForm) {
+  const scene::Cell cell = test::cell_of({});
+  const auto samples = quiet_samples(cell, 24);
+  ASSERT_EQ(samples.size(), 24u);
+  // One mass point whose whirl is a circle about its mean.
+  std::complex<double> mean = 0;
+  for (const auto& z : samples) mean += z / 24.0;
+  for (const auto& z : samples)
+    EXPECT_NEAR(std::abs(z - mean), std::abs(samples[0] - mean), 1e-9 * std::abs(samples[0]));
+  EXPECT_NEAR(samples[0].real(), cell.quiet.displacement(0)(0), 1e-18);
+}
+
 }  // namespace
+
 }  // namespace rubsweep::response::motion

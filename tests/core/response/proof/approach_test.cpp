@@ -2,14 +2,153 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <random>
 #include <utility>
+
+#include "rubsweep/core/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/core/numerics/spectral/decompositions.hpp"
+#include "rubsweep/core/response/proof/section_map.hpp"
+#include "support/set_a_cell.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
+
+using Eigen::Matrix2d;
+using Eigen::MatrixXd;
+
+double size_in(const MatrixXd& from, const MatrixXd& turn, const MatrixXd& to) {
+  const MatrixXd map = to * turn * from.inverse();
+  return numerics::spectral::singular_values(map).values(0);
+}
+
+/// A focus that decays slowly: the maximum norm of a disturbance halves by turning alone.
+TEST(ApproachNormsAdaptedNorms, ContractWhereTheMaximumNormOnlyTurns) {
+  const double shrink = 0.999, angle = 0.7, stretch = 20;
+  Matrix2d turn;
+  turn << std::cos(angle), -stretch * std::sin(angle), std::sin(angle) / stretch, std::cos(angle);
+  turn *= shrink;
+  EXPECT_GT(turn.cwiseAbs().rowwise().sum().maxCoeff(), 1);
+  const auto norms = adapted_norms({turn});
+  ASSERT_TRUE(norms);
+  EXPECT_NEAR(norms->contraction, (1 + shrink) / 2, 1e-12);
+  EXPECT_LE(size_in(norms->norm[0], turn, norms->norm[0]), norms->contraction * (1 + 1e-9));
+}
+
+TEST(ApproachNormsAdaptedNorms, EveryTurnOfAPeriodContracts) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<MatrixXd> turns(3, MatrixXd(6, 6));
+    MatrixXd monodromy = MatrixXd::Identity(6, 6);
+    for (MatrixXd& turn : turns) {
+      for (double& x : turn.reshaped()) x = normal(random);
+      monodromy = turn * monodromy;
+    }
+    const double wanted = std::uniform_real_distribution(0.1, 0.9999)(random);
+    const double factor = std::cbrt(wanted / numerics::dense::spectral_radius(monodromy));
+    for (MatrixXd& turn : turns) turn *= factor;
+    const auto norms = adapted_norms(turns);
+    ASSERT_TRUE(norms);
+    EXPECT_LT(norms->contraction, 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const MatrixXd& here = norms->norm[k];
+      EXPECT_LE(size_in(here, turns[k], norms->norm[(k + 1) % 3]), norms->contraction * (1 + 1e-7));
+      EXPECT_GE(numerics::spectral::singular_values(here).values.minCoeff(), 1 - 1e-9);
+    }
+  }
+}
+
+TEST(ApproachNormsAdaptedNorms, NoneOnTheUnitCircleOrOutside) {
+  EXPECT_FALSE(adapted_norms({MatrixXd::Identity(2, 2)}));
+  EXPECT_FALSE(adapted_norms({2 * MatrixXd::Identity(2, 2), MatrixXd::Identity(2, 2)}));
+  EXPECT_TRUE(adapted_norms({2 * MatrixXd::Identity(2, 2), 0.4 * MatrixXd::Identity(2, 2)}));
+}
+
+using Eigen::VectorXd;
+
+/// Turns of a section of six numbers of which a contact sees the first two: the last two are a vibration of
+/// its own, a slow focus, that the others drive; the two in between decay at once.
+struct Turns {
+  std::vector<MatrixXd> list;
+  MatrixXd seen = MatrixXd::Zero(2, 6);
+
+  explicit Turns(double shrinks) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal;
+    for (int k = 0; k < 3; ++k) {
+      MatrixXd turn = MatrixXd::Zero(6, 6);
+      for (double& x : turn.leftCols(4).reshaped()) x = 0.2 * normal(random);
+      const double angle = 0.7 + k;
+      turn.bottomRightCorner(2, 2) << std::cos(angle), -3 * std::sin(angle), std::sin(angle) / 3,
+          std::cos(angle);
+      turn.rightCols(2) *= shrinks;
+      list.push_back(turn);
+    }
+    seen(0, 0) = seen(1, 1) = 1;
+  }
+};
+
+/// Spectral norm, by the largest eigenvalue of matrix^T matrix.
+double largest(const MatrixXd& matrix) {
+  return std::sqrt(numerics::dense::self_adjoint_eigenvalues(matrix.transpose() * matrix).maxCoeff());
+}
+
+TEST(ApproachNormsSplitNorms, AVibrationThatNoContactSeesIsTheSlowPart) {
+  const Turns turns(0.98);
+  const auto norms = split_norms(turns.list, turns.seen);
+  ASSERT_TRUE(norms);
+  EXPECT_EQ(norms->fast, 4);
+  EXPECT_EQ(norms->slow(), 2);
+  EXPECT_NEAR(norms->contraction.slow, std::cbrt((1 + std::pow(0.98, 3)) / 2), 1e-9);
+  EXPECT_LT(norms->contraction.fast, 0.9);
+  VectorXd offset = VectorXd::Zero(6);
+  offset.tail(2) << 0.3, -0.1;
+  EXPECT_NEAR(parts_of(*norms, 1, offset).fast, 0, 1e-12);
+  EXPECT_GT(parts_of(*norms, 1, offset).slow, 0.1);
+}
+
+TEST(ApproachNormsSplitNorms, EveryTurnDrawsBothPartsTogether) {
+  const Turns turns(0.98);
+  const auto norms = split_norms(turns.list, turns.seen);
+  ASSERT_TRUE(norms);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_LE((norms->norm[k] * norms->unit[k] - MatrixXd::Identity(6, 6)).norm(), 1e-10);
+    const MatrixXd turn = norms->norm[(k + 1) % 3] * turns.list[k] * norms->unit[k];
+    EXPECT_LE(largest(turn.topLeftCorner(4, 4)), norms->contraction.fast * (1 + 1e-9));
+    EXPECT_LE(largest(turn.bottomRightCorner(2, 2)), norms->contraction.slow * (1 + 1e-9));
+    // Contacts do not see the slow part, and so it drives nothing.
+    EXPECT_LE(largest(turn.topRightCorner(4, 2)), 1e-10);
+  }
+}
+
+TEST(ApproachNormsSplitNorms, NoneWhereContactsSeeEverything) {
+  const Turns turns(0.98);
+  MatrixXd seen = turns.seen;
+  seen(0, 4) = 1e-3;
+  EXPECT_FALSE(split_norms(turns.list, seen));
+}
+
+TEST(ApproachNormsSplitNorms, NoneWhereTheUnseenVibrationDecaysAtOnceOrGrows) {
+  const Turns fast(0.3), growing(1.01);
+  EXPECT_FALSE(split_norms(fast.list, fast.seen));
+  EXPECT_FALSE(split_norms(growing.list, growing.seen));
+}
+
+/// One wall above: penetration is the rotor's y less the casing's.
+TEST(ApproachNormsSplitNormsSeenByContacts, PenetrationsAndTheirRates) {
+  const MatrixXd rows = seen_by_contacts(test::cell_of({}).scene);
+  ASSERT_EQ(rows.rows(), 2);
+  ASSERT_EQ(rows.cols(), 8);
+  MatrixXd wanted = MatrixXd::Zero(2, 8);
+  wanted(0, 1) = wanted(1, 5) = 1;
+  wanted(0, 3) = wanted(1, 7) = -1;
+  EXPECT_LE((rows - wanted).norm(), 1e-12);
+}
 
 constexpr double shrinks = 0.98;
 
@@ -211,4 +350,5 @@ TEST(Approach, BesideATorusBifurcationATurnedApproachIsOne) {
 }
 
 }  // namespace
+
 }  // namespace rubsweep::response::proof

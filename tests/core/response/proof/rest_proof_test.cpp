@@ -63,7 +63,7 @@ TEST(RestProof, GivesUpWhereAModeGrows) {
   EXPECT_FALSE(RestProof(cell).proves(integrate::run::scaled_initial_state(cell.scene)));
   EXPECT_TRUE(RestProof(cell).vibration_grows());
   cell.scene.impulses.push_back({Eigen::Vector4d(1, 0, 0, 0), 3.5, 0});
-  EXPECT_TRUE(RestProof(cell).vibration_grows());  // by itself, whatever impulses do
+  EXPECT_TRUE(RestProof(cell).vibration_grows());  // growth by itself, whatever impulses do
 }
 
 TEST(RestProof, HoldsThroughCriticalDamping) {

@@ -11,7 +11,7 @@
 #include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
 #include "rubsweep/core/integrate/run/work_bound.hpp"
-#include "rubsweep/core/response/closest_return.hpp"
+#include "rubsweep/core/response/followed.hpp"
 #include "rubsweep/core/response/lyapunov_exponent.hpp"
 #include "support/set_a_cell.hpp"
 

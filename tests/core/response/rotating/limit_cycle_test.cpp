@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 /// multipliers 1, e^{-2 a T} and e^{-b T}.
 struct NormalForm {
   double a = 0.1, w = 0.6, b = 0.3;
-  double push_out = 0;  ///< at r < 0.95, where no derivative shows it
+  double push_out = 0;  ///< push at r < 0.95, where no derivative shows it
 
   double period() const { return numerics::full_turn / w; }
   VectorXd rate(const VectorXd& y) const {

@@ -8,6 +8,7 @@
 
 #include "rubsweep/analysis/branch/orbits/contact_sequence.hpp"
 #include "rubsweep/analysis/branch/orbits/orbit_problem.hpp"
+#include "rubsweep/core/enumerator_word.hpp"
 
 namespace rubsweep::branch::continuation {
 
@@ -72,27 +73,7 @@ enum class EventKind {
   stability,       ///< multipliers leave or enter the unit circle in a way none of the above explains
 };
 
-constexpr std::string_view to_string(EventKind kind) {
-  switch (kind) {
-    case EventKind::fold:
-      return "fold";
-    case EventKind::period_doubling:
-      return "period_doubling";
-    case EventKind::neimark_sacker:
-      return "neimark_sacker";
-    case EventKind::branch_point:
-      return "branch_point";
-    case EventKind::period_halving:
-      return "period_halving";
-    case EventKind::graze:
-      return "graze";
-    case EventKind::sequence:
-      return "sequence";
-    case EventKind::stability:
-      return "stability";
-  }
-  return "";
-}
+constexpr std::string_view to_string(EventKind kind) { return enumerator_word(kind); }
 
 struct BranchEvent {
   EventKind kind = EventKind::fold;
@@ -120,37 +101,7 @@ enum class Ending {
   target,        ///< the wanted parameter is reached
 };
 
-constexpr std::string_view to_string(Ending ending) {
-  switch (ending) {
-    case Ending::left_range:
-      return "left_range";
-    case Ending::closed:
-      return "closed";
-    case Ending::off_the_walls:
-      return "off_the_walls";
-    case Ending::period_halving:
-      return "period_halving";
-    case Ending::infeasible:
-      return "infeasible";
-    case Ending::failed:
-      return "failed";
-    case Ending::step_too_small:
-      return "step_too_small";
-    case Ending::singular:
-      return "singular";
-    case Ending::point_limit:
-      return "point_limit";
-    case Ending::resonance:
-      return "resonance";
-    case Ending::unfolds:
-      return "unfolds";
-    case Ending::first_change:
-      return "first_change";
-    case Ending::target:
-      return "target";
-  }
-  return "";
-}
+constexpr std::string_view to_string(Ending ending) { return enumerator_word(ending); }
 
 /// One side of a branch: from its start on.
 struct HalfBranch {
@@ -166,5 +117,17 @@ struct Branch {
   std::vector<BranchEvent> events;
   Ending falling = Ending::left_range, rising = Ending::left_range;  ///< at its first and its last point
 };
+
+/// `#` lines of both files: the meaning of the parameter, and the ending of each branch.
+std::string branch_comments(const std::string& parameter, const std::vector<Branch>& branches);
+
+/// Header and a row for every point, branch by branch, by ascending arclength.
+std::string branch_csv(const std::vector<Branch>& branches);
+
+/// Header and a row for every event, the same way.
+std::string branch_events_csv(const std::vector<Branch>& branches);
+
+/// Summary for a terminal: the extent of each branch, and its events.
+std::string branch_summary(const std::string& parameter, const std::vector<Branch>& branches);
 
 }  // namespace rubsweep::branch::continuation

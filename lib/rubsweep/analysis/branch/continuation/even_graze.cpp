@@ -261,7 +261,7 @@ class EvenGrazeSearch {
 std::optional<EvenGraze> even_graze_ahead(const orbits::OrbitProblem& problem, const BranchPoint& here,
                                           double step) {
   if (!problem.penetration || !problem.facts) return std::nullopt;
-  constexpr double reach = 1.5;  ///< in steps: the next one must not end where all is rounding
+  constexpr double reach = 1.5;  ///< number of steps: the next one must not end where all is rounding
   std::optional<EvenGrazeSearch> nearest;
   for (const orbits::EvenContact& even : here.facts.even) {
     if (std::abs(even.penetration) < last_penetration) continue;

@@ -11,7 +11,7 @@ namespace rubsweep::branch::continuation {
 /// A graze of an orbit that touches everywhere at once (orbits::EvenContact). The branch has a corner there.
 struct EvenGraze {
   BranchPoint before;               ///< orbit just this side of it
-  std::vector<BranchEvent> events;  ///< one for each contact that grazes, all at one point
+  std::vector<BranchEvent> events;  ///< event of each contact that grazes, all at one point
   std::optional<BranchPoint>
       beyond;  ///< orbit just behind it, with its tangent away from it, if there is one
 };

@@ -9,7 +9,7 @@
 #include "rubsweep/analysis/branch/continuation/even_graze.hpp"
 #include "rubsweep/analysis/branch/continuation/margins.hpp"
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
-#include "rubsweep/core/numerics/spectral/singular_values.hpp"
+#include "rubsweep/core/numerics/spectral/decompositions.hpp"
 
 namespace rubsweep::branch::continuation {
 namespace {

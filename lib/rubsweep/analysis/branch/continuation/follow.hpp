@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double width_wanted = 1e-12;  ///< along the branch
 constexpr int most_looks = 200;
-constexpr std::size_t most_grazes = 16;  ///< between two points
+constexpr std::size_t most_grazes = 16;  ///< limit between two points
 /// A stretch longer than this, in shaft rotation, is not yet near its graze.
 constexpr double short_stretch_rad = 0.3;
 

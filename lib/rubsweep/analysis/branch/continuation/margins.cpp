@@ -1,13 +1,11 @@
 #include "rubsweep/analysis/branch/continuation/margins.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
 #include "rubsweep/analysis/branch/orbits/multipliers.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "rubsweep/analysis/branch/orbits/multipliers.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/numerics/newton.hpp"
 
 namespace rubsweep::branch::continuation {

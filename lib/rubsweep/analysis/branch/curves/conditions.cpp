@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
-#include "rubsweep/core/numerics/spectral/singular_values.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
+#include "rubsweep/core/numerics/spectral/decompositions.hpp"
 
 namespace rubsweep::branch::curves {
 namespace {

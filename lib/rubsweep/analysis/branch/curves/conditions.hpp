@@ -12,7 +12,7 @@ namespace rubsweep::branch::curves {
 /// Monodromy matrices on both sides of a state.
 struct MonodromyPair {
   Eigen::MatrixXd ahead, behind;
-  double step = 0;  ///< from the state to either of them
+  double step = 0;  ///< distance from the state to either of them
 
   Eigen::MatrixXd slope() const { return (ahead - behind) / (2 * step); }
 };
@@ -20,7 +20,7 @@ struct MonodromyPair {
 /// A monodromy matrix and how it changes.
 struct MonodromyJet {
   Eigen::MatrixXd here;
-  std::vector<Eigen::MatrixXd> by_parameter;  ///< one for each
+  std::vector<Eigen::MatrixXd> by_parameter;  ///< derivative by each parameter
   /// A little along a unit vector of the state and against it; empty where the orbit cannot be followed
   /// there.
   std::function<std::optional<MonodromyPair>(const Eigen::VectorXd& direction)> along;

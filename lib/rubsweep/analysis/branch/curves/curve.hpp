@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"
 #include "rubsweep/analysis/branch/curves/extended_system.hpp"
+#include "rubsweep/core/enumerator_word.hpp"
 
 namespace rubsweep::branch::curves {
 
@@ -42,43 +44,7 @@ enum class MeetingKind {
   degenerate_graze,      ///< the grazing guard does not turn back: its second derivative is zero as well
 };
 
-constexpr std::string_view to_string(MeetingKind kind) {
-  switch (kind) {
-    case MeetingKind::cusp:
-      return "cusp";
-    case MeetingKind::fold_flip:
-      return "fold_flip";
-    case MeetingKind::fold_torus:
-      return "fold_torus";
-    case MeetingKind::flip_torus:
-      return "flip_torus";
-    case MeetingKind::double_torus:
-      return "double_torus";
-    case MeetingKind::resonance_1_1:
-      return "resonance_1_1";
-    case MeetingKind::resonance_1_2:
-      return "resonance_1_2";
-    case MeetingKind::resonance_1_3:
-      return "resonance_1_3";
-    case MeetingKind::resonance_1_4:
-      return "resonance_1_4";
-    case MeetingKind::generalised_flip:
-      return "generalised_flip";
-    case MeetingKind::degenerate_branching:
-      return "degenerate_branching";
-    case MeetingKind::graze_fold:
-      return "graze_fold";
-    case MeetingKind::graze_flip:
-      return "graze_flip";
-    case MeetingKind::graze_torus:
-      return "graze_torus";
-    case MeetingKind::double_graze:
-      return "double_graze";
-    case MeetingKind::degenerate_graze:
-      return "degenerate_graze";
-  }
-  return "";
-}
+constexpr std::string_view to_string(MeetingKind kind) { return enumerator_word(kind); }
 
 struct Meeting {
   MeetingKind kind = MeetingKind::cusp;
@@ -102,5 +68,41 @@ struct Curve {
   continuation::Ending backward = continuation::Ending::left_range,
                        forward = continuation::Ending::left_range;  ///< at its first and its last point
 };
+
+/// Outcome of Newton's iteration on an extended system.
+struct CurveCorrection : continuation::NewtonOutcome {
+  continuation::Position at;
+  Extended extended;  ///< at `at`
+  double error = 0;   ///< see CurvePoint
+};
+
+/// Newton's iteration from `guess` on the plane direction . (position - guess) = 0, to rounding.
+CurveCorrection correct(const ExtendedSystem& system, const continuation::Position& guess,
+                        const continuation::Position& direction);
+
+/// The same from a guess between two points of a curve, across the tangent of the first.
+inline CurveCorrection correct_between(const ExtendedSystem& system, const continuation::Position& guess,
+                                       const CurvePoint& from, const CurvePoint& /*to*/) {
+  return correct(system, guess, from.tangent);
+}
+
+/// The point that Newton's iteration found, with its tangent on the side of `direction`, its multipliers and
+/// its facts. Empty where the tangent cannot be told, or the orbit not be run.
+std::optional<CurvePoint> completed(const ExtendedSystem& system, const CurveCorrection& found,
+                                    const continuation::Position& direction, double arclength);
+
+inline const continuation::Position& position_of(const ExtendedSystem&, const CurvePoint& point) {
+  return point.at;
+}
+inline const continuation::Position& position_of(const ExtendedSystem&, const CurveCorrection& found) {
+  return found.at;
+}
+
+/// `position` with the phase of a graze moved by whole turns to be next to that of `near`.
+continuation::Position nearest_image(const ExtendedSystem& system, continuation::Position position,
+                                     const CurvePoint& near);
+
+/// The same point with its curve the other way round.
+CurvePoint turned_about(CurvePoint point);
 
 }  // namespace rubsweep::branch::curves

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"
 #include "rubsweep/analysis/branch/continuation/orbit_newton.hpp"
-#include "rubsweep/analysis/branch/orbits/plane_orbits.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_plane.hpp"
 
 namespace rubsweep::branch::curves {
 

@@ -22,7 +22,7 @@ std::optional<CurveStart> curve_start(const orbits::PlaneOrbits& orbits,
 /// Lengths are those of the coordinates of the system.
 struct CurveOptions {
   double first_step = 1e-3, longest_step = 0.02, shortest_step = 1e-9;
-  int most_points = 2000;  ///< on each side of the start
+  int most_points = 2000;  ///< limit on each side of the start
 };
 
 /// Follows the curve through `start` both ways by pseudo-arclength continuation with adaptive steps, within

@@ -6,9 +6,7 @@
 #include <functional>
 #include <utility>
 
-#include "rubsweep/analysis/branch/continuation/event_roots.hpp"
 #include "rubsweep/analysis/branch/continuation/segment.hpp"
-#include "rubsweep/analysis/branch/curves/curve_newton.hpp"
 #include "rubsweep/analysis/branch/orbits/contact_sequence.hpp"
 #include "rubsweep/analysis/branch/orbits/multipliers.hpp"
 

@@ -1,12 +1,17 @@
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "rubsweep/analysis/branch/families/family.hpp"
+#include "rubsweep/analysis/branch/families/family_records.hpp"
+#include "rubsweep/core/enumerator_word.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::branch::families {
@@ -29,17 +34,7 @@ enum class Attribution {
   unresolved,  ///< neither cell has a motion that could be followed, or following it failed
 };
 
-constexpr std::string_view to_string(Attribution attribution) {
-  switch (attribution) {
-    case Attribution::ceases:
-      return "ceases";
-    case Attribution::basin:
-      return "basin";
-    case Attribution::unresolved:
-      return "unresolved";
-  }
-  return "";
-}
+constexpr std::string_view to_string(Attribution attribution) { return enumerator_word(attribution); }
 
 struct MapEdge {
   std::size_t first = 0, second = 0;
@@ -59,5 +54,48 @@ bool is_an_end(std::string_view kind);
 std::vector<MapEdge> attribute(const sweep::Grid& grid, std::span<const std::string> labels,
                                const std::vector<Family>& families, std::span<const Quiet> quiet,
                                std::string_view quiet_label);
+
+/// Verdict on the label of a cell beside the domain of a family.
+enum class CheckResult {
+  reached,        ///< inside: the kick leads to the family's orbit
+  stays,          ///< inside: the machine that starts on the family's orbit, without a kick, settles on it
+  another_orbit,  ///< outside: the label is that of another orbit, which is there inside as well
+  ends_as_well,   ///< outside: it is that of another orbit, which ends on the way in, too
+  // From here on: contradictions.
+  leaves,        ///< inside: the machine that starts on the orbit settles on something else
+  same_orbit,    ///< outside: the other family's orbit, followed inside, is this one
+  not_followed,  ///< outside: following failed on the way out, or that of the other orbit on the way in
+  not_found,     ///< the proven orbit of the cell is not found again
+  unproven,      ///< outside: the label rests on no proof, so that there is no orbit to compare
+};
+
+inline constexpr std::array all_findings{
+    CheckResult::reached,      CheckResult::stays,     CheckResult::another_orbit,
+    CheckResult::ends_as_well, CheckResult::leaves,    CheckResult::same_orbit,
+    CheckResult::not_followed, CheckResult::not_found, CheckResult::unproven};
+
+constexpr std::string_view to_string(CheckResult finding) { return enumerator_word(finding); }
+
+constexpr bool contradicts(CheckResult finding) { return finding >= CheckResult::leaves; }
+
+/// One label that was looked at.
+struct LabelCheck {
+  std::size_t cell = 0;
+  std::optional<std::size_t> family;  ///< number in the list; empty: of a cell that no family has
+  bool inside = true;                 ///< inside the family's domain; else just outside
+  CheckResult finding = CheckResult::reached;
+  std::string_view end;                     ///< outside: what ends the family on the way there
+  std::optional<std::size_t> other_family;  ///< outside: that which the kick leads to
+};
+
+/// Looks at the label of every cell inside of the domain of a family, and of every cell just outside of it
+/// that has the label of the family (that of its first cell). Inside, the orbit exists and is stable by
+/// continuation: where the kick does not lead to it, the machine is started on it and must settle on it,
+/// which the proofs of `response::settle` decide. Outside, the orbit does not go on: a cell with its label
+/// must be on another orbit. `labels`: one per cell of the grid. Once `stop` is true nothing more is begun,
+/// and what is returned is not whole. What is found goes to `records`, as in `families_of`.
+std::vector<LabelCheck> check_labels(const sweep::Study& study, std::span<const std::string> labels,
+                                     const Families& families, int threads, const std::atomic<bool>& stop,
+                                     FamilyRecords& records);
 
 }  // namespace rubsweep::branch::families

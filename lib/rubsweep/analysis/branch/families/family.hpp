@@ -1,15 +1,16 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "rubsweep/analysis/branch/families/family_records.hpp"
 #include "rubsweep/analysis/branch/families/passage.hpp"
+#include "rubsweep/maps/sweep/grid.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::branch::families {
@@ -56,5 +57,16 @@ Families families_of(const sweep::Study& study, std::span<const std::size_t> pro
 /// The same from the beginning.
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
                      const std::atomic<bool>& stop);
+
+/// A piece of the boundary of a family, of one kind.
+struct OutlineLine {
+  std::string_view kind;
+  std::vector<std::array<double, 2>> points;  ///< speed in Hz and unbalance
+};
+
+/// The boundary of a family over the map: the places at which it ends on the ways between neighbouring cells,
+/// joined around the domain with the domain on the left. Lines end where the map does, and where the kind
+/// changes; the next one then begins where the last one ended.
+std::vector<OutlineLine> outline_of(const sweep::Grid& grid, const Family& family);
 
 }  // namespace rubsweep::branch::families

@@ -110,7 +110,7 @@ continuation::HalfBranch follow_patiently(Way way, const CellOrbit& orbit, conti
   options.most_points = patient_points;
   way.problem.parameter_scale = std::abs(way.to - way.from);
   const auto start =
-      continuation::orbit_from(way.problem, orbit.state, way.from);  // its tangent is in the coordinates
+      continuation::orbit_from(way.problem, orbit.state, way.from);  // coordinates of the tangent
   if (!start) return first;
   continuation::HalfBranch second = follow_the_way(way, *start, options);
   return given_up(second.ending) ? std::move(first) : std::move(second);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "rubsweep/analysis/branch/orbits/closed_orbits.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
 #include "rubsweep/analysis/branch/orbits/settled_start.hpp"
 #include "rubsweep/core/response/motion/workspace.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"

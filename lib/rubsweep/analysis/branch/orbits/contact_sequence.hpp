@@ -3,7 +3,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "rubsweep/analysis/branch/orbits/orbit_problem.hpp"
 #include "rubsweep/core/integrate/run/turn.hpp"

@@ -7,14 +7,11 @@
 #include <utility>
 
 #include "rubsweep/analysis/branch/orbits/approaches.hpp"
-#include "rubsweep/analysis/branch/orbits/even_contacts.hpp"
-#include "rubsweep/analysis/branch/orbits/whole_turns.hpp"
 #include "rubsweep/core/numerics/full_turn.hpp"
 #include "rubsweep/core/numerics/recently_used.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
 #include "rubsweep/core/response/rotating/rotating_flow.hpp"
 #include "rubsweep/core/response/rotating/rotating_frame.hpp"
-#include "rubsweep/core/response/rotating/symmetry.hpp"
 #include "rubsweep/core/scene/observed.hpp"
 
 namespace rubsweep::branch::orbits {

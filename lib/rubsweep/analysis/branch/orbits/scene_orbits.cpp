@@ -1,8 +1,6 @@
 #include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
 
 #include <algorithm>
-#include <complex>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -11,8 +9,7 @@
 #include <vector>
 
 #include "rubsweep/analysis/branch/orbits/approaches.hpp"
-#include "rubsweep/analysis/branch/orbits/even_contacts.hpp"
-#include "rubsweep/analysis/branch/orbits/whole_turns.hpp"
+#include "rubsweep/analysis/branch/orbits/oval_orbits.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/run/impulses.hpp"
 #include "rubsweep/core/integrate/start.hpp"
@@ -65,9 +62,8 @@ class SceneOrbits {
     SceneAt* at = scene_at(parameter);
     if (at == nullptr) return std::nullopt;
     const auto& observed = scene::observed(at->scene);
-    integrate::run::TurnRequest request;
-    request.samples_per_revolution = samples_per_turn;
-    request.peaks = request.switches = true;
+    const integrate::run::TurnRequest request{
+        .samples_per_revolution = samples_per_turn, .peaks = true, .switches = true};
     integrate::run::TurnReport report;
     OrbitFacts facts;
     facts.period_turns = order_;
@@ -97,9 +93,7 @@ class SceneOrbits {
   std::optional<ContactPassages> passages(double parameter, Eigen::VectorXd state) {
     SceneAt* at = scene_at(parameter);
     if (at == nullptr) return std::nullopt;
-    integrate::run::TurnRequest request;
-    request.samples_per_revolution = samples_per_turn;
-    request.switches = true;
+    const integrate::run::TurnRequest request{.samples_per_revolution = samples_per_turn, .switches = true};
     integrate::run::TurnReport report;
     ContactPassages passages;
     SampledOrbit orbit{Eigen::MatrixXd(state.size(), order_ * samples_per_turn),
@@ -177,6 +171,13 @@ OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::S
   OrbitProblem problem = problem_of_whole_turns(orbits, order);
   problem.penetration = std::bind_front(&SceneOrbits::penetration, orbits);
   return problem;
+}
+
+OrbitProblem closed_orbits(Closing closing, SceneFamily family, int order,
+                           const integrate::run::SolverOptions& solver,
+                           integrate::exact::modes::ModeCache& modes) {
+  return closing == Closing::in_the_turning_frame ? oval_orbits(std::move(family), order, solver)
+                                                  : scene_orbits(std::move(family), order, solver, modes);
 }
 
 }  // namespace rubsweep::branch::orbits

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "rubsweep/analysis/branch/orbits/orbit_problem.hpp"
 #include "rubsweep/core/integrate/exact/modes/mode_cache.hpp"
@@ -19,5 +20,20 @@ using SceneFamily = std::function<std::optional<scene::Scene>(double parameter)>
 /// belongs to one thread. Throws ConfigError at a scene whose impulses are not the same in every turn.
 OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::SolverOptions& solver,
                           integrate::exact::modes::ModeCache& modes);
+
+/// How an orbit closes.
+enum class Closing {
+  with_the_shaft,        ///< after whole turns: a fixed point of the section map
+  in_the_turning_frame,  ///< an oval: in the frame that turns with the shaft, after a time of its own
+};
+
+constexpr std::string_view to_string(Closing closing) {
+  return closing == Closing::with_the_shaft ? "with_the_shaft" : "in_the_turning_frame";
+}
+
+/// scene_orbits() or oval_orbits(), whose `order` is that of turns or of loops.
+OrbitProblem closed_orbits(Closing closing, SceneFamily family, int order,
+                           const integrate::run::SolverOptions& solver,
+                           integrate::exact::modes::ModeCache& modes);
 
 }  // namespace rubsweep::branch::orbits

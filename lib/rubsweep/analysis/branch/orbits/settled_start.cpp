@@ -4,12 +4,11 @@
 
 #include "rubsweep/analysis/branch/orbits/oval_orbits.hpp"
 #include "rubsweep/core/integrate/start.hpp"
-#include "rubsweep/core/response/motion/record_settled.hpp"
+#include "rubsweep/core/response/motion/record.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
 #include "rubsweep/core/response/rotating/apex_return_search.hpp"
 #include "rubsweep/core/response/rotating/limit_cycle.hpp"
 #include "rubsweep/core/response/rotating/rotating_frame.hpp"
-#include "rubsweep/core/response/rotating/symmetry.hpp"
 #include "rubsweep/core/response/settle.hpp"
 
 namespace rubsweep::branch::orbits {

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "rubsweep/analysis/branch/orbits/closed_orbits.hpp"
+#include "rubsweep/analysis/branch/orbits/scene_orbits.hpp"
 #include "rubsweep/core/integrate/run/options.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/core/response/motion/options.hpp"

@@ -13,7 +13,7 @@
 #include "rubsweep/core/contact/dry_friction.hpp"
 #include "rubsweep/core/integrate/adaptive/step_method.hpp"
 #include "rubsweep/core/integrate/law/settle_slips.hpp"
-#include "rubsweep/core/numerics/bernstein_root.hpp"
+#include "rubsweep/core/numerics/polynomial_root.hpp"
 
 namespace rubsweep::integrate::adaptive {
 

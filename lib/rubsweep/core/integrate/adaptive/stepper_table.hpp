@@ -13,7 +13,7 @@ namespace rubsweep::integrate::adaptive {
 /// read them here.
 struct StepperRow {
   run::Stepper stepper = run::Stepper::automatic;
-  std::string_view word;         ///< its name in the configuration and in tables
+  std::string_view word;         ///< name in the configuration and in tables
   std::string_view description;  ///< name, order and how states inside a step are made, for --explain
   std::unique_ptr<StepMethod> (*make)(const run::SolverOptions&) = nullptr;  ///< see make_step_method
 };

@@ -169,7 +169,7 @@ class Rosenbrock4 final : public StepMethod {
 
  private:
   odeint::rosenbrock4_controller<odeint::rosenbrock4<double, RodasCoefficients>> stepper_;
-  Vector start_, end_, inside_;  ///< of the last step
+  Vector start_, end_, inside_;  ///< states of the last step
   State state_, rate_;           ///< scratch
   bool dense_ready_ = false;
 };

@@ -1,7 +1,7 @@
 #include "rubsweep/core/integrate/adaptive/twist_dynamics.hpp"
 
 #include "rubsweep/core/integrate/run/state_scale.hpp"
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 
 namespace rubsweep::integrate::adaptive {
 

@@ -164,7 +164,7 @@ class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynami
   }
 
   TwistLaw law_;
-  std::vector<double> surface_m_per_s_;  ///< of a rotor that keeps up with its drive
+  std::vector<double> surface_m_per_s_;  ///< surface speed of a rotor that keeps up with its drive
 };
 
 }  // namespace rubsweep::integrate::adaptive

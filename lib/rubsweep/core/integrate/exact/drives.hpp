@@ -16,7 +16,7 @@ namespace rubsweep::integrate::exact {
 /// A harmonic force, divided by the mass: the acceleration is Re(. e^{i rate t}). Lengths scaled, time in
 /// seconds.
 struct Drive {
-  Eigen::VectorXcd acceleration;              ///< per s^2
+  Eigen::VectorXcd acceleration;              ///< forcing per s^2
   std::vector<std::complex<double>> closing;  ///< along each contact's normal
   double rate = 0;                            ///< rad/s
 };
@@ -84,7 +84,7 @@ class Drives {
 
   Drive unbalance_;
   std::vector<Drive> pulses_;
-  std::vector<double> ahead_rad_;  ///< of the last of these, those that always act: angles at phase 0
+  std::vector<double> ahead_rad_;  ///< angles at phase 0 of the drives that always act
   std::vector<std::size_t> acting_;
 };
 

@@ -15,7 +15,6 @@
 #include "rubsweep/core/integrate/exact/tangent_vectors.hpp"
 #include "rubsweep/core/integrate/run/pulse_times.hpp"
 #include "rubsweep/core/numerics/exponential_series.hpp"
-#include "rubsweep/core/numerics/step_table.hpp"
 
 namespace rubsweep::integrate::exact {
 

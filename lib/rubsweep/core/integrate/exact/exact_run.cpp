@@ -7,7 +7,7 @@
 #include "rubsweep/core/integrate/exact/joint_switch.hpp"
 #include "rubsweep/core/integrate/exact/modes/joint_mode.hpp"
 #include "rubsweep/core/integrate/exact/step_choice.hpp"
-#include "rubsweep/core/numerics/step_table.hpp"
+#include "rubsweep/core/numerics/exponential_series.hpp"
 
 namespace rubsweep::integrate::exact {
 namespace {

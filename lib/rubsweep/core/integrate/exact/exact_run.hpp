@@ -34,9 +34,9 @@ class ExactRun {
   /// State in the middle of a turn, for another solver to take over.
   struct Handover {
     double phase_rad = 0;
-    std::vector<double> state;         ///< as TurnReport::section
-    std::vector<contact::Mode> modes;  ///< per contact
-    Eigen::MatrixXd tangent_vectors;   ///< as TurnRequest::tangent_vectors
+    std::vector<double> state;         ///< state as TurnReport::section has it
+    std::vector<contact::Mode> modes;  ///< mode of each contact
+    Eigen::MatrixXd tangent_vectors;   ///< vectors as TurnRequest::tangent_vectors has them
   };
   /// The state after `unsaturated`. Its memory is kept from piece to piece.
   const Handover& handover();
@@ -93,8 +93,8 @@ class ExactRun {
   }
 
   Motion motion_;
-  run::StateScale scale_;  ///< of sections
-  run::TurnClock clock_;   ///< in seconds
+  run::StateScale scale_;  ///< scale of sections
+  run::TurnClock clock_;   ///< clock in seconds
   SlipWatch<N> slip_;
   TurnWatch<N> watch_;
   run::TurnBook book_;

@@ -9,7 +9,7 @@
 #include "rubsweep/core/integrate/run/turn.hpp"
 #include "rubsweep/core/numerics/certified_step.hpp"
 #include "rubsweep/core/numerics/cubic_maximum.hpp"
-#include "rubsweep/core/numerics/step_table.hpp"
+#include "rubsweep/core/numerics/exponential_series.hpp"
 
 namespace rubsweep::integrate::exact {
 

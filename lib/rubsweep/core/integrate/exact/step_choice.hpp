@@ -20,8 +20,8 @@ struct StepChoice {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   double step_s = 0;            ///< safe, or the latest instant of the crossing
-  std::size_t crossing = none;  ///< this guard is crossed, for certain and first
-  double earliest_s = 0;        ///< before that it cannot be
+  std::size_t crossing = none;  ///< number of the guard that is crossed, for certain and first
+  double earliest_s = 0;        ///< instant before which it cannot be
   bool annular = false;         ///< an annular stop is about to be touched
 
   /// Limits the step. A crossing that was to be landed on later than the limit is no longer certain to be the

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "rubsweep/core/contact/friction_law.hpp"
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/numerics/matrix_flow.hpp"
 
 namespace rubsweep::integrate::exact {

@@ -15,10 +15,10 @@ namespace rubsweep::integrate::exact {
 /// A linear function of a motion in a sticking mode, and of the unbalance directly.
 struct StickingView {
   double constant = 0;
-  Eigen::RowVectorXd on_drift, on_drift_rate;  ///< per sticking contact
+  Eigen::RowVectorXd on_drift, on_drift_rate;  ///< rows of the sticking contacts
   std::complex<double> harmonic;               ///< Re(harmonic e^{i phase})
-  Eigen::RowVectorXd on_free;                  ///< of the free vibration's 2k modal numbers
-  Eigen::RowVectorXd rate_on_free;             ///< the same of its rate
+  Eigen::RowVectorXd on_free;                  ///< row over the free vibration's 2k modal numbers
+  Eigen::RowVectorXd rate_on_free;             ///< row for the rate
   Eigen::RowVectorXd size, curvature;  ///< bounds of both and of the second rate, per length of a pair
 };
 
@@ -109,7 +109,7 @@ class StickingMode {
   Eigen::VectorXd rest_;
   Eigen::VectorXcd amplitude_;
   Eigen::MatrixXd basis_u_, basis_v_;        ///< u and u' of the modal numbers
-  std::optional<numerics::ModalForm> form_;  ///< of y; empty where nothing is left to vibrate
+  std::optional<numerics::ModalForm> form_;  ///< form of y; empty where nothing is left to vibrate
   Eigen::VectorXd rates_;
   std::vector<StickingGuard> guards_;
   std::vector<StickingView> forces_;
@@ -118,7 +118,7 @@ class StickingMode {
   /// turned by an angle, the accelerations are changed by the angle times `change` times those without
   /// friction.
   struct Ring {
-    Eigen::Index held = 0;  ///< its number among the contacts that stick
+    Eigen::Index held = 0;  ///< number among the contacts that stick
     Eigen::RowVectorXd first_row;
     double offset = 0;
     Eigen::MatrixXd change;

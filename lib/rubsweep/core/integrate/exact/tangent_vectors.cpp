@@ -115,7 +115,7 @@ void TangentVectors<N>::catch_up(const modes::LinearMode<N>& mode) {
         }
         const double rest_s = modes::table_steps(mode, mode.fastest_rad_per_s, duration_s,
                                                  [&](int k) { list.move(mode.steps.of(k)); });
-        if (rest_s != 0) list.move_by_series(mode, rest_s);  // else a step of the table
+        if (rest_s != 0) list.move_by_series(mode, rest_s);  // other states move by a step of the table
       },
       vectors_);
 }

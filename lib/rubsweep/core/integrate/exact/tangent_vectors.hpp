@@ -47,7 +47,7 @@ class TangentVectors {
   std::conditional_t<N == Eigen::Dynamic, std::variant<TangentsOneByOne<N>, TangentsSideBySide>,
                      std::variant<TangentsOneByOne<N>>>
       vectors_;
-  double lag_s_ = 0;  ///< behind the state
+  double lag_s_ = 0;  ///< time behind the state
 };
 
 extern template class TangentVectors<2>;

@@ -60,7 +60,7 @@ class TangentsOneByOne {
 
   std::vector<State> list_;
   std::size_t count_ = 0;
-  State moved_;  ///< one of them on its way
+  State moved_;  ///< state of one of them on its way
 };
 
 }  // namespace rubsweep::integrate::exact

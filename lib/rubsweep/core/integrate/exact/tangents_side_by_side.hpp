@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "rubsweep/core/integrate/exact/modes/linear_mode.hpp"
-#include "rubsweep/core/numerics/aligned_matrix.hpp"
+#include "rubsweep/core/numerics/matrix_vector.hpp"
 #include "rubsweep/core/numerics/side_by_side.hpp"
 
 namespace rubsweep::integrate::exact {

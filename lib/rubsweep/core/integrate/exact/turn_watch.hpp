@@ -71,7 +71,7 @@ class TurnWatch {
 
   PeakWatch<N> peaks_;
   SampleWatch<N> samples_;
-  run::StateScale scale_;  ///< of samples
+  run::StateScale scale_;  ///< scale of samples
   double period_s_;
   bool peaks_wanted_ = false;
 };

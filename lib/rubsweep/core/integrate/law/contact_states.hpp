@@ -10,7 +10,7 @@
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
-#include "rubsweep/core/numerics/dense/least_norm.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 
 namespace rubsweep::integrate::law {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/numerics/full_turn.hpp"
 
 namespace rubsweep::integrate::run {

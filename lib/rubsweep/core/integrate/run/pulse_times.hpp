@@ -35,8 +35,8 @@ class PulseTimes {
  private:
   struct Pulse {
     double duration = 0;          ///< 0: it has no force and never acts
-    double elapsed_at_start = 0;  ///< at the start of revolution 0; below 0: it begins later
-    double elapsed = 0;           ///< at the start of the present one
+    double elapsed_at_start = 0;  ///< time at the start of revolution 0; below 0: it begins later
+    double elapsed = 0;           ///< time at the start of the present revolution
     bool acts = false;
     bool always = false;
   };

@@ -5,7 +5,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/run/second_harmonic.hpp"
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/scene/observed.hpp"
 #include "rubsweep/core/scene/quiet_motion.hpp"
 

@@ -11,7 +11,7 @@ namespace rubsweep::integrate::run {
 /// it is a half-sine pulse that does not end, its time counted anew in every revolution.
 struct HarmonicPart {
   Eigen::VectorXd top_n;   ///< n: generalised forces
-  double turns_ahead = 0;  ///< of the shaft, from the start of its sine to that of a revolution
+  double turns_ahead = 0;  ///< turns of the shaft from the start of its sine to that of a revolution
 };
 
 /// The second harmonic of a scene: its cosine and its sine, or nothing.

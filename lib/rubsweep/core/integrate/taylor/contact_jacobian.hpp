@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rubsweep/core/integrate/taylor/contact_series.hpp"
-#include "rubsweep/core/numerics/plane_series.hpp"
+#include "rubsweep/core/numerics/taylor_series.hpp"
 #include "rubsweep/core/numerics/twin.hpp"
 
 namespace rubsweep::integrate::taylor {

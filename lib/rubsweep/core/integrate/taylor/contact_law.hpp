@@ -13,7 +13,7 @@ struct ContactLaw {
   bool annular = false;
   double clearance = 0, stiffness = 0, damping = 0;
   double slip_scale_m_per_s = 0, surface_speed_m_per_s = 0;
-  double mobility = 0;  ///< as ScaledContact
+  double mobility = 0;  ///< mobility as in ScaledContact
   contact::FrictionTerms friction;
 
   template <int N>

@@ -5,7 +5,6 @@
 #include "rubsweep/core/contact/contact_mode.hpp"
 #include "rubsweep/core/contact/dry_friction.hpp"
 #include "rubsweep/core/integrate/taylor/contact_law.hpp"
-#include "rubsweep/core/numerics/plane_series.hpp"
 #include "rubsweep/core/numerics/taylor_series.hpp"
 
 namespace rubsweep::integrate::taylor {

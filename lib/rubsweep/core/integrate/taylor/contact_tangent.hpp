@@ -4,7 +4,6 @@
 
 #include "rubsweep/core/integrate/taylor/contact_jacobian.hpp"
 #include "rubsweep/core/integrate/taylor/contact_series.hpp"
-#include "rubsweep/core/numerics/plane_series.hpp"
 #include "rubsweep/core/numerics/taylor_series.hpp"
 
 namespace rubsweep::integrate::taylor {

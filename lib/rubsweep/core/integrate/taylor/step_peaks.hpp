@@ -13,8 +13,8 @@ namespace rubsweep::integrate::taylor {
 
 /// Largest distances of points from their unloaded places, scaled.
 struct LargestDisplacements {
-  double observed = 0;  ///< of the observed point
-  double casing = 0;    ///< of any casing
+  double observed = 0;  ///< peak of the observed point
+  double casing = 0;    ///< peak of any casing
 };
 
 /// Largest number of states that are looked at in a step, its ends among them.

@@ -11,7 +11,7 @@
 #include "rubsweep/core/integrate/taylor/contact_tangent.hpp"
 #include "rubsweep/core/integrate/taylor/creep_tangent.hpp"
 #include "rubsweep/core/integrate/taylor/expansion.hpp"
-#include "rubsweep/core/numerics/plane_series.hpp"
+#include "rubsweep/core/numerics/taylor_series.hpp"
 
 namespace rubsweep::integrate::taylor {
 

@@ -77,4 +77,18 @@ GeneralModes general_modes(const Eigen::MatrixXd& matrix, bool with_vectors,
 
 double spectral_radius(const MatrixXd& matrix) { return eigenvalues(matrix).cwiseAbs().maxCoeff(); }
 
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+SelfAdjointModes<MatrixXd> self_adjoint_modes(const MatrixXd& a) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(a);
+  return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
+}
+
+VectorXd self_adjoint_eigenvalues(const MatrixXd& a) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(a, Eigen::EigenvaluesOnly);
+  if (solver.info() == Eigen::Success) return solver.eigenvalues();
+  return VectorXd::Constant(a.rows(), std::numeric_limits<double>::quiet_NaN());
+}
+
 }  // namespace rubsweep::numerics::dense

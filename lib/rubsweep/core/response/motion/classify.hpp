@@ -23,19 +23,19 @@ inline constexpr double off_order_energy_limit = 1e-4;
 struct Window {
   int turns = 0;
   int samples_per_revolution = 0;
-  double clearance_m = 0;  ///< of the kicked stop, > 0: scale of what matters
+  double clearance_m = 0;  ///< clearance of the kicked stop, > 0: scale of what matters
   /// turns x samples_per_revolution samples, the end point left out.
   std::span<const std::complex<double>> displacement_m;
   int states = 0;
   std::span<const double> section;  ///< (turns + 1) x states, scaled rows as `period_of_section` takes them
-  std::span<const ContactFacts> contact;  ///< of each turn
+  std::span<const ContactFacts> contact;  ///< facts of each turn
 };
 
 /// Verdict of one window by itself.
 struct WindowVerdict {
-  MotionClass motion_class = MotionClass::unsettled;  ///< of no contact, of a period, or unsettled
+  MotionClass motion_class = MotionClass::unsettled;  ///< class of no contact, of a period, or unsettled
   std::optional<int> order;                           ///< confirmed by section and spectrum
-  std::optional<SectionPeriod> period;                ///< by the section alone; empty without contact
+  std::optional<SectionPeriod> period;                ///< period by the section alone; empty without contact
   bool spectrum_agrees = true;                        ///< false: `period` exists and the spectrum denies it
   std::optional<double> off_order_energy_fraction;    ///< energy off the multiples of 1/n / energy without 0X
   Measures measures;

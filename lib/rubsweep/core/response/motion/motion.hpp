@@ -1,15 +1,33 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
-#include "rubsweep/core/error.hpp"
-#include "rubsweep/core/response/motion/contact_facts.hpp"
+#include "rubsweep/core/enumerator_word.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/core/response/spectrum/orbit_shape.hpp"
 
 namespace rubsweep::response::motion {
+
+/// Contact quantities that the integrator observed over one turn or several.
+struct ContactFacts {
+  int hits = 0;                    ///< contacts that began
+  double contact_fraction = 0;     ///< time in contact / time; 1 with 0 hits is a rotor that slides all along
+  double peak_displacement_m = 0;  ///< largest |z|
+  double peak_contact_force_n = 0;        ///< largest total force at one stop
+  double peak_casing_displacement_m = 0;  ///< largest distance of a casing from its unloaded place
+  double peak_twist_rad = 0;              ///< largest angle between rotor and drive
+  double peak_torque_nm = 0;              ///< largest torque in the drive
+};
+
+/// Facts of one complete turn.
+ContactFacts facts_of(const integrate::run::TurnReport& turn);
+
+/// Facts of several turns: hits added up, the mean share of time, the largest peaks.
+ContactFacts together(std::span<const ContactFacts> turns);
 
 /// Remarks on the evidence, beside the class.
 enum class MotionStatus {
@@ -23,21 +41,7 @@ enum class MotionStatus {
   step_limit,       ///< unsettled: to decide would have taken more work than is allowed
 };
 
-constexpr std::string_view to_string(MotionStatus status) {
-  switch (status) {
-    case MotionStatus::ok:
-      return "ok";
-    case MotionStatus::spectrum_disagrees:
-      return "spectrum_disagrees";
-    case MotionStatus::order_above_max:
-      return "order_above_max";
-    case MotionStatus::transient_chaos:
-      return "transient_chaos";
-    case MotionStatus::step_limit:
-      return "step_limit";
-  }
-  throw SolverError("motion status without a name");
-}
+constexpr std::string_view to_string(MotionStatus status) { return enumerator_word(status); }
 
 /// Measures of one window, whatever the class of the motion.
 struct Measures {
@@ -69,6 +73,28 @@ struct Motion {
   MotionStatus status = MotionStatus::ok;
   Measures measures;
   std::optional<Exponent> exponent;  ///< measured where two windows and a comb did not decide
+};
+
+/// Evidence for the class of a motion; each word says what is shown, up to rounding.
+enum class Proof {
+  rest,     ///< a bound on the free vibration: no contact can ever come again
+  floquet,  ///< the run is inside a ball about a periodic orbit from which every motion converges to it
+  /// Newton's iteration finds a periodic orbit (in a rotationally symmetric scene: a circle or a closed orbit
+  /// in the frame that turns with the shaft) with all its multipliers inside the unit circle, and the run has
+  /// been followed towards it over orders of magnitude; no ball about it is known.
+  floquet_observed,
+  observed,  ///< by the end of the run: windows that agree, a comb that closes, an exponent
+};
+
+constexpr std::string_view to_string(Proof proof) { return enumerator_word(proof); }
+
+/// A motion that a transient is proven to settle on.
+struct ProvenMotion {
+  MotionClass motion_class = MotionClass::synchronous;  ///< of a period, or quasi_periodic
+  std::optional<int> order;                             ///< in turns; empty when quasi-periodic
+  Measures measures;                                    ///< of the orbit itself
+  double floquet_modulus = 0;                           ///< largest multiplier over its period, < 1
+  Proof proof = Proof::floquet_observed;                ///< or floquet
 };
 
 }  // namespace rubsweep::response::motion

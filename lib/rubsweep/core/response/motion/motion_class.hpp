@@ -1,9 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
+#include "rubsweep/core/response/spectrum/orbit_shape.hpp"
 #include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::response::motion {
@@ -95,5 +98,49 @@ constexpr std::optional<MotionClass> motion_class_of(std::string_view word) {
                                        [](MotionClass motion_class) { return to_string(motion_class); });
   return found == motion_classes.end() ? std::nullopt : std::optional(*found);
 }
+
+/// A kind of motion as maps show it: the class, with the order of a subharmonic motion and with the shape and
+/// direction that tell the motions at an annular stop apart. Terminal, figures and report read this table.
+struct MotionKind {
+  std::string_view name;      ///< in map.csv
+  std::string_view label;     ///< in legends
+  std::uint32_t colour;       ///< 0xRRGGBB
+  std::uint32_t dark_colour;  ///< where the background is dark
+  char sign;                  ///< on a terminal; a subharmonic motion shows the digit of its order instead
+  bool hatched = false;       ///< in figures
+  bool settled_rub = true;
+};
+
+/// Colours: Paul Tol's "muted" scheme, made for colour-blind readers, and some of their own for rare kinds.
+inline constexpr std::array motion_kinds{
+    MotionKind{"non_contact", "no contact", 0xF4F4F4, 0x2B2F36, '.', false, false},
+    MotionKind{"synchronous_circle", "synchronous circle", 0x4F9BD0, 0x4F9BD0, '1'},
+    MotionKind{"synchronous_circle_backward", "backward circle", 0xF4A6B8, 0xF4A6B8, '1'},
+    MotionKind{"synchronous", "synchronous", 0x88CCEE, 0x88CCEE, '1'},
+    MotionKind{"resting_contact", "at rest on a stop", 0xA8C686, 0xA8C686, 'r'},
+    MotionKind{"subharmonic_2", "subharmonic 1/2", 0xCC6677, 0xCC6677, '2'},
+    MotionKind{"subharmonic_3", "subharmonic 1/3", 0x332288, 0x5A48C8, '3'},
+    MotionKind{"subharmonic_4", "subharmonic 1/4", 0xDDCC77, 0xDDCC77, '4'},
+    MotionKind{"subharmonic_5", "subharmonic 1/5", 0x117733, 0x117733, '5'},
+    MotionKind{"subharmonic_6", "subharmonic 1/6", 0x882255, 0x882255, '6'},
+    MotionKind{"subharmonic_7", "subharmonic 1/7", 0x44AA99, 0x44AA99, '7'},
+    MotionKind{"subharmonic_8", "subharmonic ≤ 1/8", 0x999933, 0x999933, '8'},
+    MotionKind{"quasi_periodic_oval", "quasi-periodic oval", 0xEE8866, 0xEE8866, 'o'},
+    MotionKind{"quasi_periodic_whip", "backward dry whip", 0x7A4F20, 0x7A4F20, 'w'},
+    MotionKind{"quasi_periodic", "quasi-periodic", 0xAA4499, 0xAA4499, 'q'},
+    MotionKind{"chaotic", "chaotic", 0x000000, 0xFFFFFF, '*'},
+    MotionKind{"unsettled", "unsettled", 0x555555, 0x8A8A8A, '?', true, false},
+    MotionKind{"initial_contact", "pressed on the wall", 0x999999, 0x999999, '#', true, false},
+    MotionKind{"failed", "failed", 0xCC0000, 0xCC0000, '!', true, false},
+};
+
+/// The kind of a name in map.csv; null for any other word.
+const MotionKind* motion_kind_of(std::string_view name);
+
+/// `order` of a motion that repeats, shape and direction of its orbit where it has any, `comb` for a closed
+/// orbit in the rotating frame (Measures::comb_spacing).
+const MotionKind& kind_of(MotionClass motion_class, std::optional<int> order,
+                          std::optional<spectrum::OrbitKind> orbit, std::optional<spectrum::WhirlKind> whirl,
+                          bool comb);
 
 }  // namespace rubsweep::response::motion

@@ -43,10 +43,10 @@ std::array<double, 3> returns_by_thirds(std::span<const double> rows, std::size_
 
 /// Limit of the returns, as if the decaying part shrank by one factor per turn (Aitken's extrapolation).
 ReturnLimit return_limit(std::span<const double> rows, std::size_t lag, std::size_t period) {
-  constexpr double shrinks = 0.999;  ///< from the first third to the last
-  constexpr double enough = 0.95;    ///< of a decay to be extrapolated to nothing
+  constexpr double shrinks = 0.999;  ///< largest ratio of the last third to the first of a decay
+  constexpr double enough = 0.95;    ///< largest such ratio of one whose limit may be nothing
   constexpr double of_last = 0.5;    ///< a limit above this share of the last third is one
-  constexpr double nothing = 0.05;   ///< and below this share is none
+  constexpr double nothing = 0.05;   ///< largest share of the last third that counts as nothing
   const auto [first, middle, last] = returns_by_thirds(rows, lag, period);
   if (!(last < shrinks * first)) return ReturnLimit::apart;
   const double slowing = (first - middle) - (middle - last);

@@ -10,7 +10,7 @@ namespace rubsweep::response::motion {
 struct Workspace {
   spectrum::SpectrumWorkspace spectrum;
   integrate::exact::modes::ModeCache modes;
-  numerics::ModalFormCache forms;  ///< of rotors in flight
+  numerics::ModalFormCache forms;  ///< forms of rotors in flight
 };
 
 }  // namespace rubsweep::response::motion

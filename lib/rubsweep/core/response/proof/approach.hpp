@@ -1,15 +1,62 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <vector>
 
-#include "rubsweep/core/response/proof/adapted_norm.hpp"
+#include "rubsweep/core/integrate/exact/tube/turn_tube.hpp"
 #include "rubsweep/core/response/proof/periodic_orbit.hpp"
-#include "rubsweep/core/response/proof/split_norms.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response::proof {
+
+/// Norms |norm[i] x| on the sections of an orbit in which every turn is a contraction.
+struct AdaptedNorms {
+  std::vector<Eigen::MatrixXd> norm;  ///< per turn of the period, upper triangular; never below |x|
+  double contraction = 0;             ///< |norm[i + 1] A_i x| <= contraction |norm[i] x|, < 1
+};
+
+/// Norms for the turns `transitions` (derivatives A_0, A_1, ... of one section by the one before) of an orbit
+/// whose multipliers lie inside the unit circle: norm[i]^T norm[i] = P_i with
+///   P_i = 1 + A_i^T P_{i+1} A_i / contraction^2,   P_n = P_0,
+/// the discrete Lyapunov equation of the period, solved by doubling. `contraction` over the period lies
+/// halfway between the largest multiplier and 1, so that the norms do not degenerate. In the maximum norm,
+/// on the contrary, a disturbance that spirals in may seem to shrink where it only turns. Empty where the
+/// largest multiplier is not below 1, or so near to it that rounding decides.
+std::optional<AdaptedNorms> adapted_norms(const std::vector<Eigen::MatrixXd>& transitions);
+
+/// Norms on the sections of an orbit as AdaptedNorms, but separate for two parts of a disturbance: the *slow*
+/// part, which no contact sees, is a free vibration along flat walls that only the structure's own damping
+/// takes away, the *fast* one all the rest.
+struct SplitNorms {
+  /// Per turn, on a section: the first `fast` rows give the fast part in its norm, the others the slow one.
+  std::vector<Eigen::MatrixXd> norm;
+  std::vector<Eigen::MatrixXd> unit;  ///< their inverses
+  Eigen::Index fast = 0;
+  /// Contraction of either part by every turn, < 1; besides, the fast part drives the slow one.
+  integrate::exact::tube::Parts contraction;
+
+  Eigen::Index slow() const { return norm.front().rows() - fast; }
+};
+
+/// The rows on a section by which the contacts of a scene see it: penetrations, then their rates.
+Eigen::MatrixXd seen_by_contacts(const scene::Scene& scene);
+
+/// Norms for the turns `transitions` of an orbit, see adapted_norms. `seen` is seen_by_contacts. A multiplier
+/// belongs to the slow part where its eigenvectors are zero in all of these, to rounding, and where it loses
+/// less than half in a turn. Each part has the adapted norm of what the orbit's turns make of it: of the slow
+/// part, which the turns keep to itself, and of sections up to it. Empty where there is no slow part, no
+/// other, or no norm.
+std::optional<SplitNorms> split_norms(const std::vector<Eigen::MatrixXd>& transitions,
+                                      const Eigen::MatrixXd& seen);
+
+/// Lengths of the two parts of `offset` from section `turn` of the orbit.
+integrate::exact::tube::Parts parts_of(const SplitNorms& norms, std::size_t turn,
+                                       const Eigen::VectorXd& offset);
 
 /// Test for linear convergence of a transient to its orbit: counts successive returns that the derivative of
 /// the return map predicts to within a tenth of what a return gains. The error is of second order in the

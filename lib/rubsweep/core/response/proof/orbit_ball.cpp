@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 using integrate::exact::tube::Parts;
 
 constexpr double largest_radius = 0.1;
-constexpr int most_halvings = 26;  ///< of it: down to 1.5e-9
+constexpr int most_halvings = 26;  ///< halvings down to 1.5e-9
 constexpr int unknown_halvings = most_halvings + 1;
 /// Shares of the contraction margin of the linear map that a turn's own deviation may take, and, against the
 /// radius, of the distance between the given sections and the orbit: the remaining 5 % cover its effect.

@@ -5,8 +5,7 @@
 
 #include "rubsweep/core/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/core/integrate/exact/tube/turn_tube.hpp"
-#include "rubsweep/core/response/proof/adapted_norm.hpp"
-#include "rubsweep/core/response/proof/split_norms.hpp"
+#include "rubsweep/core/response/proof/approach.hpp"
 #include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response::proof {

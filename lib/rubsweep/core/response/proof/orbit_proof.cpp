@@ -7,11 +7,8 @@
 #include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/response/motion/record.hpp"
-#include "rubsweep/core/response/motion/record_settled.hpp"
-#include "rubsweep/core/response/proof/adapted_norm.hpp"
 #include "rubsweep/core/response/proof/approach.hpp"
 #include "rubsweep/core/response/proof/orbit_ball.hpp"
-#include "rubsweep/core/response/proof/split_norms.hpp"
 #include "rubsweep/core/scene/quiet_motion.hpp"
 
 namespace rubsweep::response::proof {

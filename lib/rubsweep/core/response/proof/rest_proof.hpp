@@ -40,7 +40,7 @@ class RestProof {
   Eigen::MatrixXd to_modes_;
   Eigen::VectorXd quiet_;  ///< scaled state of the quiet motion at phase 0
   std::vector<Bound> bounds_;
-  Eigen::VectorXd vibration_, modes_, lengths_;  ///< of the section looked at last
+  Eigen::VectorXd vibration_, modes_, lengths_;  ///< numbers of the section looked at last
 };
 
 }  // namespace rubsweep::response::proof

@@ -57,7 +57,7 @@ class SceneMap {
   bool exact_;
   integrate::run::Run run_;
   integrate::run::WorkBudget* budget_;
-  double work_ = 0;  ///< of the run so far
+  double work_ = 0;  ///< work of the run so far
   integrate::run::TurnRequest request_;
   integrate::run::TurnReport report_;
   std::vector<double> before_;

@@ -1,7 +1,6 @@
 #include "rubsweep/core/response/rotating/apex_return_search.hpp"
 
 #include "rubsweep/core/numerics/full_turn.hpp"
-#include "rubsweep/core/response/proof/periodic_orbit.hpp"
 #include "rubsweep/core/response/rotating/rotating_frame.hpp"
 #include "rubsweep/core/scene/observed.hpp"
 

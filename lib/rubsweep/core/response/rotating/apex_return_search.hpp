@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/core/integrate/run/turn.hpp"
-#include "rubsweep/core/response/proof/period_search.hpp"
+#include "rubsweep/core/response/proof/periodic_orbit.hpp"
 #include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response::rotating {

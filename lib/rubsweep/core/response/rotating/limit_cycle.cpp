@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/numerics/newton.hpp"
-#include "rubsweep/core/response/proof/adapted_norm.hpp"
 #include "rubsweep/core/response/proof/approach.hpp"
 #include "rubsweep/core/response/proof/periodic_orbit.hpp"
 

@@ -26,7 +26,7 @@ struct RotatingMotion {
 /// A stable closed orbit in the frame that turns with the shaft.
 struct LimitCycle {
   Eigen::VectorXd state;       ///< a point of it
-  RotatingArc once;            ///< from there, exactly one period
+  RotatingArc once;            ///< arc of exactly one period from there
   double floquet_modulus = 0;  ///< largest multiplier over one period but the trivial one, < 1
 };
 

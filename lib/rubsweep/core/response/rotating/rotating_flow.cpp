@@ -45,17 +45,20 @@ void add_measures(const integrate::run::TurnReport& turn, double left_rad, Rotat
   arc.peak_casing_displacement_m = std::max(arc.peak_casing_displacement_m, turn.peak_casing_displacement_m);
 }
 
+integrate::run::TurnRequest sampled(int samples_per_revolution) {
+  return {.samples_per_revolution = samples_per_revolution,
+          .peaks = samples_per_revolution > 0,
+          .switches = true};
+}
+
 /// By Taylor pieces, the transition where it is asked for.
 template <int N>
 HowFollowed follow_by_series(integrate::taylor::TaylorRun<N>& run, const Eigen::VectorXd& state,
                              double tolerance, int samples_per_revolution, bool transition,
                              RotatingArc& arc) {
   const Eigen::Index states = state.size();
-  integrate::run::TurnRequest request;
+  integrate::run::TurnRequest request = sampled(samples_per_revolution);
   integrate::run::TurnReport turn;
-  request.samples_per_revolution = samples_per_revolution;
-  request.peaks = samples_per_revolution > 0;
-  request.switches = true;
   if (transition) request.tangent_vectors.setIdentity(states, states);
   if (tolerance >= rough_from) request.tangent_accuracy = tolerance;
   run.set_series_accuracy(series_accuracy_for(tolerance));
@@ -92,11 +95,8 @@ std::optional<RotatingArc> follow(const scene::Scene& scene, const integrate::ru
   const Eigen::Index states = 2 * scene.structure.coordinates();
   RotatingArc arc;
   arc.angle_rad = angle_rad;
-  integrate::run::TurnRequest request;
+  const integrate::run::TurnRequest request = sampled(samples_per_revolution);
   integrate::run::TurnReport turn;
-  request.samples_per_revolution = samples_per_revolution;
-  request.peaks = samples_per_revolution > 0;
-  request.switches = true;
   for (double left = angle_rad; left > 0; left -= numerics::full_turn) {
     const double end_phase = std::min(left, numerics::full_turn);
     if (run.advance(request, turn, end_phase) != integrate::run::Outcome::ok) return std::nullopt;

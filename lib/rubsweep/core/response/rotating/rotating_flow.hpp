@@ -16,13 +16,13 @@ namespace rubsweep::response::rotating {
 struct RotatingArc {
   Eigen::VectorXd end;         ///< state at its end, seen in the frame that turns with the shaft, 2n
   Eigen::MatrixXd transition;  ///< 2n x 2n: d(end) / d(start)
-  double angle_rad = 0;        ///< its length, in rotation of the shaft
+  double angle_rad = 0;        ///< length in rotation of the shaft
   int hits = 0;
   double contact_fraction = 0;
-  bool slip_reversed = false;  ///< as of a turn
+  bool slip_reversed = false;  ///< true: a slip reversed, as of a turn
   /// Changes of contact mode, phases from the start of the arc; none where contacts are smoothed.
   std::vector<integrate::run::ModeSwitch> switches;
-  double peak_displacement_m = 0;  ///< this and what follows only where samples are asked for
+  double peak_displacement_m = 0;  ///< like all that follows, only with samples
   double peak_contact_force_n = 0;
   double peak_casing_displacement_m = 0;
   Eigen::MatrixXd samples;  ///< 2n x count: states in the fixed frame at phases 2 pi k / N before the end

@@ -8,15 +8,13 @@
 #include <utility>
 
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/numerics/full_turn.hpp"
 #include "rubsweep/core/numerics/matrix_flow.hpp"
 #include "rubsweep/core/numerics/newton.hpp"
 #include "rubsweep/core/response/motion/classify.hpp"
 #include "rubsweep/core/response/motion/poincare_section.hpp"
-#include "rubsweep/core/response/proof/adapted_norm.hpp"
 #include "rubsweep/core/response/proof/approach.hpp"
-#include "rubsweep/core/response/proof/periodic_orbit.hpp"
 #include "rubsweep/core/response/rotating/cycle_measures.hpp"
 #include "rubsweep/core/scene/observed.hpp"
 

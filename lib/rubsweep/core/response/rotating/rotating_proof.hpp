@@ -6,10 +6,10 @@
 #include <span>
 
 #include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/response/motion/motion.hpp"
 #include "rubsweep/core/response/motion/options.hpp"
-#include "rubsweep/core/response/motion/proof.hpp"
 #include "rubsweep/core/response/motion/workspace.hpp"
-#include "rubsweep/core/response/proof/period_search.hpp"
+#include "rubsweep/core/response/proof/periodic_orbit.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
 #include "rubsweep/core/response/rotating/apex_return_search.hpp"
 #include "rubsweep/core/response/rotating/limit_cycle.hpp"

@@ -11,7 +11,6 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/spectrum/discrete_lines.hpp"
-#include "rubsweep/core/response/spectrum/hann_window.hpp"
 
 namespace rubsweep::response::spectrum {
 namespace {

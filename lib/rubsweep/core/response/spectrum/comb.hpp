@@ -18,7 +18,7 @@ struct Comb {
   double spacing = 0;   ///< > 0, in multiples of the shaft speed; 1 / spacing is the period of w in turns
   bool closed = false;  ///< w returns within comb_tolerance, after one period and after as many as fit: then
                         ///< the comb holds all the energy but comb_tolerance squared
-  double energy_share = 0;  ///< of z, within the width of a line about the comb; 0 where its lines overlap
+  double energy_share = 0;  ///< share of z within a line's width of the comb; 0 where its lines overlap
 };
 
 /// Fewest turns in which a comb can be told.

@@ -42,7 +42,7 @@ struct FullSpectrum {
 
 /// One line of a spectrum.
 struct SpectralLine {
-  double order = 0;  ///< in multiples of the shaft speed, negative for backward whirl
+  double order = 0;  ///< multiple of the shaft speed, negative for backward whirl
   double amplitude_m = 0;
 };
 

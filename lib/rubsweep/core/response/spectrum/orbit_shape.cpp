@@ -4,8 +4,6 @@
 #include <limits>
 #include <numeric>
 
-#include "rubsweep/core/error.hpp"
-
 namespace rubsweep::response::spectrum {
 namespace {
 
@@ -60,30 +58,6 @@ WhirlKind whirl_kind(const FullSpectrum& spectrum) {
     if (k < 0) backward += squared(spectrum.amplitude(k));
   }
   return whirl_kind(forward, backward);
-}
-
-std::string_view to_string(OrbitKind kind) {
-  switch (kind) {
-    case OrbitKind::circle:
-      return "circle";
-    case OrbitKind::oval:
-      return "oval";
-    case OrbitKind::complex:
-      return "complex";
-  }
-  throw SolverError("orbit kind without a name");
-}
-
-std::string_view to_string(WhirlKind kind) {
-  switch (kind) {
-    case WhirlKind::forward:
-      return "forward";
-    case WhirlKind::backward:
-      return "backward";
-    case WhirlKind::mixed:
-      return "mixed";
-  }
-  throw SolverError("whirl kind without a name");
 }
 
 }  // namespace rubsweep::response::spectrum

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "rubsweep/core/enumerator_word.hpp"
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 
 namespace rubsweep::response::spectrum {
@@ -37,7 +38,7 @@ WhirlKind whirl_kind(double forward, double backward);
 WhirlKind whirl_kind(const FullSpectrum& spectrum);
 
 /// Names as the tables write them.
-std::string_view to_string(OrbitKind kind);
-std::string_view to_string(WhirlKind kind);
+constexpr std::string_view to_string(OrbitKind kind) { return enumerator_word(kind); }
+constexpr std::string_view to_string(WhirlKind kind) { return enumerator_word(kind); }
 
 }  // namespace rubsweep::response::spectrum

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rubsweep/core/model/physical_range.hpp"
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"

@@ -12,10 +12,10 @@ namespace rubsweep::config::yaml {
 /// from top to bottom, then every --set. Of two places that contradict each other the greater one was written
 /// over the other.
 struct SourcePosition {
-  int override_index = -1;  ///< which --set, from 0; -1: a file
-  int line = 1;             ///< of the file, from 1
+  int override_index = -1;  ///< number of the --set, from 0; -1: a file
+  int line = 1;             ///< line of the file, from 1
   int column = 1;           ///< byte of the line, from 1
-  int file = 0;             ///< which file: 0 is the configuration itself, others are its bases (Diagnostics)
+  int file = 0;  ///< number of the file: 0 is the configuration itself, others are its bases (Diagnostics)
 
   bool operator==(const SourcePosition&) const = default;
   std::strong_ordering operator<=>(const SourcePosition& other) const;

@@ -20,8 +20,8 @@ namespace rubsweep::config::yaml {
 class Printer {
  public:
   void number(std::string_view name, double value);
-  void numbers(std::string_view name, std::span<const double> values);     ///< in flow style, on one line
-  void texts(std::string_view name, std::span<const std::string> values);  ///< as numbers; throws as text
+  void numbers(std::string_view name, std::span<const double> values);  ///< list in flow style, on one line
+  void texts(std::string_view name, std::span<const std::string> values);  ///< such a list; throws as text
   void integer(std::string_view name, long value);
   void word(std::string_view name, std::string_view value);
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "rubsweep/core/numerics/dense/cholesky.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 
 namespace rubsweep::diagnose::forest {

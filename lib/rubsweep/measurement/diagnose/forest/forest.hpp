@@ -13,8 +13,8 @@ namespace rubsweep::diagnose::forest {
 struct BinnedFeatures {
   static constexpr int most_bins = 64;
   std::vector<std::vector<double>>
-      edges{};  ///< of each feature, ascending; bin b is edges[b - 1] < x <= edges[b]
-  std::vector<std::vector<std::uint8_t>> bin{};  ///< of each feature, one of every sample
+      edges{};  ///< edges of each feature, ascending; bin b is edges[b - 1] < x <= edges[b]
+  std::vector<std::vector<std::uint8_t>> bin{};  ///< bins of each feature, one of every sample
 };
 
 /// `samples`: one row for each, one column for every feature; no NaN.
@@ -23,14 +23,14 @@ BinnedFeatures binned(const Eigen::MatrixXd& samples);
 /// Samples that a forest is grown on.
 struct LabelledSamples {
   Eigen::MatrixXd features{};  ///< a row for each sample
-  std::vector<int> label{};    ///< from 0 on
+  std::vector<int> label{};    ///< label counted from 0
   Eigen::VectorXd weight{};    ///< > 0
   int classes = 0;
 };
 
 /// How trees are grown.
 struct TreeOptions {
-  int features_tried = 0;  ///< at every split, drawn anew
+  int features_tried = 0;  ///< features tried at every split, drawn anew
   int least_leaf = 1;      ///< fewest samples that a leaf keeps
 };
 
@@ -60,7 +60,7 @@ class Tree {
   int grow(const LabelledSamples& samples, const BinnedFeatures& binned, const TreeOptions& options,
            RandomStream& random, std::vector<int> members);
 
-  std::vector<double> weight_;  ///< of every sample: times it was drawn x its own
+  std::vector<double> weight_;  ///< weight of every sample: times it was drawn x its own
   std::vector<Node> nodes_;
   std::vector<std::vector<Member>> leaves_;
 };
@@ -112,7 +112,7 @@ class Forest {
   Eigen::VectorXd weights(const Eigen::VectorXd& features, int without) const;
 
   LinearDiscriminants discriminants_;
-  Eigen::MatrixXd features_;  ///< with the discriminants
+  Eigen::MatrixXd features_;  ///< features with the discriminants
   std::vector<int> label_;
   int classes_ = 0, threads_ = 0;
   std::vector<Tree> trees_;

@@ -34,7 +34,7 @@ class Novelty {
   Eigen::VectorXd middle_, spread_;
   Eigen::MatrixXd cases_;  ///< scaled, a column for each case
   std::vector<Nearest> of_cases_;
-  std::vector<double> apartness_;  ///< of every case, ascending
+  std::vector<double> apartness_;  ///< apartness of every case, ascending
 };
 
 }  // namespace rubsweep::diagnose::forest

@@ -24,8 +24,8 @@ class Marginal {
   Marginal(const Eigen::VectorXd& values, const Eigen::VectorXd& weight, const Eigen::VectorXd& prior,
            bool angle);
 
-  double probability_below(double value) const;  ///< of less than `value`
-  double probability_up_to(double value) const;  ///< of `value` or less
+  double probability_below(double value) const;  ///< probability of less than `value`
+  double probability_up_to(double value) const;  ///< probability of `value` or less
 
   /// Value of the case at which the probability of this value or less reaches `share`, from 0 to 1.
   double quantile(double share) const;
@@ -35,7 +35,7 @@ class Marginal {
   Marginal beta_transformed(double beta) const;
 
  private:
-  double from_middle(double value) const;  ///< of an angle; else the value itself
+  double from_middle(double value) const;  ///< difference of an angle from the middle; else the value itself
   double before(std::ptrdiff_t k) const;   ///< probability of the first k values
 
   bool angle_;

@@ -35,11 +35,11 @@ class Proposal {
 
 /// How many motions are simulated.
 struct CaseOptions {
-  int cases_per_candidate = 600;    ///< that rub, drawn from the priors
-  int most_draws_per_case = 30;     ///< on average; what rubs more rarely stays with fewer cases
+  int cases_per_candidate = 600;    ///< number of rubbing cases, drawn from the priors
+  int most_draws_per_case = 30;     ///< mean number of draws; what rubs more rarely stays with fewer cases
   int threads = 0;                  ///< 0: one for every processor; decides no result
   const std::atomic<bool>* stop{};  ///< true: no new draw begins
-  std::function<void(std::size_t done, std::size_t all)> on_cases{};  ///< of the priors; one call at a time
+  std::function<void(std::size_t done, std::size_t all)> on_cases{};  ///< progress; one call at a time
 };
 
 /// Cases that were kept of draws from one density.

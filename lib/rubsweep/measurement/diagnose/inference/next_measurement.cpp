@@ -16,7 +16,7 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-constexpr int cases_together = 240;  ///< that are run again
+constexpr int cases_together = 240;  ///< number of cases that are run again
 constexpr double possible = 0.02;    ///< probability from which a candidate counts
 
 /// Entropy in bits.

@@ -18,11 +18,11 @@ double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one
 
 /// Probabilities after a recording.
 struct Posterior {
-  Eigen::VectorXd probability{};   ///< of every candidate, given that it is one of them
-  Eigen::VectorXd weight{};        ///< of every case; those of a candidate add up to its probability
-  Eigen::VectorXd importance{};    ///< of every case in proportion to importance_weights
+  Eigen::VectorXd probability{};   ///< probability of every candidate, given that it is one of them
+  Eigen::VectorXd weight{};        ///< weight of every case; those of a candidate add up to its probability
+  Eigen::VectorXd importance{};    ///< weight of every case in proportion to importance_weights
   Eigen::VectorXd size_density{};  ///< density_of_size of every case
-  std::shared_ptr<const forest::Forest> forest{};  ///< that gave the weights
+  std::shared_ptr<const forest::Forest> forest{};  ///< forest that gave the weights
   double none = 0;                                 ///< probability that it is none of them
   double sharpness = 1;  ///< power that makes the probabilities of cases not drawn by a tree fit best
 };

@@ -11,9 +11,9 @@ namespace rubsweep::diagnose::inference {
 
 /// Numbers of a machine that a diagnosis answers with.
 enum class Quantity {
-  clearance,         ///< at the first stop, m
-  stop_angle,        ///< of the first stop, or of an offset, degrees from +x to +y
-  position,          ///< of the stops along the shaft of a rotor kit, m
+  clearance,         ///< clearance at the first stop, m
+  stop_angle,        ///< direction of the first stop, or of an offset, degrees from +x to +y
+  position,          ///< place of the stops along the shaft of a rotor kit, m
   contact_fraction,  ///< share of time in contact
   peak_force,        ///< largest normal force, N
   eccentricity,      ///< unbalance, m

@@ -10,7 +10,7 @@
 #include "rubsweep/analysis/branch/orbits/settled_start.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
-#include "rubsweep/core/response/motion/record_settled.hpp"
+#include "rubsweep/core/response/motion/record.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
 
 namespace rubsweep::fit::rub {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rubsweep/core/numerics/aligned_matrix.hpp"
+#include "rubsweep/core/numerics/matrix_vector.hpp"
 
 namespace rubsweep::integrate::exact::modes {
 namespace {

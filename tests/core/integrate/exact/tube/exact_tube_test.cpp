@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/integrate/exact/rubbing_turn.hpp"
-#include "rubsweep/core/numerics/spectral/singular_values.hpp"
+#include "rubsweep/core/numerics/spectral/decompositions.hpp"
 
 namespace rubsweep::integrate::exact::tube {
 namespace {

@@ -19,7 +19,7 @@ TEST(TubeReference, AGuardSeesItsRowOnEveryDisturbance) {
     ASSERT_EQ(seen.value.size(), 8u);
     const Eigen::RowVectorXd row = mode.guards[e].physical, rate = row * mode.generator;
     for (Eigen::Index j = 0; j < 8; ++j) {
-      const double unit = j < 4 ? 1 : turn.scene.speed_rad_per_s;  // of a section, with time in seconds
+      const double unit = j < 4 ? 1 : turn.scene.speed_rad_per_s;  // unit of a section, with time in seconds
       EXPECT_NEAR(seen.value[static_cast<std::size_t>(j)], unit * row(j), 1e-12 * unit);
       EXPECT_NEAR(seen.rate[static_cast<std::size_t>(j)], unit * rate(j), 1e-9 * unit * rate.norm());
       EXPECT_GE(seen.curvature[static_cast<std::size_t>(j)], 0);

@@ -7,7 +7,6 @@
 
 #include "rubsweep/core/integrate/exact/modes/linear_mode.hpp"
 #include "rubsweep/core/numerics/exponential_series.hpp"
-#include "rubsweep/core/numerics/step_table.hpp"
 
 namespace rubsweep::integrate::exact::modes {
 

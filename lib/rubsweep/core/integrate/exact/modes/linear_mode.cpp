@@ -10,11 +10,10 @@
 #include "rubsweep/core/integrate/exact/modes/mode_flow.hpp"
 #include "rubsweep/core/integrate/exact/modes/mode_views.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
-#include "rubsweep/core/numerics/dense/lu.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
+#include "rubsweep/core/numerics/exponential_series.hpp"
 #include "rubsweep/core/numerics/matrix_flow.hpp"
 #include "rubsweep/core/numerics/modal_form.hpp"
-#include "rubsweep/core/numerics/pair_series.hpp"
-#include "rubsweep/core/numerics/step_table.hpp"
 
 namespace rubsweep::integrate::exact::modes {
 namespace {

@@ -12,9 +12,8 @@
 #include "rubsweep/core/integrate/exact/modes/modal_terms.hpp"
 #include "rubsweep/core/integrate/exact/modes/step_flows.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
-#include "rubsweep/core/numerics/aligned_matrix.hpp"
 #include "rubsweep/core/numerics/exponential_series.hpp"
-#include "rubsweep/core/numerics/long_matrix.hpp"
+#include "rubsweep/core/numerics/matrix_flow.hpp"
 #include "rubsweep/core/numerics/matrix_vector.hpp"
 #include "rubsweep/core/numerics/modal_form.hpp"
 

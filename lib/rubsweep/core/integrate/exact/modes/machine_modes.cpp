@@ -6,7 +6,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/exact/modes/joint_mode.hpp"
 #include "rubsweep/core/integrate/exact/modes/mode_cache.hpp"
-#include "rubsweep/core/numerics/step_table.hpp"
+#include "rubsweep/core/numerics/exponential_series.hpp"
 
 namespace rubsweep::integrate::exact::modes {
 namespace {

@@ -46,11 +46,11 @@ class MachineModes {
   scene::Scene scene_;
   CommonToModes common_;
   Eigen::MatrixXd inverse_mass_;
-  std::vector<std::unique_ptr<LinearMode<N>>> modes_;  ///< by number, those without a slip that goes backward
+  std::vector<std::unique_ptr<LinearMode<N>>> modes_;  ///< modes without a slip that goes backward
   std::vector<bool> made_;
   std::unordered_map<std::size_t, std::unique_ptr<LinearMode<N>>> backward_modes_;
   std::size_t count_ = 0;
-  std::map<std::pair<std::size_t, std::size_t>, ModeChange<N>> changes_;  ///< by the indices of both modes
+  std::map<std::pair<std::size_t, std::size_t>, ModeChange<N>> changes_;  ///< key: indices of both modes
 };
 
 extern template class MachineModes<2>;

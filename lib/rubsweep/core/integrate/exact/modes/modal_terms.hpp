@@ -25,7 +25,7 @@ struct ModalTerm {
   Eigen::Index u = 0, v = 0;
   // Factors of z_u and of z_v.
   numerics::Twin value{};  ///< the term is value . (z_u, z_v)
-  numerics::Twin rate{};   ///< its time derivative is rate . (z_u, z_v)
+  numerics::Twin rate{};   ///< time derivative: rate . (z_u, z_v)
   /// Bound of its second derivative over the mode's longest step from now: bound[0] |(z_u, z_v)| with a modal
   /// form, where bound[1] is zero, bound . (|z_u|, |z_v|) without one.
   numerics::Twin bound{};

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "rubsweep/core/numerics/exponential_series.hpp"
-#include "rubsweep/core/numerics/pair_flow.hpp"
+#include "rubsweep/core/numerics/matrix_flow.hpp"
 
 namespace rubsweep::integrate::exact::modes {
 namespace {

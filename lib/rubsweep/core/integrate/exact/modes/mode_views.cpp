@@ -192,7 +192,7 @@ class ViewBuilder {
   const std::vector<bool>& backward_;
   const FreeVibration<N>& vibration_;
   LinearMode<N>& mode_;
-  Eigen::ArrayXd determinant_;  ///< of the pairs
+  Eigen::ArrayXd determinant_;  ///< determinants of the pairs
 };
 
 }  // namespace

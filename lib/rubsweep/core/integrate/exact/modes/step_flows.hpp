@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "rubsweep/core/numerics/exponential_series.hpp"
 #include "rubsweep/core/numerics/matrix_flow.hpp"
-#include "rubsweep/core/numerics/step_table.hpp"
 
 namespace rubsweep::integrate::exact::modes {
 

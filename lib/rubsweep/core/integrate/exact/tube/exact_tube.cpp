@@ -12,8 +12,8 @@
 #include "rubsweep/core/integrate/exact/tube/tube_switch.hpp"
 #include "rubsweep/core/integrate/run/coordinates.hpp"
 #include "rubsweep/core/numerics/certified_step.hpp"
-#include "rubsweep/core/numerics/dense/self_adjoint.hpp"
-#include "rubsweep/core/numerics/step_table.hpp"
+#include "rubsweep/core/numerics/dense/eigenvalues.hpp"
+#include "rubsweep/core/numerics/exponential_series.hpp"
 
 namespace rubsweep::integrate::exact::tube {
 namespace {

@@ -118,7 +118,7 @@ class TubeSwitch {
   TubeReference<N>& reference_;
   ExactMotion<N>& motion_;
   std::size_t behind_ = none;
-  std::vector<typename modes::ExactTypes<N>::Row> other_rows_;  ///< of the change's others
+  std::vector<typename modes::ExactTypes<N>::Row> other_rows_;  ///< rows of the change's other contacts
 };
 
 }  // namespace rubsweep::integrate::exact::tube

@@ -49,18 +49,18 @@ struct TurnTube {
     double value = 0;  ///< < 0 at the change
     double rate = 0, curvature = 0;
     Spread spread, rate_spread, curvature_spread;
-    double own_deflection = 0;  ///< its change per unit of the switch's own deflection
+    double own_deflection = 0;  ///< change per unit of the switch's own deflection
   };
 
   struct Switch {
     double time_s = 0;
     double rate = 0, curvature = 0;
-    double lowest_rate = 0;  ///< over the landing step
+    double lowest_rate = 0;  ///< lowest rate over the landing step
     Spread spread, rate_spread, curvature_spread;
     double own_deflection = 0;
-    double longest_window_s = 0;  ///< for which the bounds hold
+    double longest_window_s = 0;  ///< longest time for which the bounds hold
     std::vector<Other> others;
-    std::size_t margins_before = 0;  ///< how many of `margins` lie before it
+    std::size_t margins_before = 0;  ///< number of `margins` before it
   };
 
   /// A deflection at the end of the turn: the lengths of both parts of end_norm b, and the same of the rate
@@ -70,9 +70,9 @@ struct TurnTube {
   };
 
   double period_s = 0;
-  std::vector<LimitMargin> margins;  ///< in the order of time
+  std::vector<LimitMargin> margins;  ///< margins in the order of time
   std::vector<Switch> switches;
-  std::vector<EndDeflection> deflections;  ///< of each switch
+  std::vector<EndDeflection> deflections;  ///< deflection at each switch
   /// Largest length of the fast (slow) part of end_norm DF W y, per unit of each part of y.
   Parts to_fast, to_slow;
 

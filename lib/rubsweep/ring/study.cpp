@@ -1,0 +1,85 @@
+#include "rubsweep/ring/study.hpp"
+
+#include <algorithm>
+
+#include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
+
+namespace rubsweep::ring {
+namespace {
+
+ChartPoint point_of(const NormalForm& form, const Eigen::VectorXcd& values) {
+  const auto fastest = std::max_element(values.begin(), values.end(),
+                                        [](const auto& a, const auto& b) { return a.real() < b.real(); });
+  return {signature(form, values), fastest->real(), std::abs(fastest->imag())};
+}
+
+void set(Load& load, Parameter parameter, double value) {
+  if (parameter == Parameter::angle_deg) load.angle_deg = value;
+  if (parameter == Parameter::inclination_deg) load.inclination_deg = value;
+  if (parameter == Parameter::radial_stiffness_n_per_m) load.radial_stiffness_n_per_m = value;
+  if (parameter == Parameter::tangential_stiffness_n_per_m) load.tangential_stiffness_n_per_m = value;
+}
+
+void add_onsets(ChartLine& line, const std::vector<Change>& changes, bool has_friction, bool only_couplings) {
+  for (const Change& change : changes) {
+    for (Onset& onset : describe_change(change, {}, has_friction)) {
+      if (!only_couplings || onset.kind.starts_with("coupling")) line.onsets.push_back(std::move(onset));
+    }
+  }
+}
+
+void fill(ChartLine& line, System system, const std::vector<double>& speeds_rad_per_s) {
+  const NormalForm form = normal_form(system);
+  std::vector<Signature> signatures;
+  for (const double speed : speeds_rad_per_s) {
+    line.points.push_back(point_of(form, eigenvalues(form, speed)));
+    signatures.push_back(line.points.back().signature);
+  }
+  add_onsets(line, find_changes(form, speeds_rad_per_s, signatures), form.has_friction, false);
+  if (!form.has_friction) return;
+  system.friction_coefficient = 0;
+  add_onsets(line, find_changes(normal_form(system), speeds_rad_per_s), false, true);
+  std::stable_sort(line.onsets.begin(), line.onsets.end(),
+                   [](const Onset& a, const Onset& b) { return a.speed_rad_per_s < b.speed_rad_per_s; });
+}
+
+}  // namespace
+
+System with_parameter(System system, const ChartAxis& axis, double value) {
+  if (axis.parameter == Parameter::friction_coefficient) {
+    system.friction_coefficient = value;
+  } else if (axis.load) {
+    set(system.loads.at(*axis.load), axis.parameter, value);
+  } else {
+    for (Load& load : system.loads) set(load, axis.parameter, value);
+  }
+  return system;
+}
+
+ChartLine evaluate_line(const System& system, const ChartAxis& axis, double value,
+                        const std::vector<double>& speeds_rad_per_s) {
+  ChartLine line{value, {}, {}, "ok"};
+  try {
+    fill(line, with_parameter(system, axis, value), speeds_rad_per_s);
+  } catch (const ConfigError&) {
+    line = {value, {}, {}, "singular_mass"};
+  } catch (const SolverError&) {
+    line = {value, {}, {}, "not_converged"};
+  }
+  return line;
+}
+
+std::vector<std::optional<ChartLine>> run_chart(const System& system, const ChartAxis& axis,
+                                                const std::vector<double>& speeds_rad_per_s, int threads,
+                                                const std::function<void(const ChartLine&)>& on_line,
+                                                const std::atomic<bool>& stop) {
+  std::vector<std::optional<ChartLine>> lines(axis.values.size());
+  batch::parallel_run(
+      lines.size(), threads,
+      [&](std::size_t i) { lines[i] = evaluate_line(system, axis, axis.values[i], speeds_rad_per_s); },
+      [&](std::size_t i) { on_line(*lines[i]); }, stop);
+  return lines;
+}
+
+}  // namespace rubsweep::ring
