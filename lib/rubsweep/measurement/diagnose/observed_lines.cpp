@@ -53,9 +53,9 @@ std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, 
 
 }  // namespace
 
-MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, double most_order,
+MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, double largest_order,
                      response::spectrum::SpectrumWorkspace& workspace) {
-  const int last = static_cast<int>(most_order * turns), count = static_cast<int>(samples.size());
+  const int last = static_cast<int>(largest_order * turns), count = static_cast<int>(samples.size());
   if (turns < 1 || 2 * last >= count) throw SolverError("too few samples for lines of that order");
   const auto transformed = response::spectrum::transform(samples, workspace);
   MotionLines lines{turns, Eigen::VectorXcd(2 * last + 1)};
@@ -64,8 +64,8 @@ MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, d
   return lines;
 }
 
-MotionLines up_to(const MotionLines& lines, double most_order) {
-  const int last = std::min(lines.last(), static_cast<int>(most_order * lines.turns));
+MotionLines up_to(const MotionLines& lines, double largest_order) {
+  const int last = std::min(lines.last(), static_cast<int>(largest_order * lines.turns));
   return {lines.turns, lines.amplitude.segment(lines.last() - last, 2 * last + 1)};
 }
 

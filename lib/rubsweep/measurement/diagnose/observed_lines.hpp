@@ -23,11 +23,11 @@ struct MotionLines {
 
 /// Spectrum of equidistant samples over whole turns up to an order; SolverError where there are too few
 /// samples for it.
-MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, double most_order,
+MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, double largest_order,
                      response::spectrum::SpectrumWorkspace& workspace);
 
 /// Its lines up to an order.
-MotionLines up_to(const MotionLines& lines, double most_order);
+MotionLines up_to(const MotionLines& lines, double largest_order);
 
 /// Motion without its mean from its lines: so many samples of every turn, more than twice the largest order.
 Eigen::VectorXcd waveform_of(const MotionLines& lines, int samples_per_turn,
