@@ -27,8 +27,8 @@ declare -A below=(
   [batch]='.'
   # Plain structs: rotor, casing, stop, friction, kick, with the allowed range of every number.
   [model]='.'
-  # Force law, contact modes and their guards, friction coefficient, restitution, Hertz line contact.
-  [contact]='model numerics/dense'
+  # Force law, contact modes and their guards, friction coefficient, restitution, Hertz line contact, curved laws.
+  [contact]='model numerics'
   # Linear systems (mass, damping, stiffness, points) made from parts: Jeffcott rotor; beam shaft and its reduction;
   # the speed from which on a free vibration grows.
   [structure]='model numerics'

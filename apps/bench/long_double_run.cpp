@@ -53,13 +53,14 @@ Real length_factor(Real allowed_over_error) {
 bool LongDoubleRun::applies(const scene::Scene& scene) {
   return !scene.twist && scene.impulses.empty() &&
          std::ranges::none_of(scene.contacts, [](const scene::Contact& contact) {
-           return contact::dry_coefficient(contact.friction) != 0;
+           return contact.law || contact::holding_coefficient(contact.friction) != 0;
          });
 }
 
 LongDoubleRun::LongDoubleRun(const scene::Scene& scene, Real tolerance)
     : length_m_(scene.length_scale_m), speed_(scene.speed_rad_per_s), tolerance_(tolerance) {
-  if (!applies(scene)) throw std::invalid_argument("dry friction, torsion or impulse trains");
+  if (!applies(scene))
+    throw std::invalid_argument("dry friction, curved contact laws, torsion or impulse trains");
   const structure::LinearSystem& system = scene.structure;
   const Real newtons = length_m_ * speed_ * speed_;
   inverse_mass_ = Matrix(system.mass.cast<Real>()).inverse();

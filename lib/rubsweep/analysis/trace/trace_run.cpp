@@ -35,15 +35,21 @@ class Recorder {
   /// The part of a turn before its failure, or a whole turn's samples and events.
   void add_samples(const integrate::run::TurnReport& turn) {
     std::vector<TracedState> states;
+    auto passed = turn.switches.begin();
+    const auto pass_until = [&](double phase_rad) {
+      for (; passed != turn.switches.end() && passed->phase_rad <= phase_rad; ++passed) reader_.pass(*passed);
+    };
     for (int k = 0; k * refinement_ < turn.sample_count; ++k) {
       const auto scaled =
           std::span(turn.samples)
               .subspan(static_cast<std::size_t>(k * refinement_) * reader_.size(), reader_.size());
       if (std::any_of(scaled.begin(), scaled.end(), [](double value) { return std::isnan(value); })) break;
+      pass_until(2 * std::numbers::pi * k / options_.samples_per_revolution);
       states.push_back({sample_time_s(k), reader_.read(scaled, turns_at(k))});
       const Eigen::Vector2d& z = states.back().state.displacement_m;
       trace_.displacement_m.emplace_back(z.x(), z.y());
     }
+    pass_until(2 * std::numbers::pi);
     trajectory_.push_back(std::move(states));
     if (options_.trajectory_revolutions &&
         static_cast<long>(trajectory_.size()) > *options_.trajectory_revolutions) {

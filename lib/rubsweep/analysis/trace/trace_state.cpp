@@ -65,7 +65,7 @@ const auto& point(const scene::Scene& scene, int index) {
 
 DryForces::DryForces(const scene::Scene& scene)
     : any_(std::ranges::any_of(scene.contacts, [](const scene::Contact& contact) {
-        return contact::dry_coefficient(contact.friction) > 0;
+        return contact::holding_coefficient(contact.friction) > 0;
       })) {
   if (any_) system_ = integrate::run::scale<Eigen::Dynamic>(scene);
 }
@@ -120,6 +120,35 @@ StateReader::StateReader(const scene::Scene& scene, const integrate::run::Solver
   for (const scene::Contact& contact : scene.contacts) {
     relative_.push_back(scene::relative_map(scene.structure, contact));
   }
+  impact_damping_.resize(stops());
+  if (std::ranges::none_of(scene.contacts, [](const scene::Contact& c) { return c.law != nullptr; })) return;
+  const auto system = integrate::run::scale<Eigen::Dynamic>(scene);
+  Law law(system, 0);
+  const State state = integrate::run::scaled_initial_state(scene);
+  for (std::size_t i = 0; i < stops(); ++i) {
+    law.enter_by_state(i, state, state);
+    impact_damping_[i] = law.impact_damping(i);
+  }
+}
+
+void StateReader::pass(const integrate::run::ModeSwitch& change) {
+  if (change.from == contact::Mode::open)
+    impact_damping_[static_cast<std::size_t>(change.contact)] = change.impact_damping;
+}
+
+contact::NormalForce StateReader::normal_force(std::size_t index, const StopMotion& motion) const {
+  const scene::Contact& contact = scene_.contacts[index];
+  const double p_m = motion.penetration_m, v_m_per_s = motion.closing_speed_m_per_s;
+  if (contact.law) {
+    if (p_m <= 0) return {};
+    const double spring_n = contact.law->force_n(p_m);
+    const double v = v_m_per_s / integrate::run::state_scale(scene_).unit_velocity_m_per_s();
+    return {spring_n, spring_n * std::max(0.0, 1 + impact_damping_[index] * v)};
+  }
+  return smoothing_m_ > 0
+             ? contact::smoothed_elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m, p_m,
+                                           v_m_per_s, smoothing_m_)
+             : contact::elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m, p_m, v_m_per_s);
 }
 
 TraceState StateReader::read_motion(std::span<const double> scaled) const {
@@ -173,10 +202,10 @@ StateReader::StopMotion StateReader::stop_motion(std::size_t index, const TraceS
 /// A smoothed law takes dry friction over from one way to the other within one smoothing width a radian.
 double StateReader::friction_n(const scene::Contact& contact, double slip_m_per_s, double spring_n,
                                double dry_n) const {
-  const double dry = contact::dry_coefficient(contact.friction);
-  if (dry == 0) return contact::friction_coefficient(contact.friction, slip_m_per_s) * spring_n;
+  const contact::FrictionTerms terms = contact::friction_terms(contact.friction);
+  if (terms.holding == 0) return contact::friction_coefficient(contact.friction, slip_m_per_s) * spring_n;
   if (smoothing_m_ == 0) return dry_n;
-  return dry * std::tanh(slip_m_per_s / (scene_.speed_rad_per_s * smoothing_m_)) * spring_n;
+  return terms.dry * std::tanh(slip_m_per_s / (scene_.speed_rad_per_s * smoothing_m_)) * spring_n;
 }
 
 void StateReader::add_forces(std::size_t index, double dry_n, TraceState& state) const {
@@ -186,16 +215,13 @@ void StateReader::add_forces(std::size_t index, double dry_n, TraceState& state)
                              ? scene_.twist->contact_radius_m[index] *
                                    (scene_.speed_rad_per_s + state.rates_m_per_s(scene_.twist->coordinate))
                              : contact.surface_speed_m_per_s;
-  const contact::NormalForce force =
-      smoothing_m_ > 0
-          ? contact::smoothed_elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m,
-                                        motion.penetration_m, motion.closing_speed_m_per_s, smoothing_m_)
-          : contact::elastogap(contact.stiffness_n_per_m, contact.damping_ns_per_m, motion.penetration_m,
-                               motion.closing_speed_m_per_s);
+  const contact::NormalForce force = normal_force(index, motion);
   StopState& stop = state.stops[index];
   stop.normal_force_n = force.total_n;
   stop.friction_force_n = friction_n(contact, motion.sliding_speed_m_per_s + surface, force.spring_n, dry_n);
-  state.energy.contact_j += spring_energy_j(contact.stiffness_n_per_m, motion.penetration_m, smoothing_m_);
+  state.energy.contact_j +=
+      contact.law ? contact.law->energy_j(std::max(0.0, motion.penetration_m))
+                  : spring_energy_j(contact.stiffness_n_per_m, motion.penetration_m, smoothing_m_);
   state.energy.contact_damping_w -= (force.total_n - force.spring_n) * motion.closing_speed_m_per_s;
   state.energy.friction_w -= stop.friction_force_n * motion.sliding_speed_m_per_s;
 }

@@ -4,8 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "rubsweep/core/contact/force_law.hpp"
 #include "rubsweep/core/integrate/run/options.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
 #include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::trace {
@@ -89,6 +91,9 @@ class StateReader {
   TraceState read(std::span<const double> scaled, double turns) const;
   /// Positions and velocities, without forces and energies, which take longer.
   TraceState read_motion(std::span<const double> scaled) const;
+  /// Takes a change of contact mode into account that comes before the next state to be read: a curved law
+  /// may be damped by how fast its contact began.
+  void pass(const integrate::run::ModeSwitch& change);
 
  private:
   /// Motion of one stop as it is seen from its wall.
@@ -99,11 +104,13 @@ class StateReader {
   StopMotion stop_motion(std::size_t index, const TraceState& state) const;
   /// Adds the forces of a stop and their powers. `dry_n`: its friction where that is dry.
   void add_forces(std::size_t index, double dry_n, TraceState& state) const;
+  contact::NormalForce normal_force(std::size_t index, const StopMotion& motion) const;
   double friction_n(const scene::Contact& contact, double slip_m_per_s, double spring_n, double dry_n) const;
 
   const scene::Scene& scene_;
   double smoothing_m_;  ///< width of the blended law; 0: the law with its corners
   DryForces dry_forces_;
+  std::vector<double> impact_damping_;                              ///< per stop, scaled
   std::vector<Eigen::Matrix<double, 2, Eigen::Dynamic>> relative_;  ///< per stop: rotor minus casing
 };
 

@@ -137,9 +137,11 @@ constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) 
 /// Mode just after an instant at which `mode` may have ended: follows every guard that is at or past zero and
 /// still rising, until none is. A guard past zero but falling is a return from a graze, not an event.
 /// Bounded: a state with all guards at zero and rising cannot exist, and four hops visit every mode.
-constexpr Mode mode_after(Mode mode, double stiffness, double damping, const Kinematics& kinematics) {
+/// `guards_in(mode)` are the guards armed in a mode.
+template <class GuardsIn>
+constexpr Mode mode_after(Mode mode, const Kinematics& kinematics, const GuardsIn& guards_in) {
   for (int hop = 0; hop < mode_count; ++hop) {
-    const Guards guards = guards_of(mode, stiffness, damping, kinematics);
+    const Guards guards = guards_in(mode);
     Mode next = mode;
     for (int i = 0; i < guards.count; ++i) {
       const Guard& guard = guards.list[static_cast<std::size_t>(i)];
@@ -152,6 +154,10 @@ constexpr Mode mode_after(Mode mode, double stiffness, double damping, const Kin
     mode = next;
   }
   return mode;
+}
+
+constexpr Mode mode_after(Mode mode, double stiffness, double damping, const Kinematics& kinematics) {
+  return mode_after(mode, kinematics, [&](Mode of) { return guards_of(of, stiffness, damping, kinematics); });
 }
 
 }  // namespace rubsweep::contact

@@ -1,7 +1,10 @@
 #include "rubsweep/core/integrate/start.hpp"
 
+#include <algorithm>
 #include <memory>
+#include <string>
 
+#include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
 #include "rubsweep/core/integrate/hybrid_run.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
@@ -41,6 +44,8 @@ Solver solver_of(const scene::Scene& scene, const run::SolverOptions& options) {
 }
 
 run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::modes::ModeCache& modes) {
+  const bool curved = std::ranges::any_of(scene.contacts, [](const auto& c) { return c.law != nullptr; });
+  if (curved && !run::knows_curved_laws(options)) throw ConfigError(std::string(run::no_curved_laws));
   return solver_of(scene, options) == Solver::exact ? start_hybrid(scene, options, modes)
                                                     : start_restarting(scene, options);
 }

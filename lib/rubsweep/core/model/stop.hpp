@@ -8,6 +8,7 @@
 #include "rubsweep/core/model/friction.hpp"
 #include "rubsweep/core/model/hertz.hpp"
 #include "rubsweep/core/model/key.hpp"
+#include "rubsweep/core/model/normal_law.hpp"
 #include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
@@ -89,6 +90,13 @@ struct Stop {
   std::optional<Casing> casing;                   ///< empty: rigid
   std::optional<HertzLine> hertz = std::nullopt;  ///< where stiffness_n_per_m came from
                                                   ///< (contact::hertz_stiffness_n_per_m); changes no force
+                                                  ///< but by the law hertz_line
+  /// Where it is not linear, stiffness_n_per_m is its secant (contact::secant_n_per_m) and no force goes by
+  /// that or by `damping`.
+  NormalLaw law{};
+
+  /// Whether the stiffness is a secant of `hertz`, good near one force.
+  bool by_hertz_secant() const { return hertz && law.linear(); }
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("clearance_m", self.clearance_m,

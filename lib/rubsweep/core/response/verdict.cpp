@@ -134,7 +134,7 @@ const Checkpoints::Checkpoint* Checkpoints::before_windows(long revolutions) con
 
 SceneFacts::SceneFacts(const scene::Scene& scene)
     : rotationally_symmetric(rotating::rotationally_symmetric(scene)),
-      same_every_turn(integrate::run::same_every_turn(scene.impulses)) {}
+      same_every_turn(integrate::run::same_every_turn(scene)) {}
 
 bool may_be_aperiodic(const motion::WindowVerdict& verdict) {
   return verdict.motion_class == motion::MotionClass::unsettled && !verdict.period;

@@ -51,7 +51,7 @@ class Checkpoints {
 /// Properties of a scene that decide how it is looked at, computed once a run.
 struct SceneFacts {
   bool rotationally_symmetric = false;
-  bool same_every_turn = false;  ///< the impulses
+  bool same_every_turn = false;  ///< as integrate::run has it
 
   explicit SceneFacts(const scene::Scene& scene);
 };

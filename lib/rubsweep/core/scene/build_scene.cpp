@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 
@@ -69,8 +70,13 @@ Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly,
   contact.casing_point = assembly.casing_points[index];
   contact.wall = contact::wall_of(stop.geometry);
   contact.clearance_m = stop.clearance_m;
-  contact.stiffness_n_per_m = stop.stiffness_n_per_m;
-  contact.damping_ns_per_m = damping_of(stop, assembly.contact_mass_kg[index]);
+  if (stop.law.linear()) {
+    contact.stiffness_n_per_m = stop.stiffness_n_per_m;
+    contact.damping_ns_per_m = damping_of(stop, assembly.contact_mass_kg[index]);
+  } else {
+    contact.stiffness_n_per_m = contact::secant_n_per_m(stop);
+    contact.law = std::make_shared<contact::CurvedLaw>(stop);
+  }
   contact.friction = stop.friction;
   contact.surface_speed_m_per_s = stop.contact_radius_m * speed_rad_per_s;
   return contact;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <vector>
 
+#include "rubsweep/core/contact/curved_law.hpp"
 #include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/model/friction.hpp"
 #include "rubsweep/core/structure/linear_system.hpp"
@@ -22,6 +24,8 @@ struct Contact {
   double damping_ns_per_m = 0;
   model::Friction friction;
   double surface_speed_m_per_s = 0;  ///< R omega
+  /// Law in place of stiffness (its secant then) and damping (0); null: these two, the clamped ElastoGap law.
+  std::shared_ptr<const contact::CurvedLaw> law{};
 };
 
 /// Half-sine force pulse: F(t) = force_n sin(pi (t + elapsed_s) / duration_s) as long as t + elapsed_s is
@@ -56,10 +60,10 @@ struct Twist {
 struct Scene {
   structure::LinearSystem structure;
   std::vector<Contact> contacts;
-  double speed_rad_per_s = 0;   ///< > 0; one revolution lasts 2 pi / speed
-  Eigen::VectorXcd harmonic_n;  ///< n: force Re(harmonic_n e^{i speed t})
+  double speed_rad_per_s = 0;            ///< > 0; one revolution lasts 2 pi / speed
+  Eigen::VectorXcd harmonic_n;           ///< n: force Re(harmonic_n e^{i speed t})
   Eigen::VectorXcd second_harmonic_n{};  ///< n or empty: force Re(second_harmonic_n e^{2 i speed t})
-  Eigen::VectorXd constant_n;   ///< n: force that does not change
+  Eigen::VectorXd constant_n;            ///< n: force that does not change
   std::vector<Pulse> pulses;
   std::vector<structure::ImpulseTrain> impulses;
   long elapsed_revolutions = 0;    ///< of the impulse trains at t = 0

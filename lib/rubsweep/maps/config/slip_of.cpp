@@ -32,6 +32,7 @@ enum class Scale {
   clearance_g_mm,    ///< unbalance whose eccentricity is that clearance
   contact_radius,    ///< of the stop
   rotor_stiffness,   ///< of a Jeffcott rotor
+  rotor_power,       ///< the same as K of the stop's K p^n at a twentieth of its clearance
   clearance_blow_n,  ///< force of the kick that moves a Jeffcott rotor by the clearance of the stop
   weight_per_mm      ///< stiffness that gives way by one millimetre under the rotor's weight
 };
@@ -76,6 +77,9 @@ constexpr std::array rules{
              "millimetres", 1e-3},
     SlipRule{contact_stiffness_n_per_m, Scale::rotor_stiffness, 0.1, infinite, false, 0, false,
              "{0} N/m is softer than a tenth of the rotor", "newtons per millimetre", 1e3},
+    SlipRule{power_stiffness_n_per_m_n, Scale::rotor_power, 0.1, 1e7, false, 0, false,
+             "{0} N/m^n is {1:.4g} times the stiffness of the rotor at a twentieth of the clearance",
+             "newtons per millimetre to that exponent", 3.16e4},
     SlipRule{support_stiffness_n_per_m, Scale::weight_per_mm, 0.1, infinite, false, 0, false,
              "{0} N/m gives way by more than 10 mm under the weight of the rotor", "newtons per millimetre",
              1e3},
@@ -136,6 +140,13 @@ std::optional<double> clearance_blow_n(const model::Machine& machine, const mode
   return stop->clearance_m * rotor->mass_kg * w * w / std::min(short_blow, long_push);
 }
 
+/// Stiffness of a Jeffcott rotor; of a kit the one that gives way by a millimetre under its weight.
+double rotor_stiffness_n_per_m(const model::Machine& machine) {
+  if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor))
+    return rotor->mass_kg * std::pow(2 * std::numbers::pi * rotor->natural_frequency_hz, 2);
+  return model::rotor_mass_kg(machine) * 9.81 / 1e-3;
+}
+
 std::optional<double> scale_of(const SlipRule& rule, double value, const model::Machine* machine,
                                std::size_t stop) {
   if (rule.scale == Scale::one) return 1;
@@ -171,8 +182,11 @@ std::optional<double> scale_of(const SlipRule& rule, double value, const model::
       if (at != nullptr && at->contact_radius_m > 0) scale = at->contact_radius_m;
       break;
     case Scale::rotor_stiffness:
-      if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine->rotor))
-        scale = rotor->mass_kg * std::pow(2 * std::numbers::pi * rotor->natural_frequency_hz, 2);
+      if (model::kit_of(*machine) == nullptr) scale = rotor_stiffness_n_per_m(*machine);
+      break;
+    case Scale::rotor_power:
+      if (at != nullptr)
+        scale = rotor_stiffness_n_per_m(*machine) / std::pow(at->clearance_m / 20, at->law.exponent - 1);
       break;
     case Scale::clearance_blow_n:
       scale = clearance_blow_n(*machine, at);

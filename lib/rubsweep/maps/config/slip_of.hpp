@@ -18,6 +18,7 @@ enum class Quantity {
   clearance_m,
   contact_radius_m,
   contact_stiffness_n_per_m,
+  power_stiffness_n_per_m_n,
   support_stiffness_n_per_m,
   angle_deg,
   damping_ratio,

@@ -39,6 +39,7 @@ constexpr std::array standings{
     Standing{"stops.*.clearance_m", clearance_m},
     Standing{"stops.*.contact_radius_m", contact_radius_m},
     Standing{"stops.*.stiffness_n_per_m", contact_stiffness_n_per_m},
+    Standing{"stops.*.law.stiffness_n_per_m_n", power_stiffness_n_per_m_n},
     Standing{"stops.*.angle_deg", angle_deg},
     Standing{"stops.*.hertz.rotor.youngs_modulus_pa", modulus_pa},
     Standing{"stops.*.hertz.casing.youngs_modulus_pa", modulus_pa},

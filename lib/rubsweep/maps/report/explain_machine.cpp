@@ -14,6 +14,7 @@
 #include "rubsweep/core/scene/constant_load.hpp"
 #include "rubsweep/core/structure/full_reference.hpp"
 #include "rubsweep/core/structure/stability.hpp"
+#include "rubsweep/maps/report/explain_law.hpp"
 #include "rubsweep/maps/report/explain_rotor.hpp"
 
 namespace rubsweep::report {
@@ -48,6 +49,7 @@ std::string explain_fast_contact(const model::Stop& stop, double rotor_mass_kg, 
 }
 
 std::string explain_damping(const model::Stop& stop, const scene::Contact& contact, double rotor_mass_kg) {
+  if (!stop.law.linear()) return explain_law(stop);
   double mass = stop.contact_mass_kg.value_or(rotor_mass_kg);
   if (stop.casing) mass = contact::reduced_mass(mass, stop.casing->mass_kg);
   const double ratio = contact.damping_ns_per_m / (2 * std::sqrt(mass * stop.stiffness_n_per_m));
@@ -67,6 +69,16 @@ std::string explain_friction(const model::Stop& stop, const scene::Contact& cont
   const auto name = contact::name_of(stop.friction);
   if (!contact::acts(stop.friction)) return fmt::format("  friction: {}\n", name);
   const double mu = contact::friction_coefficient(stop.friction, slip);
+  if (const auto [holding, sliding] = model::holding_and_sliding(stop.friction); holding > 0) {
+    const auto* falling = std::get_if<model::FallingFriction>(&stop.friction);
+    return fmt::format(
+        "  friction: dry, holds the surfaces together up to {} and slides with {}{}; reverses with the "
+        "slip\n",
+        holding, sliding,
+        falling == nullptr ? ""
+                           : fmt::format(", falling to it with exp(-(slip / {:.6g} m/s)^{})",
+                                         falling->stribeck_speed_m_per_s, falling->exponent));
+  }
   if (!contact::depends_on_slip(stop.friction)) {
     if (mu == 0) return fmt::format("  friction: {} 0\n", name);
     const bool reverses = !contact::keeps_its_direction(stop.friction);
@@ -113,7 +125,7 @@ std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Ce
                         stop.contact_mass_kg ? "" : " (modal mass of the first mode there)");
     text += explain_sag(prepared, i);
   }
-  if (stop.hertz) {
+  if (stop.by_hertz_secant()) {
     text += fmt::format(
         "  stiffness: secant of the Hertz line contact at {} N, half-width {:.4g} m, approach {:.4g} m\n",
         stop.hertz->design_force_n, contact::hertz_half_width_m(*stop.hertz, stop.hertz->design_force_n),

@@ -72,9 +72,12 @@ std::string explain_solver(const sweep::Study& study) {
       return text + "in\n  Taylor pieces, to rounding, too\n" + located;
     text += "by the\n  adaptive one: ";
   } else {
-    text =
-        fmt::format("solver: adaptive{}, ",
-                    chosen ? " (auto: the exact one takes no smoothed contact and at most six stops)" : "");
+    const bool curved =
+        !std::ranges::all_of(study.machine.stops, [](const model::Stop& stop) { return stop.law.linear(); });
+    const std::string_view why =
+        curved ? " (auto: the exact one knows linear contacts alone)"
+               : " (auto: the exact one takes no smoothed contact and at most six stops)";
+    text = fmt::format("solver: adaptive{}, ", chosen ? why : "");
   }
   text += fmt::format("{}, relative tolerance {}\n", integrate::adaptive::row_of(solver.stepper).description,
                       solver.relative_tolerance);

@@ -27,7 +27,7 @@ namespace {
 /// differ the narrowest counts, whichever the force acts at: the word marks a doubt.
 bool beyond_hertz(const model::Machine& machine, double force_n) {
   return std::ranges::any_of(machine.stops, [force_n](const model::Stop& stop) {
-    return stop.hertz && force_n > contact::hertz_force_limit_n(*stop.hertz);
+    return stop.by_hertz_secant() && force_n > contact::hertz_force_limit_n(*stop.hertz);
   });
 }
 

@@ -9,7 +9,7 @@
 namespace rubsweep::sweep {
 namespace {
 
-bool has_hertz(const model::Stop& stop) { return stop.hertz.has_value(); }
+bool has_hertz(const model::Stop& stop) { return stop.by_hertz_secant(); }
 
 /// Whether both machines have nearly the same secants.
 bool fits(const model::Machine& used, const model::Machine& asked) {
@@ -27,7 +27,8 @@ HertzSecant secant_of(const model::Machine& original, const model::Machine& used
   std::optional<std::size_t> lowest;
   for (std::size_t i = 0; i < original.stops.size(); ++i) {
     const auto& hertz = original.stops[i].hertz;
-    if (hertz && (!lowest || hertz->design_force_n < original.stops[*lowest].hertz->design_force_n))
+    if (has_hertz(original.stops[i]) &&
+        (!lowest || hertz->design_force_n < original.stops[*lowest].hertz->design_force_n))
       lowest = i;
   }
   const model::Stop& stop = used.stops[lowest.value()];
@@ -43,7 +44,7 @@ bool takes_secants_anew(const Study& study) {
 std::optional<model::Machine> with_secant_at(const model::Machine& machine, double force_n) {
   model::Machine changed = machine;
   for (model::Stop& stop : changed.stops) {
-    if (!stop.hertz) continue;
+    if (!stop.by_hertz_secant()) continue;
     stop.hertz->design_force_n = std::max(force_n, stop.hertz->design_force_n);
     const auto stiffness = contact::hertz_secant_n_per_m(*stop.hertz, stop.hertz->design_force_n);
     if (!stiffness) return std::nullopt;

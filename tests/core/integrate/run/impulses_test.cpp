@@ -96,9 +96,9 @@ TEST(Impulses, RepeatToTheLastBitWhereAWholeNumberFitsIntoATurn) {
   ASSERT_EQ(first.size(), 7u);
   EXPECT_TRUE(std::ranges::is_sorted(first));
   EXPECT_EQ(phases_of(impulses, 123456), first);
-  EXPECT_TRUE(same_every_turn(scene.impulses));
+  EXPECT_TRUE(same_every_turn(scene));
   scene.impulses.push_back({Eigen::Vector2d(0, 1), 2.5, 0});
-  EXPECT_FALSE(same_every_turn(scene.impulses));
+  EXPECT_FALSE(same_every_turn(scene));
 }
 
 /// After whole turns and at phase 0, by the sum over all impulses so far.

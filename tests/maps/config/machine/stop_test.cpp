@@ -1,6 +1,9 @@
 #include "rubsweep/maps/config/machine/stop.hpp"
 
+#include <cmath>
+
 #include "maps/config/support.hpp"
+#include "rubsweep/maps/config/print_config.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
@@ -27,6 +30,80 @@ TEST(Stop, TakesARestitutionByTheMassOfTheRotor) {
   const model::Stop delivered =
       read_stop_with({"stops.0.restitution_by_rotor_mass=0.7", "stops.0.restitution_delivered=0.6"});
   EXPECT_EQ(std::get<model::DeliveredRestitution>(delivered.damping).value, 0.6);
+}
+
+/// The stop of the minimal configuration with this law in place of stiffness and restitution.
+std::string with_law(const std::string& law) {
+  return replaced(replaced(test_file("minimal.yaml"), "    restitution: 0.7\n", ""),
+                  "    stiffness_n_per_m: 2.0e6\n", "    law: " + law + "\n");
+}
+
+TEST(Stop, TakesEachLaw) {
+  const auto stop = [](const std::string& law) {
+    return read_run_config_text(with_law(law), "test.yaml", {}).study.machine.stops.at(0);
+  };
+  const model::Stop power = stop("{kind: power, stiffness_n_per_m_n: 1e9, exponent: 1.5}");
+  EXPECT_EQ(power.law.kind, model::ForceCurve::power);
+  EXPECT_NEAR(power.stiffness_n_per_m, 1e9 * std::sqrt(5e-5), 1);
+  const model::Stop damped = stop(
+      "{kind: table, penetration_m: [0, 1e-4], force_n: [0, 5], damping: delivered, restitution: 0.4, "
+      "approach_speed_m_per_s: 0.2}");
+  EXPECT_EQ(damped.law.damping, model::ImpactDamping::delivered);
+  EXPECT_EQ(damped.law.approach_speed_m_per_s, 0.2);
+  EXPECT_NEAR(damped.stiffness_n_per_m, 5e4, 1e-6);
+  EXPECT_TRUE(read_stop_with({"stops.0.law=linear", "stops.0.stiffness_n_per_m=1e6", "stops.0.restitution=1"})
+                  .law.linear());
+}
+
+TEST(Stop, ALawTakesThePlaceOfLinearKeysAndBack) {
+  const auto config = [](const std::string& law, const std::vector<std::string>& overrides) {
+    return read_run_config_text(law, "test.yaml", overrides).study.machine.stops.at(0);
+  };
+  const std::string power = "{kind: power, stiffness_n_per_m_n: 1e9, exponent: 1.5}";
+  EXPECT_EQ(config(test_file("minimal.yaml"), {"stops.0.law=" + power}).law.exponent, 1.5);
+  EXPECT_EQ(config(with_law(power), {"stops.0.law.exponent=1.25"}).law.exponent, 1.25);
+  EXPECT_TRUE(
+      config(with_law(power), {"stops.0.stiffness_n_per_m=1e6", "stops.0.restitution=1"}).law.linear());
+}
+
+TEST(Stop, LawsArePrintedAsTheyAreRead) {
+  for (const std::string law :
+       {"{kind: power, stiffness_n_per_m_n: 1e9, exponent: 1.5, damping: flores, restitution: 0.5}",
+        "{kind: table, penetration_m: [0, 1e-4, 3e-4], force_n: [0, 5, 6]}"}) {
+    const std::string printed = print_config(read_run_config_text(with_law(law), "test.yaml", {}));
+    EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
+    EXPECT_EQ(printed.find("\n    stiffness_n_per_m:"), std::string::npos) << printed;
+    EXPECT_NE(printed.find("\n    law:\n"), std::string::npos) << printed;
+  }
+  EXPECT_EQ(print_config(read_run_config_text(test_file("minimal.yaml"), "test.yaml", {})).find("law"),
+            std::string::npos);
+}
+
+TEST(Stop, HertzLineIsTheLawOfTheContactThatGivesTheSecant) {
+  const std::string hertz =
+      "    hertz:\n      length_m: 0.01\n      rotor: {radius_m: 0.02, youngs_modulus_pa: 2e11, "
+      "poisson_ratio: "
+      "0.3}\n      casing: {shape: flat, youngs_modulus_pa: 2e11, poisson_ratio: 0.3}\n      design_force_n: "
+      "100\n";
+  const std::string text = replaced(with_law("{kind: hertz_line, damping: flores, restitution: 0.5}"),
+                                    "    contact_radius_m", hertz + "    contact_radius_m");
+  const RunConfig config = read_run_config_text(text, "test.yaml", {});
+  EXPECT_EQ(config.study.machine.stops.at(0).law.kind, model::ForceCurve::hertz_line);
+  EXPECT_FALSE(config.study.machine.stops.at(0).by_hertz_secant());
+  const std::string printed = print_config(config);
+  EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
+}
+
+TEST(Stop, AsksAboutAStiffnessOfAnotherUnit) {
+  const auto questions = [](const std::string& stiffness) {
+    return read_run_config_text(
+               with_law("{kind: power, exponent: 1.5, stiffness_n_per_m_n: " + stiffness + "}"), "test.yaml",
+               {})
+        .questions;
+  };
+  EXPECT_TRUE(questions("1e9").empty());
+  EXPECT_FALSE(questions("3e4").empty());
+  EXPECT_FALSE(questions("1e15").empty());
 }
 
 TEST(Stop, TakesEachFriction) {

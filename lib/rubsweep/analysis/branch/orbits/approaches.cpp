@@ -98,10 +98,7 @@ class ApproachSearch {
     State rate(state.size());
     dynamics_(state, rate, std::fmod(phase_rad, 2 * std::numbers::pi));
     for (std::size_t i = 0; i < guards_.size(); ++i) {
-      const auto& contact = system_.contacts[i];
-      const Mode mode = dynamics_.modes()[i];
-      guards_[i] = {mode, contact::guards_of(mode, contact.stiffness, contact.damping,
-                                             dynamics_.kinematics(i, state, rate))};
+      guards_[i] = {dynamics_.modes()[i], dynamics_.guards(i, dynamics_.kinematics(i, state, rate))};
     }
   }
 

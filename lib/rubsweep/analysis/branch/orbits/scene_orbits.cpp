@@ -148,8 +148,11 @@ class SceneOrbits {
     if (SceneAt* at = recent_.find([&](const SceneAt& one) { return one.parameter == parameter; })) return at;
     const auto scene = family_(parameter);
     if (!scene) return nullptr;
-    if (!integrate::run::same_every_turn(scene->impulses))
-      throw ConfigError("impulses that are not the same in every revolution have no orbits to follow");
+    if (!integrate::run::same_every_turn(*scene))
+      throw ConfigError(
+          "impulses that are not the same in every revolution, or contacts damped by the approach speed of "
+          "each "
+          "impact, have no orbits to follow, allowed: law.approach_speed_m_per_s");
     SceneAt& made = recent_.emplace(parameter, *scene, solver_, modes_);
     recent_.trim();
     return &made;

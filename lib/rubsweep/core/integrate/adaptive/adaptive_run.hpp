@@ -120,8 +120,9 @@ class AdaptiveRun {
       const contact::Mode from = dynamics_.modes()[i];
       dynamics_.enter_by_state(i, step_.start, step_.start_rate);
       if (smoothed || dynamics_.modes()[i] == from) continue;
-      book_.note_switch({step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i]},
-                        observer.report());
+      book_.note_switch(
+          {step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i], dynamics_.impact_damping(i)},
+          observer.report());
     }
     enter_slips(step_.start_phase);
     look_again(step_.start_phase);
@@ -202,15 +203,16 @@ class AdaptiveRun {
       switched = true;
     }
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-      const auto& c = system_.contacts[i];
       contact::Mode& mode = dynamics_.modes()[i];
       const contact::Mode from = mode;
       if (crossing && crossing->contact == i && crossing->event == Crossing::Event::mode)
         mode = contact::mode_through(from, crossing->next, end_kinematics_[i]);
-      mode = contact::mode_after(mode, c.stiffness, c.damping, end_kinematics_[i]);
+      mode = dynamics_.mode_after(i, mode, end_kinematics_[i]);
       if (mode == from) continue;
       switched = true;
-      book_.note_switch({step_.end_phase, static_cast<int>(i), from, mode}, observer.report());
+      if (from == contact::Mode::open) dynamics_.begin_impact(i, end_kinematics_[i].closing_speed);
+      book_.note_switch({step_.end_phase, static_cast<int>(i), from, mode, dynamics_.impact_damping(i)},
+                        observer.report());
       if (mode == contact::Mode::open && dynamics_.any_poised())
         law::settle_slips(dynamics_, step_.end, probe_rate_, step_.end_phase,
                           [](std::size_t) { return false; });
@@ -237,6 +239,9 @@ class AdaptiveRun {
       for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
         if (j == i || (others && law::stands(dynamics_, j, step_.end))) just_moved_[j] = leaves_zero(j);
       }
+      if (!dynamics_.jumps(i)) return;
+      dynamics_(step_.end, step_.end_rate, step_.end_phase);
+      look_at_end();
     } else {
       stop_slip(crossing.contact);
     }
@@ -256,6 +261,11 @@ class AdaptiveRun {
       law::cross_slip(dynamics_, i, step_.end, probe_rate_, step_.end_rate, dynamics_.changes(step_.end));
       dynamics_(step_.end, step_.end_rate, step_.end_phase);
     }
+    look_at_end();
+  }
+
+  /// Kinematics at the end of a step, by the rate now in force.
+  void look_at_end() {
     for (std::size_t j = 0; j < system_.contacts.size(); ++j)
       end_kinematics_[j] = dynamics_.kinematics(j, step_.end, step_.end_rate);
   }

@@ -72,8 +72,7 @@ struct CrossingSearch {
   };
 
   contact::Guards guards(std::size_t i, const contact::Kinematics& kinematics) const {
-    const auto& c = dynamics.system().contacts[i];
-    return contact::guards_of(dynamics.modes()[i], c.stiffness, c.damping, kinematics);
+    return dynamics.guards(i, kinematics);
   }
 
   /// Value of one guard function of contact `i` inside the step.

@@ -10,6 +10,7 @@
 #include "rubsweep/core/contact/force_law.hpp"
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/integrate/law/contact_states.hpp"
+#include "rubsweep/core/integrate/law/curved_contacts.hpp"
 #include "rubsweep/core/integrate/run/pulse_times.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
 
@@ -17,8 +18,9 @@ namespace rubsweep::integrate::law {
 
 /// Right-hand side of a scaled system as Odeint takes it, u then u' in one state. Located: every contact
 /// obeys the law of its current mode, continued smoothly past the mode's end. Smoothed: the blended law,
-/// whatever the mode. Any state with contiguous doubles behind operator[] will do. Dry friction, which jumps
-/// where the slip reverses, depends on `slips`: a contact that sticks keeps the slip that it has.
+/// whatever the mode, of linear contacts alone. Any state with contiguous doubles behind operator[] will do.
+/// Dry friction, which jumps where the slip reverses, depends on `slips`: a contact that sticks keeps the
+/// slip that it has.
 template <int N, bool Smoothed>
 class Dynamics : public ContactStates<N, Smoothed> {
   using States = ContactStates<N, Smoothed>;
@@ -33,7 +35,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
   using typename States::Vector;
 
   Dynamics(const run::ScaledSystem<N>& system, double smoothing_width)
-      : States(system), smoothing_width_(smoothing_width) {}
+      : States(system), curved_(system), smoothing_width_(smoothing_width) {}
 
   /// `phase` in [0, 2 pi]: the revolution is an integer kept elsewhere, so that phases stay exact for ever.
   template <class State>
@@ -69,7 +71,14 @@ class Dynamics : public ContactStates<N, Smoothed> {
   template <class State>
   double largest_friction_n(std::size_t i, const State& state) const {
     const contact::ContactFrame f = this->frame_at(i, state);
-    return dry_[i] * normal_force(i, f.penetration, f.closing_speed).spring_n;
+    return dry_[i].holding * normal_force(i, f.penetration, f.closing_speed).spring_n;
+  }
+  /// The friction that it begins to slip with.
+  template <class State>
+  double sliding_friction_n(std::size_t i, const State& state) const {
+    const contact::ContactFrame f = this->frame_at(i, state);
+    const double coefficient = dry_[i].jumps() ? dry_[i].dry : dry_[i].holding;
+    return coefficient * normal_force(i, f.penetration, f.closing_speed).spring_n;
   }
 
   /// Penetration of contact `i` and its two rates, scaled, from a state and its rate; as
@@ -92,15 +101,32 @@ class Dynamics : public ContactStates<N, Smoothed> {
   template <class State>
   void enter_by_state(std::size_t i, const State& state, const State& rate) {
     const Contact& c = system_.contacts[i];
+    const bool begins = modes_[i] == contact::Mode::open;
     contact::Kinematics k = kinematics(i, state, rate);
     if (k.penetration > 0) {
       // The guard of an open annular stop is in squares; the modes are separated by the penetration itself.
       modes_[i] = contact::Mode::sprung;
       k = kinematics(i, state, rate);
     }
-    const contact::Mode mode = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
-    modes_[i] = contact::mode_after(mode, c.stiffness, c.damping, k);
+    if (begins) curved_.begin_inside(i, k);
+    const contact::Mode mode = c.law
+                                   ? contact::curved_mode(impact_damping(i), k.penetration, k.closing_speed)
+                                   : contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
+    modes_[i] = mode_after(i, mode, k);
   }
+
+  /// The guards armed in the mode of contact `i`, and the mode just after an instant at which `mode` may have
+  /// ended.
+  contact::Guards guards(std::size_t i, const contact::Kinematics& k) const {
+    return guards(i, modes_[i], k);
+  }
+  contact::Mode mode_after(std::size_t i, contact::Mode mode, const contact::Kinematics& k) const {
+    return contact::mode_after(mode, k, [&](contact::Mode of) { return guards(i, of, k); });
+  }
+
+  /// Contact `i` begins to touch with this closing speed: its law may damp it by that.
+  void begin_impact(std::size_t i, double closing_speed) { curved_.begin_impact(i, closing_speed); }
+  double impact_damping(std::size_t i) const { return curved_.impact_damping(i); }
 
   /// Normal force in newtons by the law this object integrates.
   contact::NormalForce normal_force(std::size_t i, double penetration, double closing_speed) const {
@@ -109,6 +135,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
       return contact::smoothed_elastogap(c.stiffness, c.damping, penetration, closing_speed,
                                          smoothing_width_);
     } else {
+      if (c.law) return curved_.force(i, modes_[i], penetration, closing_speed);
       return contact::force_in_mode(modes_[i], c.stiffness, c.damping, penetration, closing_speed);
     }
   }
@@ -156,13 +183,30 @@ class Dynamics : public ContactStates<N, Smoothed> {
   /// returned at this state.
   template <class State>
   void slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
-    const Eigen::Index n = system_.coordinates();
-    const ConstMap u(&state[0], n), v(&state[0] + n, n);
-    by_u = -system_.stiffness;
-    by_v = -system_.damping;
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i)
-      add_contact_slopes(i, holding, u, v, by_u, by_v);
+    given_slopes(state, holding, by_u, by_v);
     this->hold_slopes(state, holding, by_u, by_v);
+  }
+
+  /// Derivative by the state of the distance from its bound of the friction that holds contact `i`, in the
+  /// direction of `slip`; `rate` is scratch.
+  template <class State>
+  Eigen::RowVectorXd reserve_gradient(std::size_t i, contact::Slip slip, const State& state, State& rate,
+                                      double phase) const {
+    loose(state, rate, phase);
+    const Holding holding = this->hold(state, rate);
+    Matrix by_u, by_v;
+    given_slopes(state, holding, by_u, by_v);
+    const auto [force_by_u, force_by_v] = this->holding_slopes(state, holding, by_u, by_v);
+    const auto& list = holding.stuck.list;
+    const Eigen::Index row = std::find(list.begin(), list.end(), i) - list.begin();
+    const Contact& c = system_.contacts[i];
+    const contact::ContactFrame f = this->frame_at(i, state);
+    const double bound = dry_[i].holding * force_slopes(i, f.penetration, f.closing_speed).spring_by_p;
+    Eigen::RowVectorXd gradient(2 * by_u.cols());
+    gradient << bound * (f.cosine * c.first_row + f.sine * c.second_row) -
+                    contact::sign_of(slip) * force_by_u.row(row),
+        -contact::sign_of(slip) * force_by_v.row(row);
+    return gradient;
   }
 
   /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to
@@ -206,6 +250,17 @@ class Dynamics : public ContactStates<N, Smoothed> {
   void follow(const run::PulseTimes& pulses) { pulses_ = &pulses; }
 
  private:
+  /// As `slopes`, with the friction that holds as it is.
+  template <class State>
+  void given_slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
+    const Eigen::Index n = system_.coordinates();
+    const ConstMap u(&state[0], n), v(&state[0] + n, n);
+    by_u = -system_.stiffness;
+    by_v = -system_.damping;
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+      add_contact_slopes(i, holding, u, v, by_u, by_v);
+  }
+
   using States::dry_;
   using States::modes_;
   using States::slips_;
@@ -227,18 +282,27 @@ class Dynamics : public ContactStates<N, Smoothed> {
   /// radian.
   double coefficient(std::size_t i, const contact::ContactFrame& f) const {
     const Contact& c = system_.contacts[i];
-    if (dry_[i] == 0) return contact::friction_coefficient(c.friction, law::slip_m_per_s(c, f));
+    const contact::FrictionTerms& dry = dry_[i];
+    if (dry.holding == 0) return contact::friction_coefficient(c.friction, law::slip_m_per_s(c, f));
     if constexpr (Smoothed)
-      return dry_[i] * std::tanh(law::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
-    return dry_[i] * contact::sign_of(slips_[i]);
+      return dry.dry * std::tanh(law::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
+    const double way = contact::sign_of(slips_[i]);
+    if (this->poised(i)) return dry.holding * way;
+    if (dry.falling.height == 0) return dry.dry * way;
+    return way * (dry.dry + dry.falling.at(way * law::slip_m_per_s(c, f)));
   }
   double coefficient_slope(std::size_t i, const contact::ContactFrame& f) const {
     const Contact& c = system_.contacts[i];
-    if (dry_[i] == 0)
+    const contact::FrictionTerms& dry = dry_[i];
+    if (dry.holding == 0)
       return contact::friction_slope(c.friction, law::slip_m_per_s(c, f)) * c.slip_scale_m_per_s;
-    if constexpr (!Smoothed) return 0;
+    if constexpr (!Smoothed) {
+      const double way = contact::sign_of(slips_[i]);
+      if (way == 0 || dry.falling.height == 0 || this->poised(i)) return 0;
+      return dry.falling.slope(way * law::slip_m_per_s(c, f)) * c.slip_scale_m_per_s;
+    }
     const double share = std::tanh(law::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
-    return dry_[i] * (1 - share * share) / smoothing_width_;
+    return dry.dry * (1 - share * share) / smoothing_width_;
   }
 
   void add_contact(std::size_t i, const ConstMap& u, const ConstMap& v, Map& acceleration) const {
@@ -265,8 +329,14 @@ class Dynamics : public ContactStates<N, Smoothed> {
     if constexpr (Smoothed) {
       return contact::smoothed_elastogap_slopes(c.stiffness, c.damping, p, v, smoothing_width_);
     } else {
-      return contact::slopes_in_mode(modes_[i], c.stiffness, c.damping);
+      if (!c.law) return contact::slopes_in_mode(modes_[i], c.stiffness, c.damping);
+      return curved_.slopes(i, modes_[i], p, v);
     }
+  }
+
+  contact::Guards guards(std::size_t i, contact::Mode mode, const contact::Kinematics& k) const {
+    const Contact& c = system_.contacts[i];
+    return c.law ? curved_.guards(i, mode, k) : contact::guards_of(mode, c.stiffness, c.damping, k);
   }
 
   /// f = F(p, v) n + mu(s) S(p) t with n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
@@ -297,6 +367,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
     by_v += push * by_rate * rows;
   }
 
+  CurvedContacts<N> curved_;
   double smoothing_width_;
   const run::PulseTimes* pulses_ = nullptr;
   mutable long rhs_calls_ = 0;

@@ -50,9 +50,11 @@ void Impulses::begin_turn(long revolution) {
                       [](const Instant& a, const Instant& b) { return a.phase_rad < b.phase_rad; });
 }
 
-bool same_every_turn(const std::vector<structure::ImpulseTrain>& impulses) {
-  return std::ranges::all_of(impulses,
-                             [](const auto& train) { return train.multiple == std::floor(train.multiple); });
+bool same_every_turn(const scene::Scene& scene) {
+  return std::ranges::all_of(
+             scene.impulses,
+             [](const auto& train) { return train.multiple == std::floor(train.multiple); }) &&
+         std::ranges::none_of(scene.contacts, [](const auto& c) { return c.law && c.law->remembers(); });
 }
 
 }  // namespace rubsweep::integrate::run

@@ -58,7 +58,8 @@ class Impulses {
   std::size_t next_ = 0;
 };
 
-/// True when every revolution gets its impulses at the same phases.
-bool same_every_turn(const std::vector<structure::ImpulseTrain>& impulses);
+/// True when a section decides the revolutions after it: every one gets its impulses at the same phases, and
+/// no contact goes by how fast it began to touch.
+bool same_every_turn(const scene::Scene& scene);
 
 }  // namespace rubsweep::integrate::run

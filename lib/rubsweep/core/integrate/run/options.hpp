@@ -98,6 +98,14 @@ struct SolverOptions {
   }
 };
 
+/// Whether a run by these options may have contacts whose law is not linear.
+constexpr bool knows_curved_laws(const SolverOptions& options) {
+  return options.method != Method::exact && options.contact == ContactHandling::located;
+}
+inline constexpr std::string_view no_curved_laws =
+    "solver: method exact and contact smoothed know linear contacts alone, allowed: method auto or adaptive "
+    "with contact located beside a law of another kind";
+
 /// `automatic` takes the implicit stepper where friction alone would change the slip faster than this many
 /// times the contact's own angular frequency: 4 tolerance^(-1/4). Below it dopri5 needs less time although
 /// its steps are limited by stability (h rate < 3.3), because it is five times cheaper per step and accuracy

@@ -37,6 +37,8 @@ ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene
   scaled.friction = contact.friction;
   scaled.slip_scale_m_per_s = scale.unit_velocity_m_per_s();
   scaled.surface_speed_m_per_s = contact.surface_speed_m_per_s;
+  scaled.law = contact.law;
+  scaled.length_m = scale.length_m;
   return scaled;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct ScaledContact {
   model::Friction friction;
   double slip_scale_m_per_s = 0;  ///< slip = slip_scale * (d' . tangent) + surface speed
   double surface_speed_m_per_s = 0;
+  /// Law of a contact that is no straight line, whose `stiffness` is a secant and `damping` 0; else null.
+  std::shared_ptr<const contact::CurvedLaw> law;
+  double length_m = 0;  ///< L, the unit of penetrations
 
   /// Scaled relative acceleration of rotor and casing along the first direction per newton between them.
   double mobility() const { return -first_row.dot(first_push.transpose()); }

@@ -17,6 +17,8 @@ struct ModeSwitch {
   int contact = 0;
   contact::Mode from = contact::Mode::open;
   contact::Mode to = contact::Mode::open;
+  /// Damping that a curved law has from here on, per scaled closing speed; 0 of all others.
+  double impact_damping = 0;
 };
 
 /// Work done since the start of the run.

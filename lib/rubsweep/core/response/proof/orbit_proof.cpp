@@ -29,7 +29,7 @@ bool same_friction(const model::Friction& a, const model::Friction& b) {
 }
 
 bool equal(const structure::LinearSystem& structure, const scene::Contact& a, const scene::Contact& b) {
-  return !a.casing_point && !b.casing_point &&
+  return !a.casing_point && !b.casing_point && !a.law && !b.law &&
          scene::relative_map(structure, a) == scene::relative_map(structure, b) &&
          contact::same(a.wall, b.wall) && a.clearance_m == b.clearance_m &&
          a.damping_ns_per_m * b.stiffness_n_per_m == b.damping_ns_per_m * a.stiffness_n_per_m &&

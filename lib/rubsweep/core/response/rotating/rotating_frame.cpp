@@ -115,7 +115,9 @@ bool RotatingField::touches(const VectorXd& state) const {
 
 bool rotationally_symmetric(const scene::Scene& scene) {
   const auto& s = scene.structure;
-  return std::ranges::all_of(scene.contacts, [](const auto& c) { return contact::centred(c.wall); }) &&
+  // The equations of this frame know linear contacts alone.
+  return std::ranges::all_of(scene.contacts,
+                             [](const auto& c) { return contact::centred(c.wall) && !c.law; }) &&
          scene.constant_n.isZero(0) && scene.impulses.empty() && turns_forward(scene.harmonic_n) &&
          scene.second_harmonic_n.size() == 0 && isotropic(s.mass) && isotropic(s.damping) &&
          isotropic(s.stiffness) &&

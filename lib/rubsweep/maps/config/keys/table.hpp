@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <initializer_list>
 #include <optional>
@@ -65,13 +66,16 @@ class Table {
     add(name, map_of(inner.take()), meaning, "0.1.0").required = true;
   }
 
-  /// The keys that `visit` adds stand only where the key `selector`, which has a default, has one of these
-  /// words.
+  /// The keys that `visit` adds stand only where the key `selector`, which has a default and was added
+  /// before, has one of these words.
   template <class Visit>
   void beside(std::string_view selector, std::initializer_list<std::string> words, bool, Visit&& visit) {
     const std::size_t first = keys_.size();
+    const auto by = std::ranges::find(keys_, selector, &Key::name);
+    const bool by_default = by != keys_.end() && std::ranges::find(words, by->fallback) != words.end();
     visit();
-    for (std::size_t i = first; i < keys_.size(); ++i) keys_[i].when = {std::string(selector), words, true};
+    for (std::size_t i = first; i < keys_.size(); ++i)
+      keys_[i].when = {std::string(selector), words, by_default};
   }
 
   std::vector<Key> take() { return std::move(keys_); }

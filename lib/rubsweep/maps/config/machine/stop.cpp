@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "rubsweep/core/contact/curved_law.hpp"
 #include "rubsweep/core/contact/hertz_line.hpp"
 #include "rubsweep/core/model/casing.hpp"
 #include "rubsweep/core/model/magnitude.hpp"
@@ -103,8 +104,54 @@ std::optional<model::HertzLine> read_hertz(const yaml::Value& value) {
   return contact;
 }
 
-/// The stiffness is given, or follows from hertz.
+constexpr std::string_view law_key = "law", linear = "linear";
+constexpr std::string_view law_forms = "linear, or a map with kind";
+
+/// `law`: a map, or the word `linear`.
+model::NormalLaw read_law(const yaml::Value& value) {
+  model::NormalLaw law;
+  if (value.node.kind == yaml::Node::Kind::scalar) {
+    read_word(value, {&linear, 1}, law_forms);
+    return law;
+  }
+  yaml::Section section(value, law_forms);
+  model::NormalLaw::visit_keys(law, section);
+  section.refuse_unknown_keys();
+  if (law.kind != model::ForceCurve::table || !section.is_sound()) return law;
+  if (const auto problem = model::problem_of_curve(law))
+    section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
+  return law;
+}
+
+/// Keys of linear contacts beside a law of another kind, whose secant becomes the stiffness.
+void fit_to_law(yaml::Section& section, model::Stop& stop) {
+  for (const std::string_view name :
+       {stiffness_key, model::name_of<model::NominalRestitution>(),
+        model::name_of<model::RestitutionByRotorMass>(), model::name_of<model::DeliveredRestitution>(),
+        model::name_of<model::ExplicitDamping>()}) {
+    if (section.find(name))
+      section.refuse_together(law_key, {law_key, name}, fmt::format("given beside {}", name),
+                              "a linear law, or the keys of law alone");
+  }
+  if (section.find("contact_mass_kg"))
+    section.refuse_together(law_key, {law_key, "contact_mass_kg"}, "asks for no mass",
+                            "a law without contact_mass_kg");
+  const bool of_hertz = stop.law.kind == model::ForceCurve::hertz_line;
+  if (of_hertz != section.find(hertz_key).has_value())
+    section.refuse_together(law_key, {law_key, hertz_key},
+                            of_hertz ? "hertz_line needs the line contact" : "given beside hertz",
+                            of_hertz ? "kind: hertz_line beside hertz" : "kind: hertz_line, or no hertz");
+  stop.stiffness_n_per_m = section.is_sound() ? contact::secant_n_per_m(stop) : 1;
+  if (!model::contains(model::positive, stop.stiffness_n_per_m))
+    section.refuse_together(
+        law_key, {law_key},
+        fmt::format("gives {:.4g} N/m at a twentieth of the clearance", stop.stiffness_n_per_m),
+        model::describe(model::positive, stop.stiffness_n_per_m));
+}
+
+/// The stiffness is given, or follows from hertz or another law.
 void read_contact(yaml::Section& section, model::Stop& stop) {
+  if (const auto law = section.find(law_key)) stop.law = read_law(*law);
   const auto hertz = section.find(hertz_key);
   if (hertz) {
     stop.hertz = read_hertz(*hertz);
@@ -116,6 +163,7 @@ void read_contact(yaml::Section& section, model::Stop& stop) {
     }
   }
   model::Stop::visit_fields(stop, [&](std::string_view name, double& field, const model::Range& range) {
+    if (name == stiffness_key && !stop.law.linear()) return;
     if (name != stiffness_key || !hertz) {
       section.field(name, field, range);
     } else if (section.find(stiffness_key)) {
@@ -123,13 +171,16 @@ void read_contact(yaml::Section& section, model::Stop& stop) {
                               "one of the two");
     }
   });
+  if (!stop.law.linear()) fit_to_law(section, stop);
 }
 
 void print_contact(yaml::Printer& printer, const model::Stop& stop) {
   model::Stop::visit_fields(stop, [&](std::string_view name, double field, const model::Range& range) {
+    if (name == stiffness_key && !stop.law.linear())
+      printer.map(law_key, "", [&](auto& keys) { model::NormalLaw::visit_keys(stop.law, keys); });
     if (name == stiffness_key && stop.hertz) {
       printer.map(hertz_key, "", [&](auto& keys) { model::HertzLine::visit_keys(*stop.hertz, keys); });
-    } else {
+    } else if (name != stiffness_key || stop.law.linear()) {
       printer.field(name, field, range);
     }
   });
@@ -146,8 +197,10 @@ model::Stop read_stop(const yaml::Value& value, const std::optional<model::Range
   }
   read_contact(section, stop);
   refuse_offset_beyond_clearance(section, stop);
-  stop.damping = read_damping(section, stop.damping);
-  model::Stop::visit_mass(stop, model::fields_into(section));
+  if (stop.law.linear()) {
+    stop.damping = read_damping(section, stop.damping);
+    model::Stop::visit_mass(stop, model::fields_into(section));
+  }
   if (const auto friction = section.find("friction")) stop.friction = read_friction(*friction);
   if (const auto casing = section.find("casing")) stop.casing = read_casing(*casing);
   section.refuse_unknown_keys();
@@ -167,7 +220,8 @@ void print_stop(yaml::Printer& printer, const model::Stop& stop) {
              stop.geometry);
   printer.field("position_m", stop.position_m, model::any_finite);
   print_contact(printer, stop);
-  std::visit([&](const auto& damping) { print_fields(printer, damping); }, stop.damping);
+  if (stop.law.linear())
+    std::visit([&](const auto& damping) { print_fields(printer, damping); }, stop.damping);
   model::Stop::visit_mass(stop, model::fields_into(printer));
   print_friction(printer, stop.friction);
   stop.casing ? print_map(printer, "casing", *stop.casing) : printer.word("casing", rigid);
@@ -188,6 +242,10 @@ keys::Form stops_form() {
   using namespace keys;
   const Condition flat{"kind", {std::string(one_side_kind)}}, round{"kind", {std::string(annular_kind)}};
   const KeysOf<model::ContactDamping> damping;
+  const std::string law(law_key);
+  Choice damped = choice_of(damping.ways);
+  for (Way& way : damped.ways) way.optional.push_back(law);
+  damped.ways.push_back({{law}, {}});
   return list_of(
       map_of(
           joined({{must("kind", one_of(stop_kinds), "flat wall, or a round wall around the rotor"),
@@ -199,7 +257,9 @@ keys::Form stops_form() {
                        "place along the shaft, of a rotor kit only", "(required of a kit)")},
                   keys_of<model::Stop>(),
                   {must(std::string(hertz_key), map_of(keys_of<model::HertzLine>()),
-                        "line contact of Hertz that the stiffness follows from")},
+                        "line contact of Hertz that the stiffness follows from"),
+                   newer_key(may(law, any_of({one_of({&linear, 1}), map_of(keys_of<model::NormalLaw>())}),
+                                 "normal force over penetration", std::string(linear)))},
                   joined(damping.ways),
                   keys_by([](Table& table) {
                     const model::Stop defaults;
@@ -208,7 +268,8 @@ keys::Form stops_form() {
                   {may("friction", friction_form(), "friction of the surfaces", "none"),
                    may("casing", any_of({one_of({&rigid, 1}), map_of(keys_of<model::Casing>())}),
                        "casing behind the stop", "rigid")}}),
-          {either(std::array{stiffness_key, hertz_key}), choice_of(damping.ways)}),
+          {Choice{{{{std::string(stiffness_key)}, {law}}, {{std::string(hertz_key)}, {law}}, {{law}, {}}}},
+           damped}),
       1, max_stops);
 }
 

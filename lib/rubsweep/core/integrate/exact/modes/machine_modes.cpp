@@ -130,7 +130,7 @@ std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts) 
 
 bool exact_applies(const scene::Scene& scene) {
   const bool known = std::ranges::all_of(scene.contacts, [](const scene::Contact& contact) {
-    return contact::linear(contact.wall) || contact::annular(contact.wall);
+    return !contact.law && (contact::linear(contact.wall) || contact::annular(contact.wall));
   });
   return known && !scene.twist && scene.contacts.size() <= most_exact_contacts &&
          scene.structure.coordinates() <= most_exact_coordinates;

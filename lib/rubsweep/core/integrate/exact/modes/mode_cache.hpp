@@ -17,9 +17,9 @@ std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts);
 /// Stops whose joint contact modes can be numbered.
 inline constexpr std::size_t most_exact_contacts = 6;
 
-/// Whether the exact solver and Taylor pieces know the scene: walls that are flat or round, not more stops
-/// than joint modes are numbered for, nor more coordinates than a mode holds (all that a configuration can
-/// ask for).
+/// Whether the exact solver and Taylor pieces know the scene: walls that are flat or round, none with a
+/// curved law, not more stops than joint modes are numbered for, nor more coordinates than a mode holds (all
+/// that a configuration can ask for).
 bool exact_applies(const scene::Scene& scene);
 
 /// Default capacity of a ModeCache.
