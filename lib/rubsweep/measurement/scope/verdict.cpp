@@ -7,7 +7,6 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/spectrum/discrete_lines.hpp"
 #include "rubsweep/measurement/scope/repeating_angles.hpp"
-#include "rubsweep/measurement/scope/slow_modulation.hpp"
 #include "rubsweep/measurement/scope/verdict_lines.hpp"
 
 namespace rubsweep::scope {

@@ -9,8 +9,8 @@
 #include "rubsweep/measurement/diagnose/candidate.hpp"
 #include "rubsweep/measurement/diagnose/drawn_machine.hpp"
 #include "rubsweep/measurement/diagnose/features/described_motion.hpp"
-#include "rubsweep/measurement/diagnose/lasting_motion.hpp"
 #include "rubsweep/measurement/diagnose/observed_lines.hpp"
+#include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::diagnose::inference {
 
