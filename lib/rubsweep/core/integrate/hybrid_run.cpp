@@ -36,16 +36,26 @@ double most_work_of_a_turn(const run::SolverOptions& options) {
   return run::work_of_an_expansion * static_cast<double>(run::most_pieces_of_a_turn(options));
 }
 
+/// Friction that is less as soon as it slips: what holds then depends on the past, which a turn handed on in
+/// the middle forgets.
+bool any_jumps(const scene::Scene& scene) {
+  return std::ranges::any_of(
+      scene.contacts, [](const scene::Contact& c) { return contact::friction_terms(c.friction).jumps(); });
+}
+
 /// Whether turns are handed on in the middle: between flat stops, by Taylor's series.
 bool may_be_in_pieces(const scene::Scene& scene, const run::SolverOptions& options) {
   return scene.impulses.empty() && options.stepper == run::Stepper::automatic &&
          options.contact == run::ContactHandling::located &&
-         std::ranges::all_of(scene.contacts, [](const scene::Contact& c) { return contact::linear(c.wall); });
+         std::ranges::all_of(scene.contacts,
+                             [](const scene::Contact& c) { return contact::linear(c.wall); }) &&
+         !any_jumps(scene);
 }
 
 /// Whether dry friction may hold the rotor at a place of a ring, whose surface stands.
 bool may_stick_in_a_ring(const scene::Scene& scene) {
-  return scene.impulses.empty() && std::ranges::any_of(scene.contacts, [](const scene::Contact& c) {
+  return scene.impulses.empty() && !any_jumps(scene) &&
+         std::ranges::any_of(scene.contacts, [](const scene::Contact& c) {
            return contact::annular(c.wall) && c.surface_speed_m_per_s == 0 &&
                   contact::holding_coefficient(c.friction) != 0;
          });
@@ -150,7 +160,8 @@ class HybridRun {
       if (taylor_->sticks() && lasts() && stick(request, report) &&
           work_so_far() - before > most_work_of_a_turn(options_))
         return run::Outcome::step_limit;
-      const bool may_join = in_pieces_ && !taylor_->sticks() && taylor_->phase_rad() < last_join;
+      const bool may_join =
+          in_pieces_ && !taylor_->sticks() && !taylor_->just_let_go() && taylor_->phase_rad() < last_join;
       if (may_join && run_.join(taylor_->phase_rad(), taylor_->section(), taylor_->modes(), report))
         return ending;
     }

@@ -62,6 +62,8 @@ struct CrossingSearch {
  private:
   /// Share of the height of a slip's interpolant over a step from which its largest value is refined.
   static constexpr double near_zero = 0.1;
+  /// Rise between three places of a step that they do not show, over their differences.
+  static constexpr double most_unseen = 2;
   static constexpr double shortest_share = 1e-12;  ///< of a step, that an event takes at least
 
   /// Friction that a sticking contact needs, and the most that it can have.
@@ -176,8 +178,14 @@ struct CrossingSearch {
       const auto value = [&](double x) { return friction_at(x).over(sign); };
       auto phase = rise ? refine(value, *rise) : std::nullopt;
       if (!phase && c > 0) phase = hidden_rise(value);
-      if (phase && (!earliest || *phase < earliest->phase))
-        earliest = Crossing{*phase, i, {}, Crossing::Event::release, slip};
+      const auto [low, high] = std::minmax({a, b, c});
+      // A friction that is less after the release makes a short one count.
+      if (!phase && a < 0 && dynamics.holds_harder(i) && high > -most_unseen * (high - low))
+        phase = shallow_rise(value);
+      constexpr double never = std::numeric_limits<double>::infinity();
+      const double at = phase.value_or(never);
+      if (at < (earliest ? earliest->phase : never))
+        earliest = Crossing{at, i, {}, Crossing::Event::release, slip};
     }
     return earliest;
   }

@@ -97,7 +97,8 @@ class ContactStates {
   bool touches_dry(std::size_t i) const {
     return !Smoothed && dry_[i].holding > 0 && modes_[i] != contact::Mode::open;
   }
-  /// Whether its friction is less as soon as it slips.
+  /// Whether it holds harder than it slides, and whether its friction is less as soon as it slips.
+  bool holds_harder(std::size_t i) const { return dry_[i].holding > dry_[i].dry; }
   bool jumps(std::size_t i) const { return dry_[i].jumps(); }
   bool any_dry() const { return !Smoothed && any_dry_; }
 

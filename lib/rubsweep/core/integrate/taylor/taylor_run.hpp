@@ -66,6 +66,13 @@ class TaylorRun {
   double phase_rad() const { return clock_.time(); }
   /// Dry friction holds a contact.
   bool sticks() const { return dynamics_.any_dry() && dynamics_.stuck_contacts().count > 0; }
+  /// Whether a contact has just been let go whose friction is less since then: by its slip alone, which is
+  /// zero, it would be held again.
+  bool just_let_go() const {
+    for (std::size_t i = 0; i < zeros_.terms().size(); ++i)
+      if (zeros_.terms()[i] > 0 && dynamics_.jumps(i)) return true;
+    return false;
+  }
   const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
   /// Slips of the contacts, valid for those that touch with dry friction.
   const std::vector<contact::Slip>& slips() const { return dynamics_.slips(); }
