@@ -53,7 +53,7 @@ Real length_factor(Real allowed_over_error) {
 bool LongDoubleRun::applies(const scene::Scene& scene) {
   return !scene.twist && scene.impulses.empty() &&
          std::ranges::none_of(scene.contacts, [](const scene::Contact& contact) {
-           return contact.law || contact::dry_coefficient(contact.friction) != 0;
+           return contact.law || contact::holding_coefficient(contact.friction) != 0;
          });
 }
 

@@ -64,7 +64,7 @@ config::RunConfig sliced_config(const RubbasinArguments& arguments, const Plane&
   plain.study.threshold.reset();
   plain.study.basin.reset();
   plain.study.robustness = sweep::Robustness::off;
-  std::vector<std::string> overrides;  // those of the command line are in it
+  std::vector<std::string> overrides;  // the list holds the overrides of the command line
   // A start in the configuration stays; with any, nothing is kicked.
   if (has_state && !given.study.machine.start) overrides.emplace_back("start={}");
   overrides.push_back(fmt::format("sweep={{speed_hz: {{values: [{}]}}, {}: {{values: [{}]}}, x: {}, y: {}}}",

@@ -21,9 +21,8 @@ struct StartNumber {
 /// Reads "x,vx", "casing0.y,vx" or two keys of the configuration. Throws UsageError.
 std::array<StartNumber, 2> read_plane(const std::string& text);
 
-/// Displacement and velocity of the rotor along the axis that is nearest to the normal of the first stop,
-/// which both meet it: x and vx, or y and vy. Of an annular stop the normal points to where the gap is
-/// smallest.
+/// Displacement and velocity of the rotor along the axis nearest to the normal of the first stop: x and vx,
+/// or y and vy. The normal of an annular stop points to where the gap is smallest.
 std::array<StartNumber, 2> usual_plane(const model::Stop& first);
 
 /// Evenly spaced values, both ends included.

@@ -13,7 +13,7 @@
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/measurement/dataset/data_set.hpp"
-#include "rubsweep/measurement/dataset/read_data_study.hpp"
+#include "rubsweep/measurement/dataset/data_study.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"

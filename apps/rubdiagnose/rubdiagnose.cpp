@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, 4> file_names{"diagnosis.json", "probabil
 
 struct Input {
   diagnosis::RecordedProblem recorded;
-  std::string digest;  ///< of everything read
+  std::string digest;  ///< digest of everything read
 };
 
 Input read_input(const RubdiagnoseArguments& arguments) {

@@ -41,7 +41,7 @@ class CharacterMap {
 
   const sweep::Grid& grid_;
   std::vector<std::string> names_;
-  std::vector<const response::motion::MotionKind*> kinds_;  ///< of the names
+  std::vector<const response::motion::MotionKind*> kinds_;  ///< kinds of the names
   std::vector<std::uint16_t> cells_;                        ///< number of its name
 };
 

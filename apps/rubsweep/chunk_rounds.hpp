@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/maps/batch/chunk_queue.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
 
 namespace rubsweep::apps {
 

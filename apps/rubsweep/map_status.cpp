@@ -26,8 +26,8 @@ constexpr std::chrono::seconds watched{2};
 /// Cells in the journals of a directory.
 struct Finished {
   std::map<std::string, std::size_t> by_journal;  ///< name without its ending -> cells in it
-  std::set<std::size_t> cells;                    ///< of all of them
-  std::size_t all = 0;                            ///< of the grid
+  std::set<std::size_t> cells;                    ///< cells of all shards together
+  std::size_t all = 0;                            ///< number of cells of the grid
 };
 
 std::vector<std::string> names_with(const fs::path& directory, std::string_view ending) {

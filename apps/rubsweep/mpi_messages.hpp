@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/maps/batch/chunk_queue.hpp"
+#include "rubsweep/maps/batch/parallel_run.hpp"
 
 /// Messages between the ranks of rubsweep-mpi; the only place that knows MPI. Only the thread that made the
 /// Session may call. Whoever waits sleeps in between, where MPI itself would keep a processor busy.

@@ -18,7 +18,7 @@ struct RubsweepArguments : StudyArguments {
   bool merge = false;                    ///< only put together what shards finished
   std::optional<map::Share> shard = {};  ///< compute this part alone
   std::optional<Figure> figure = {};     ///< also draw the finished map
-  bool fade = false;                     ///< its cells by their robust_share
+  bool fade = false;                     ///< true: cells fade by their robust_share
   bool report = false;                   ///< also make report.html of the finished map
   /// Directory whose results are only to be checked for completeness.
   std::optional<std::filesystem::path> verified = {};

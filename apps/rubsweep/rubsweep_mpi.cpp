@@ -144,7 +144,7 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
   }
   watch.reset();
   journal.reset();
-  mpi::wait_for_all();  // before the first rank reads the journals
+  mpi::wait_for_all();  // the first rank reads the journals next
   mpi::wait_for_all();  // while it writes the map and draws
   return done;
 }

@@ -89,7 +89,7 @@ void watch_map(const fs::path& directory) {
     const Screen screen = look_again(directory);
     if (again)
       std::fputs((first ? "\x1b[2J" + std::string(from_the_top) : std::string(from_the_top)).c_str(), stdout);
-    std::fputs(screen.picture.c_str(), stdout);  // with its colours
+    std::fputs(screen.picture.c_str(), stdout);  // the picture in its colours
     print("{}", screen.status);
     std::fflush(stdout);
     if (!again || !screen.at_work) return;

@@ -48,7 +48,7 @@ constexpr int ramp_samples = 128;
 struct Outcome {
   batch::ResultFiles files;
   std::string summary;
-  integrate::run::Outcome run = integrate::run::Outcome::ok;  ///< of a run-up with stops
+  integrate::run::Outcome run = integrate::run::Outcome::ok;  ///< outcome of a run-up with stops
 };
 
 Outcome outcome_of(ExperimentTables tables) {

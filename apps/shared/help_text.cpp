@@ -64,7 +64,8 @@ std::string filled(std::string_view head, std::string_view words, std::size_t in
   return text + line + "\n";
 }
 
-/// A full stop, the colon before a list, or the last option of a usage.
+/// True for a line that ends with a full stop, with the colon before a list, or with the last option of a
+/// usage.
 bool ends_a_paragraph(std::string_view line) {
   return line.ends_with('.') || line.ends_with(':') || line.ends_with(']');
 }

@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Deepest first. Complete before `made` says that it is there, so that a signal handler may read it.
+/// Directories that this run made, deepest first. The list is complete before `made` becomes true, so that a
+/// signal handler may read it.
 std::vector<std::string> made_directories;
 std::atomic<bool> made{false};
 

@@ -27,9 +27,12 @@ def laid_out(body, words, words_per_minute):
     body = re.sub(r"<table>.*?</table>", lambda match: f'<div class="table" tabindex="0">{match[0]}</div>', body, flags=re.DOTALL)
     body = re.sub(r"(<a [^>]*>\s*)?(<img src=\"([^\"]*)\"[^>]*>)",
                   lambda match: match[0] if match[1] else f'<a class="picture" href="{match[3]}">{match[2]}</a>', body)
-    # Short code is not cut at the end of a line.
+    # A name in the first cell of a row may be cut behind a dot or a low line; other short code is not cut.
+    body = re.sub(r"(?<=<td>)(?:– )?(?:<a [^>]*>)?<code>[^<]*</code>",
+                  lambda match: re.sub(r"(?:(?<=\.)|(?<=_))(?=[^<>_.]{3}[^<>]*</code>)", "<wbr>", match[0]), body)
     body = re.sub(r"<code>(?=[^<]{31})", '<code class="long">', body)
-    if not words:
+    # Some pages say their time themselves.
+    if not words or re.search(r"</h1>\s*<p><em>\d+ minutes", body):
         return body
     minutes = max(1, round(words / words_per_minute))
     time = f'<p class="reading">{words} words, {minutes} min</p>'

@@ -54,7 +54,9 @@ function readIndex() {
 
 // How well a part of a page fits the words that are looked for; 0: a word is missing.
 function score(part, words, whole) {
-  let sum = part.low.title === whole ? 1000 : 0;
+  // Who looks for a word rarely wants the derivation or what was before.
+  const deep = /\/(method|history|validation)\/|CHANGELOG/.test(part.page);
+  let sum = (part.low.title === whole ? 1000 : 0) + (deep ? 0 : 20);
   for (const word of words) {
     const inTitle = part.low.title.includes(word), count = part.low.text.split(word).length - 1;
     if (!inTitle && count === 0) return 0;

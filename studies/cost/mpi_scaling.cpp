@@ -20,7 +20,6 @@
 #include "bench/processor_time.hpp"
 #include "mpi_messages.hpp"
 #include "rubsweep/maps/batch/journal.hpp"
-#include "rubsweep/maps/batch/line_log.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"

@@ -22,7 +22,6 @@
 #include "foreign_motion.hpp"
 #include "nearest_candidate.hpp"
 #include "rubsweep/measurement/dataset/labelled_recording.hpp"
-#include "rubsweep/measurement/dataset/readings.hpp"
 #include "rubsweep/measurement/diagnose/inference/diagnosis.hpp"
 #include "rubsweep/measurement/diagnose/inference/quantity.hpp"
 #include "rubsweep/measurement/recording/recording.hpp"

@@ -167,7 +167,7 @@ class ColumnsTest(unittest.TestCase):
 
     def test_a_set_of_recordings_lists_its_own_columns(self):
         readme = (self.work / "set/README.md").read_text()
-        for file, said in (("run.csv", "recording"), ("set/labels.csv", "labels.csv")):
+        for file, said in (("run.csv", "a recording"), ("set/labels.csv", "labels.csv")):
             listed = readme.split(f"| column of {said} |")[1].split("\n\n")[0]
             self.assertEqual(re.findall(r"^\| `(\w+)` \|", listed, flags=re.MULTILINE), rows_of(self.work / file)[0])
 

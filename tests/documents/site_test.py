@@ -130,6 +130,8 @@ class Parts(unittest.TestCase):
         self.assertIn('<a href="b"><img src="c.png"', body)
         self.assertEqual(body.count('<code class="long">'), 1)
         self.assertNotIn("reading", laid_out("<h1>T</h1>", 0, 200))
+        self.assertNotIn("reading", laid_out("<h1>T</h1>\n<p><em>4 minutes.</em> So it begins.</p>", 700, 200))
+        self.assertIn("<td><code>a.N.<wbr>bcd_<wbr>efg_m</code></td>", laid_out("<td><code>a.N.bcd_efg_m</code></td>", 0, 200))
 
     def test_pages_of_a_section_stand_as_its_first_one_links_to_them(self):
         title = '<h1 id="{0}">{0}</h1>'.format

@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Of, HardMachinesEvents,
 struct ProofCell {
   const char* machine;
   double speed_hz, whirl_ratio;
-  const char* not_this;  ///< what was once called proven
+  const char* not_this;  ///< claim that was once called proven
 };
 
 class HardMachinesProofs : public testing::TestWithParam<ProofCell> {};

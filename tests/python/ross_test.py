@@ -10,7 +10,7 @@ FILE = Path(__file__).resolve().parents[2] / "configs" / "rotors" / "ross_rotor.
 
 
 class Rotor:
-    """What `save` of ROSS leaves."""
+    """A stand-in whose `save` leaves a file of ROSS."""
 
     def save(self, path):
         shutil.copy(FILE, path)

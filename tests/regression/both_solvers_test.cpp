@@ -20,7 +20,7 @@ class BothSolvers : public testing::TestWithParam<std::string> {
   sweep::Study study_ =
       config::read_run_config(std::filesystem::path(RUBSWEEP_CONFIGS) / (GetParam() + ".yaml"), {}).study;
 
-  /// By its shares of both axes.
+  /// The cell at these shares of both axes.
   std::size_t cell(double along_speed, double along_unbalance) const {
     return test::map_cell(study_.grid, along_speed, along_unbalance);
   }

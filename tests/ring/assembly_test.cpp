@@ -430,7 +430,7 @@ TEST(AssemblyEigenvalues, OfTheBareRingAreItsWaves) {
     system.ring.nodal_diameters = n;
     const double critical = critical_speed(system.ring);
     for (const double speed : {0.0, 0.4 * critical, critical, 1.7 * critical}) {
-      const double own2 = 1 - speed * speed;  // of the load: s^2 + 1 - speed^2 = 0
+      const double own2 = 1 - speed * speed;  // own frequency of the load: s^2 + 1 - speed^2 = 0
       const Complex load = std::sqrt(Complex(-own2));
       const double forward = n * std::abs(critical - speed), backward = n * (critical + speed);
       // Where the forward wave stands still its root is double at zero.

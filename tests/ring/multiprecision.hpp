@@ -19,7 +19,7 @@ double discriminant_with_50_digits(const System& system, double speed_rad_per_s,
 /// when the array is degenerate.
 int routh_hurwitz_with_50_digits(const System& system, double speed_rad_per_s);
 
-/// The same number by long double arithmetic; -1 too where a pivot is lost in its rounding.
+/// The same number by long double arithmetic; -1 also where rounding leaves nothing of a pivot.
 int routh_hurwitz_with_long_double(const System& system, double speed_rad_per_s);
 
 }  // namespace rubsweep::ring

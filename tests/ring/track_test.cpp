@@ -15,7 +15,7 @@ Track track_of(const System& system, double top_rpm, int count) {
   return track_modes(system, normal_form(system), batch::evenly_spaced(0.0, top_rpm * rpm, count));
 }
 
-/// Frequency of a mode at the asked point of this index.
+/// Frequency of a mode at this speed.
 double frequency(const Track& track, const char* name, double speed_rpm) {
   double found = -1;
   for (const TrackPoint& point : track.points) {

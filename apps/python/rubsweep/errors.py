@@ -1,4 +1,4 @@
-"""What a program says of bad input, as exceptions."""
+"""Messages of a program about bad input, as exceptions."""
 
 import re
 from dataclasses import dataclass

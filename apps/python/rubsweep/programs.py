@@ -17,7 +17,7 @@ WITH_PROGRESS = {"rubsweep", "rubline", "rubbasin", "rubdiagnose"}
 
 @dataclass
 class Answer:
-    """What a program that ran said: its text, and the JSON line that `--summary json` ends with."""
+    """Text of a program that ran, and the JSON line that `--summary json` ends with."""
 
     text: str
     summary: Dict[str, Any] = field(default_factory=dict)

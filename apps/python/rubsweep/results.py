@@ -1,4 +1,4 @@
-"""What one call of a program gives."""
+"""Tables and text that one call of a program gives."""
 
 import tempfile
 from contextlib import contextmanager

@@ -262,8 +262,7 @@ Analysis analyse(const System& system, const std::vector<double>& speeds_rad_per
     for (Onset& onset : without) onset.note += ", without friction";
   }
   std::move(without.begin(), without.end(), std::back_inserter(analysis.onsets));
-  std::stable_sort(analysis.onsets.begin(), analysis.onsets.end(),
-                   [](const Onset& a, const Onset& b) { return a.speed_rad_per_s < b.speed_rad_per_s; });
+  std::ranges::stable_sort(analysis.onsets, {}, &Onset::speed_rad_per_s);
   return analysis;
 }
 

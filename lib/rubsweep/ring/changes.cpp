@@ -30,24 +30,26 @@ Complex nearest(const Values& values, Complex place) {
   });
 }
 
-/// (lambda_1 - lambda_2)^2 of the two roots nearest to `place`: smooth where they merge, and known to
-/// rounding although each of them is only known to its square root.
-double discriminant(const Values& values, Complex place) {
+std::array<Complex, 2> two_nearest(const Values& values, Complex place) {
   std::array<Complex, 2> two{};
   std::partial_sort_copy(
       values.begin(), values.end(), two.begin(), two.end(),
       [&](const Complex& a, const Complex& b) { return std::abs(a - place) < std::abs(b - place); });
-  const Complex difference = two[0] - two[1];
+  return two;
+}
+
+/// (lambda_1 - lambda_2)^2 of the two roots nearest to `place`: smooth where they merge, and known to
+/// rounding although each of them is only known to its square root.
+double discriminant(const Values& values, Complex place) {
+  const auto [first, second] = two_nearest(values, place);
+  const Complex difference = first - second;
   return (difference * difference).real();
 }
 
 /// Mean of the two roots nearest to `place`.
 Complex middle(const Values& values, Complex place) {
-  std::array<Complex, 2> two{};
-  std::partial_sort_copy(
-      values.begin(), values.end(), two.begin(), two.end(),
-      [&](const Complex& a, const Complex& b) { return std::abs(a - place) < std::abs(b - place); });
-  return 0.5 * (two[0] + two[1]);
+  const auto [first, second] = two_nearest(values, place);
+  return 0.5 * (first + second);
 }
 
 /// The pair nearest to the real axis on the growing or the decaying side.

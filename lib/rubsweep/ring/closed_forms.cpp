@@ -207,9 +207,7 @@ std::vector<NeutralSpeed> neutral_speeds(const Ring& ring, const Load& load) {
   for (const double x : roots) {
     if (x != 0) speeds.push_back({std::abs(x) * critical, n * critical * std::abs(1 + x), x < 0});
   }
-  std::sort(speeds.begin(), speeds.end(), [](const NeutralSpeed& a, const NeutralSpeed& b) {
-    return a.speed_rad_per_s < b.speed_rad_per_s;
-  });
+  std::ranges::sort(speeds, {}, &NeutralSpeed::speed_rad_per_s);
   return speeds;
 }
 

@@ -40,8 +40,7 @@ void fill(ChartLine& line, System system, const std::vector<double>& speeds_rad_
   if (!form.has_friction) return;
   system.friction_coefficient = 0;
   add_onsets(line, find_changes(normal_form(system), speeds_rad_per_s), false, true);
-  std::stable_sort(line.onsets.begin(), line.onsets.end(),
-                   [](const Onset& a, const Onset& b) { return a.speed_rad_per_s < b.speed_rad_per_s; });
+  std::ranges::stable_sort(line.onsets, {}, &Onset::speed_rad_per_s);
 }
 
 }  // namespace

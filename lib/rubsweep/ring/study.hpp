@@ -27,7 +27,8 @@ constexpr std::string_view to_string(Parameter parameter) { return enumerator_wo
 
 struct ChartAxis {
   Parameter parameter = Parameter::friction_coefficient;
-  std::optional<std::size_t> load;  ///< from 0; empty: every load alike. Not for the friction coefficient
+  std::optional<std::size_t>
+      load;  ///< number of the load, from 0; empty: every load alike. Not for the friction coefficient
   std::vector<double> values;
   std::optional<batch::Spacing> spacing{};  ///< how they are written; empty where they are listed
 };
@@ -46,7 +47,8 @@ struct ChartPoint {
 struct ChartLine {
   double value = 0;
   std::vector<ChartPoint> points;  ///< empty when `status` is not ok
-  std::vector<Onset> onsets;  ///< between those speeds, without modes; couplings are those without friction
+  std::vector<Onset>
+      onsets;  ///< onsets between those speeds, without modes; couplings are those without friction
   std::string status = "ok";  ///< singular_mass or not_converged
 };
 ChartLine evaluate_line(const System& system, const ChartAxis& axis, double value,

@@ -226,10 +226,9 @@ std::string describe_mode(const Track& track, const TrackPoint& point, std::size
 }
 
 std::string describe_mode_near(const Track& track, double speed_rad_per_s, std::complex<double> value) {
-  const auto point = std::min_element(
-      track.points.begin(), track.points.end(), [&](const TrackPoint& a, const TrackPoint& b) {
-        return std::abs(a.speed_rad_per_s - speed_rad_per_s) < std::abs(b.speed_rad_per_s - speed_rad_per_s);
-      });
+  const auto point = std::ranges::min_element(track.points, {}, [&](const TrackPoint& one) {
+    return std::abs(one.speed_rad_per_s - speed_rad_per_s);
+  });
   const auto& values = point->spectrum.values;
   const auto nearest = std::min_element(values.begin(), values.end(), [&](const auto& a, const auto& b) {
     return std::abs(a - value) < std::abs(b - value);

@@ -14,7 +14,7 @@ struct TrackPoint {
   double speed_rad_per_s = 0;
   bool asked = true;  ///< false: put in by the tracker, to tell the modes apart
   Spectrum spectrum;
-  std::vector<int> mode;  ///< of every eigenvalue; index into Track::names
+  std::vector<int> mode;  ///< mode of every eigenvalue; index into Track::names
 };
 
 /// Modes followed over the speed.

@@ -127,7 +127,7 @@ TEST(FollowLineSettledMotion, WithoutAPeriodHasTwoWindows) {
 
 using response::motion::MotionClass;
 
-constexpr double damping = 0.05, stiffness_ratio = 4, eccentricity = 0.2;  // in clearances
+constexpr double damping = 0.05, stiffness_ratio = 4, eccentricity = 0.2;  // lengths in clearances
 
 /// A rotor inside an elastic ring without friction and damping.
 model::Machine ring_machine() {

@@ -130,6 +130,43 @@ TEST(DryFriction, AnswersAreThoseOfBruteForce) {
   }
 }
 
+TEST(DryFriction, WithWeakerSlidingFrictionEachSticksThatCanAndTheRestIsPushedOn) {
+  std::mt19937 random(11);
+  int slipped = 0, followed = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const int count = 1 + trial % 4;
+    const Problem p = random_problem(random, count, count);
+    const StickVector sliding = p.limit * (0.3 + 0.1 * (trial % 7));
+    const StickVector none = StickVector::Zero(count);
+    const SettledSlips settled = settle_slips(p.mobility, p.acceleration, none, p.limit, sliding);
+    ASSERT_TRUE(settled.obeys_law) << trial;
+    const StickVector left = p.acceleration - p.mobility * settled.force;
+    const double size = 1e-11 * (1 + p.acceleration.cwiseAbs().maxCoeff());
+    int loose = 0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Slip slip = settled.slips[static_cast<std::size_t>(i)];
+      if (slip == Slip::sticking) {
+        EXPECT_LE(std::abs(settled.force(i)), p.limit(i)) << trial;
+        EXPECT_LT(std::abs(left(i)), size) << trial;
+      } else {
+        EXPECT_EQ(settled.force(i), sign_of(slip) * sliding(i)) << trial;
+        EXPECT_GT(sign_of(slip) * left(i), -size) << trial;
+        ++loose;
+      }
+    }
+    slipped += loose > 0;
+    // With the bounds that hold alone, fewer slip: one comes loose because another one does.
+    const SettledSlips held = settle_slips(p.mobility, p.acceleration, p.limit);
+    followed +=
+        loose > count - std::ranges::count(held.slips.begin(), held.slips.begin() + count, Slip::sticking);
+    if (loose == 0) {
+      EXPECT_EQ(settled.force, held.force) << trial;
+    }
+  }
+  EXPECT_GT(slipped, 1000);
+  EXPECT_GT(followed, 50);
+}
+
 TEST(DryFriction, SoAreThoseOfSurfacesMoreThanABodyCanMove) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 4000; ++trial) {

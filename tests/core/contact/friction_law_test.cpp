@@ -129,6 +129,43 @@ TEST(FrictionLawCoefficient, ConstantGoesByTheSignOfTheSlip) {
   EXPECT_EQ(dry_coefficient(model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}}), 0);
 }
 
+TEST(FrictionLawCoefficient, StaticFrictionHoldsHarderThanItSlides) {
+  const model::StaticFriction law{0.3, 0.2};
+  EXPECT_EQ(friction_coefficient(law, 1e-300), 0.2);
+  EXPECT_EQ(friction_coefficient(law, -2), -0.2);
+  EXPECT_EQ(friction_coefficient(law, 0), 0);
+  EXPECT_EQ(dry_coefficient(law), 0.2);
+  EXPECT_EQ(holding_coefficient(law), 0.3);
+  EXPECT_TRUE(friction_terms(law).jumps());
+  EXPECT_EQ(saturated_friction(law)->coefficient, 0.2);
+  EXPECT_EQ(saturated_friction(law)->above_m_per_s, 0);
+  EXPECT_FALSE(friction_terms(model::ConstantFriction{0.2}).jumps());
+  EXPECT_FALSE(friction_terms(model::StaticFriction{0.2, 0.2}).jumps());
+  EXPECT_EQ(holding_coefficient(model::ConstantFriction{0.2}), 0.2);
+  EXPECT_EQ(holding_coefficient(model::OneWayFriction{0.2}), 0);
+}
+
+TEST(FrictionLawCoefficient, FallingFrictionIsTheFormulaAndItsSlopeTheDifferenceQuotient) {
+  RandomContact random(4);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double slides = random.uniform(0, 1), holds = slides + random.uniform(0, 1);
+    const double fall = random.log_uniform(1e-4, 1), v = random.either_sign(random.log_uniform(1e-6, 10));
+    const int exponent = 1 + trial % 2;
+    const model::FallingFriction law{holds, slides, fall, exponent};
+    const auto formula = [&](long double slip) {
+      const long double fallen =
+          std::exp(-std::pow(std::abs(slip) / fall, static_cast<long double>(exponent)));
+      return std::copysign(slides + (static_cast<long double>(holds) - slides) * fallen, slip);
+    };
+    EXPECT_NEAR(friction_coefficient(law, v), static_cast<double>(formula(v)), 1e-14);
+    const long double h = std::min<long double>(1e-6L * fall, std::abs(v) / 2);
+    EXPECT_NEAR(friction_slope(law, v), static_cast<double>((formula(v + h) - formula(v - h)) / (2 * h)),
+                1e-9 / fall);
+    const SaturatedFriction saturated = *saturated_friction(law);
+    EXPECT_NEAR(friction_coefficient(law, saturated.above_m_per_s), saturated.coefficient, 1e-12);
+  }
+}
+
 TEST(FrictionLawCoefficient, OneWayNeverReverses) {
   const model::OneWayFriction one_way{0.2};
   for (const double v : {-1e300, -2.0, -0.0, 0.0, 1e-300, 3.0}) {

@@ -315,9 +315,9 @@ TEST(HybridRunExact, FrictionThatIsNotSaturatedGoesToTaylorPiecesAndBack) {
   EXPECT_LT(difference(exact, adaptive), 1e-7);
 }
 
-/// No cliff: whether a slip bound just holds or just fails changes the section by no more than the tolerance.
-/// Two stiff stops with casings whose modes nearly cancel in the slip: bounds on its rate are a hundred times
-/// what it does. The slip never comes near the end of saturation, and no turn is to be given up for it.
+/// A slip bound that just holds and one that just fails give the same section to the tolerance. The casings
+/// of the two stiff stops have modes that nearly cancel in the slip, so that bounds on its rate are a hundred
+/// times too large. The slip never comes near the end of saturation, and no turn may be given up for it.
 TEST(HybridRunExact, LooseBoundsOnTheSlipShortenStretchesInsteadOfGivingTheTurnUp) {
   test::OneSideRotor rotor;
   rotor.damping_ratio = 0.01;

@@ -70,7 +70,7 @@ TEST(SurvivalSurvive, CountsTheEscapesOfTheTentMapAtItsRate) {
     }
     ASSERT_GT(escapes, 50) << slope;
     EXPECT_NEAR(turns / escapes / life, 1, 4 / std::sqrt(escapes)) << slope;
-    // The bound holds for 95 % of the trials, or more by companions that have part of their way in common.
+    // The bound holds for 95 % of the trials, or for more, because companions share a part of their way.
     EXPECT_GT(below, 0.92 * trials) << slope;
   }
 }

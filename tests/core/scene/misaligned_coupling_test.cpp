@@ -42,7 +42,8 @@ TEST(MisalignedCoupling, ItsLineAtTwiceTheSpeedIsThatOfAJeffcottRotor) {
   const MisalignedRotor rotor;
   const PreparedMachine prepared = prepare_machine(rotor.machine());
   const Eigen::Index n = prepared.assembly.system.coordinates();
-  for (const double share : {0.2, 0.45, 0.5, 0.55, 0.8}) {  // of the critical speed; resonance at one half
+  for (const double share :
+       {0.2, 0.45, 0.5, 0.55, 0.8}) {  // shares of the critical speed; resonance at one half
     const double w = share * rotor.natural_rad_per_s();
     const QuietMotion motion =
         quiet_motion(structure::system_at(prepared.assembly, w), w, Eigen::VectorXcd::Zero(n),

@@ -173,7 +173,8 @@ double beyond_claim(const model::Machine& machine, const KitAssembly& kit, Rando
     const Eigen::RowVectorXd off =
         (reduced_motion(kit.assembly, w, speed) - full_motion(machine, full, w, speed)).colwise().norm();
     for (Eigen::Index c = 0; c < off.size(); ++c) {
-      constexpr Eigen::Index unbalance = 3;  // which turns with the shaft and at no other speed
+      constexpr Eigen::Index unbalance =
+          3;  // row of the unbalance, which turns with the shaft and at no other speed
       if (size(c) > 0 && (c != unbalance || w == speed))
         worst = std::max(worst, off(c) * share_beside / size(c) / kit.reduction.receptance_error);
     }

@@ -149,7 +149,7 @@ TEST(Reduction, ModalMassDoesNotVanishAsModesAreAdded) {
   kit.modes = 8;
   const double many = modal_mass_kg(shaft, reduce(shaft, kit, stops, sensors), 0, 0, stops[0]);
   EXPECT_NEAR(few, many, 1e-9 * few);
-  EXPECT_GT(few, 0.8);  // at the disc it is about the disc's mass, off the middle more
+  EXPECT_GT(few, 0.8);  // about the mass of the disc where it sits, more off the middle
 }
 
 TEST(Reduction, StructuralDampingIsThatOfEachMode) {

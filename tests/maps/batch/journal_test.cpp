@@ -128,7 +128,7 @@ TEST_F(JournalFile, WithoutAWholeHeaderIsRefused) {
 std::string damaged(std::string text, int number) {
   std::size_t place = 0;
   for (; number > 1; --number) place = text.find('\n', place) + 1;
-  text[place + 9] ^= 1;  // behind the checksum
+  text[place + 9] ^= 1;  // a byte behind the checksum
   return text;
 }
 

@@ -181,7 +181,8 @@ TEST(PrintConfig, KeepsAGradeWithItsRatedSpeed) {
 TEST(PrintConfig, SaysInSiWhatOtherUnitsDoNot) {
   RunConfig config =
       with_sweep("speed_rpm: {from: 3000, to: 9000, count: 3}", "whirl_ratio: {values: [0.5]}");
-  config.study.grid.speed_hz = {50, std::nextafter(50.0, 51.0)};  // what 15 digits of rpm do not tell apart
+  config.study.grid.speed_hz = {
+      50, std::nextafter(50.0, 51.0)};  // two speeds that 15 digits of rpm do not tell apart
   EXPECT_NE(print_config(config).find("speed_hz:\n    values: [50, 50.00000000000001]"), std::string::npos);
   expect_round_trip(config);
 }

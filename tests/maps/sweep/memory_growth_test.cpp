@@ -9,7 +9,7 @@
 #include "maps/batch/temporary_directory.hpp"
 #include "maps/sweep/one_side_study.hpp"
 #include "rubsweep/maps/batch/journal.hpp"
-#include "rubsweep/maps/batch/line_log.hpp"
+#include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 

@@ -54,5 +54,19 @@ TEST(RandomStream, StreamsOfNeighbouringIndicesAreNotRelated) {
   EXPECT_NEAR(product / count, 0, 4 / 12.0 / std::sqrt(count));
 }
 
+TEST(RandomStreamPriorSpread, HalfOfTheProbabilityLiesBelowTheMiddle) {
+  EXPECT_DOUBLE_EQ(value_at({2, 8, false}, 0.5), 5);
+  EXPECT_DOUBLE_EQ(value_at({2, 8, true}, 0.5), 4);
+}
+
+TEST(RandomStreamPriorSpread, ReachesFromBoundToBound) {
+  for (const bool logarithmic : {false, true}) {
+    EXPECT_DOUBLE_EQ(value_at({2, 8, logarithmic}, 0), 2);
+    EXPECT_DOUBLE_EQ(value_at({2, 8, logarithmic}, 1), 8);
+  }
+}
+
+TEST(RandomStreamPriorSpread, OfEqualBoundsIsKnown) { EXPECT_EQ(value_at({0, 0, true}, 0.3), 0); }
+
 }  // namespace
 }  // namespace rubsweep::diagnose

@@ -8,7 +8,7 @@
 #include "rubsweep/measurement/recording/recording.hpp"
 #include "rubsweep/measurement/scope/verdict.hpp"
 
-/// From the columns of a table to the verdict.
+/// Verdicts on recordings, made of the columns of a table.
 namespace rubsweep::scope {
 namespace {
 

@@ -80,7 +80,7 @@ TEST(UnsteadyRecording, AThirdThatSwingsIsFoundAndALineBesideItHasNoPeriod) {
 }
 
 TEST(UnsteadyRecording, ALineThatNoPeriodHasIsFoundOnAMachineThatWanders) {
-  unsigned synchronous = 0, periodic = 0;
+  unsigned synchronous = 0, periodic = 0, sure = 0;
   for (unsigned seed = 0; seed < recordings(); ++seed) {
     Unsteady put = drawn(2000 + seed);
     std::mt19937_64 random(seed);
@@ -89,11 +89,39 @@ TEST(UnsteadyRecording, ALineThatNoPeriodHasIsFoundOnAMachineThatWanders) {
     const Verdict verdict = judge(recorded(put, seed));
     synchronous += verdict.motion == MeasuredClass::synchronous;
     periodic += verdict.motion == MeasuredClass::subharmonic;
+    sure += verdict.motion == MeasuredClass::subharmonic && !may_be_torus(verdict);
   }
   RecordProperty("synchronous", static_cast<int>(synchronous));
   RecordProperty("subharmonic", static_cast<int>(periodic));
   EXPECT_LE(synchronous, recordings() / 40);
+  RecordProperty("surely subharmonic", static_cast<int>(sure));
   EXPECT_LE(periodic, recordings() / 20);
+  EXPECT_LE(sure, recordings() / 40);
+}
+
+TEST(UnsteadyRecording, ATorusAnEighthOfABinBesideAFractionIsNotSurelyOfItsPeriod) {
+  // Weak lines so near to a fraction that noise lets them pass for it, and strong ones that stand there.
+  unsigned passed = 0, sure = 0, doubted = 0;
+  for (unsigned seed = 0; seed < recordings(); ++seed) {
+    Unsteady put = drawn(5000 + seed);
+    put.speed_wander = put.amplitude_wander = 0;
+    put.noise_share = 0.06;
+    put.other_order = (seed % 2 == 0 ? 2 : 3) / 5.0 + 0.12 / put.turns;
+    put.other_share = 0.02;
+    const Verdict weak = judge(recorded(put, seed));
+    passed += weak.motion == MeasuredClass::subharmonic;
+    sure += weak.motion == MeasuredClass::subharmonic && !may_be_torus(weak);
+    put.other_order = (seed % 2 == 0 ? 2 : 3) / 5.0;
+    put.other_share = 0.3;
+    const Verdict strong = judge(recorded(put, seed));
+    doubted += strong.period != 5 || may_be_torus(strong);
+  }
+  RecordProperty("passed", static_cast<int>(passed));
+  RecordProperty("sure", static_cast<int>(sure));
+  RecordProperty("doubted", static_cast<int>(doubted));
+  EXPECT_GT(passed, 0u);
+  EXPECT_LE(sure, passed / 20);
+  EXPECT_LE(doubted, recordings() / 8);
 }
 
 TEST(UnsteadyRecording, ALineBesideAFractionOfTheSpeedHasNoPeriod) {

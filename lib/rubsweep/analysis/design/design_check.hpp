@@ -41,7 +41,7 @@ inline constexpr double clearance_share = 0.75;
 struct ClearanceMargin {
   std::size_t stop = 0;
   std::optional<double> position_m;  ///< along the shaft; empty: of a Jeffcott rotor
-  double speed_hz = 0;               ///< at which the margin is smallest
+  double speed_hz = 0;               ///< speed at which the margin is smallest
   double major_axis_m = 0;           ///< there, from end to end
   double diametral_clearance_m =
       0;              ///< twice the smallest gap about the rotor's mean position; 0: it rests on the wall
@@ -55,16 +55,16 @@ std::vector<ClearanceMargin> clearance_margins(const scene::PreparedMachine& pre
 
 /// Questions of a design check.
 struct DesignQuestions {
-  SpeedRange operating;                  ///< its upper end is the maximum continuous speed
+  SpeedRange operating;                  ///< range whose upper end is the maximum continuous speed
   std::optional<double> eccentricity_m;  ///< unbalance before it is scaled; empty: analysis_eccentricity_m
   int kick_speeds = 11;  ///< evenly spaced ones, beside the lock speeds; 0: no kicks are tried
-  int threads = 1;       ///< as in batch::parallel_run
+  int threads = 1;       ///< number of threads as in batch::parallel_run
 };
 
 /// Largest response of one probe within the operating range, before it is scaled.
 struct ProbeResponse {
   std::optional<double> position_m;  ///< along the shaft; empty: of a Jeffcott rotor
-  Largest major_axis_m;              ///< from end to end
+  Largest major_axis_m;              ///< length from end to end
 };
 
 /// Dry whip in one stop.
@@ -89,16 +89,16 @@ struct ResponseCurve {
 /// Answers of a design check. Lengths from end to end are diameters.
 struct DesignCheck {
   SpeedRange operating;
-  SpeedRange whole;              ///< from near standstill, or where the tables begin, to its upper end
-  double eccentricity_m = 0;     ///< before it is scaled
+  SpeedRange whole;              ///< range from near standstill, or where the tables begin, to the upper end
+  double eccentricity_m = 0;     ///< eccentricity before it is scaled
   double vibration_limit_m = 0;  ///< peak to peak
   std::vector<ProbeResponse> probes;
-  double scale = 0;                         ///< of the eccentricity: what follows is with it
-  std::vector<ClearanceMargin> clearances;  ///< one for each stop, over the whole range
-  std::vector<WhipMargin> whips;            ///< one for each annular stop
+  double scale = 0;                         ///< factor of the eccentricity: what follows is with it
+  std::vector<ClearanceMargin> clearances;  ///< margin of each stop, over the whole range
+  std::vector<WhipMargin> whips;            ///< margin of each annular stop
   /// Fastest growth of a free vibration within the operating range, and over the whole range; 0: none grows.
   linear::GrowthAt growth, whole_growth;
-  std::vector<linear::LockSpeed> locks;  ///< in the operating range
+  std::vector<linear::LockSpeed> locks;  ///< lock speeds in the operating range
   std::vector<KickThreshold> kicks;      ///< ascending by speed
   std::string no_kicks;                  ///< why there are none; else empty
   std::vector<ResponseCurve> curves;     ///< probes first, then stops

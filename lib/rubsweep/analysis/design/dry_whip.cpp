@@ -47,8 +47,8 @@ struct WhirlInStop {
   }
 };
 
-/// Natural frequencies of the undamped rotor without and with its point tied to the casing by the stop's
-/// spring: the whirls of dry whip lie between one of either kind.
+/// Natural frequencies of the undamped rotor, once free and once tied to the casing by the stop's spring.
+/// Each frequency of dry whip lies between a free one and a tied one.
 std::vector<double> frequencies_rad_per_s(const WhirlInStop& whirl) {
   const Eigen::MatrixXd free = (whirl.system.stiffness + whirl.system.stiffness.transpose()) / 2;
   const Eigen::MatrixXd tied = free + whirl.stiffness_n_per_m * whirl.map.transpose() * whirl.map;

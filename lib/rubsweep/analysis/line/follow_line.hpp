@@ -35,7 +35,7 @@ struct HandedState {
 struct SettledMotion {
   /// One point per turn of the period of a periodic motion; one of a rotor at rest; else two windows.
   std::vector<SectionPoint> section;
-  response::spectrum::FullSpectrum spectrum;  ///< over the window that a map takes
+  response::spectrum::FullSpectrum spectrum;  ///< spectrum over the window that a map takes
   HandedState end;                            ///< after all of it
 };
 
@@ -60,9 +60,9 @@ constexpr std::string_view to_string(Pass pass) {
 
 /// One cell: neighbours share what they have in common.
 struct LineCell {
-  double value = 0;  ///< of whatever changes along the line
+  double value = 0;  ///< value of whatever changes along the line
   std::shared_ptr<const sweep::Study> study;
-  std::shared_ptr<const scene::PreparedMachine> machine;  ///< of study->machine
+  std::shared_ptr<const scene::PreparedMachine> machine;  ///< prepared form of study->machine
   scene::Place place;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double sure = 0.9;      ///< an assurance that leaves no doubt which mode it is
 constexpr double alike = 0.3;     ///< below it a mode is none of those before
-constexpr int most_halvings = 8;  ///< of a step of the speed
+constexpr int most_halvings = 8;  ///< halvings of a step of the speed
 
 using Curve = std::vector<FollowedMode>;
 
@@ -23,7 +23,7 @@ using Curve = std::vector<FollowedMode>;
 struct Continuation {
   std::vector<std::optional<std::size_t>> next;
   std::vector<std::size_t> fresh;
-  bool doubtful = false;  ///< about whirl of at most the frequency that is looked at
+  bool doubtful = false;  ///< true: doubt about whirl of at most the frequency that is looked at
 };
 
 Continuation continuation(const std::vector<const WhirlMode*>& from, const std::vector<WhirlMode>& to,
@@ -121,7 +121,7 @@ ModeShape shape_of(const FreeRotor& rotor, const FollowedMode& at, int number) {
   return shape;
 }
 
-/// Whether a curve comes below a frequency, or grows: a diagram shows every mode that makes a rotor unstable.
+/// True for a curve that comes below the frequency, and for a mode that grows at some speed.
 bool is_shown(const Curve& curve, double up_to_hz) {
   return std::ranges::any_of(curve, [&](const FollowedMode& point) {
     return point.mode.frequency_hz() <= up_to_hz || point.mode.root_per_s.real() > 0;

@@ -11,8 +11,8 @@ namespace rubsweep::linear {
 /// A whirl mode at one shaft speed.
 struct CampbellPoint {
   double speed_hz = 0;
-  double frequency_hz = 0;   ///< of the damped whirl
-  double damping_ratio = 0;  ///< of critical damping; negative: unstable
+  double frequency_hz = 0;   ///< frequency of the damped whirl
+  double damping_ratio = 0;  ///< share of critical damping; negative: unstable
   double forward_share = 0;  ///< see WhirlMode
 };
 
@@ -36,7 +36,7 @@ struct CriticalSpeed {
 /// largest is 1; x is real and positive where it is largest, or y where x does not move.
 struct ModeShape {
   int mode = 0;
-  double speed_hz = 0;  ///< its first critical speed, or the first speed that it is found at
+  double speed_hz = 0;  ///< first critical speed, or the first speed at which the mode is found
   double frequency_hz = 0;
   double forward_share = 0;
   Eigen::VectorXcd x, y;
@@ -51,8 +51,8 @@ struct Campbell {
   std::vector<double> position_m;
   std::vector<CampbellMode> modes;
   std::vector<CriticalSpeed> critical_speeds;  ///< ascending
-  std::vector<ModeShape> shapes;               ///< one for each mode
-  std::vector<GrowthAt> growth;                ///< at each speed
+  std::vector<ModeShape> shapes;               ///< shape of each mode
+  std::vector<GrowthAt> growth;                ///< growth at each speed
 };
 
 /// Campbell diagram of a rotor over `speeds_hz`, ascending and >= 0, at least one: the modes whose frequency

@@ -126,7 +126,7 @@ std::string mode_shapes_csv(const Campbell& diagram) {
 std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& locks) {
   std::string text;
   for (const CampbellMode& mode : diagram.modes) {
-    if (mode.points.empty()) continue;  // it whirls between two of the speeds alone
+    if (mode.points.empty()) continue;  // such a mode whirls between two of the speeds alone
     const CampbellPoint &first = mode.points.front(), &last = mode.points.back();
     text += fmt::format("mode {:<4} {:.5g} Hz at {}, {:.5g} Hz at {} ({})", mode.number, first.frequency_hz,
                         model::speed_text(first.speed_hz, 5), last.frequency_hz,

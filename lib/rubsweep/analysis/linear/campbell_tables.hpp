@@ -30,7 +30,7 @@ struct CampbellTables {
   /// mode, whirl, speed_hz, frequency_hz, position_m, then x_real, x_imag, y_real, y_imag: see ModeShape
   std::string mode_shapes_csv;
   std::string lock_speeds_csv;  ///< speed_hz, p, first_mode, q, second_mode: see LockSpeed
-  std::string summary;          ///< for a terminal
+  std::string summary;          ///< text for a terminal
 };
 
 CampbellTables tables_of(const Campbell& diagram);

@@ -24,7 +24,7 @@ inline constexpr double most_samples = 1e6;
 struct FreeDecay {
   double natural_frequency_hz = 0;  ///< undamped, w / 2 pi
   double damping_ratio = 0;
-  double amplitude_m = 0;  ///< at the first sample
+  double amplitude_m = 0;  ///< amplitude at the first sample
   double misfit = 0;       ///< root of the unexplained share of the signal's energy about its mean, 0..1
 };
 
@@ -32,9 +32,10 @@ struct FreeDecay {
 /// sensor's signal after the first quarter, when faster modes are gone.
 struct FreeResponse {
   LinearRun run;
-  Eigen::MatrixXd signal_m;                     ///< samples x sensors
-  std::vector<double> angle_deg;                ///< per sensor
-  std::vector<std::optional<FreeDecay>> decay;  ///< per sensor; empty where it does not see the kick
+  Eigen::MatrixXd signal_m;       ///< samples x sensors
+  std::vector<double> angle_deg;  ///< direction of each sensor
+  std::vector<std::optional<FreeDecay>>
+      decay;  ///< decay at each sensor; empty where it does not see the kick
 };
 
 /// The machine needs a kick.
@@ -45,16 +46,16 @@ FreeResponse free_response(const scene::PreparedMachine& machine, double duratio
 struct RunUp {
   LinearRun run;
   Eigen::MatrixXd signal_m;                  ///< samples x sensors
-  std::vector<double> angle_deg;             ///< per sensor
-  std::vector<std::vector<BodePoint>> bode;  ///< per sensor
-  std::vector<bool> sees;                    ///< per sensor: more than rounding
+  std::vector<double> angle_deg;             ///< direction of each sensor
+  std::vector<std::vector<BodePoint>> bode;  ///< plot of each sensor
+  std::vector<bool> sees;                    ///< flag of each sensor: it reads more than rounding
   /// Per sensor: speed of the largest 1X during the ramp, behind the critical speed unless the ramp is slow;
   /// empty where one sees nothing or 1X is largest at an end.
   std::vector<std::optional<double>> speed_of_largest_1x_hz;
   /// Per sensor: the mode behind the largest 1X, freed of the ramp; empty where there is no such speed or no
   /// fit.
   std::vector<std::optional<RampResonance>> resonance;
-  std::vector<double> largest_amplitude_m;  ///< per sensor, of 1X
+  std::vector<double> largest_amplitude_m;  ///< largest amplitude of 1X at each sensor
 };
 
 /// Frequency of the slowest free vibration, undamped: one with fewer than two samples a period is not seen.

@@ -28,7 +28,7 @@ struct LinearRun {
   bool kick = false;  ///< the machine's kick at t = 0, towards the first stop's wall unless it has an angle
   Driven driven = Driven::by_all;
   double sample_s = 1e-3;
-  int samples = 0;  ///< at t = 0, sample_s, ...
+  int samples = 0;  ///< number of samples, at t = 0, sample_s, ...
 };
 
 /// Places to look from: sensors of a rotor kit, each along its angle; else the rotor in x and in y.

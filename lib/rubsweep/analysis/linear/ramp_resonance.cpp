@@ -54,7 +54,7 @@ RampedOneX stretch_about_top(std::span<const BodePoint> plot, double rate_hz_per
 }
 
 struct GaussNode {
-  double place, weight;  ///< on 0..1
+  double place, weight;  ///< places on 0..1
 };
 /// Gauss and Legendre's rule of eight points; over 8 rad of a phase it is right to 2e-13.
 constexpr std::array<GaussNode, 8> gauss{{{0.019855071751231884, 0.050614268145188130},

@@ -10,7 +10,7 @@ namespace rubsweep::linear {
 /// One vibration mode that explains the 1X of a speed ramp about its largest value.
 struct RampResonance {
   double frequency_hz = 0;        ///< undamped
-  double damping_ratio = 0;       ///< of critical damping, 0..1
+  double damping_ratio = 0;       ///< share of critical damping, 0..1
   double misfit = 0;              ///< root of the unexplained share of the signal's energy, 0..1
   double from_hz = 0, to_hz = 0;  ///< speeds between which it was fitted, in the order of the ramp
 };

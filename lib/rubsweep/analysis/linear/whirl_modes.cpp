@@ -196,9 +196,7 @@ WhirlModes WhirlProblem::at(double speed_hz) const {
       if (whirls(root)) modes.push_back(mode_of(root, found.shape.col(k), now.mass));
     }
   }
-  std::stable_sort(modes.begin(), modes.end(), [](const WhirlMode& a, const WhirlMode& b) {
-    return a.root_per_s.imag() < b.root_per_s.imag();
-  });
+  std::ranges::stable_sort(modes, {}, [](const WhirlMode& mode) { return mode.root_per_s.imag(); });
   part_by_direction(modes, now.mass);
   return whirl;
 }

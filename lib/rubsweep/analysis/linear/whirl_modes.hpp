@@ -32,7 +32,7 @@ struct WhirlMode {
   std::complex<double> root_per_s;  ///< imaginary part > 0: the whirl frequency in rad/s
   Eigen::VectorXcd shape;           ///< n, in the coordinates of the rotor
   Eigen::VectorXcd state;           ///< n, the shape in units in which its length is 1 by its mass
-  double forward_share = 0;         ///< of the mass-weighted squares, 0 to 1; 1 whirls as the shaft turns
+  double forward_share = 0;  ///< share of the mass-weighted squares, 0 to 1; 1 whirls as the shaft turns
 
   double frequency_hz() const;   ///< damped
   double damping_ratio() const;  ///< -Re root / |root|; negative: unstable

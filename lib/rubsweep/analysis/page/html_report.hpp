@@ -18,8 +18,8 @@ inline constexpr std::size_t usual_orbits = 4000;
 
 /// How a page is made.
 struct PageOptions {
-  std::string version;        ///< of the program
-  std::string configuration;  ///< of the study, as YAML
+  std::string version;        ///< version of the program
+  std::string configuration;  ///< configuration of the study, as YAML
   std::size_t most_orbits =
       usual_orbits;  ///< >= 1; of a larger map a thinned grid of cells keeps its motions
   int threads = 0;   ///< 0: one per processor

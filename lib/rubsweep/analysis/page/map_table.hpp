@@ -22,8 +22,8 @@ struct MapColumn {
 
 /// A map.csv column by column, whatever columns it has.
 struct MapTable {
-  std::string version;  ///< of the program that wrote it; empty: it does not say
-  std::string digest;   ///< of its study; empty: it does not say
+  std::string version;  ///< version of the program that wrote it; empty: it does not say
+  std::string digest;   ///< digest of its study; empty: it does not say
   std::size_t rows = 0;
   std::vector<MapColumn> columns;
 
@@ -47,7 +47,7 @@ MapTable read_map_table(const std::filesystem::path& path, const sweep::Grid& gr
 /// A line across the map, such as the edge of a domain.
 struct Boundary {
   std::string family;  ///< name of its family
-  std::string kind;    ///< of the event there; may be empty
+  std::string kind;    ///< kind of the event there; may be empty
   std::vector<std::array<double, 2>>
       points;  ///< speed in Hz and unbalance in the unit of the map's second axis
 };

@@ -51,7 +51,7 @@ std::string encode_orbit(std::size_t cell, const SettledOrbit& orbit);
 
 /// A part of a grid of cells: every `stride`-th value of each axis, beginning with its stride / 2-th.
 struct ThinnedGrid {
-  std::size_t speeds = 0, unbalances = 0;  ///< of the whole grid
+  std::size_t speeds = 0, unbalances = 0;  ///< numbers of values in the whole grid
   std::size_t speed_stride = 1, unbalance_stride = 1;
 
   bool whole() const { return speed_stride == 1 && unbalance_stride == 1; }
@@ -68,8 +68,8 @@ inline constexpr std::size_t cells_per_block = 32;
 
 /// The settled motions of a map.
 struct Orbits {
-  std::vector<std::size_t> cells;   ///< that were recorded, ascending
-  std::size_t recorded = 0;         ///< of them, those that have a motion
+  std::vector<std::size_t> cells;   ///< cells that were recorded, ascending
+  std::size_t recorded = 0;         ///< number of recorded cells that have a motion
   std::vector<std::string> blocks;  ///< block b: cells[32 b] ... by encode_orbit, compressed
 };
 
@@ -86,7 +86,7 @@ struct Wall {
   std::array<double, 2> normal{0, 1};    ///< flat wall: from the rest position towards it
   std::array<double, 2> centre_m{0, 0};  ///< wall around the rotor
   double clearance_m = 0;
-  bool at_orbit = true;  ///< it stands at the point of the shaft whose orbit is drawn
+  bool at_orbit = true;  ///< true: the stop stands at the point of the shaft whose orbit is drawn
 
   friend bool operator==(const Wall&, const Wall&) = default;
 };

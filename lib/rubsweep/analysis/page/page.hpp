@@ -23,7 +23,7 @@ EncodedColumn encode_column(const MapColumn& column);
 
 /// All that a page shows.
 struct PageContents {
-  std::string version;                          ///< of the program that makes the page
+  std::string version;                          ///< version of the program that makes the page
   std::vector<std::string> findings;            ///< sentences
   std::string model;                            ///< the simulation, in words
   std::string configuration;                    ///< YAML
@@ -36,7 +36,7 @@ struct PageContents {
   Walls walls;
   std::vector<Boundary> boundaries;
   Orbits orbits;
-  ThinnedGrid kept;      ///< of which the orbits are
+  ThinnedGrid kept;      ///< grid of the orbits
   bool refined = false;  ///< the orbits are of some of the computed cells of a refined map instead
 };
 

@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 
 constexpr double least_angle = 0.17;  ///< |sin| of 10 degrees
 constexpr double highest_order = 8;
-constexpr double below_folding = 0.49;  ///< of the sampling rate
+constexpr double below_folding = 0.49;  ///< share of the sampling rate
 constexpr double unexplained = 1e-3;
 constexpr double noise_share = 1.5;
 constexpr double degree = std::numbers::pi / 180;

@@ -47,7 +47,7 @@ class ProbeReader {
   double length_m_, speed_hz_;
   std::size_t states_;
   long turn_ = 0, count_ = 0;
-  std::vector<double> readings_m_;  ///< one reading of all probes after the other
+  std::vector<double> readings_m_;  ///< readings, one of all probes after the other
 };
 
 /// Two probes that see the motion of one place in both directions.
@@ -69,7 +69,7 @@ struct ProbePeriod {
   std::optional<int> period;
   /// For that n (where none does: for the best): share of the energy without 0X that these lines leave.
   double unexplained_share = 0;
-  double allowed_share = 0;  ///< by which they count as explained
+  double allowed_share = 0;  ///< share by which they count as explained
 };
 
 /// Fits lines at k / n orders, |k / n| up to 8 and below half the sampling rate, by least squares to the last

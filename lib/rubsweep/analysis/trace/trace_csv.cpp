@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <initializer_list>
 #include <numbers>
 
@@ -125,9 +126,7 @@ std::vector<SpectralLine> largest_lines(const response::spectrum::FullSpectrum& 
       lines.push_back({spectrum.order(k), amplitude(k)});
     }
   }
-  std::stable_sort(lines.begin(), lines.end(), [](const SpectralLine& a, const SpectralLine& b) {
-    return a.amplitude_m > b.amplitude_m;
-  });
+  std::ranges::stable_sort(lines, std::ranges::greater{}, &SpectralLine::amplitude_m);
   if (lines.empty()) return lines;
   const double floor_m = std::max(response::motion::significant_share_of_largest * lines.front().amplitude_m,
                                   response::motion::significant_share_of_clearance * clearance_m);

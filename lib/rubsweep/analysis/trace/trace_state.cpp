@@ -65,7 +65,7 @@ const auto& point(const scene::Scene& scene, int index) {
 
 DryForces::DryForces(const scene::Scene& scene)
     : any_(std::ranges::any_of(scene.contacts, [](const scene::Contact& contact) {
-        return contact::dry_coefficient(contact.friction) > 0;
+        return contact::holding_coefficient(contact.friction) > 0;
       })) {
   if (any_) system_ = integrate::run::scale<Eigen::Dynamic>(scene);
 }
@@ -202,10 +202,10 @@ StateReader::StopMotion StateReader::stop_motion(std::size_t index, const TraceS
 /// A smoothed law takes dry friction over from one way to the other within one smoothing width a radian.
 double StateReader::friction_n(const scene::Contact& contact, double slip_m_per_s, double spring_n,
                                double dry_n) const {
-  const double dry = contact::dry_coefficient(contact.friction);
-  if (dry == 0) return contact::friction_coefficient(contact.friction, slip_m_per_s) * spring_n;
+  const contact::FrictionTerms terms = contact::friction_terms(contact.friction);
+  if (terms.holding == 0) return contact::friction_coefficient(contact.friction, slip_m_per_s) * spring_n;
   if (smoothing_m_ == 0) return dry_n;
-  return dry * std::tanh(slip_m_per_s / (scene_.speed_rad_per_s * smoothing_m_)) * spring_n;
+  return terms.dry * std::tanh(slip_m_per_s / (scene_.speed_rad_per_s * smoothing_m_)) * spring_n;
 }
 
 void StateReader::add_forces(std::size_t index, double dry_n, TraceState& state) const {

@@ -205,4 +205,20 @@ SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acce
   return settled;
 }
 
+SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acceleration,
+                          const StickVector& more, StickVector limit, const StickVector& sliding) {
+  SettledSlips settled = settle_slips(mobility, acceleration + more, limit);
+  for (bool loose = true; loose && settled.obeys_law;) {
+    loose = false;
+    for (Index i = 0; i < limit.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (settled.slips[k] == Slip::sticking || settled.poised[k] || !(limit(i) > sliding(i))) continue;
+      limit(i) = sliding(i);
+      loose = true;
+    }
+    if (loose) settled = settle_slips(mobility, acceleration, limit);
+  }
+  return settled;
+}
+
 }  // namespace rubsweep::contact

@@ -52,4 +52,12 @@ struct SettledSlips {
 SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acceleration,
                           const StickVector& limit);
 
+/// The same where surfaces slip with the friction `sliding` <= limit. Each sticks that can: one that not even
+/// its limit holds has its sliding friction for its limit from there on, and all are settled again. So one
+/// after another comes loose, in as many rounds as there are surfaces at most; what then sticks needs no more
+/// than its limit, and what slips is pushed on by more than its friction. `more` is added to the
+/// accelerations in the first round, so that a surface which is at its limit comes loose or is poised.
+SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acceleration,
+                          const StickVector& more, StickVector limit, const StickVector& sliding);
+
 }  // namespace rubsweep::contact

@@ -62,7 +62,8 @@ std::pair<double, double> smallest(const Function& function, const Span& span) {
 FrictionBounds friction_bounds(const model::Friction& friction) {
   const FrictionTerms terms = friction_terms(friction);
   FrictionBounds bounds;
-  bounds.smallest = bounds.largest = terms.constant + terms.dry;
+  bounds.smallest = terms.constant + terms.dry;
+  bounds.largest = terms.constant + terms.holding;
   Span span{1, 1};
   if (terms.count > 0) {
     span = span_of(terms);

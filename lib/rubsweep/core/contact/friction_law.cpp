@@ -10,8 +10,10 @@ namespace rubsweep::contact {
 namespace {
 
 using model::ConstantFriction;
+using model::FallingFriction;
 using model::NoFriction;
 using model::OneWayFriction;
+using model::StaticFriction;
 using model::StribeckFriction;
 
 constexpr double everywhere = -std::numeric_limits<double>::infinity();
@@ -53,6 +55,30 @@ std::optional<SaturatedFriction> saturated(const StribeckFriction& stribeck) {
   return SaturatedFriction{g[3], saturated_argument / steepness};
 }
 
+/// Sliding friction in its own direction where this power of e is left of the fall.
+std::optional<SaturatedFriction> saturated(const FallingFriction& law) {
+  constexpr double saturated_argument = 28;  // as that of tanh
+  const double steep = law.exponent == 1 ? saturated_argument : std::sqrt(saturated_argument);
+  return SaturatedFriction{law.coefficient, steep * law.stribeck_speed_m_per_s};
+}
+
+FrictionTerms holding_terms(double holding, double dry) {
+  FrictionTerms terms;
+  terms.holding = holding;
+  terms.dry = dry;
+  return terms;
+}
+
+FrictionTerms terms_of(const FallingFriction& law) {
+  FrictionTerms terms = holding_terms(law.static_coefficient, law.coefficient);
+  terms.falling = {law.static_coefficient - law.coefficient, 1 / law.stribeck_speed_m_per_s, law.exponent};
+  return terms;
+}
+
+double reversing(double coefficient, double slip_m_per_s) {
+  return slip_m_per_s == 0 ? 0.0 : std::copysign(coefficient, slip_m_per_s);
+}
+
 void add(FrictionTerms& terms, double height, double steepness_s_per_m) {
   if (height == 0 || steepness_s_per_m == 0) return;
   for (std::size_t i = 0; i < terms.count; ++i) {
@@ -75,22 +101,38 @@ FrictionTerms terms_of(const StribeckFriction& stribeck) {
 
 }  // namespace
 
+double Falling::at(double slip_m_per_s) const {
+  const double x = steepness_s_per_m * slip_m_per_s;
+  return height == 0 ? 0 : height * std::exp(exponent == 1 ? -x : -x * x);
+}
+
+double Falling::slope(double slip_m_per_s) const {
+  return at(slip_m_per_s) * -steepness_s_per_m * (exponent == 1 ? 1 : 2 * steepness_s_per_m * slip_m_per_s);
+}
+
 double friction_coefficient(const model::Friction& friction, double slip_m_per_s) {
   return std::visit(
-      overloaded{[](const NoFriction&) { return 0.0; },
-                 [&](const ConstantFriction& constant) {
-                   return slip_m_per_s == 0 ? 0.0 : std::copysign(constant.coefficient, slip_m_per_s);
-                 },
-                 [](const OneWayFriction& one_way) { return one_way.coefficient; },
-                 [&](const StribeckFriction& stribeck) { return coefficient_of(stribeck, slip_m_per_s); }},
+      overloaded{
+          [](const NoFriction&) { return 0.0; },
+          [&](const ConstantFriction& constant) { return reversing(constant.coefficient, slip_m_per_s); },
+          [](const OneWayFriction& one_way) { return one_way.coefficient; },
+          [&](const StribeckFriction& stribeck) { return coefficient_of(stribeck, slip_m_per_s); },
+          [&](const StaticFriction& law) { return reversing(law.coefficient, slip_m_per_s); },
+          [&](const FallingFriction& law) {
+            const double falling = terms_of(law).falling.at(std::abs(slip_m_per_s));
+            return reversing(law.coefficient + falling, slip_m_per_s);
+          }},
       friction);
 }
 
 double friction_slope(const model::Friction& friction, double slip_m_per_s) {
   return std::visit(
-      overloaded{[](const NoFriction&) { return 0.0; }, [](const ConstantFriction&) { return 0.0; },
-                 [](const OneWayFriction&) { return 0.0; },
-                 [&](const StribeckFriction& stribeck) { return slope_of(stribeck, slip_m_per_s); }},
+      overloaded{
+          [](const NoFriction&) { return 0.0; }, [](const ConstantFriction&) { return 0.0; },
+          [](const OneWayFriction&) { return 0.0; },
+          [&](const StribeckFriction& stribeck) { return slope_of(stribeck, slip_m_per_s); },
+          [](const StaticFriction&) { return 0.0; },
+          [&](const FallingFriction& law) { return terms_of(law).falling.slope(std::abs(slip_m_per_s)); }},
       friction);
 }
 
@@ -106,23 +148,29 @@ std::optional<SaturatedFriction> saturated_friction(const model::Friction& frict
                  [](const OneWayFriction& one_way) -> Result {
                    return SaturatedFriction{one_way.coefficient, everywhere};
                  },
-                 [](const StribeckFriction& stribeck) -> Result { return saturated(stribeck); }},
+                 [](const StribeckFriction& stribeck) -> Result { return saturated(stribeck); },
+                 [](const StaticFriction& law) -> Result {
+                   return SaturatedFriction{law.coefficient, law.static_coefficient == 0 ? everywhere : 0};
+                 },
+                 [](const FallingFriction& law) -> Result { return saturated(law); }},
       friction);
 }
 
 FrictionTerms friction_terms(const model::Friction& friction) {
   return std::visit(overloaded{[](const NoFriction&) { return FrictionTerms{}; },
                                [](const ConstantFriction& constant) {
-                                 FrictionTerms terms;
-                                 terms.dry = constant.coefficient;
-                                 return terms;
+                                 return holding_terms(constant.coefficient, constant.coefficient);
                                },
                                [](const OneWayFriction& one_way) {
                                  FrictionTerms terms;
                                  terms.constant = one_way.coefficient;
                                  return terms;
                                },
-                               [](const StribeckFriction& stribeck) { return terms_of(stribeck); }},
+                               [](const StribeckFriction& stribeck) { return terms_of(stribeck); },
+                               [](const StaticFriction& law) {
+                                 return holding_terms(law.static_coefficient, law.coefficient);
+                               },
+                               [](const FallingFriction& law) { return terms_of(law); }},
                     friction);
 }
 
@@ -131,7 +179,8 @@ bool acts(const model::Friction& friction) { return !std::holds_alternative<NoFr
 bool depends_on_slip(const model::Friction& friction) {
   return std::visit(
       overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return false; },
-                 [](const OneWayFriction&) { return false; }, [](const StribeckFriction&) { return true; }},
+                 [](const OneWayFriction&) { return false; }, [](const StribeckFriction&) { return true; },
+                 [](const StaticFriction&) { return false; }, [](const FallingFriction&) { return true; }},
       friction);
 }
 
@@ -139,17 +188,14 @@ bool keeps_its_direction(const model::Friction& friction) {
   return std::visit(
       overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return false; },
                  [](const OneWayFriction& one_way) { return one_way.coefficient != 0; },
-                 [](const StribeckFriction&) { return false; }},
+                 [](const StribeckFriction&) { return false; }, [](const StaticFriction&) { return false; },
+                 [](const FallingFriction&) { return false; }},
       friction);
 }
 
-double dry_coefficient(const model::Friction& friction) {
-  return std::visit(
-      overloaded{[](const NoFriction&) { return 0.0; },
-                 [](const ConstantFriction& constant) { return constant.coefficient; },
-                 [](const OneWayFriction&) { return 0.0; }, [](const StribeckFriction&) { return 0.0; }},
-      friction);
-}
+double dry_coefficient(const model::Friction& friction) { return friction_terms(friction).dry; }
+
+double holding_coefficient(const model::Friction& friction) { return friction_terms(friction).holding; }
 
 std::string_view name_of(const model::Friction& friction) {
   return std::visit([](const auto& law) { return law.name; }, friction);

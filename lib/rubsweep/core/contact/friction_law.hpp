@@ -30,8 +30,20 @@ struct SaturatedFriction {
 /// saturates: then the coefficient always varies.
 std::optional<SaturatedFriction> saturated_friction(const model::Friction& friction);
 
-/// mu(slip) = sum over `count` terms of height tanh(steepness slip), plus constant, plus dry sign(slip), plus
-/// viscous slip: the terms that its power series is made of.
+/// Part of a sliding friction that falls with the slip, exp(-(steepness slip)^exponent) of `height`.
+struct Falling {
+  double height = 0, steepness_s_per_m = 0;
+  int exponent = 1;
+
+  /// At a slip >= 0 in its own direction, continued smoothly below; and the derivative by it.
+  double at(double slip_m_per_s) const;
+  double slope(double slip_m_per_s) const;
+  /// Steepness of a tanh that saturates where this has ended.
+  double saturating_steepness_s_per_m() const { return steepness_s_per_m * (exponent == 1 ? 0.5 : 3.0); }
+};
+
+/// mu(slip) = sum over `count` terms of height tanh(steepness slip), plus constant, plus (dry + falling)
+/// sign(slip), plus viscous slip: the terms that its power series is made of.
 struct FrictionTerms {
   struct Tanh {
     double height = 0, steepness_s_per_m = 0;
@@ -39,8 +51,13 @@ struct FrictionTerms {
   std::array<Tanh, 3> tanh{};
   std::size_t count = 0;
   double constant = 0;
-  double dry = 0;  ///< coefficient of a friction that is a set at slip zero (contact/dry_friction)
+  double dry = 0;      ///< coefficient of a friction that is a set at slip zero (contact/dry_friction)
+  double holding = 0;  ///< bound of that set: `dry`, or more
+  Falling falling;     ///< beside `dry`, and as it in the direction of the slip
   double viscous_s_per_m = 0;
+
+  /// The friction is less as soon as the surfaces slip.
+  bool jumps() const { return falling.height == 0 && holding > dry; }
 };
 
 /// Terms of equal steepness are one, those without effect none.
@@ -60,7 +77,10 @@ bool keeps_its_direction(const model::Friction& friction);
 /// surfaces together. Zero where there is none.
 double dry_coefficient(const model::Friction& friction);
 
-/// "none", "dry", "one-way", "Stribeck".
+/// Bound of such a friction where the slip is zero: no less than it slips with. Zero where there is none.
+double holding_coefficient(const model::Friction& friction);
+
+/// "none", "dry", "one-way", "Stribeck", "static and sliding", "falling from static".
 std::string_view name_of(const model::Friction& friction);
 
 }  // namespace rubsweep::contact

@@ -47,7 +47,7 @@ bool may_be_in_pieces(const scene::Scene& scene, const run::SolverOptions& optio
 bool may_stick_in_a_ring(const scene::Scene& scene) {
   return scene.impulses.empty() && std::ranges::any_of(scene.contacts, [](const scene::Contact& c) {
            return contact::annular(c.wall) && c.surface_speed_m_per_s == 0 &&
-                  contact::dry_coefficient(c.friction) != 0;
+                  contact::holding_coefficient(c.friction) != 0;
          });
 }
 

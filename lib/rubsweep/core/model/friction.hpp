@@ -27,7 +27,9 @@ struct ConstantFriction {
   static void visit_fields(auto& self, auto&& visit) {
     visit("coefficient", self.coefficient,
           key(coefficient_range,
-              "dry friction, against the slip; it holds the surfaces together where it can"));
+              "dry friction, against the slip; it holds the surfaces together where it can, up to this or up "
+              "to "
+              "static where that is given"));
   }
 };
 
@@ -56,8 +58,10 @@ struct StribeckCurve {
   double viscous_s_per_m = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
-    visit("static", self.static_coefficient,
-          key(ConstantFriction::coefficient_range, "largest coefficient of a measured curve"));
+    visit(
+        "static", self.static_coefficient,
+        key(ConstantFriction::coefficient_range,
+            "largest coefficient of a measured curve; beside coefficient, bound of the friction that holds"));
     visit("kinetic", self.kinetic, key(ConstantFriction::coefficient_range, "coefficient behind the fall"));
     visit("peak_speed_m_per_s", self.peak_speed_m_per_s,
           key(positive, "slip speed of the largest coefficient"));
@@ -81,6 +85,65 @@ struct StribeckFriction {
   }
 };
 
-using Friction = std::variant<NoFriction, ConstantFriction, OneWayFriction, StribeckFriction>;
+/// Dry friction that holds harder than it slides: at slip zero it takes up to static_coefficient of the
+/// spring force, and mu(v) = coefficient sign(v) as soon as the surfaces slip.
+struct StaticFriction {
+  static constexpr std::string_view name = "static and sliding";
+
+  double static_coefficient = required, coefficient = required;
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("static", self.static_coefficient,
+          newer_key(ConstantFriction::coefficient_range,
+                    "bound of the friction that holds the surfaces together, no less than the sliding one"));
+    visit("coefficient", self.coefficient,
+          newer_key(ConstantFriction::coefficient_range, "sliding friction, against the slip"));
+  }
+};
+
+/// The same with a sliding friction that falls from the static one (Stribeck's effect):
+/// mu(v) = sign(v) (coefficient + (static_coefficient - coefficient) exp(-(|v| / stribeck_speed)^exponent)).
+/// At other exponents than these the curve has no power series at slip zero.
+struct FallingFriction {
+  static constexpr std::string_view name = "falling from static";
+  static constexpr IntegerRange exponents{.low = 1, .high = 2};
+
+  double static_coefficient = required, coefficient = required, stribeck_speed_m_per_s = required;
+  int exponent = 1;
+
+  static void visit_numbers(auto& self, auto&& visit) {
+    StaticFriction::visit_fields(self, visit);
+    visit("stribeck_speed_m_per_s", self.stribeck_speed_m_per_s,
+          newer_key(positive, "slip speed at which exp(-1) of the fall is left"));
+  }
+  static void visit_fields(auto& self, auto&& visit) {
+    visit_numbers(self, visit);
+    visit("exponent", self.exponent,
+          newer_key(exponents, "power of the slip speed in the exponent of the fall", needed));
+  }
+};
+
+using Friction = std::variant<NoFriction, ConstantFriction, OneWayFriction, StribeckFriction, StaticFriction,
+                              FallingFriction>;
+
+/// Whether it may hold the surfaces together.
+inline bool may_stick(const Friction& friction) {
+  return std::visit(
+             [](const auto& law) {
+               return requires { law.coefficient; };
+             },
+             friction) &&
+         !std::holds_alternative<OneWayFriction>(friction);
+}
+
+/// Static and sliding coefficient of a friction that has both; else zeros.
+inline std::array<double, 2> holding_and_sliding(const Friction& friction) {
+  return std::visit(
+      [](const auto& law) -> std::array<double, 2> {
+        if constexpr (requires { law.static_coefficient; }) return {law.static_coefficient, law.coefficient};
+        return {};
+      },
+      friction);
+}
 
 }  // namespace rubsweep::model

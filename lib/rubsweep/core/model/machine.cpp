@@ -21,8 +21,19 @@ auto requiring(std::string prefix) {
 }
 
 void validate(const Friction& friction, const std::string& path) {
-  std::visit([&](const auto& law) { std::decay_t<decltype(law)>::visit_fields(law, requiring(path)); },
-             friction);
+  std::visit(
+      overloaded{[&](const FallingFriction& law) {
+                   FallingFriction::visit_numbers(law, requiring(path));
+                   const auto [low, high, even] = FallingFriction::exponents;
+                   if (law.exponent < low || law.exponent > high)
+                     throw ConfigError(fmt::format("{}exponent: {}, allowed: an integer from {} to {}", path,
+                                                   law.exponent, low, high));
+                 },
+                 [&](const auto& law) { std::decay_t<decltype(law)>::visit_fields(law, requiring(path)); }},
+      friction);
+  if (const auto bounds = holding_and_sliding(friction); bounds[0] < bounds[1])
+    throw ConfigError(path +
+                      "static: below the sliding friction, allowed: a number no less than coefficient");
 }
 
 void validate(const ContactDamping& damping, const std::string& path) {
@@ -89,8 +100,7 @@ void validate(const Machine& machine) {
   for (std::size_t i = 0; i < machine.stops.size(); ++i) {
     const Stop& stop = machine.stops[i];
     validate(stop, fmt::format("stops.{}.", i));
-    if (const RotorKit* kit = kit_of(machine);
-        kit != nullptr && kit->torsion && std::holds_alternative<ConstantFriction>(stop.friction)) {
+    if (const RotorKit* kit = kit_of(machine); kit != nullptr && kit->torsion && may_stick(stop.friction)) {
       throw ConfigError(fmt::format(
           "stops.{}.friction.coefficient: may stick, beside torsion of the rotor, allowed: another friction",
           i));

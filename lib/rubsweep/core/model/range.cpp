@@ -21,7 +21,7 @@ bool of_any_machine(double value) {
   return magnitude == 0 || (magnitude >= smallest_magnitude && magnitude <= largest_magnitude);
 }
 
-/// A number without the rounding of a sum, and without the margin that is given for it.
+/// A number in nine digits where that leaves out only rounding, or the margin that a bound has for it.
 std::string short_text(double value) {
   constexpr double rounding = 2e-10;
   const std::string rounded = fmt::format("{:.9g}", value);

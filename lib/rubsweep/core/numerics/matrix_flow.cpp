@@ -81,7 +81,7 @@ void make_matrix_flows(const MatrixXd& generator, double longest_s, int k,
                        const std::function<void(int, const MatrixXd&)>& put) {
   constexpr int squarings = 6;  // rounding grows at most 2^6 times, which long double has to spare
   const int shortest = exact_step_count - 2 + k % 2;
-  const int level = (shortest - k) / 2;  // from the shortest step up; a group begins with its shortest
+  const int level = (shortest - k) / 2;  // level from the shortest step up; a group begins with its shortest
   int i = shortest - 2 * (level - level % (squarings + 1));
   LongMatrix flow = long_flow(generator, longest_s * exact_step_size(i));
   put(i, flow.cast<double>());
@@ -137,7 +137,7 @@ PairSeries pair_series(const std::vector<Pair>& generators, double fastest_rad_p
     const Pair& g = generators[static_cast<std::size_t>(j)];
     const double trace = (g.uu + g.vv) / fastest_rad_per_s;
     const double determinant = (g.uu * g.vv - g.uv * g.vu) / (fastest_rad_per_s * fastest_rad_per_s);
-    double unit = 1, generator = 0;  // of G^k / k!, time in units of 1 / fastest
+    double unit = 1, generator = 0;  // scale of G^k / k!, time in units of 1 / fastest
     for (std::size_t k = 0; k < most_series_terms; ++k) {
       series.unit(j, static_cast<Eigen::Index>(k)) = unit;
       series.generator(j, static_cast<Eigen::Index>(k)) = generator / fastest_rad_per_s;

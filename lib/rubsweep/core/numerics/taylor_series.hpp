@@ -136,6 +136,23 @@ struct TanhSeries {
   }
 };
 
+/// y = exp(-x^p) with z = p x^(p-1) y, p being 1 or 2, by y' = -x' z. `rate` holds k x_k; written up to k.
+struct FallSeries {
+  Series x, y, z, rate;
+
+  void add_term(int p, double x_k, int k) {
+    x.set(k, x_k);
+    rate.set(k, k * x_k);
+    if (k == 0) {
+      y.set(0, std::exp(p == 1 ? -x_k : -x_k * x_k));
+      z.set(0, p == 1 ? y[0] : 2 * x_k * y[0]);
+      return;
+    }
+    y.set(k, -(rate[k] * z[0] + inner_sum(rate, z, k)) * one_over(k));
+    z.set(k, p == 1 ? y[k] : 2 * (x[0] * y[k] + x[k] * y[0] + inner_sum(x, y, k)));
+  }
+};
+
 /// Coefficients of the power series of a vector in a plane. That of a number has each of them twice. A
 /// coefficient is one register, written and read as a whole: a product waits neither for one that was just
 /// written nor for a sum across registers.

@@ -102,7 +102,7 @@ class TorusWatch {
   Followed motion_;
   Eigen::MatrixXd direction_;  ///< states x 1, unit length
   long look_ = 0, record_begin_ = 0;
-  bool chaotic_ = false;  ///< at its last look
+  bool chaotic_ = false;  ///< true: chaotic at the last look
   std::optional<motion::Exponent> torus_;
 };
 

@@ -13,7 +13,7 @@ namespace rubsweep::response {
 struct ClosestReturn {
   int order = 0;        ///< n of the smallest mean square distance between rows n turns apart
   double distance = 0;  ///< root of that mean square, in the unit of the rows
-  double rate = 0;      ///< at which the distance grows, per turn; negative: the motion is still settling
+  double rate = 0;  ///< rate at which the distance grows, per turn; negative: the motion is still settling
   double rate_error_bar = 0;  ///< half-width of the 99 % confidence interval of `rate`
 };
 
@@ -39,7 +39,7 @@ inline constexpr double steady_share = 0.1;
 struct Followed {
   std::size_t states = 0;
   std::vector<double> rows;           ///< sections after turns 1, 2, ..., in units of the clearance
-  std::vector<double> contributions;  ///< to the exponent, one per turn
+  std::vector<double> contributions;  ///< contributions to the exponent, one per turn
   int turns_without_contact = 0;      ///< the last ones
 
   std::size_t turns() const { return contributions.size(); }

@@ -17,7 +17,7 @@ constexpr double lost = 1e-10;
 
 struct Tangent {
   proof::SceneMap& map;
-  Eigen::MatrixXd direction{};  ///< one column
+  Eigen::MatrixXd direction{};  ///< direction as one column
   std::vector<double> before{};
 
   std::optional<double> operator()(std::span<double> section) {

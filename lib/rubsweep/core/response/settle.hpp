@@ -19,12 +19,12 @@ struct SettledRun {
   integrate::run::Outcome outcome = integrate::run::Outcome::ok;
   motion::Motion motion;                  ///< class `failed` when the outcome is not ok
   std::optional<motion::Proof> proof;     ///< empty: unsettled or failed
-  std::optional<double> floquet_modulus;  ///< of a proven orbit: largest multiplier over its period
+  std::optional<double> floquet_modulus;  ///< largest multiplier of a proven orbit over its period
   /// From the kick to the end of the windows; those that measure an exponent do not count.
   long revolutions = 0;
   std::optional<long> last_contact_revolution;  ///< 1 for the first; empty: the wall was never touched
-  std::optional<Survival> survival;             ///< of chaos: how long it was seen to last
-  bool slip_reversed = false;                   ///< as of the turns
+  std::optional<Survival> survival;             ///< survival of chaos: how long it was seen to last
+  bool slip_reversed = false;                   ///< true: a slip reversed, as in the turns
   /// Some free vibration of the rotor without its stops grows at this speed: there is no quiet motion to
   /// which it could return, and nothing but the stops limits what it does.
   bool rotor_unstable = false;

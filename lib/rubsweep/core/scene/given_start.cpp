@@ -11,7 +11,7 @@
 namespace rubsweep::scene {
 namespace {
 
-constexpr double largest_miss = 1e-6;  ///< of what was asked for
+constexpr double largest_miss = 1e-6;  ///< share of what was asked for
 
 /// Rows of the structure's points, and the values that their products with the state must have.
 struct Wanted {

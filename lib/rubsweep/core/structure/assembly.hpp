@@ -12,7 +12,7 @@ namespace rubsweep::structure {
 
 /// A rotor and its casings as one linear system; the numbers index `system.points`.
 struct Assembly {
-  LinearSystem system;          ///< without what depends on the speed
+  LinearSystem system;          ///< system without what depends on the speed
   Eigen::MatrixXd gyroscopic;   ///< n x n or empty: at a speed w the damping is system.damping + w gyroscopic
   Eigen::MatrixXd circulatory;  ///< n x n or empty: damping that turns with the shaft makes the stiffness
                                 ///< system.stiffness + w circulatory, which is not symmetric
@@ -24,13 +24,14 @@ struct Assembly {
   Eigen::VectorXcd second_n;  ///< n or empty: couplings of unequal stiffness force Re(second_n e^{2 i w t})
                               ///< at any speed w
   Eigen::VectorXd static_n;   ///< n or empty: loads beside the weight that do not change
-  std::vector<ImpulseTrain> impulses;             ///< of faulty bearings
-  std::vector<int> rotor_points;                  ///< one per stop
-  std::vector<std::optional<int>> casing_points;  ///< one per stop; empty: rigid casing, no state
-  std::vector<int> sensor_points;                 ///< one per sensor
-  int observed_point = 0;                         ///< whose motion is classified
+  std::vector<ImpulseTrain> impulses;  ///< impulses of faulty bearings
+  std::vector<int> rotor_points;       ///< point of each stop
+  std::vector<std::optional<int>>
+      casing_points;               ///< point of each stop's casing; empty: rigid casing, no state
+  std::vector<int> sensor_points;  ///< point of each sensor
+  int observed_point = 0;          ///< whose motion is classified
   int kick_point = 0;
-  std::vector<double> contact_mass_kg;  ///< one per stop: rotor mass behind a restitution
+  std::vector<double> contact_mass_kg;  ///< rotor mass of each stop behind a restitution
 };
 
 /// Adds an isotropic mass on a spring at coordinates `first` (x) and `first + 1` (y), and the point that it

@@ -7,7 +7,7 @@
 
 namespace rubsweep::structure {
 
-constexpr double same_place = 1e-9;  ///< of the shaft's length: stations nearer to each other are one
+constexpr double same_place = 1e-9;  ///< share of the shaft's length: stations nearer to each other are one
 
 /// Piece of a segment between two nodes.
 struct MeshElement {

@@ -24,18 +24,19 @@ using PlanePairs = std::array<std::array<Eigen::MatrixXd, 2>, 2>;
 /// one per pedestal, then one per housing. With q = q_x + i q_y:
 /// mass q'' + (damping - i speed gyroscopic) q' + elastic q = -supports + forces.
 struct BeamShaft {
-  Eigen::MatrixXd mass;  ///< what is the same in both planes
+  Eigen::MatrixXd mass;  ///< mass that is the same in both planes
   Eigen::MatrixXd gyroscopic;
-  Eigen::MatrixXd damping;  ///< of the shaft's own material, in the fixed frame
+  Eigen::MatrixXd damping;  ///< damping of the shaft's own material, in the fixed frame
   Eigen::MatrixXd elastic;  ///< shaft and couplings: what a bow loads
   PlanePairs support_stiffness, support_damping;
-  std::array<Eigen::MatrixXd, 2> added_mass;  ///< per plane: point masses, housings, fluid in supports
+  std::array<Eigen::MatrixXd, 2>
+      added_mass;                 ///< mass of each plane: point masses, housings, fluid in supports
   Eigen::VectorXcd unbalance_kg;  ///< of the x plane, per metre of eccentricity e: e w^2 Re(unbalance_kg
                                   ///< e^{iwt}); y lags by a quarter turn
   Eigen::VectorXd weight_kg;      ///< share of the mass that gravity pulls along each coordinate of one plane
   double polar_inertia_kg_m2 = 0;
   std::vector<double> node_position_m;                 ///< ascending; twice the same at a coupling
-  std::vector<std::optional<Eigen::Index>> pedestals;  ///< per support: coordinate of its pedestal
+  std::vector<std::optional<Eigen::Index>> pedestals;  ///< coordinate of each support's pedestal
   std::vector<Eigen::Index> housings;                  ///< coordinate of each housing
 
   Eigen::Index coordinates() const { return mass.rows(); }

@@ -211,7 +211,8 @@ double rate_rounding_per_s(const SpeedMatrices& matrices, Complex rate_per_s, co
                                  rate * (matrices.damping.cwiseAbs() * size) +
                                  matrices.stiffness.cwiseAbs() * size;
   const double change = std::abs((left.transpose() * by_rate(matrices, rate_per_s, shape)).value());
-  constexpr Index of_the_iteration = 16;  // its steps round too, also in a rotor of two coordinates
+  constexpr Index of_the_iteration =
+      16;  // steps of the iteration round too, also in a rotor of two coordinates
   return static_cast<double>(std::max(2 * shape.size(), of_the_iteration)) * epsilon *
          left.cwiseAbs().dot(forces) / change;
 }

@@ -45,7 +45,7 @@ Eigen::VectorXcd rates_within(const SpeedMatrices& matrices, double rad_per_s) {
 /// Distance of a growing rate from the nearest of `others`: the larger one of the shares by which frequency
 /// and growth differ.
 double distance(std::complex<double> rate, const Eigen::VectorXcd& others) {
-  constexpr double slow = 0.01;  // of the frequency: slower growth counts by this
+  constexpr double slow = 0.01;  // share of the frequency: slower growth counts by this
   double least = 1;
   for (const std::complex<double>& other : others) {
     const double size = std::abs(rate), growth = std::abs(rate.real() - other.real());
@@ -81,8 +81,8 @@ bool any_grows(const Eigen::VectorXcd& rates, double share) {
   return std::ranges::any_of(rates, [=](const auto& rate) { return rate.real() > share * std::abs(rate); });
 }
 
-/// Whether some vibration surely grows by one and surely none by the other, which leaves room about the
-/// speed at which one begins to.
+/// True where some vibration surely grows by one and surely none by the other. Both count only with a
+/// margin, because near the speed at which growth begins either may be right.
 bool contradict(const Eigen::VectorXcd& one, const Eigen::VectorXcd& other) {
   const auto only_first = [](const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
     return any_grows(a, growing) && !any_grows(b, growing / 4);
@@ -227,7 +227,7 @@ double FullReference::line_error(const Rotor& reduced, std::size_t line, double 
 double FullReference::peak_error(const Rotor& reduced, std::size_t line, double enough) const {
   constexpr int finer = 8, bits = 20;
   constexpr std::uintmax_t most_iterations = 30;
-  constexpr double loss = 0.004;  // without damping a peak has no height that could be compared
+  constexpr double loss = 0.004;  // least damping: without it a peak has no height that could be compared
   const double step = 1.0 / finer;
   const auto height = [&](double at) { return receptance(reduced, line, rad_per_s(at), loss).norm(); };
   double worst = 0, before = 0, here = height(0);
@@ -270,7 +270,8 @@ FullReference::Growth FullReference::growth(const Reduction& reduction) const {
         matrices_at(reduced.matrices, at.speed_rad_per_s, at.supports_rad_per_s), beyond * highest);
     growth.mistaken = growth.mistaken || contradict(found, exact);
     for (const std::complex<double>& rate : exact) {
-      if (rate.real() > growing * std::abs(rate)) growth.error = std::max(growth.error, distance(rate, found));
+      if (rate.real() > growing * std::abs(rate))
+        growth.error = std::max(growth.error, distance(rate, found));
     }
     for (const std::complex<double>& rate : found) {
       if (rate.real() > growing * std::abs(rate) && std::abs(rate) <= highest / beyond)

@@ -30,8 +30,9 @@ class FullReference {
 
   /// How vibrations that grow come out up to kit.modes_up_to_hz.
   struct Growth {
-    double error = 0;       ///< worst difference of rate or frequency of one that grows in either
-    bool mistaken = false;  ///< at some speed full matrices and reduced rotor disagree whether any does
+    double error = 0;  ///< worst difference of rate or frequency of one that grows in either
+    bool mistaken =
+        false;  ///< true: at some speed full matrices and reduced rotor disagree whether a vibration grows
   };
   Growth growth(const Reduction& reduction) const;
 
@@ -46,7 +47,7 @@ class FullReference {
   struct Rotor {
     FullSystem matrices;
     Eigen::MatrixXd responses, forces;
-    std::vector<SpeedMatrices> at_lines;  ///< without the force's speed
+    std::vector<SpeedMatrices> at_lines;  ///< matrices without the force's speed
     Eigen::Index band = 0;                ///< largest distance from the diagonal that a number stands at
   };
 
@@ -65,7 +66,7 @@ class FullReference {
   std::vector<Line> lines_;
   int points_ = 0, around_ = 0;
   Rotor full_;
-  std::vector<std::vector<Eigen::MatrixXcd>> exact_;      ///< per line and point
+  std::vector<std::vector<Eigen::MatrixXcd>> exact_;      ///< exact response of each line and point
   std::vector<std::pair<Line, Eigen::VectorXcd>> rates_;  ///< rates of free vibrations, where some may grow
 };
 

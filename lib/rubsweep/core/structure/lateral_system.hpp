@@ -47,7 +47,7 @@ PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiff
 /// judged by. Nothing of it comes from a reduced basis: structural damping is that of all modes.
 struct FullSystem {
   LateralSystem system;         ///< shapes are the coordinates themselves; without what depends on the speed
-  Eigen::MatrixXd circulatory;  ///< as of Assembly
+  Eigen::MatrixXd circulatory;  ///< matrix as of Assembly
   std::vector<TabledSupport> tables;  ///< supports that follow the speed; `system` holds their middle one
 };
 

@@ -13,7 +13,7 @@
 namespace rubsweep::structure {
 
 constexpr double matrix_rounding =
-    1e-9;  ///< of what stands on the diagonal: numbers count as equal within it
+    1e-9;  ///< share of what stands on the diagonal: numbers count as equal within it
 
 /// Degree of freedom behind a coordinate of one plane; the angle about x counts the other way.
 struct PlaneSource {
@@ -52,7 +52,7 @@ Eigen::MatrixXd block(const Eigen::MatrixXd& matrix, const MatrixLayout& layout,
                       std::size_t b);
 
 struct TurningUnbalance {
-  Eigen::VectorXcd kg;               ///< of the x plane, n, as BeamShaft::unbalance_kg
+  Eigen::VectorXcd kg;               ///< unbalance of the x plane, n numbers, as BeamShaft::unbalance_kg
   std::optional<std::size_t> wrong;  ///< first degree of freedom whose unbalance does not turn with the shaft
 };
 

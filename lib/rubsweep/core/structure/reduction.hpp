@@ -16,10 +16,10 @@ namespace rubsweep::structure {
 /// 19.2).
 struct Reduction {
   PlaneBases bases;  ///< columns: modes, then attachment modes; largest deflection 1
-  std::array<Eigen::VectorXd, 2> frequency_hz;  ///< of each column, undamped, at rest
+  std::array<Eigen::VectorXd, 2> frequency_hz;  ///< frequency of each column, undamped, at rest
   std::array<std::vector<int>, 2>
-      mode_number;              ///< of each kept mode, 1 is the lowest; gaps: the motion does not need these
-  int modes = 0;                ///< asked for of each plane; with those that may grow beside there are more
+      mode_number;  ///< number of each kept mode, 1 is the lowest; gaps: the motion does not need these
+  int modes = 0;    ///< asked for of each plane; with those that may grow beside there are more
   bool automatic = false;       ///< the number of modes was found here
   double receptance_error = 0;  ///< worst up to kit.modes_up_to_hz, see FullReference::receptance_error
   double growth_error = 0;      ///< the same of vibrations that grow, see FullReference::growth

@@ -11,9 +11,9 @@ namespace rubsweep::structure {
 /// One plane before the reduction.
 struct StudiedPlane {
   Eigen::MatrixXd mass, stiffness;
-  numerics::dense::CholeskyFactors factor;  ///< of the stiffness
+  numerics::dense::CholeskyFactors factor;  ///< factor of the stiffness
   PlaneModes modes;                         ///< all that may be kept
-  std::vector<Eigen::Index> seen;           ///< of `modes`, ascending
+  std::vector<Eigen::Index> seen;           ///< numbers of the seen modes in `modes`, ascending
   std::vector<Eigen::Index> beside;         ///< not seen, but may grow
 };
 

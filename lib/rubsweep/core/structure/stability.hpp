@@ -17,7 +17,7 @@ bool dissipates(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& damping, con
 /// less where all decay, and 0 where it is positive by no more than rounding may be the cause of.
 /// `speed_rad_per_s` >= 0.
 double growth_per_s(const Assembly& assembly, double speed_rad_per_s);
-/// The same of a system whose matrices are those of one speed already.
+/// Growth of a system whose matrices hold for one speed already.
 double growth_per_s(const LinearSystem& system);
 
 /// Whether such a vibration grows.

@@ -11,7 +11,6 @@
 #include <optional>
 #include <utility>
 
-#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 
 namespace rubsweep::batch {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/line_log.hpp"
 #include "rubsweep/maps/batch/opened_file.hpp"
+#include "rubsweep/maps/batch/whole_file.hpp"
 
 namespace rubsweep::batch {
 

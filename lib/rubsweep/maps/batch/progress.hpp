@@ -50,8 +50,8 @@ class CellsLeft {
   std::vector<Tile> corner_sums() const;
 
   std::size_t columns_, left_, finished_ = 0;
-  std::size_t side_ = 1;                ///< of a tile, in cells
-  std::size_t width_ = 1, height_ = 1;  ///< of the map, in tiles
+  std::size_t side_ = 1;                ///< side of a tile, in cells
+  std::size_t width_ = 1, height_ = 1;  ///< size of the map, in tiles
   std::vector<Tile> tiles_;
 };
 
@@ -129,7 +129,7 @@ class Progress {
   Clock::time_point drawn_ = start_;
   std::size_t drawn_width_ = 0;
   std::optional<CellsLeft> cells_{};
-  std::deque<Clock::time_point> ends_;  ///< of the last cells, as many as are left, within reason
+  std::deque<Clock::time_point> ends_;  ///< ends of the last cells, as many as are left, within reason
 };
 
 /// Time of one task after the other on each of several threads.

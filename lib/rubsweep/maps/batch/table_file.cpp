@@ -65,11 +65,12 @@ class TableCheck {
 
  private:
   Sha256 sum_;
-  std::optional<std::string> said_;  ///< by the line of the sum
+  std::optional<std::string> said_;  ///< checksum that the line of the sum gives
   std::optional<int> format_;
   bool first_ = true;
-  bool ends_ = true;            ///< with the end of a line
-  bool ends_in_cr_lf_ = false;  ///< as in a checkout for another system, which changes no number
+  bool ends_ = true;  ///< true: the text ends with the end of a line
+  bool ends_in_cr_lf_ =
+      false;  ///< true: lines end in CR LF, as in a checkout for another system, which changes no number
 };
 
 }  // namespace

@@ -21,8 +21,8 @@ inline constexpr int table_format = 1;
 
 /// Author program of a table, and the study that its numbers belong to.
 struct TableSource {
-  std::string program;             ///< with its version: "rubsweep 1.0.0"
-  std::string digest;              ///< of all that decides the numbers
+  std::string program;             ///< name with version: "rubsweep 1.0.0"
+  std::string digest;              ///< digest of all that decides the numbers
   std::vector<std::string> files;  ///< names of all files that were written together; empty: this one alone
   std::string captions{};          ///< comment lines of title, author and note (see Captions)
   std::vector<std::pair<std::string, std::string>>
@@ -91,9 +91,9 @@ using ResultFiles = std::map<std::string_view, std::string>;
 
 /// Program that wrote some results, and the study that they belong to.
 struct ResultSource {
-  std::string program;  ///< without its version
+  std::string program;  ///< name without version
   std::string digest;
-  std::string captions{};              ///< as caption_lines gives them
+  std::string captions{};              ///< lines as caption_lines gives them
   std::vector<std::string> made_of{};  ///< names of files in the same directory that the results are made of
 };
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "rubsweep/maps/config/keys/table.hpp"
@@ -13,7 +11,6 @@
 #include "rubsweep/maps/config/machine/support_table.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
-#include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::config {

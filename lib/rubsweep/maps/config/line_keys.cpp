@@ -27,7 +27,7 @@ bool is_named(std::string_view key, const std::vector<std::string>& overrides) {
   });
 }
 
-/// The factor of an axis for one of its keys; 0 where that is none of them, or does not change along it.
+/// Factor of an axis for one of its keys; 0 for a key that the axis does not have.
 double factor_of(const sweep::KeyAxis& axis, std::string_view key) {
   const auto found = std::ranges::find(axis.keys, key);
   return found == axis.keys.end() ? 0 : axis.factors[static_cast<std::size_t>(found - axis.keys.begin())];

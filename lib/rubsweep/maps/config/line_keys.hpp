@@ -13,9 +13,9 @@ namespace rubsweep::config {
 
 /// Split of a configuration's axes over keys for a line of cells.
 struct LineKeys {
-  std::vector<sweep::KeyValue> fixed;  ///< on every cell of the line
+  std::vector<sweep::KeyValue> fixed;  ///< values on every cell of the line
   sweep::KeyAxis along;  ///< the axis that the line runs along, with its values; no keys: it runs along none
-  double factor = 1;     ///< of that axis for the key that names the line, not 0
+  double factor = 1;     ///< factor of that axis for the key that names the line, not 0
 };
 
 /// Whether all keys of an axis are named by an override, which writes the key itself or a map around it.

@@ -15,7 +15,7 @@ namespace rubsweep::map {
 struct ComputeOptions {
   int threads = 0;                                            ///< 0: as many as the machine has cores
   const std::atomic<bool>* stop = nullptr;                    ///< once it is true, no further cell begins
-  batch::ProgressMode progress = batch::ProgressMode::never;  ///< on stderr
+  batch::ProgressMode progress = batch::ProgressMode::never;  ///< progress on stderr
   std::string program = "rubsweep";                           ///< named in locks and messages
 };
 

@@ -9,12 +9,9 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/opened_file.hpp"
-#include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
-#include "rubsweep/maps/map/earlier_results.hpp"
-#include "rubsweep/maps/map/map_files.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/report/study_columns.hpp"

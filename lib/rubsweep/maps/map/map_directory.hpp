@@ -98,7 +98,7 @@ class MapDirectory {
   std::optional<Share> part_;
   batch::JournalHeader header_;
   batch::TableSource source_;
-  std::string head_;  ///< of the map: what stands between the head of every table and its rows
+  std::string head_;  ///< head of the map: what stands between the head of every table and its rows
   double warn_over_clearances_ = 0;
   sweep::Grid written_;  ///< only how its axes are written
   std::optional<batch::FileLock> own_lock_, directory_lock_;

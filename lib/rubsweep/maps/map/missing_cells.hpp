@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "rubsweep/maps/batch/journal.hpp"
-#include "rubsweep/maps/batch/line_log.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
+#include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/map/compute_map.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/sweep/row.hpp"

@@ -14,7 +14,7 @@ namespace {
 
 /// Motions of the cells that a refined map holds.
 struct ComputedMotions {
-  std::vector<int> labels;           ///< of all cells, sweep::unknown_label where none was computed
+  std::vector<int> labels;           ///< labels of all cells, sweep::unknown_label where none was computed
   std::vector<std::string> motions;  ///< class, order and kind, empty as above
 };
 

@@ -12,8 +12,8 @@
 
 namespace rubsweep::map {
 
-/// Labels of the finished cells of a refined map, by whichever process. Not for several threads at
-/// once.
+/// Labels of the finished cells of a refined map, whichever process finished them. Not for several threads
+/// at once.
 class RefinedCells {
  public:
   /// Nothing is known. The grid must outlive it.
@@ -34,7 +34,7 @@ class RefinedCells {
  private:
   const sweep::Grid& grid_;
   std::vector<int> labels_;
-  std::map<std::string, int> numbers_;  ///< of the labels
+  std::map<std::string, int> numbers_;  ///< numbers of the labels
 };
 
 /// Writes `painted.csv` beside the complete refined map at `map`: a row for every cell of `grid` with its

@@ -181,7 +181,7 @@ class Verification {
     auto first = map;
     for (auto head = heads_.begin(); first == heads_.end() && head != heads_.end(); ++head)
       if (head->second.tells_the_study()) first = head;
-    std::map<std::string, std::string> of_program;  // of those that tell no study
+    std::map<std::string, std::string> of_program;  // programs of files that tell no study
     for (const auto& [name, head] : heads_) {
       const bool study = head.tells_the_study();
       const std::string& other =
@@ -218,7 +218,7 @@ class Verification {
   }
 
   void check_files() {
-    std::map<std::string, std::string> listed;  // with a table that names it
+    std::map<std::string, std::string> listed;  // files and the table that names each
     for (const auto& [name, head] : heads_)
       for (const std::string& file : head.files) listed.emplace(file, name);
     if (heads_.contains("map.csv")) listed.emplace(config_file, "map.csv");
@@ -279,7 +279,7 @@ class Verification {
   std::vector<std::string> pages_;                                  ///< pages that are whole
   std::string page_;                                                ///< report.html, where it is ours
   VerifiedConfiguration configuration_;
-  std::string digest_;  ///< of all that belongs together
+  std::string digest_;  ///< digest of all that belongs together
   DirectoryVerdict verdict_;
 };
 

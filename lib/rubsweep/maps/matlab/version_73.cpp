@@ -147,7 +147,8 @@ class Reader {
     const Handle type{h5_, h5_.H5Aget_type(attribute)};
     require(h5_.H5Tget_size(type) == sizeof rows && h5_.H5Aread(attribute, type, &rows) >= 0, variable.name);
     const auto part = [&](const char* name) {
-      if (h5_.H5Lexists(group, name, H5P_DEFAULT) <= 0) return std::vector<double>();  // of a matrix of zeros
+      if (h5_.H5Lexists(group, name, H5P_DEFAULT) <= 0)
+        return std::vector<double>();  // a matrix of zeros has none
       const Handle dataset = open(group, name);
       require(h5_.H5Iget_type(dataset) == H5I_DATASET, variable.name);
       const Handle kind{h5_, h5_.H5Dget_type(dataset)};

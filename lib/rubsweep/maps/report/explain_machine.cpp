@@ -69,6 +69,16 @@ std::string explain_friction(const model::Stop& stop, const scene::Contact& cont
   const auto name = contact::name_of(stop.friction);
   if (!contact::acts(stop.friction)) return fmt::format("  friction: {}\n", name);
   const double mu = contact::friction_coefficient(stop.friction, slip);
+  if (const auto [holding, sliding] = model::holding_and_sliding(stop.friction); holding > 0) {
+    const auto* falling = std::get_if<model::FallingFriction>(&stop.friction);
+    return fmt::format(
+        "  friction: dry, holds the surfaces together up to {} and slides with {}{}; reverses with the "
+        "slip\n",
+        holding, sliding,
+        falling == nullptr ? ""
+                           : fmt::format(", falling to it with exp(-(slip / {:.6g} m/s)^{})",
+                                         falling->stribeck_speed_m_per_s, falling->exponent));
+  }
   if (!contact::depends_on_slip(stop.friction)) {
     if (mu == 0) return fmt::format("  friction: {} 0\n", name);
     const bool reverses = !contact::keeps_its_direction(stop.friction);

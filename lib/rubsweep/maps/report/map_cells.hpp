@@ -72,12 +72,12 @@ class CellsOfRows {
  private:
   /// An axis as its columns show it: one, or one for each key of an axis over keys.
   struct Axis {
-    std::vector<double> values;  ///< of the grid
+    std::vector<double> values;  ///< values of the grid
     std::vector<std::size_t> columns;
     std::vector<double> factors;          ///< a column holds the value times its factor
     std::size_t leading = 0;              ///< a column that changes along the axis
-    std::vector<double> leading_numbers;  ///< its values, ascending
-    std::vector<std::size_t> places;      ///< of these in `values`
+    std::vector<double> leading_numbers;  ///< values of the first column, ascending
+    std::vector<std::size_t> places;      ///< places of these in `values`
   };
 
   static Axis axis_of(const batch::CsvReader& map, const std::vector<double>& values,

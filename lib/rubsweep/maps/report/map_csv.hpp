@@ -25,7 +25,7 @@ struct MapColumn {
   std::string_view name;  ///< ends with the unit where there is one
   std::string_view unit;  ///< SI, such as "m"; empty: a pure number or a word
   Comparison comparison = Comparison::ignored;
-  std::string_view description;  ///< for --help
+  std::string_view description;  ///< text for --help
   /// Text of the cell. Numbers read back to the same double; an entry that does not apply is empty.
   std::string (*text)(const sweep::Row&) = nullptr;
 };

@@ -13,7 +13,7 @@ namespace rubsweep::report {
 /// keys.
 struct StudyColumn {
   std::string_view name;
-  std::string_view description;                      ///< for --help
+  std::string_view description;                      ///< text for --help
   std::string (*text)(const sweep::Row&) = nullptr;  ///< text of the cell; empty: does not apply
 };
 

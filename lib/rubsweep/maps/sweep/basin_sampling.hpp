@@ -20,16 +20,16 @@ struct SampledMotion {
 
 /// One attractor, or all motions of a name that never repeat.
 struct Attractor {
-  SampledMotion motion;  ///< of the first start that led there
+  SampledMotion motion;  ///< motion of the first start that led there
   std::size_t samples = 0;
-  double share = 0;           ///< of all starts, failed ones among them
+  double share = 0;           ///< share of all starts, failed ones among them
   double standard_error = 0;  ///< sqrt(share (1 - share) / starts)
 };
 
 /// Attractors of all starts; the most frequent first, of equally frequent ones the one that was met first.
 struct Basins {
   std::vector<Attractor> attractors;
-  std::vector<int> numbers;  ///< of the attractor that each start led to, from 1; 0: its run failed
+  std::vector<int> numbers;  ///< attractor that each start led to, from 1; 0: its run failed
   std::size_t failed = 0;    ///< starts whose run failed; they count among the starts and to no attractor
 };
 
@@ -43,7 +43,7 @@ class AttractorCount {
   Basins basins() const;
 
  private:
-  Basins met_;  ///< in the order in which they are met, without shares
+  Basins met_;  ///< basins in the order in which they are met, without shares
 };
 
 /// A key of the configuration that is drawn evenly between two numbers, or evenly between their logarithms.
@@ -57,7 +57,7 @@ struct DrawnKey {
 /// same ones in every cell.
 struct BasinSampling {
   std::size_t samples = 0;
-  std::vector<DrawnKey> over;  ///< at least one
+  std::vector<DrawnKey> over;  ///< keys that are drawn, at least one
 };
 
 /// The numbers of sample `index`, from 0.

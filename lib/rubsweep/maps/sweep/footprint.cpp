@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include "rubsweep/core/integrate/exact/modes/mode_cache.hpp"
 

@@ -22,9 +22,9 @@ struct KeyValue {
 /// An axis of a sweep over numbers of the configuration, in the units of their keys. At its i-th place each
 /// key holds values[i] times its own factor.
 struct KeyAxis {
-  std::vector<std::string> keys;            ///< at least one
-  std::vector<double> factors;              ///< one for each key
-  std::vector<double> values;               ///< at least one, all different
+  std::vector<std::string> keys;            ///< keys, at least one
+  std::vector<double> factors;              ///< factor of each key
+  std::vector<double> values;               ///< values, at least one, all different
   std::optional<batch::Spacing> spacing{};  ///< how they are written; empty where they are listed
 };
 
@@ -36,8 +36,8 @@ struct WrittenAxis {
   std::string key{};                        ///< such as speed_rpm; empty: in SI units
   std::string unit{};                       ///< such as "rpm" or "g mm"
   double units_per_si = 1;                  ///< how many of that unit are one in SI
-  std::optional<batch::Spacing> spacing{};  ///< in that unit; empty where values were listed
-  double rated_speed_hz = 0;                ///< of a balance grade alone
+  std::optional<batch::Spacing> spacing{};  ///< spacing in that unit; empty where values were listed
+  double rated_speed_hz = 0;                ///< rated speed of a balance grade
 
   bool is_si() const { return key.empty(); }
 };

@@ -15,10 +15,10 @@ namespace rubsweep::sweep {
 
 /// How the run of a cell began.
 enum class RunStart {
-  kick,      ///< on the quiet whirl, kicked
-  quiet,     ///< on the quiet whirl; there is no kick
-  contact,   ///< at rest in the static position, not kicked: the quiet motion itself reaches a wall
-  state,     ///< in a state that the configuration gives, not kicked
+  kick,      ///< the quiet whirl, kicked
+  quiet,     ///< the quiet whirl; there is no kick
+  contact,   ///< rest in the static position, not kicked: the quiet motion itself reaches a wall
+  state,     ///< a state that the configuration gives, not kicked
   handed_on  ///< on the motion of the cell before it on a line, never in a map
 };
 
@@ -44,7 +44,7 @@ struct HertzSecant {
   /// Force at which the secant is taken, of the stop with hertz that has the smallest design force; those of
   /// the other stops follow from it.
   double force_n = 0;
-  double stiffness_n_per_m = 0;  ///< of that stop
+  double stiffness_n_per_m = 0;  ///< stiffness of that stop
 };
 
 /// All that survives of one cell: one row of the map. What does not apply is empty.
@@ -58,20 +58,22 @@ struct Row {
   std::optional<response::motion::Measures> measures;
   std::optional<response::motion::Proof> proof;
   std::optional<bool> robust;                     ///< see is_robust; empty unless asked for
-  std::optional<double> floquet_modulus;          ///< of a proven orbit, over its period
+  std::optional<double> floquet_modulus;          ///< largest multiplier of a proven orbit over its period
   std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found
   std::optional<long> last_contact_revolution;
   long revolutions = 0;
   std::string status = "ok";                  ///< `ok` or one word per cause, joined by ';'
-  std::optional<double> peak_over_clearance;  ///< of the measured motion, the first stop's clearance
+  std::optional<double> peak_over_clearance;  ///< ratio of the measured motion to the first stop's clearance
   std::optional<RunStart> start;              ///< empty: nothing was run
   std::optional<double> robust_share{};       ///< see the function; empty unless asked for
-  std::optional<int> refinement_level{};      ///< of a refined map
-  std::optional<Basins> basins{};      ///< of a study that asks for them; empty where no kick was simulated
-  std::vector<double> key_values{};    ///< of the axes over keys, in the order of key_names
-  std::optional<HertzSecant> hertz{};  ///< where secants may be taken anew
-  std::optional<response::Survival> survival{};  ///< of a chaotic motion
-  std::optional<Threshold> threshold{};  ///< of a study that asks for it; empty where no kick was simulated
+  std::optional<int> refinement_level{};      ///< level in a refined map
+  std::optional<Basins>
+      basins{};  ///< basins of a study that asks for them; empty where no kick was simulated
+  std::vector<double> key_values{};              ///< values of the axes over keys, in the order of key_names
+  std::optional<HertzSecant> hertz{};            ///< where secants may be taken anew
+  std::optional<response::Survival> survival{};  ///< survival of a chaotic motion
+  std::optional<Threshold>
+      threshold{};  ///< threshold of a study that asks for it; empty where no kick was simulated
 };
 
 /// Class and order of a motion, such as "subharmonic 1/2" or "chaotic".

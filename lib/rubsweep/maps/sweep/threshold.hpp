@@ -13,7 +13,7 @@ namespace rubsweep::sweep {
 /// smaller steps wherever rub begins or ends between two of them.
 struct ThresholdScan {
   KeyAxis axis;
-  double tolerance = 1e-3;  ///< of a beginning or an end, relative to it; > 0
+  double tolerance = 1e-3;  ///< tolerance of a beginning or an end, relative to it; > 0
 };
 
 /// Result of one trial value.
@@ -28,7 +28,7 @@ struct Probe {
 /// rub did not go on.
 struct RubInterval {
   double from = 0, to = 0;
-  std::vector<std::string> motions;  ///< in the order in which they come first
+  std::vector<std::string> motions;  ///< motions in the order in which they come first
 };
 
 /// Intervals of numbers at which rub goes on: any number of them, none where it never does. An interval that
@@ -36,7 +36,7 @@ struct RubInterval {
 struct Threshold {
   std::vector<RubInterval> intervals;  ///< ascending
   std::size_t probes = 0;              ///< numbers that were tried
-  std::size_t failed = 0;              ///< of them, those whose run failed: counted as not rubbing
+  std::size_t failed = 0;              ///< number of runs that failed: they count as not rubbing
 };
 
 /// Scans and bisects. A change is closed in on until its two sides differ by no more than the tolerance times

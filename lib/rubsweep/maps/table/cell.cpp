@@ -177,10 +177,14 @@ std::string plain_unit(std::string_view unit) {
 
 bool is_unit(std::string_view cell) {
   if (is_bracketed(cell) || cell == "-") return true;
-  std::string plain = plain_unit(cell);
-  std::ranges::transform(plain, plain.begin(),
+  return std::ranges::find(units, in_small_letters(plain_unit(cell))) != units.end();
+}
+
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  std::ranges::transform(small, small.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::ranges::find(units, plain) != units.end();
+  return small;
 }
 
 }  // namespace rubsweep::table

@@ -46,4 +46,7 @@ std::string plain_unit(std::string_view unit);
 /// Whether a cell says a unit and nothing else: a known one, or anything in brackets.
 bool is_unit(std::string_view cell);
 
+/// Letters of ASCII alone change.
+std::string in_small_letters(std::string_view text);
+
 }  // namespace rubsweep::table

@@ -33,10 +33,10 @@ std::string_view take_line(std::string_view& text);
 /// Whether a line has nothing but blanks, or begins with # or %.
 bool is_comment(std::string_view line);
 
-/// Layout of a table of numbers in UTF-8, by what the cells of its lines are. Numbers begin in the first line
-/// that is made as most lines with numbers are. Above them are lines of units, and the nearest line above
-/// whose cells are names: one of each column, no number, no unit, none twice; a comment where no other line
-/// is. Throws Fault for a text without numbers.
+/// Layout of a table of numbers in UTF-8. Numbers begin in the first line with the layout that most lines of
+/// numbers have. Lines of units may stand above. Names are the nearest line above with one different name for
+/// each column, which is no number and no unit; a comment serves where there is no other line. Throws Fault
+/// for a text without numbers.
 Layout layout_of(std::string_view text);
 
 /// The same of a table that must have some of the names that `is_name` knows: these begin it, and every cell

@@ -27,7 +27,7 @@ class Rows {
   std::size_t line() const { return line_; }                             ///< from 1
   bool is_empty() const;                                                 ///< a row of empty cells
 
-  bool is_number(std::size_t column) const;        ///< in either writing; an empty cell is none
+  bool is_number(std::size_t column) const;  ///< true for a number in either writing; an empty cell is none
   std::size_t place_of(std::size_t column) const;  ///< byte of a cell in its line, from 1
   /// The number in a cell, NaN of an empty one. Throws Fault where it is none.
   double number(std::size_t column);

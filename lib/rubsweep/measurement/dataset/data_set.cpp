@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/journal.hpp"
 #include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"

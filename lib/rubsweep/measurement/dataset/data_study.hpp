@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -53,3 +54,12 @@ struct DataStudy {
 };
 
 }  // namespace rubsweep::dataset
+
+namespace rubsweep::config::dataset {
+
+/// Reads the study of a data set: recordings, recordings_per_machine, seed, machine, speed_ratio, candidates,
+/// measurement, split, format, output. `name` stands for the file in messages. Throws ConfigError with every
+/// problem.
+rubsweep::dataset::DataStudy read_data_study_text(std::string_view text, const std::string& name);
+
+}  // namespace rubsweep::config::dataset

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rubsweep/measurement/dataset/data_study.hpp"
+#include "rubsweep/measurement/diagnose/random_stream.hpp"
 #include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::dataset {
@@ -53,5 +54,14 @@ inline constexpr double no_mark_v = -2, mark_v = -12;
 /// not.
 LabelledRecording make_recording(const DataStudy& study, std::size_t index,
                                  response::motion::Workspace& workspace);
+
+/// Share of a turn that the mark on the shaft passes the keyphasor: of the fewest readings a turn that a
+/// study may have, which are 5, one at least falls on the mark.
+inline constexpr double mark_share = 0.25;
+
+/// Fills the columns of a recording from its motion: readings at even times from 0 on, with lines of other
+/// origin, gains and noise; the leading edge of the mark passes `mark_turns` after the begin of each turn.
+void read_motion(const Measurement& measurement, diagnose::RandomStream& random,
+                 LabelledRecording& recording);
 
 }  // namespace rubsweep::dataset

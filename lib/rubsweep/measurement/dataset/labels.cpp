@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/measurement/dataset/readings.hpp"
+#include "rubsweep/measurement/dataset/labelled_recording.hpp"
 #include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::dataset {

@@ -10,7 +10,7 @@
 #include "rubsweep/measurement/dataset/data_study.hpp"
 #include "rubsweep/measurement/diagnose/candidate.hpp"
 #include "rubsweep/measurement/diagnose/observed_lines.hpp"
-#include "rubsweep/measurement/diagnose/prior_spread.hpp"
+#include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::config::dataset {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rubsweep/core/model/range.hpp"
-#include "rubsweep/measurement/diagnose/prior_spread.hpp"
+#include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose {
 

@@ -13,8 +13,8 @@ struct FixedNumbers {
   double rotor_mass_kg = 1;
   double contact_radius_m = 0.02;
   double casing_damping_ratio = 0.1;
-  double rotating_damping_ratio = 0;      ///< of a Jeffcott rotor
-  std::shared_ptr<const KnownKit> kit{};  ///< in place of a Jeffcott rotor; its mass stands above
+  double rotating_damping_ratio = 0;      ///< rotating damping of a Jeffcott rotor
+  std::shared_ptr<const KnownKit> kit{};  ///< kit in place of a Jeffcott rotor; its mass stands above
 };
 
 /// Half-sine pulse that starts a drawn machine.

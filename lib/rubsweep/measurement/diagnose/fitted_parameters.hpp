@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/measurement/diagnose/prior_spread.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose {

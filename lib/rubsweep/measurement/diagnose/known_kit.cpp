@@ -15,8 +15,8 @@
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
-#include "rubsweep/measurement/diagnose/lasting_motion.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
+#include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::diagnose {
 namespace {

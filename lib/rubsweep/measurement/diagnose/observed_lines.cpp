@@ -1,10 +1,13 @@
 #include "rubsweep/measurement/diagnose/observed_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <numbers>
+#include <vector>
 
+#include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::diagnose {
@@ -35,8 +38,7 @@ MotionLines with_gains(const MotionLines& lines, double x_gain, double y_gain) {
   return seen;
 }
 
-}  // namespace
-
+/// Lines at -1X, 2X, -2X, 3X and -3X of a motion of this size.
 std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, RandomStream& random) {
   std::array<OtherLine, 5> drawn{{{-1}, {2}, {-2}, {3}, {-3}}};
   for (OtherLine& line : drawn) {
@@ -47,6 +49,40 @@ std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, 
     line.amplitude = std::polar(amplitude, 2 * pi * random.uniform());
   }
   return drawn;
+}
+
+}  // namespace
+
+MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, double largest_order,
+                     response::spectrum::SpectrumWorkspace& workspace) {
+  const int last = static_cast<int>(largest_order * turns), count = static_cast<int>(samples.size());
+  if (turns < 1 || 2 * last >= count) throw SolverError("too few samples for lines of that order");
+  const auto transformed = response::spectrum::transform(samples, workspace);
+  MotionLines lines{turns, Eigen::VectorXcd(2 * last + 1)};
+  for (int k = -last; k <= last; ++k)
+    lines.at(k) = transformed[static_cast<std::size_t>(k < 0 ? k + count : k)] / static_cast<double>(count);
+  return lines;
+}
+
+MotionLines up_to(const MotionLines& lines, double largest_order) {
+  const int last = std::min(lines.last(), static_cast<int>(largest_order * lines.turns));
+  return {lines.turns, lines.amplitude.segment(lines.last() - last, 2 * last + 1)};
+}
+
+Eigen::VectorXcd waveform_of(const MotionLines& lines, int samples_per_turn,
+                             response::spectrum::SpectrumWorkspace& workspace) {
+  const int count = samples_per_turn * lines.turns, last = lines.last();
+  if (2 * last >= count) throw SolverError("too few samples for these lines");
+  // The inverse transform is the conjugate of the transform of the conjugates.
+  std::vector<std::complex<double>> conjugates(static_cast<std::size_t>(count));
+  for (int k = -last; k <= last; ++k)
+    if (k != 0) conjugates[static_cast<std::size_t>(k < 0 ? k + count : k)] = std::conj(lines.at(k));
+  const auto transformed = response::spectrum::transform(conjugates, workspace);
+  return Eigen::Map<const Eigen::VectorXcd>(transformed.data(), count).conjugate();
+}
+
+double size_of(const MotionLines& lines) {
+  return std::sqrt(std::max(0.0, lines.amplitude.squaredNorm() - std::norm(lines.at(0))));
 }
 
 void add_other_lines(std::span<Complex> samples, const OtherLines& lines, double size, RandomStream& random) {

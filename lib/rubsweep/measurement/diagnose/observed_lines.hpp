@@ -1,14 +1,40 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <complex>
 #include <span>
 
-#include "rubsweep/measurement/diagnose/motion_lines.hpp"
-#include "rubsweep/measurement/diagnose/prior_spread.hpp"
+#include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose {
+
+/// Full spectrum of a motion over whole turns of the shaft, with phases: z = sum over k of A_k exp(i k phi /
+/// turns).
+struct MotionLines {
+  int turns = 0;                 ///< of the shaft
+  Eigen::VectorXcd amplitude{};  ///< A_k in metres, k from -last() to last(); of one probe A_-k = conj(A_k)
+
+  int last() const { return static_cast<int>(amplitude.size() / 2); }
+  std::complex<double> at(int k) const { return amplitude(k + last()); }
+  std::complex<double>& at(int k) { return amplitude(k + last()); }
+};
+
+/// Spectrum of equidistant samples over whole turns up to an order; SolverError where there are too few
+/// samples for it.
+MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, double largest_order,
+                     response::spectrum::SpectrumWorkspace& workspace);
+
+/// Its lines up to an order.
+MotionLines up_to(const MotionLines& lines, double largest_order);
+
+/// Motion without its mean from its lines: so many samples of every turn, more than twice the largest order.
+Eigen::VectorXcd waveform_of(const MotionLines& lines, int samples_per_turn,
+                             response::spectrum::SpectrumWorkspace& workspace);
+
+/// Root mean square of the motion about its mean, m.
+double size_of(const MotionLines& lines);
 
 /// Largest shares of a motion's size (root mean square about its mean) that lines may have which no rub made:
 /// unequal supports, couplings, run-out that was left. Each share is drawn anew, its logarithm evenly from
@@ -26,9 +52,6 @@ struct OtherLine {
   int order = 0;
   std::complex<double> amplitude = 0;  ///< in the unit of the motion
 };
-
-/// Lines at -1X, 2X, -2X, 3X and -3X of a motion of this size.
-std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, RandomStream& random);
 
 /// Adds lines at -1X, 2X and 3X that no rub made to a motion of this size.
 void add_other_lines(std::span<std::complex<double>> samples, const OtherLines& lines, double size,

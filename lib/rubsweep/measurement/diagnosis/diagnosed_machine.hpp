@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubsweep/measurement/diagnose/drawn_machine.hpp"
-#include "rubsweep/measurement/diagnose/prior_spread.hpp"
+#include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnosis {
 

@@ -95,9 +95,9 @@ std::vector<double> places_of_hit(const MachineFit& problem, const LeastSquares&
   return found;
 }
 
-/// Moves the start to the instant of the hit from which a short descent gets furthest, where the instant is
-/// looked for in a ring-down. At first the other numbers are off the truth, so that what an instant leaves
-/// only says where to try; from what is found so the instants are looked through once more.
+/// Sets the instant of the hit in the start, where it is a parameter of a ring-down: short descents begin at
+/// many instants, and the best one is kept. The other numbers are still wrong in the first round, so that a
+/// second round goes through the instants with the numbers that the first one found.
 void find_hit(const MachineFit& problem, LeastSquares squares, const LeastSquaresOptions& options,
               Eigen::VectorXd& start) {
   const auto named = std::ranges::find(problem.parameters, hit_name, &Parameter::name);

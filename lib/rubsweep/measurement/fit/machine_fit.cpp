@@ -6,8 +6,6 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/fit/first_values.hpp"
-#include "rubsweep/measurement/fit/modelled_data.hpp"
-#include "rubsweep/measurement/fit/uncertainty.hpp"
 
 namespace rubsweep::fit {
 namespace {

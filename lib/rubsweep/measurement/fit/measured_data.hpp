@@ -35,7 +35,7 @@ class RampTurning {
 
  private:
   Ramp ramp_;
-  std::vector<double> turns_;  ///< at the knots
+  std::vector<double> turns_;  ///< turns at the knots
   double most_gain_ = 0;
 };
 
@@ -51,7 +51,7 @@ struct RunUp {
   Ramp ramp;
   std::vector<double> t_s;
   Eigen::MatrixXcd phasor_m;
-  double window_turns = 0;  ///< that each point is the mean of
+  double window_turns = 0;  ///< number of turns that each point is the mean of
   /// Means of twice the readings times e^{-i phi} from mark to mark, as rubscope has them, and not of A.
   bool from_readings = false;
 };
@@ -66,14 +66,14 @@ struct Steady {
 /// phi}, phi = 0 at the mark.
 struct RubLines {
   double speed_hz = 0;
-  int turns = 1;              ///< of the period
+  int turns = 1;              ///< turns of the period
   std::vector<double> order;  ///< multiples of 1 / turns other than 0
   Eigen::VectorXcd line_m;
 };
 
 /// One file of data; sensors in the order of the configuration's sensors (of a Jeffcott rotor x and y).
 struct MeasuredData {
-  std::string name;  ///< of the file
+  std::string name;  ///< name of the file
   std::variant<RingDown, RunUp, Steady, RubLines> data;
   bool run_out = false;  ///< a constant of every sensor is eliminated from 1X
 };

@@ -153,7 +153,7 @@ bool MeasuredTable::read_of_somebody(std::string_view needed) {
     text = table::utf8_of(bytes);
     layout = table::layout_of(text);
   } catch (const table::Fault&) {
-    return false;  // what the reader of the programs said is told
+    return false;  // the message of the programs' own reader is used
   }
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
     if (layout.columns[i].is_text) continue;

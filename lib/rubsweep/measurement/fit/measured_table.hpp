@@ -36,7 +36,7 @@ class MeasuredTable {
   std::vector<std::string> header_;
   std::vector<std::vector<double>> rows_;
   std::vector<std::size_t> lines_;
-  std::size_t row_ = 0;  ///< from 1; 0: before the first one
+  std::size_t row_ = 0;  ///< line number from 1; 0: before the first one
 };
 
 /// Ramp of a shaft with these speeds at ascending instants, 4 or more. Where rows are whole turns apart, as

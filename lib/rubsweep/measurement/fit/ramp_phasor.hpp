@@ -39,7 +39,7 @@ Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eige
 
 /// The same in parts, eccentricity times the first and the second, for what asks for several eccentricities.
 struct RampParts {
-  Eigen::MatrixXcd per_eccentricity;  ///< without a unit: metres per metre
+  Eigen::MatrixXcd per_eccentricity;  ///< response in metres per metre
   Eigen::MatrixXcd bow_m;
   /// Means of conj(A) e^{-2i phi}, of each, over a window of whole turns that begins where phi is a multiple
   /// of half a turn. The mean of 2 Re(A e^{i phi}) e^{-i phi}, by which a sensor's 1X is found, has it beside

@@ -14,9 +14,9 @@ struct Uncertainty {
   double residual_rms = 0;  ///< root of the sum of squares over the degrees of freedom
   int degrees_of_freedom = 0;
   Eigen::VectorXd standard_error;  ///< infinite for what the data cannot tell
-  Eigen::VectorXd half_width;      ///< of the 95 % interval, by Student's distribution
+  Eigen::VectorXd half_width;      ///< half width of the 95 % interval, by Student's distribution
   Eigen::MatrixXd correlation;
-  Eigen::VectorXd singular;  ///< of the Jacobian with columns of length 1, largest first
+  Eigen::VectorXd singular;  ///< singular values of the Jacobian with columns of length 1, largest first
   Eigen::MatrixXd
       direction;  ///< column k belongs to value k: shares of the parameters (by their columns' length)
 };
@@ -56,7 +56,7 @@ struct ResidualTest {
   bool white = true;
   double portmanteau =
       0;  ///< Ljung and Box's sum over eight lags; noise stays below 20.09 in 99 of 100 cases
-  double first_correlation = 0;  ///< of neighbours, -1..1
+  double first_correlation = 0;  ///< correlation of neighbours, -1..1
   /// Largest line of the periodogram in cycles per residual, and its share of the sum of squares; noise makes
   /// one as large in a smaller share of cases than `level` where `line_stands_out` (Fisher's test).
   double line = 0, line_share = 0;

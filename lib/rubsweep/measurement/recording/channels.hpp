@@ -12,15 +12,15 @@ namespace rubsweep::recording {
 
 /// One column of what an instrument wrote.
 struct Channel {
-  std::string name;            ///< without its unit
-  std::string unit;            ///< as written, without brackets; empty: none
+  std::string name;            ///< name without its unit
+  std::string unit;            ///< unit as written, without brackets; empty: none
   std::vector<double> values;  ///< NaN where a cell is empty or says NaN: a gap
 };
 
 /// Columns of one file, of equal length, at least one with at least two values.
 struct Channels {
   std::vector<Channel> channels;
-  std::vector<std::size_t> line{};           ///< of every row of a text, from 1; empty: the file is no text
+  std::vector<std::size_t> line{};  ///< line of every row of a text, from 1; empty: the file is no text
   std::optional<double> sampling_rate_hz{};  ///< where the file says it
   /// Columns or variables that are no signals, by name, and why: "holds text".
   struct LeftOut {
@@ -59,7 +59,7 @@ double seconds_per(const std::string& unit, const std::string& column, const std
 /// How readings of a probe become metres, and where they are cut off.
 struct Scale {
   double metres_per_unit = 1;
-  std::optional<double> full_scale{};  ///< in the unit of the column
+  std::optional<double> full_scale{};  ///< full scale in the unit of the column
 };
 
 /// Scale of a probe's column: m, mm, um or µm, mil; V or mV with a gain in mV/µm; FS, shares of a full scale

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "rubsweep/maps/config/file.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"

@@ -25,8 +25,8 @@ struct Probe {
 struct Keyphasor {
   std::string column;
   Mark mark = Mark::dark;
-  std::optional<double> threshold{};  ///< in the column's unit; empty: middle_threshold
-  double hysteresis = 0;              ///< in the column's unit, >= 0
+  std::optional<double> threshold{};  ///< threshold in the column's unit; empty: middle_threshold
+  double hysteresis = 0;              ///< hysteresis in the column's unit, >= 0
 };
 
 /// Stretch at slow speed in which probes see the run-out of the shaft and no vibration, on the clock of the
@@ -46,7 +46,7 @@ struct Instrument {
   std::optional<Keyphasor> keyphasor{};
   std::optional<double> from_s{}, to_s{};  ///< stretch that is looked at, on the clock of the recording
   std::optional<double> speed_hz{};        ///< > 0
-  std::optional<RunOut> run_out{};         ///< with a keyphasor
+  std::optional<RunOut> run_out{};         ///< run-out with a keyphasor
 };
 
 }  // namespace rubsweep::recording

@@ -9,12 +9,10 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/measurement/recording/channels.hpp"
 #include "rubsweep/measurement/recording/findings.hpp"
 #include "rubsweep/measurement/recording/found_speed.hpp"
 #include "rubsweep/measurement/recording/probe_faults.hpp"
 #include "rubsweep/measurement/recording/sample_clock.hpp"
-#include "rubsweep/measurement/recording/shaft_turns.hpp"
 
 namespace rubsweep::recording {
 namespace {

@@ -8,7 +8,6 @@
 #include <functional>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/measurement/recording/channels.hpp"
 
 namespace rubsweep::recording {
 namespace {

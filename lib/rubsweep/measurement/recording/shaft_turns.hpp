@@ -24,7 +24,8 @@ inline constexpr double smoothing_bound = 0.52;
 /// Instants of marks on a smooth curve of time over turns.
 struct SmoothMarks {
   std::vector<double> t_s;
-  int degree = 0;  ///< of the polynomial, or of one as flexible as the spline; 0: marks stayed as they were
+  int degree =
+      0;  ///< degree of the polynomial, or of one as flexible as the spline; 0: marks stayed as they were
 };
 
 /// Instants of the marks freed of the sampling, which moves each of them by up to half of `resolution_s` to
@@ -53,7 +54,7 @@ struct ShaftTurns {
   std::vector<double> begin_s;
   std::vector<double> mark_s{};  ///< the same as they were read, where the mark is known to a reading
   double room_s = 0;             ///< largest distance of a mark from its true instant
-  int degree = 0;                ///< of the curve through the marks
+  int degree = 0;                ///< degree of the curve through the marks
 };
 
 /// Turns by the marks of the keyphasor, or by the speed of the description where there is none. Adds what is

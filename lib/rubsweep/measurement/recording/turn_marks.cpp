@@ -23,7 +23,7 @@ constexpr double cost_at_an_end = 20;
 struct Step {
   double cost = INFINITY;
   double turn_s = 0;       ///< interval of one turn
-  int turns = 1;           ///< from mark to mark
+  int turns = 1;           ///< turns from mark to mark
   std::size_t before = 0;  ///< length of the step before, in marks; 0: the first one
 };
 

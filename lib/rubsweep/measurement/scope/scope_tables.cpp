@@ -108,11 +108,15 @@ std::string doubt_text(const Verdict& verdict, double mean_speed_hz, const model
                        *verdict.period, doubt->turns, std::max(doubt->more_turns, 1.0) / mean_speed_hz,
                        line(doubt->amplitude_m), line(verdict.visible_m));
   }
-  if (verdict.longest_period < max_period) {
+  if (may_be_torus(verdict))
+    return fmt::format(
+        "1/{0} or a torus: its lines may stand {1:.1g}X beside multiples of 1/{0}; a longer recording would "
+        "tell\n",
+        *verdict.period, *verdict.order_room);
+  if (verdict.longest_period < max_period)
     return fmt::format(
         "periods of more than {} turns cannot be told by {} turns; {:.2g} s more would tell up to {}\n",
         verdict.longest_period, verdict.turns, (3 * max_period - verdict.turns) / mean_speed_hz, max_period);
-  }
   if (!verdict.period)
     return fmt::format("lines of {} or more stand beside every period\n", line(verdict.visible_m));
   return fmt::format("no line of {} or more belongs to another period\n", line(verdict.visible_m));
@@ -148,8 +152,7 @@ std::string content_text(const Verdict& verdict, const model::ShownLengths& show
     if (verdict.refused_modulation_m > verdict.visible_m)
       text += fmt::format(
           "unsteady  whole orders vary slowly by {} of the motion; up to {}, and twice that of one line, is "
-          "called "
-          "by the period\n",
+          "called by the period\n",
           percent(verdict.refused_modulation_m, size_m), most);
     return text;
   }
@@ -157,8 +160,7 @@ std::string content_text(const Verdict& verdict, const model::ShownLengths& show
                      percent(verdict.modulation_m, size_m), most);
   if (verdict.beside_m > verdict.seen_m)
     text += fmt::format(
-        "; beside the period stands a line of {}, {} of the largest one, too small to count "
-        "below {:.3g} %",
+        "; beside the period stands a line of {}, {} of the largest one, too small to count below {:.3g} %",
         length(verdict.beside_m, 2), percent(verdict.beside_m, largest_m),
         100 * verdict.thresholds.least_share);
   return text + '\n';

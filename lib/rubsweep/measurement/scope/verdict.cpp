@@ -1,13 +1,13 @@
 #include "rubsweep/measurement/scope/verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numbers>
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/spectrum/discrete_lines.hpp"
 #include "rubsweep/measurement/scope/repeating_angles.hpp"
-#include "rubsweep/measurement/scope/slow_modulation.hpp"
 #include "rubsweep/measurement/scope/verdict_lines.hpp"
 
 namespace rubsweep::scope {
@@ -176,9 +176,11 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     const Threshold threshold = threshold_of(spectrum);
     if (largest_beside(spectrum, n) > threshold.visible_m) continue;
     // A line near a multiple of 1/n moves slowly as that multiple does.
-    if (n > 1 &&
-        !keeps_period(steady.samples, motion.per_turn, motion.reading, n, threshold.visible_m, workspace))
-      continue;
+    if (n > 1) {
+      verdict.order_room =
+          room_of_period(steady.samples, motion.per_turn, motion.reading, n, threshold.visible_m, workspace);
+      if (!verdict.order_room) continue;
+    }
     verdict.motion = n == 1 ? MeasuredClass::synchronous : MeasuredClass::subharmonic;
     verdict.period = n;
     verdict.turns = spectrum.turns;
@@ -242,19 +244,9 @@ void measure_whirl(Verdict& verdict) {
 }  // namespace
 
 std::string_view to_string(MeasuredClass value) {
-  switch (value) {
-    case MeasuredClass::at_rest:
-      return "at_rest";
-    case MeasuredClass::synchronous:
-      return "synchronous";
-    case MeasuredClass::subharmonic:
-      return "subharmonic";
-    case MeasuredClass::quasi_periodic:
-      return "quasi_periodic";
-    case MeasuredClass::aperiodic:
-      return "aperiodic";
-  }
-  throw SolverError("measured class: no such enumerator");
+  constexpr std::array<std::string_view, 5> words{"at_rest", "synchronous", "subharmonic", "quasi_periodic",
+                                                  "aperiodic"};
+  return words[static_cast<std::size_t>(value)];
 }
 
 Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolution, bool plane,
@@ -263,11 +255,12 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
   const int turns = static_cast<int>(displacement_m.size() / motion.per_turn);
   if (turns < fewest_periods + 1) throw SolverError("judge: too few turns");
   SpectrumWorkspace workspace;
-  Verdict verdict{.longest_period = longest_period_in(turns), .thresholds = reading.thresholds};
   const Threshold first = threshold_of(spectrum_of_periods(motion, displacement_m, 1, workspace));
-  verdict.turns = turns;
-  verdict.noise_m = first.noise_m;
-  verdict.visible_m = first.visible_m;
+  Verdict verdict{.turns = turns,
+                  .longest_period = longest_period_in(turns),
+                  .noise_m = first.noise_m,
+                  .visible_m = first.visible_m,
+                  .thresholds = reading.thresholds};
   std::vector<Complex> samples;
   // Rounding of the numbers may leave a line of a shaft that stands still.
   const Complex farthest = std::ranges::max(displacement_m, {}, [](Complex z) { return std::abs(z); });

@@ -58,6 +58,8 @@ struct Verdict {
   std::optional<int> period{};  ///< in turns; empty: none up to the longest that the recording can tell
   int longest_period = 0;       ///< that the recording can tell
   std::optional<DoubtfulPeriod> doubtful{};
+  /// How far the lines of a subharmonic may stand beside multiples of 1 / period, in orders.
+  std::optional<double> order_room{};
   double noise_m = 0;       ///< standard uncertainty of each component of a line
   double visible_m = 0;     ///< smallest amplitude of a line that counts
   double modulation_m = 0;  ///< root mean square of what the lines of the period slowly vary by
@@ -91,6 +93,10 @@ struct Reading {
 /// The line between the bins that stands nearest to a bin of a motion without a period, if that is its
 /// nearest bin.
 const DiscreteLine* line_of_bin(const Verdict& verdict, double order);
+
+/// Whether the lines of a subharmonic may be those of a torus that turns against the shaft by more than a
+/// tenth of a turn over the recording.
+bool may_be_torus(const Verdict& verdict);
 
 /// Judges whole turns of a motion, `samples_per_revolution` equally spaced ones each; `plane`: x + iy of two
 /// probes, else the reading of one. Needs 4 turns or more. A period of n turns is told by three of them or

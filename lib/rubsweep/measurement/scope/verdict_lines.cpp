@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "rubsweep/core/response/spectrum/resolved_lines.hpp"
 
@@ -41,6 +42,9 @@ Scale scale_of(std::span<const response::spectrum::ResolvedLine> lines, double p
       return {1 / order, line.frequency_uncertainty * per_turn};
   return {1, room / std::sqrt(12.0)};
 }
+
+/// Width of a bin in orders.
+double bin_of(std::size_t turns) { return 1 / static_cast<double>(std::min(turns, most_resolved_turns)); }
 
 }  // namespace
 
@@ -85,27 +89,37 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
   return lines;
 }
 
-bool keeps_period(std::span<const Complex> samples, std::size_t samples_per_revolution,
-                  const Reading& reading, int period, double visible_m,
-                  response::spectrum::SpectrumWorkspace& workspace) {
+std::optional<double> room_of_period(std::span<const Complex> samples, std::size_t samples_per_revolution,
+                                     const Reading& reading, int period, double visible_m,
+                                     response::spectrum::SpectrumWorkspace& workspace) {
   constexpr double hann_noise = 1.23;  // noise of a line, over that without weights
   const auto lines =
       discrete_lines_of(samples, samples_per_revolution, reading, hann_noise * visible_m, workspace);
-  const std::size_t turns = samples.size() / samples_per_revolution;
   // A motion that is held by the shaft may turn this much against it over the recording.
   constexpr double most_deviations = 2, most_turned = 0.02;
-  const double bin = 1 / static_cast<double>(std::min(turns, most_resolved_turns));
+  const double bin = bin_of(samples.size() / samples_per_revolution);
   const auto nearest = [&](const DiscreteLine& line) { return std::lround(line.order * period); };
-  return std::ranges::all_of(lines, [&](const DiscreteLine& line) {
+  // A line within a bin stands at most half of it beside the multiple.
+  double room = bin / 2;
+  for (const DiscreteLine& line : lines) {
     const double off = std::abs(line.order - static_cast<double>(nearest(line)) / period);
-    const bool whole = nearest(line) % period == 0;
-    if (whole || off > bin || off <= most_deviations * line.order_uncertainty + most_turned * bin)
-      return true;
+    if (nearest(line) % period == 0 || off > bin) continue;
     // Sidebands of a line that swings stand beside it.
-    return std::ranges::any_of(lines, [&](const DiscreteLine& larger) {
-      return nearest(larger) == nearest(line) && larger.amplitude_m > line.amplitude_m;
-    });
-  });
+    if (std::ranges::any_of(lines, [&](const DiscreteLine& larger) {
+          return nearest(larger) == nearest(line) && larger.amplitude_m > line.amplitude_m;
+        }))
+      continue;
+    const double doubt = most_deviations * line.order_uncertainty;
+    if (off > doubt + most_turned * bin) return std::nullopt;
+    // Multiples that a shorter period has as well tell nothing of this one.
+    if (std::gcd(nearest(line), static_cast<long>(period)) == 1) room = std::min(room, off + doubt);
+  }
+  return room;
+}
+
+bool may_be_torus(const Verdict& verdict) {
+  constexpr double most_turned = 0.1;
+  return verdict.order_room.value_or(0) > most_turned * bin_of(static_cast<std::size_t>(verdict.turns));
 }
 
 void add_uncertainties(const Reading& reading, Verdict& verdict) {

@@ -2,6 +2,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,12 +26,13 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const std::complex<double>
                                             std::size_t samples_per_revolution, const Reading& reading,
                                             double least_m, response::spectrum::SpectrumWorkspace& workspace);
 
-/// Whether the visible lines of a motion that stand within a bin of a multiple of 1 / period may stand there:
-/// within two standard uncertainties and a fiftieth of a turn over the recording. Of the lines about one
-/// multiple the largest counts, lines nearest to a whole order count for nothing.
-bool keeps_period(std::span<const std::complex<double>> samples, std::size_t samples_per_revolution,
-                  const Reading& reading, int period, double visible_m,
-                  response::spectrum::SpectrumWorkspace& workspace);
+/// How far the visible lines of a motion that stand within a bin of a multiple of 1 / period may stand beside
+/// it, in orders: with two standard uncertainties, and that of the line which tells most. Empty where one of
+/// them stands further beside it than these and a fiftieth of a turn over the recording. Of the lines about
+/// one multiple the largest counts, lines nearest to a whole order count for nothing.
+std::optional<double> room_of_period(std::span<const std::complex<double>> samples,
+                                     std::size_t samples_per_revolution, const Reading& reading, int period,
+                                     double visible_m, response::spectrum::SpectrumWorkspace& workspace);
 
 /// Uncertainty of every line of the table: noise, what the interpolation of the readings misses, and of a bin
 /// of a motion without a period how far it is from the line that stands there, or what other lines leave in

@@ -21,7 +21,7 @@ branch::orbits::PlaneOrbits plain_plane(const Map& map, const Slope& slope) {
   return orbits;
 }
 
-/// The same of one number.
+/// The plane of a map of a single number.
 template <class Map, class Slope>
 branch::orbits::PlaneOrbits plain_plane_of_one_number(const Map& map, const Slope& slope) {
   return plain_plane(

@@ -129,7 +129,7 @@ TEST(FamilyFamilies, CirclesAndOvalsInAnAnnulus) {
   annulus.grid.speed_hz = {60, 80, 165, 170};
   annulus.grid.unbalance = {0.2, 0.6};
   const std::atomic<bool> stop{false};
-  const std::vector<std::size_t> proven{5, 6};  // at 0.6
+  const std::vector<std::size_t> proven{5, 6};  // the cells at 0.6
   const Families families = families_of(annulus, proven, 2, stop);
   EXPECT_TRUE(families.not_followed.empty());
   ASSERT_EQ(families.list.size(), 2u);

@@ -39,7 +39,8 @@ TEST(ScenePlaneGuardMotionSection, AnOpenContactInClosedForm) {
   EXPECT_NEAR(guard->value, 0.9 - 1, 1e-15);
   EXPECT_NEAR(guard->rate, 0.2, 1e-15);
   EXPECT_NEAR(guard->curvature, (3 - 8 * 0.9) / 2, 1e-9);
-  EXPECT_FALSE(guards.at(section, {0, Mode::open, Mode::clamped}));  // without a damper it leads to sprung
+  EXPECT_FALSE(
+      guards.at(section, {0, Mode::open, Mode::clamped}));  // the change leads to sprung without a damper
 }
 
 /// K p + d v over K, its rate by the acceleration of a sprung contact.

@@ -69,7 +69,7 @@ std::optional<Eigen::VectorXd> oval_of(const scene::Cell& cell) {
   response::motion::Workspace workspace;
   response::motion::ResponseOptions options;
   options.max_revolutions = 60;
-  options.window_revolutions = 24;  // two of them are within a run
+  options.window_revolutions = 24;  // a run holds two windows
   const response::SettledRun settled = response::settle(cell, {}, options, workspace);
   const Eigen::Map<const Eigen::VectorXd> section(settled.section.data(),
                                                   static_cast<Eigen::Index>(settled.section.size()));

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// However steep: on the closed form, and no turn is left to a stepper.
+/// Rolling follows its closed form for friction of any steepness, and no turn is left to a stepper.
 TEST(Creep, RollsOnItsClosedForm) {
   for (const double steepness : {1e3, 1e4, 1e5, 1e7}) {
     const test::RollingScene rolling = test::rolling_scene(steepness);

@@ -67,8 +67,8 @@ TEST(Record, HoldsTwoWindowsOfEqualLength) {
   EXPECT_EQ(together(newer.contact).peak_contact_force_n, 9);
 }
 
-/// Mass that swings along x, one period in so many revolutions where it is not damped: from 1e-4 m, a tenth
-/// of the clearance, at rest.
+/// Mass that swings along x from 1e-4 m, a tenth of the clearance, released at rest. Without damping a period
+/// takes `period_turns` revolutions.
 scene::Scene swinging(double period_turns, double damping_ratio = 0) {
   const double w = 2 * std::numbers::pi / period_turns;
   scene::Scene scene = test::one_mass_scene(1, w * w, 2 * damping_ratio * w, 1, 1e-3);

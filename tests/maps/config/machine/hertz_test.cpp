@@ -1,8 +1,7 @@
-#include "rubsweep/maps/config/machine/stop.hpp"
-
 #include "maps/config/support.hpp"
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/contact/hertz_line.hpp"
+#include "rubsweep/maps/config/machine/stop.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
 
 namespace rubsweep::config::machine {
@@ -93,7 +92,71 @@ TEST(HertzFrictionCurve, ProblemsHaveTheirPlaces) {
                 .find("settle_speed_m_per_s: too close to the peak"),
             std::string::npos);
   EXPECT_NE(message("{static: 0.3}").find("stops.0.friction.kinetic: missing"), std::string::npos);
-  EXPECT_NE(message("{static: 0.3, coefficient: 1}").find("given beside"), std::string::npos);
+  EXPECT_NE(message("{static: 0.3, kinetic: 0.2, coefficient: 1}").find("given beside"), std::string::npos);
+}
+
+TEST(StaticFrictionKeys, AreReadPrintedAndReadAgain) {
+  for (const std::string law :
+       {"{static: 0.3, coefficient: 0.2}",
+        "{static: 0.3, coefficient: 0.2, stribeck_speed_m_per_s: 0.05, exponent: 2}"}) {
+    const RunConfig config =
+        read_run_config_text(test_file("minimal.yaml"), "test.yaml", {"stops.0.friction=" + law});
+    const model::Friction& friction = config.study.machine.stops.at(0).friction;
+    EXPECT_EQ(model::holding_and_sliding(friction), (std::array{0.3, 0.2}));
+    const std::string printed = print_config(config);
+    EXPECT_NE(printed.find("static: 0.3"), std::string::npos);
+    EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
+  }
+}
+
+TEST(StaticFrictionKeys, ProblemsHaveTheirPlaces) {
+  const auto message = [](const std::string& text, const std::string& more = "gravity_m_per_s2=0") {
+    return message_of(test_file("minimal.yaml"), {"stops.0.friction=" + text, more});
+  };
+  const auto expect = [&](const std::string& text, const std::string& part) {
+    EXPECT_NE(message(text).find(part), std::string::npos) << message(text);
+  };
+  expect("{static: 0.1, coefficient: 0.2}",
+         "stops.0.friction.static: below the sliding friction, allowed: a number no less than coefficient");
+  expect("{static: 0.1, coefficient: 0.2, stribeck_speed_m_per_s: 1, exponent: 1}",
+         "below the sliding friction");
+  expect("{static: 0.3, coefficient: 0.2, stribeck_speed_m_per_s: 1, exponent: 3}",
+         "stops.0.friction.exponent: 3 is out of range");
+  expect("{static: 0.3, coefficient: 0.2, stribeck_speed_m_per_s: 1, exponent: 1.5}",
+         "stops.0.friction.exponent: 1.5 is not an integer");
+  expect("{static: 0.3, coefficient: 0.2, stribeck_speed_m_per_s: 0, exponent: 1}",
+         "stops.0.friction.stribeck_speed_m_per_s: 0");
+  expect("{static: 0.3, coefficient: 0.2, exponent: 1}", "stops.0.friction.stribeck_speed_m_per_s: missing");
+  expect("{static: 0.3, coefficient: 0.2, stribeck_speed_m_per_s: 1}", "stops.0.friction.exponent: missing");
+  expect("{coefficient: 0.2, stribeck_speed_m_per_s: 1, exponent: 1}", "one key is missing");
+  expect("{static: 0.3, stribeck_speed_m_per_s: 1, exponent: 1}", "stops.0.friction.coefficient: missing");
+  expect("{static: 0.3, coefficient: 0.2, one_way: 0.1}", "given beside");
+  EXPECT_NE(message("{static: 0.3, coefficient: 0.2}", "solver={method: adaptive, contact: smoothed}")
+                .find("solver: smooths the contact, beside static friction"),
+            std::string::npos);
+}
+
+TEST(StaticFrictionKeys, AreWrittenOverOtherFriction) {
+  const auto after = [](const std::string& base, std::vector<std::string> over) {
+    over.insert(over.begin(), "stops.0.friction=" + base);
+    return read_run_config_text(test_file("minimal.yaml"), "test.yaml", over)
+        .study.machine.stops.at(0)
+        .friction;
+  };
+  const std::string curve =
+      "{static: 0.3, kinetic: 0.2, peak_speed_m_per_s: 0.01, settle_speed_m_per_s: 0.2}";
+  EXPECT_TRUE(std::holds_alternative<model::StaticFriction>(
+      after("{coefficient: 0.2}", {"stops.0.friction.static=0.3"})));
+  // A curve's static coefficient does not stay as a bound.
+  EXPECT_TRUE(
+      std::holds_alternative<model::ConstantFriction>(after(curve, {"stops.0.friction.coefficient=0.1"})));
+  EXPECT_EQ(model::holding_and_sliding(
+                after("{static: 0.3, coefficient: 0.2}", {"stops.0.friction.coefficient=0.1"})),
+            (std::array{0.3, 0.1}));
+  EXPECT_TRUE(std::holds_alternative<model::StribeckFriction>(
+      after("{coefficient: 0.2}",
+            {"stops.0.friction.static=0.3", "stops.0.friction.kinetic=0.2",
+             "stops.0.friction.peak_speed_m_per_s=0.01", "stops.0.friction.settle_speed_m_per_s=0.2"})));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "rubsweep/measurement/diagnose/motion_lines.hpp"
+#include "rubsweep/measurement/diagnose/observed_lines.hpp"
 
 namespace rubsweep::diagnose {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <complex>
 
-#include "rubsweep/measurement/diagnose/motion_lines.hpp"
+#include "rubsweep/measurement/diagnose/observed_lines.hpp"
 
 namespace rubsweep::diagnose {
 

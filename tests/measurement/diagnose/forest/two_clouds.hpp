@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "rubsweep/measurement/diagnose/forest/tree.hpp"
+#include "rubsweep/measurement/diagnose/forest/forest.hpp"
 
 namespace rubsweep::diagnose::forest {
 

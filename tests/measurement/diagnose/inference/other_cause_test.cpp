@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "rubsweep/measurement/diagnose/lasting_motion.hpp"
+#include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::diagnose::inference {
 namespace {

@@ -44,7 +44,7 @@ bool opposite(double a, double b) { return (a < 0) != (b < 0); }
 /// Where the branch joins that of half its period it crosses itself, and Newton's iteration is worth little.
 /// The orbit of half the period is regular there and has a period doubling, which is found to rounding.
 void sharpen_halving(const orbits::OrbitProblem& problem, BranchEvent& halving) {
-  constexpr double reach = 1e-4;  ///< of the parameter, in its coordinate
+  constexpr double reach = 1e-4;  ///< share of the parameter, in its coordinate
   if (!problem.half_returns) return;
   orbits::OrbitProblem half = problem;
   half.returns = problem.half_returns;
@@ -66,7 +66,7 @@ void sharpen_halving(const orbits::OrbitProblem& problem, BranchEvent& halving) 
     halving.point.parameter = (below + above) / 2;
     halving.parameter_error = (above - below) / 2;
   } catch (const NotContinuous&) {
-    return;  // as it was found
+    return;  // the event stays as it was found
   }
 }
 

@@ -30,7 +30,7 @@ struct Margin {
   contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< change that begins it
   double phase_rad = 0;
   double value = 0;  ///< >= 0
-  double slope = 0;  ///< per unit of arclength
+  double slope = 0;  ///< slope per unit of arclength
 
   bool is_like(const Margin& other) const {
     return kind == other.kind && contact == other.contact && from == other.from && to == other.to;
@@ -54,7 +54,7 @@ struct BranchPoint {
   double branching = 0;  ///< determinant of the bordered derivative, which changes sign at branch points
   double slope_difference = 0;  ///< relative, of the derivatives by the parameter at two step sizes
   double difference_step = usual_difference_step;  ///< step of that derivative
-  std::optional<MultiplierTests> slopes;           ///< per unit of arclength, where they were needed
+  std::optional<MultiplierTests> slopes;           ///< slopes per unit of arclength, where they were needed
   std::optional<std::vector<Margin>> margins;      ///< where they were needed
   orbits::OrbitFacts facts;
 
@@ -86,10 +86,10 @@ struct BranchEvent {
 
 /// Why a branch ends.
 enum class Ending {
-  left_range,     ///< the parameter reaches the end of its range; the last point is there
-  closed,         ///< back at the start: the branch is a closed curve
-  off_the_walls,  ///< behind a graze the orbit touches nothing any more: it is the quiet motion from there on
-  period_halving,  ///< it joins the branch of an orbit of half its period
+  left_range,      ///< the parameter reaches the end of its range; the last point is there
+  closed,          ///< back at the start: the branch is a closed curve
+  off_the_walls,   ///< no contact any more behind a graze: the orbit is the quiet motion from there on
+  period_halving,  ///< end on the branch of an orbit of half the period
   infeasible,      ///< no machine or scene beyond
   failed,          ///< the solver cannot make a turn
   step_too_small,  ///< Newton's iteration finds no orbit however near the last one
@@ -106,7 +106,7 @@ constexpr std::string_view to_string(Ending ending) { return enumerator_word(end
 /// One side of a branch: from its start on.
 struct HalfBranch {
   std::vector<BranchPoint> points;  ///< the start first
-  std::vector<BranchEvent> events;  ///< in the order in which they are met
+  std::vector<BranchEvent> events;  ///< events in the order in which they are met
   Ending ending = Ending::left_range;
 };
 
@@ -115,7 +115,8 @@ struct Branch {
   int order = 1;
   std::vector<BranchPoint> points;
   std::vector<BranchEvent> events;
-  Ending falling = Ending::left_range, rising = Ending::left_range;  ///< at its first and its last point
+  Ending falling = Ending::left_range,
+         rising = Ending::left_range;  ///< endings at the first and at the last point
 };
 
 /// `#` lines of both files: the meaning of the parameter, and the ending of each branch.

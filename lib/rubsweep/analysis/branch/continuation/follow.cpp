@@ -137,7 +137,7 @@ std::optional<BranchPoint> orbit_from(const orbits::OrbitProblem& problem, const
 
 BranchPoint turned_about(BranchPoint point) {
   point.tangent = -point.tangent;
-  point.branching = -point.branching;  // its last row is the tangent
+  point.branching = -point.branching;  // the last row is the tangent
   if (point.slopes) point.slopes = {-point.slopes->unit, -point.slopes->doubling, -point.slopes->torus};
   return point;
 }

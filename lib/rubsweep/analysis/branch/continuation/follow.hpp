@@ -16,7 +16,7 @@ std::optional<BranchPoint> doubled_start(const orbits::OrbitProblem& doubled, co
 /// Lengths are those of the coordinates of continuation, see BranchPoint.
 struct FollowOptions {
   double first_step = 1e-4, longest_step = 0.02, shortest_step = 1e-10;
-  int most_points = 2000;             ///< on each side of the start
+  int most_points = 2000;             ///< limit on each side of the start
   bool stop_at_first_change = false;  ///< where the stability changes, a fold included
   bool every_graze = true;  ///< else only those at which the last contact goes or the first one comes
 };

@@ -161,7 +161,7 @@ std::optional<double> dip_of_quadratic(double begin, double end, double mean) {
 }
 
 std::vector<Margin> margins_of(const orbits::OrbitProblem& problem, const BranchPoint& point) {
-  constexpr double along = 1e-5;  ///< as that of the slopes of multipliers
+  constexpr double along = 1e-5;  ///< step as for the slopes of multipliers
   if (!problem.passages) return {};
   const double period_rad = period_of(problem);
   const auto here = problem.passages(point.parameter, point.state);

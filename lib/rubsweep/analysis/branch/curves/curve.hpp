@@ -14,7 +14,7 @@ namespace rubsweep::branch::curves {
 /// An orbit on a curve in the plane of two parameters. Lengths are those of the coordinates of its system.
 struct CurvePoint {
   orbits::PlanePoint place;
-  double arclength = 0;  ///< from the event that the curve starts from; below 0 on its other side
+  double arclength = 0;  ///< length from the event that the curve starts from; below 0 on its other side
   Eigen::VectorXd state;
   continuation::Position at;       ///< place and state in the coordinates
   continuation::Position tangent;  ///< unit vector along the curve
@@ -55,7 +55,7 @@ struct Meeting {
 /// One side of a curve: from its start on.
 struct HalfCurve {
   std::vector<CurvePoint> points;  ///< the start first
-  std::vector<Meeting> events;     ///< in the order in which they are met
+  std::vector<Meeting> events;     ///< meetings in the order in which they are met
   continuation::Ending ending = continuation::Ending::left_range;
 };
 
@@ -66,13 +66,14 @@ struct Curve {
   std::vector<CurvePoint> points;
   std::vector<Meeting> meetings;
   continuation::Ending backward = continuation::Ending::left_range,
-                       forward = continuation::Ending::left_range;  ///< at its first and its last point
+                       forward =
+                           continuation::Ending::left_range;  ///< endings at the first and at the last point
 };
 
 /// Outcome of Newton's iteration on an extended system.
 struct CurveCorrection : continuation::NewtonOutcome {
   continuation::Position at;
-  Extended extended;  ///< at `at`
+  Extended extended;  ///< system at `at`
   double error = 0;   ///< see CurvePoint
 };
 

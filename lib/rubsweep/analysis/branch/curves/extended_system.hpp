@@ -22,7 +22,7 @@ namespace rubsweep::branch::curves {
 /// | graze of an even contact | the guard alone, of orbits that are clear of the contact |
 struct ExtendedSystem {
   const orbits::PlaneOrbits* orbits = nullptr;                   ///< never null
-  continuation::EventKind kind = continuation::EventKind::fold;  ///< one that has_curve()
+  continuation::EventKind kind = continuation::EventKind::fold;  ///< a kind that has_curve()
   Eigen::Index states = 0;
   orbits::ArmedGuard guard = {};  ///< guard that is grazed
   bool even = false;  ///< grazed everywhere at once, so that no phase belongs to it (orbits::EvenContact)
@@ -53,7 +53,7 @@ struct Critical {
 struct Extended {
   orbits::Evaluation evaluation = orbits::Evaluation::ok;  ///< all else is empty where it is not ok
   Eigen::VectorXd residual;                                ///< unknowns() - 1
-  Eigen::MatrixXd jacobian;                                ///< its derivative by the coordinates
+  Eigen::MatrixXd jacobian;                                ///< derivative by the coordinates
   Eigen::MatrixXd monodromy;
   Critical critical;
 };

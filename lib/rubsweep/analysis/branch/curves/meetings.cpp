@@ -13,7 +13,7 @@
 namespace rubsweep::branch::curves {
 namespace {
 
-constexpr std::size_t most_sequences = 16;  ///< between two points
+constexpr std::size_t most_sequences = 16;  ///< limit between two points
 
 using Multipliers = Eigen::VectorXcd;
 using Complex = std::complex<double>;

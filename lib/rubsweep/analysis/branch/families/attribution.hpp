@@ -18,9 +18,9 @@ namespace rubsweep::branch::families {
 
 /// Kind of quiet motion of a cell, which is there in closed form.
 enum class Quiet {
-  stable,    ///< it touches nothing, and free vibration about it decays
-  unstable,  ///< it touches nothing, but free vibration grows
-  touches,   ///< it would reach a wall, or there is none
+  stable,    ///< no contact, and free vibration about it decays
+  unstable,  ///< no contact, but free vibration grows
+  touches,   ///< no such motion: it would reach a wall, or there is none
 };
 
 /// The quiet motion of every cell of the grid.
@@ -28,7 +28,7 @@ std::vector<Quiet> quiet_cells(const sweep::Study& study);
 
 /// Why two neighbouring cells of a map have different labels.
 enum class Attribution {
-  ceases,  ///< between them a motion that one of the kicks leads to ends, or loses its stability
+  ceases,  ///< a motion that one of the kicks leads to ends between them, or loses its stability
   basin,   ///< a motion that one of the kicks leads to, the quiet one included, exists and is stable in both
            ///< cells: the kick of the other one no longer reaches it
   unresolved,  ///< neither cell has a motion that could be followed, or following it failed
@@ -81,7 +81,7 @@ constexpr bool contradicts(CheckResult finding) { return finding >= CheckResult:
 /// One label that was looked at.
 struct LabelCheck {
   std::size_t cell = 0;
-  std::optional<std::size_t> family;  ///< number in the list; empty: of a cell that no family has
+  std::optional<std::size_t> family;  ///< number in the list; empty: no family has the cell
   bool inside = true;                 ///< inside the family's domain; else just outside
   CheckResult finding = CheckResult::reached;
   std::string_view end;                     ///< outside: what ends the family on the way there

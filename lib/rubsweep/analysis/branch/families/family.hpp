@@ -26,8 +26,8 @@ struct FamilyEnd {
 /// neighbour to neighbour, without losing its stability.
 struct Family {
   std::size_t seed = 0;                     ///< the first cell whose kick leads there
-  std::map<std::size_t, CellOrbit> orbits;  ///< by cell
-  std::vector<FamilyEnd> ends;              ///< in the order in which they were met
+  std::map<std::size_t, CellOrbit> orbits;  ///< orbits by their cells
+  std::vector<FamilyEnd> ends;              ///< ends in the order in which they were met
   std::vector<std::size_t> reached;         ///< cells whose kick leads to the family, ascending
 
   int order() const { return orbits.at(seed).order; }
@@ -42,7 +42,7 @@ std::vector<std::size_t> neighbours_of(const sweep::Grid& grid, std::size_t cell
 
 /// Families of the orbits that the cells of a map settle on.
 struct Families {
-  std::vector<Family> list;               ///< by ascending seed
+  std::vector<Family> list;               ///< families by ascending seed
   std::vector<std::size_t> not_followed;  ///< cells whose proven orbit is not found again as a stable one
 };
 

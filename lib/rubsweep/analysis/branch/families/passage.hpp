@@ -16,8 +16,8 @@ namespace rubsweep::branch::families {
 /// An orbit of a cell of a map.
 struct CellOrbit {
   int order = 1;          ///< turns of the period; of an oval loops
-  int hits = 0;           ///< over the period
-  Eigen::VectorXd state;  ///< as closed_orbits() have it: section at the start of one of its turns
+  int hits = 0;           ///< number of hits over the period
+  Eigen::VectorXd state;  ///< state as closed_orbits() have it: section at the start of one of its turns
   orbits::Closing closing = orbits::Closing::with_the_shaft;
 };
 

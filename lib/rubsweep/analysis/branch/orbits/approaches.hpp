@@ -42,7 +42,7 @@ double penetration_at(const scene::Scene& scene, const Eigen::VectorXd& state, i
 struct SampledOrbit {
   Eigen::MatrixXd states;
   double step_rad = 0;
-  bool closes = true;  ///< one step behind the last state comes the first one
+  bool closes = true;  ///< true: one step behind the last state comes the first one
 };
 
 /// Where guards come nearest to what they guard and turn back: in flight the smallest gap between two hits,

@@ -28,7 +28,7 @@ struct SequenceChange {
     hit,           ///< the stretch is a hit, without which the orbits agree
     interruption,  ///< the stretch leads from a touching mode back to it
     parting,       ///< the stretch is a flight that parts one hit of the other orbit into two
-    even,          ///< one orbit touches all along, the other one nowhere: no stretch, but all of it at once
+    even,  ///< contact all along on one orbit and nowhere on the other: no stretch, but all of it at once
   };
   Kind kind = Kind::hit;
   int contact = 0;

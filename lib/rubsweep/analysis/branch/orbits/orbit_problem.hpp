@@ -21,7 +21,7 @@ enum class Evaluation {
 /// once: a circle in a ring about its centre, or a rotor at rest beside a wall.
 struct EvenContact {
   int contact = 0;
-  double penetration = 0;  ///< in the middle of its range, scaled; below 0 the gap
+  double penetration = 0;  ///< penetration in the middle of its range, scaled; below 0 the gap
   double spread = 0;       ///< width of that range, from rounding or from a ring just off the centre
   contact::Mode touching = contact::Mode::sprung;  ///< mode that it comes to from the open one
 };
@@ -29,7 +29,7 @@ struct EvenContact {
 /// Facts of an orbit over its period.
 struct OrbitFacts {
   double period_turns = 0;      ///< turns of the shaft
-  int hits = 0;                 ///< over the whole period
+  int hits = 0;                 ///< number of hits over the whole period
   double contact_fraction = 0;  ///< share of the period
   double amplitude_m = 0;       ///< largest distance of the rotor from its mean position
   double peak_displacement_m = 0;
@@ -51,7 +51,7 @@ struct OrbitFacts {
 struct Approach {
   int contact = 0;
   contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< the change that does not happen
-  double phase_rad = 0;                                                ///< as that of a switch
+  double phase_rad = 0;                                                ///< phase as that of a switch
   double distance = 0;  ///< >= 0, in the unit of the guard; smooth along a branch, and zero at the graze
 };
 

@@ -137,7 +137,7 @@ class OvalOrbits {
     facts.feasible = !arc->slip_reversed;
     facts.peak_displacement_m = arc->peak_displacement_m;
     facts.peak_contact_force_n = arc->peak_contact_force_n;
-    facts.amplitude_m = arc->peak_displacement_m;  // about the axis, around which the oval turns
+    facts.amplitude_m = arc->peak_displacement_m;  // distance from the axis, around which the oval turns
     facts.switches = arc->switches;
     EvenContacts even(at->scene);
     even.add(arc->samples);

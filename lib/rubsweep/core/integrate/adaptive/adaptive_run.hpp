@@ -239,6 +239,9 @@ class AdaptiveRun {
       for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
         if (j == i || (others && law::stands(dynamics_, j, step_.end))) just_moved_[j] = leaves_zero(j);
       }
+      if (!dynamics_.jumps(i)) return;
+      dynamics_(step_.end, step_.end_rate, step_.end_phase);
+      look_at_end();
     } else {
       stop_slip(crossing.contact);
     }
@@ -258,6 +261,11 @@ class AdaptiveRun {
       law::cross_slip(dynamics_, i, step_.end, probe_rate_, step_.end_rate, dynamics_.changes(step_.end));
       dynamics_(step_.end, step_.end_rate, step_.end_phase);
     }
+    look_at_end();
+  }
+
+  /// Kinematics at the end of a step, by the rate now in force.
+  void look_at_end() {
     for (std::size_t j = 0; j < system_.contacts.size(); ++j)
       end_kinematics_[j] = dynamics_.kinematics(j, step_.end, step_.end_rate);
   }

@@ -75,8 +75,8 @@ class StepObserver {
     return dynamics.modes()[i] != contact::Mode::open;
   }
 
-  /// Share of the step in contact. A located step is in one mode throughout; a smoothed one may begin or end
-  /// contact anywhere, taken linear in the penetration.
+  /// Share of the step in contact. A located step is in one mode throughout. A smoothed one may begin or end
+  /// contact anywhere: there the penetration is taken as linear in time.
   template <class Dynamics>
   double touching_share(const Dynamics& dynamics, std::size_t i, const contact::Kinematics& start,
                         const contact::Kinematics& end) {

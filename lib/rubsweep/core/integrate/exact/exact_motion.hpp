@@ -222,10 +222,10 @@ class ExactMotion {
   void step_by_series(double duration_s);
 
   std::shared_ptr<modes::MachineModes<N>> machine_;
-  run::StateScale scale_;  ///< of sections
+  run::StateScale scale_;  ///< scale of sections
   Drives drives_;
   std::vector<ModeCell> cells_;
-  std::vector<std::vector<Transition>> transitions_;  ///< by the indices of both modes
+  std::vector<std::vector<Transition>> transitions_;  ///< transitions by the indices of both modes
   const modes::LinearMode<N>* mode_ = nullptr;
   ModeCell* cell_ = nullptr;
   std::size_t joint_ = 0;

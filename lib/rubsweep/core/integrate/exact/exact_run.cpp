@@ -14,8 +14,8 @@ namespace {
 
 using contact::Mode;
 
-constexpr double shortest_step = 1e-13;  ///< of a turn: what a graze is stepped over with
-constexpr double same_instant = 1e-13;   ///< of a turn: crossings nearer to each other happen at once
+constexpr double shortest_step = 1e-13;  ///< share of a turn: a graze is stepped over by it
+constexpr double same_instant = 1e-13;   ///< share of a turn: crossings nearer to each other happen at once
 /// Shortest step towards an annular stop, as a share of a turn; after a shorter one it counts as touched.
 constexpr double shortest_to_annular = 1e-7;
 /// More steps in a turn than this show bounds that do not fit the motion, as with a friction so strong that

@@ -152,9 +152,9 @@ class PeakWatch {
   Map observed_;
   double length_m_;
   std::vector<Casing> casings_;
-  State start_state_;   ///< of the step
+  State start_state_;   ///< state at the start of the step
   ValueAndRate now_;    ///< square of the observed displacement
-  Instant start_, at_;  ///< of the step; what `raise_force` moves along it
+  Instant start_, at_;  ///< start of the step, and what `raise_force` moves along it
 };
 
 }  // namespace rubsweep::integrate::exact

@@ -147,7 +147,7 @@ void StickingMode::add_guards(const System& system, const std::vector<contact::M
     forces_.push_back(view(law.spring * c.stiffness * c.first_row, law.damper * c.damping * c.first_row,
                            -law.spring * c.stiffness * c.clearance, 0));
     if (!sticks[i]) continue;
-    const double limit = contact::dry_coefficient(c.friction) * law.friction * c.stiffness;
+    const double limit = contact::holding_coefficient(c.friction) * law.friction * c.stiffness;
     const Row hold = hold_.row(held++);
     const Complex drive = -(hold.cast<Complex>() * drive_)(0);
     for (const double way : {1.0, -1.0})

@@ -56,8 +56,10 @@ double certified_by(const StickingView& view, const StickingMotion& motion, doub
 StickingStretch::StickingStretch(const scene::Scene& scene) : system_(run::scale<Eigen::Dynamic>(scene)) {
   for (const auto& contact : system_.contacts) {
     const bool normal_stands = contact::linear(contact.wall) || contact.surface_speed_m_per_s == 0;
-    dry_.push_back(normal_stands && contact::dry_coefficient(contact.friction) != 0);
-    slippery_.push_back(contact::linear(contact.wall) && !contact::acts(contact.friction));
+    dry_.push_back(normal_stands && contact::holding_coefficient(contact.friction) != 0);
+    const contact::FrictionTerms terms = contact::friction_terms(contact.friction);
+    const bool dry = terms.holding != 0 && terms.holding == terms.dry;
+    steady_.push_back(contact::linear(contact.wall) && (dry || !contact::acts(contact.friction)));
   }
 }
 
@@ -76,7 +78,7 @@ const StickingMode* StickingStretch::mode_of(const std::vector<contact::Mode>& m
       continue;
     }
     sticks_[i] = dry_[i] && slips[i] == contact::Slip::sticking;
-    if (!sticks_[i] && !slippery_[i] && !(dry_[i] && contact::linear(c.wall))) return nullptr;
+    if (!sticks_[i] && !steady_[i]) return nullptr;
     if (dry_[i]) ways_[i] = contact::sign_of(slips[i]);
     key_.push_back(static_cast<int>(ways_[i]));
     if (contact::linear(c.wall)) continue;

@@ -76,7 +76,7 @@ class StickingStretch {
   void watch(MadeMode& made) const;
   double bound(const Watched& watched, double duration_rad) const;
 
-  std::vector<bool> dry_, slippery_;  ///< per contact: it can stick, it has no friction at all
+  std::vector<bool> dry_, steady_;  ///< per contact: it can stick, its friction is the same at every slip
   std::map<std::vector<int>, MadeMode> modes_;
   std::vector<int> key_;
   std::vector<bool> sticks_;

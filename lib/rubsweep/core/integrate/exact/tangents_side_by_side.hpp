@@ -35,7 +35,7 @@ class TangentsSideBySide {
 
   std::size_t count_ = 0;
   numerics::AlignedMatrix list_;            ///< number j of vector i at (i, j)
-  numerics::AlignedMatrix moved_, forces_;  ///< of the same size, what is made on the way
+  numerics::AlignedMatrix moved_, forces_;  ///< matrices of the same size for what is made on the way
 };
 
 }  // namespace rubsweep::integrate::exact

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/core/contact/contact_mode.hpp"
@@ -65,8 +66,8 @@ class ContactStates {
         slips_(system.contacts.size(), contact::Slip::forward),
         poised_(system.contacts.size(), false) {
     for (const Contact& c : system.contacts) {
-      dry_.push_back(contact::dry_coefficient(c.friction));
-      any_dry_ = any_dry_ || dry_.back() > 0;
+      dry_.push_back(contact::friction_terms(c.friction));
+      any_dry_ = any_dry_ || dry_.back().holding > 0;
     }
   }
 
@@ -94,12 +95,15 @@ class ContactStates {
 
   /// Whether contact `i` touches with a friction that jumps where its slip reverses.
   bool touches_dry(std::size_t i) const {
-    return !Smoothed && dry_[i] > 0 && modes_[i] != contact::Mode::open;
+    return !Smoothed && dry_[i].holding > 0 && modes_[i] != contact::Mode::open;
   }
+  /// Whether its friction is less as soon as it slips.
+  bool jumps(std::size_t i) const { return dry_[i].jumps(); }
   bool any_dry() const { return !Smoothed && any_dry_; }
 
   /// Contact `i` has its largest friction, and others that stick keep its slip at zero all the same.
   bool poised(std::size_t i) const { return poised_[i]; }
+  const std::vector<bool>& poised() const { return poised_; }
   void poise(std::size_t i, bool so) { poised_[i] = so; }
   bool any_poised() const { return std::ranges::find(poised_, true) != poised_.end(); }
 
@@ -233,13 +237,14 @@ class ContactStates {
   }
 
   /// Sticking constraint of small changes: with t the tangent and s = t . d' the sliding speed, a contact
-  /// that sticks has t . d'' = s r' / r, whose derivative they obey by the forces that it takes.
+  /// that sticks has t . d'' = s r' / r, whose derivative they obey by the forces that it takes: these, by u
+  /// and by u', a contact a row, from the derivatives of the acceleration without them.
   template <class State>
-  void hold_slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
+  std::pair<Eigen::MatrixXd, Eigen::MatrixXd> holding_slopes(const State& state, const Holding& holding,
+                                                             const Matrix& by_u, const Matrix& by_v) const {
     const Stuck& stuck = holding.stuck;
-    if (stuck.count == 0) return;
     const auto count = static_cast<Eigen::Index>(stuck.count);
-    Eigen::MatrixXd need_u(count, by_u.cols()), need_v(count, by_u.cols()), push(by_u.rows(), count);
+    Eigen::MatrixXd need_u(count, by_u.cols()), need_v(count, by_u.cols());
     for (Eigen::Index k = 0; k < count; ++k) {
       const std::size_t i = stuck.list[static_cast<std::size_t>(k)];
       const double normal_acceleration = holding.held[static_cast<std::size_t>(k)].normal_acceleration;
@@ -252,17 +257,29 @@ class ContactStates {
       need_u.row(k) =
           along * by_u - (normal_acceleration * q + (s * s - v * v) * q * q) * along + s * v * q * q * across;
       need_v.row(k) = along * by_v - v * q * along - s * q * across;
-      push.col(k) = tangential_push(system_.contacts[i], f);
     }
     const Eigen::MatrixXd mobility_of_all = mobility(stuck, state);
-    by_u += push * numerics::dense::least_norm_solution(mobility_of_all, need_u);
-    by_v += push * numerics::dense::least_norm_solution(mobility_of_all, need_v);
+    return {numerics::dense::least_norm_solution(mobility_of_all, need_u),
+            numerics::dense::least_norm_solution(mobility_of_all, need_v)};
+  }
+
+  template <class State>
+  void hold_slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
+    const Stuck& stuck = holding.stuck;
+    if (stuck.count == 0) return;
+    const auto [force_by_u, force_by_v] = holding_slopes(state, holding, by_u, by_v);
+    Eigen::MatrixXd push(by_u.rows(), static_cast<Eigen::Index>(stuck.count));
+    for (std::size_t k = 0; k < stuck.count; ++k)
+      push.col(static_cast<Eigen::Index>(k)) =
+          tangential_push(system_.contacts[stuck.list[k]], frame_at(stuck.list[k], state));
+    by_u += push * force_by_u;
+    by_v += push * force_by_v;
   }
 
   const run::ScaledSystem<N>& system_;
   std::vector<contact::Mode> modes_;
   std::vector<contact::Slip> slips_;
-  std::vector<double> dry_;  ///< coefficients
+  std::vector<contact::FrictionTerms> dry_;
   std::vector<bool> poised_;
   /// Rate of the surface speeds over these themselves; zero at a steady speed.
   double surface_growth_ = 0;

@@ -71,7 +71,14 @@ class Dynamics : public ContactStates<N, Smoothed> {
   template <class State>
   double largest_friction_n(std::size_t i, const State& state) const {
     const contact::ContactFrame f = this->frame_at(i, state);
-    return dry_[i] * normal_force(i, f.penetration, f.closing_speed).spring_n;
+    return dry_[i].holding * normal_force(i, f.penetration, f.closing_speed).spring_n;
+  }
+  /// The friction that it begins to slip with.
+  template <class State>
+  double sliding_friction_n(std::size_t i, const State& state) const {
+    const contact::ContactFrame f = this->frame_at(i, state);
+    const double coefficient = dry_[i].jumps() ? dry_[i].dry : dry_[i].holding;
+    return coefficient * normal_force(i, f.penetration, f.closing_speed).spring_n;
   }
 
   /// Penetration of contact `i` and its two rates, scaled, from a state and its rate; as
@@ -176,13 +183,30 @@ class Dynamics : public ContactStates<N, Smoothed> {
   /// returned at this state.
   template <class State>
   void slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
-    const Eigen::Index n = system_.coordinates();
-    const ConstMap u(&state[0], n), v(&state[0] + n, n);
-    by_u = -system_.stiffness;
-    by_v = -system_.damping;
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i)
-      add_contact_slopes(i, holding, u, v, by_u, by_v);
+    given_slopes(state, holding, by_u, by_v);
     this->hold_slopes(state, holding, by_u, by_v);
+  }
+
+  /// Derivative by the state of the distance from its bound of the friction that holds contact `i`, in the
+  /// direction of `slip`; `rate` is scratch.
+  template <class State>
+  Eigen::RowVectorXd reserve_gradient(std::size_t i, contact::Slip slip, const State& state, State& rate,
+                                      double phase) const {
+    loose(state, rate, phase);
+    const Holding holding = this->hold(state, rate);
+    Matrix by_u, by_v;
+    given_slopes(state, holding, by_u, by_v);
+    const auto [force_by_u, force_by_v] = this->holding_slopes(state, holding, by_u, by_v);
+    const auto& list = holding.stuck.list;
+    const Eigen::Index row = std::find(list.begin(), list.end(), i) - list.begin();
+    const Contact& c = system_.contacts[i];
+    const contact::ContactFrame f = this->frame_at(i, state);
+    const double bound = dry_[i].holding * force_slopes(i, f.penetration, f.closing_speed).spring_by_p;
+    Eigen::RowVectorXd gradient(2 * by_u.cols());
+    gradient << bound * (f.cosine * c.first_row + f.sine * c.second_row) -
+                    contact::sign_of(slip) * force_by_u.row(row),
+        -contact::sign_of(slip) * force_by_v.row(row);
+    return gradient;
   }
 
   /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to
@@ -226,6 +250,17 @@ class Dynamics : public ContactStates<N, Smoothed> {
   void follow(const run::PulseTimes& pulses) { pulses_ = &pulses; }
 
  private:
+  /// As `slopes`, with the friction that holds as it is.
+  template <class State>
+  void given_slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
+    const Eigen::Index n = system_.coordinates();
+    const ConstMap u(&state[0], n), v(&state[0] + n, n);
+    by_u = -system_.stiffness;
+    by_v = -system_.damping;
+    for (std::size_t i = 0; i < system_.contacts.size(); ++i)
+      add_contact_slopes(i, holding, u, v, by_u, by_v);
+  }
+
   using States::dry_;
   using States::modes_;
   using States::slips_;
@@ -247,18 +282,27 @@ class Dynamics : public ContactStates<N, Smoothed> {
   /// radian.
   double coefficient(std::size_t i, const contact::ContactFrame& f) const {
     const Contact& c = system_.contacts[i];
-    if (dry_[i] == 0) return contact::friction_coefficient(c.friction, law::slip_m_per_s(c, f));
+    const contact::FrictionTerms& dry = dry_[i];
+    if (dry.holding == 0) return contact::friction_coefficient(c.friction, law::slip_m_per_s(c, f));
     if constexpr (Smoothed)
-      return dry_[i] * std::tanh(law::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
-    return dry_[i] * contact::sign_of(slips_[i]);
+      return dry.dry * std::tanh(law::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
+    const double way = contact::sign_of(slips_[i]);
+    if (this->poised(i)) return dry.holding * way;
+    if (dry.falling.height == 0) return dry.dry * way;
+    return way * (dry.dry + dry.falling.at(way * law::slip_m_per_s(c, f)));
   }
   double coefficient_slope(std::size_t i, const contact::ContactFrame& f) const {
     const Contact& c = system_.contacts[i];
-    if (dry_[i] == 0)
+    const contact::FrictionTerms& dry = dry_[i];
+    if (dry.holding == 0)
       return contact::friction_slope(c.friction, law::slip_m_per_s(c, f)) * c.slip_scale_m_per_s;
-    if constexpr (!Smoothed) return 0;
+    if constexpr (!Smoothed) {
+      const double way = contact::sign_of(slips_[i]);
+      if (way == 0 || dry.falling.height == 0 || this->poised(i)) return 0;
+      return dry.falling.slope(way * law::slip_m_per_s(c, f)) * c.slip_scale_m_per_s;
+    }
     const double share = std::tanh(law::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
-    return dry_[i] * (1 - share * share) / smoothing_width_;
+    return dry.dry * (1 - share * share) / smoothing_width_;
   }
 
   void add_contact(std::size_t i, const ConstMap& u, const ConstMap& v, Map& acceleration) const {

@@ -52,12 +52,15 @@ void settle_standing(Law& law, const typename Law::Stuck& standing, const State&
   if (standing.count == 0) return;
   for (std::size_t k = 0; k < standing.count; ++k) law.slips()[standing.list[k]] = contact::Slip::sticking;
   law.loose(state, rate, phase);
-  contact::StickVector limit(static_cast<Eigen::Index>(standing.count));
-  for (std::size_t k = 0; k < standing.count; ++k)
+  const auto size = static_cast<Eigen::Index>(standing.count);
+  contact::StickVector limit(size), sliding(size);
+  for (std::size_t k = 0; k < standing.count; ++k) {
     limit(static_cast<Eigen::Index>(k)) = std::max(0.0, law.largest_friction_n(standing.list[k], state));
-  const contact::StickVector acceleration = law.accelerations(standing, state, rate) + more;
+    sliding(static_cast<Eigen::Index>(k)) = std::max(0.0, law.sliding_friction_n(standing.list[k], state));
+  }
+  const contact::StickVector acceleration = law.accelerations(standing, state, rate);
   const contact::SettledSlips settled =
-      contact::settle_slips(law.mobility(standing, state), acceleration, limit);
+      contact::settle_slips(law.mobility(standing, state), acceleration, more, limit, sliding);
   if (!settled.obeys_law) law.leave_unsettled(true);
   for (std::size_t k = 0; k < standing.count; ++k) {
     law.slips()[standing.list[k]] = settled.slips[k];
@@ -78,27 +81,30 @@ void settle_slips(Law& law, const State& state, State& rate, double phase, const
 
 /// Releases contact `i`, which sticks and whose friction has come to its limit in the direction of `slip`.
 /// Poised contacts may have to hold it from here on, and are settled again for a slightly larger load: the
-/// part of its load that `i` can no longer take. The friction of all is continuous. True where there was
-/// something to settle. `rate` is scratch.
+/// part of its load that `i` can no longer take. The friction of all is continuous, unless that of `i` is
+/// less as soon as it slips: then all are settled, as others may not hold what it leaves to them. True where
+/// there was something to settle. `rate` is scratch.
 template <class Law, class State>
 bool let_go(Law& law, std::size_t i, contact::Slip slip, const State& state, State& rate, double phase) {
   constexpr double little = 1e-9;  // of the limit: above rounding of the forces
-  law.slips()[i] = slip;
-  if (!law.any_poised()) return false;
+  const double asked_n = contact::sign_of(slip) * little * law.largest_friction_n(i, state);
+  const bool all = law.jumps(i);
+  if (!all) law.slips()[i] = slip;
+  if (!all && !law.any_poised()) return false;
   typename Law::Stuck standing;
   const auto none = [](std::size_t) { return false; };
-  const auto only_i = [i](std::size_t j) { return j == i; };
-  if (!find_standing(law, state, none, only_i, standing) || standing.count == standing.list.size()) {
+  const auto given = [&](std::size_t j) { return j == i && !all; };
+  if (!find_standing(law, state, none, given, standing) || (!all && standing.count == standing.list.size())) {
     law.leave_unsettled(true);
     return true;
   }
   typename Law::Stuck with_i = standing;
-  with_i.list[with_i.count++] = i;
-  const double asked_n = contact::sign_of(slip) * little * law.largest_friction_n(i, state);
+  if (!all) with_i.list[with_i.count++] = i;
   const auto count = static_cast<Eigen::Index>(standing.count);
-  const contact::StickVector more = law.mobility(with_i, state).col(count).head(count) * asked_n;
+  const Eigen::Index at = std::ranges::find(with_i.list, i) - with_i.list.begin();
+  const contact::StickVector more = law.mobility(with_i, state).col(at).head(count) * asked_n;
   settle_standing(law, standing, state, rate, phase, more);
-  law.poise(i, law.stuck_contacts().count > 0);
+  if (!all) law.poise(i, law.stuck_contacts().count > 0);
   return true;
 }
 
@@ -122,21 +128,26 @@ void enter_slips_by_state(Law& law, const State& state, State& rate, double phas
   settle_slips(law, state, rate, phase, [](std::size_t) { return false; });
 }
 
-/// A small change of a state, one a column, across the instant at which `rate` becomes another one because
-/// the slip of contact `i` has come to zero (Leine & Nijmeijer, Dynamics and Bifurcations of Non-Smooth
-/// Mechanical Systems, eq. 7.46: the saltation matrix). Where it sticks, no change lets it slip.
-template <class Law, class State, class Changes>
-void cross_slip(const Law& law, std::size_t i, const State& state, const State& rate_before,
-                const State& rate_after, Changes&& changes) {
-  const Eigen::RowVectorXd gradient = law.slip_gradient(i, state);
+/// A small change of a state, one a column, across the instant at which `rate` becomes another one because a
+/// function of this gradient, which changes at the rate `way`, has come to zero (Leine & Nijmeijer, Dynamics
+/// and Bifurcations of Non-Smooth Mechanical Systems, eq. 7.46: the saltation matrix).
+template <class State, class Changes>
+void cross(const Eigen::RowVectorXd& gradient, double way, const State& rate_before, const State& rate_after,
+           Changes&& changes) {
   const Eigen::Map<const Eigen::VectorXd> before(&rate_before[0], gradient.size()),
       after(&rate_after[0], gradient.size());
-  const double way = law.slip_rate(i, state, rate_before);
   if (way == 0) return;
   for (Eigen::Index column = 0; column < changes.cols(); ++column) {
     const double share = gradient.dot(changes.col(column)) / way;
     changes.col(column) += (after - before) * share;
   }
+}
+
+/// The same where the slip of contact `i` has come to zero. Where it sticks, no change lets it slip.
+template <class Law, class State, class Changes>
+void cross_slip(const Law& law, std::size_t i, const State& state, const State& rate_before,
+                const State& rate_after, Changes&& changes) {
+  cross(law.slip_gradient(i, state), law.slip_rate(i, state, rate_before), rate_before, rate_after, changes);
 }
 
 }  // namespace rubsweep::integrate::law

@@ -21,7 +21,7 @@ struct StateScale {
   /// Newtons per unit of displacement, and per unit of velocity.
   double stiffness_n(double stiffness_n_per_m) const { return stiffness_n_per_m * length_m; }
   double damping_n(double damping_ns_per_m) const { return damping_ns_per_m * length_m * speed_rad_per_s; }
-  /// In radians of rotation; in a scale of seconds, in seconds.
+  /// Duration in radians of rotation; in seconds where the scale has seconds.
   double duration(double duration_s) const { return duration_s * speed_rad_per_s; }
 
   /// SI to a state of 2n numbers, and back.

@@ -34,7 +34,7 @@ class TurnBook {
     standstill_ = 0;
   }
 
-  /// So many steps from here on, accepted or refused.
+  /// Allows `most` further steps, accepted or refused.
   void limit_steps(long most) { limit_ = effort.steps + most; }
   bool may_step() const { return effort.steps < limit_; }
   void refuse_step() {

@@ -15,7 +15,8 @@ using numerics::sum_of;
 using numerics::sum_of_products;
 using numerics::Twin;
 
-void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s, contact::Slip way) {
+void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s, contact::Slip way,
+                          bool poised) {
   law_ = &law;
   mode_ = mode;
   spring_factor_ = both(contact::law_of(mode).spring);
@@ -24,11 +25,12 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s,
   clearance_ = both(law.clearance);
   sliding_made_ = false;
   saturated_steepness_ = 0;
-  const bool dry = law.friction.dry > 0;
+  const bool dry = law.friction.holding > 0;
   sticks_ = dry && mode != Mode::open && way == contact::Slip::sticking;
   creep_ = nullptr;
   slip_sign_ = dry ? contact::sign_of(way) : std::copysign(1.0, slip_m_per_s);
-  constant_mu_ = dry ? law.friction.dry * slip_sign_ : law.friction.constant;
+  const double sliding = poised ? law.friction.holding : law.friction.dry;
+  constant_mu_ = dry ? sliding * slip_sign_ : law.friction.constant;
   varies_ = law.friction.viscous_s_per_m != 0;
   for (std::size_t i = 0; i < law.friction.count; ++i) {
     const auto& term = law.friction.tanh[i];
@@ -38,6 +40,13 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s,
     const double steepness = std::abs(term.steepness_s_per_m);
     saturated_steepness_ = saturated_steepness_ == 0 ? steepness : std::min(saturated_steepness_, steepness);
     constant_mu_ += term.height * std::copysign(1.0, term.steepness_s_per_m * slip_m_per_s);
+  }
+  falls_ = law.friction.falling.height != 0 && !sticks_ && !poised;
+  if (falls_) {
+    const double steepness = law.friction.falling.saturating_steepness_s_per_m();
+    falls_ = steepness * std::abs(slip_m_per_s) < saturated_at_start;
+    if (!falls_) saturated_steepness_ = steepness;
+    varies_ = varies_ || falls_;
   }
   turned_mu_ = Twin{-constant_mu_, constant_mu_};
 }
@@ -89,6 +98,11 @@ void ContactSeries::add_slip_term(double slip, int k) {
     tanh_[i].add_term(term.steepness_s_per_m, slip, k);
     mu += term.height * tanh_[i].y[k];
   }
+  if (falls_) {
+    const contact::Falling& falling = law_->friction.falling;
+    fall_.add_term(falling.exponent, slip_sign_ * falling.steepness_s_per_m * slip, k);
+    mu += slip_sign_ * falling.height * fall_.y[k];
+  }
   mu_.set(k, mu);
 }
 
@@ -98,6 +112,7 @@ double ContactSeries::friction_slope_term(int k) const {
     const auto& term = law_->friction.tanh[i];
     if (active_[i]) slope += term.height * term.steepness_s_per_m * tanh_[i].z[k];
   }
+  if (falls_) slope -= law_->friction.falling.height * law_->friction.falling.steepness_s_per_m * fall_.z[k];
   return slope * law_->slip_scale_m_per_s;
 }
 

@@ -26,8 +26,9 @@ class ContactSeries {
   const numerics::PlaneSeries& velocity() const { return velocity_; }
 
   /// Starts an expansion in `mode` with the slip there, which decides what part of the friction is saturated.
-  /// Dry friction depends on `way` instead.
-  void begin(const ContactLaw& law, contact::Mode mode, double slip_m_per_s, contact::Slip way);
+  /// Dry friction depends on `way` instead, and is at its bound where it is `poised` (ContactStates).
+  void begin(const ContactLaw& law, contact::Mode mode, double slip_m_per_s, contact::Slip way,
+             bool poised = false);
   /// Makes the expansion that has begun keep the slip of `creep`, by a friction that the whole system
   /// decides: as a contact that sticks, whose slip is constant. `creep` outlives the expansion.
   void follow(const Creep& creep);
@@ -51,9 +52,9 @@ class ContactSeries {
   void hold(int k, double force_n, numerics::Twin acceleration);
   /// Each coefficient twice.
   const numerics::PlaneSeries& holding() const { return holding_; }
-  /// Coefficient k of mu S -+ the holding friction, which is above zero as long as it holds.
+  /// Coefficient k of the bound mu S -+ the holding friction, which is above zero as long as it holds.
   double reserve_term(int k, double sign) const {
-    return law_->friction.dry * law_->stiffness * penetration_term(k) - sign * holding_.number(k);
+    return law_->friction.holding * law_->stiffness * penetration_term(k) - sign * holding_.number(k);
   }
 
   const ContactLaw& law() const { return *law_; }
@@ -110,7 +111,7 @@ class ContactSeries {
   // Coefficients of the law in this mode, each number twice, as products take it: factor of the spring,
   // damper, stiffness and clearance.
   numerics::Twin spring_factor_{}, damper_{}, stiffness_{}, clearance_{};
-  bool varies_ = false, sliding_made_ = false, sticks_ = false;
+  bool varies_ = false, falls_ = false, sliding_made_ = false, sticks_ = false;
   const Creep* creep_ = nullptr;
   double sliding_speed_ = 0;
   double constant_mu_ = 0;      ///< of the terms that do not vary
@@ -118,6 +119,7 @@ class ContactSeries {
   double saturated_steepness_ = 0, slip_sign_ = 1;
   std::array<bool, 3> active_{};
   std::array<numerics::TanhSeries, 3> tanh_;
+  numerics::FallSeries fall_;
   numerics::PlaneSeries distance_, velocity_, mu_, load_, holding_, acceleration_;
   // Annular: the normal; r and its rate; 1 / r where the expansion starts; while open, the substitute for the
   // penetration.

@@ -61,7 +61,7 @@ class ContactTangents {
   bool varies_ = false, sticks_ = false, annular_ = false, linear_ = false;
   ContactJacobian* jacobian_ = nullptr;
   Bundle displacement_, rate_;
-  Bundle along_first_, along_second_;  ///< of a linear one: either component of w, twice
+  Bundle along_first_, along_second_;  ///< bundles of a linear contact: either component of w, twice
   /// Variations: of r, of r', of the normal, of the force that friction is proportional to; of the sliding
   /// speed and the friction coefficient. Then the slope of the friction coefficient, which is the motion's.
   Bundle length_, length_rate_, normal_, load_, sliding_, coefficient_;

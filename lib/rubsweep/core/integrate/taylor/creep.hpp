@@ -21,8 +21,8 @@ class Creep {
   /// The slip keeps the value it has where the expansion starts.
   void begin(const ContactLaw& law, double slip_m_per_s);
 
-  /// Sets the slip to that of the friction that keeps `contact` at the slip so far, whose expansion goes up
-  /// to `order`; false where no slip nearby has that friction.
+  /// Finds the friction that keeps `contact` at its present slip, and sets the slip to the one with that
+  /// friction, up to `order`. False where no slip nearby has that friction.
   bool sweep(const ContactSeries& contact, int order);
 
   double slip_m_per_s() const { return slip_[0]; }

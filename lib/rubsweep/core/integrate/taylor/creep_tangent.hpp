@@ -16,7 +16,7 @@ class CreepTangent {
     for (int k = 0; k <= numerics::most_taylor_order + 1; ++k) sliding_.set(k, k == 0 ? sliding : 0);
   }
 
-  /// Sets the variation to that of the friction, up to `order` terms, which keeps the variation so far.
+  /// Sets the variation of the slip to the one that the varied friction needs, up to `order` terms.
   /// `holding(k)` and `load(k)` are coefficients of the variations of that friction and of the spring force
   /// S: friction = mu S and mu' sliding = the variation of mu.
   template <class Holding, class Load>

@@ -45,11 +45,12 @@ class Expansion {
   }
 
   /// Expands from `state` (u then u') at `phase_rad` into the revolution, with the pulses that act there.
-  /// `modes` per contact, and `slips` of those with dry friction.
+  /// `modes` per contact, and `slips` of those with dry friction, of which some may be `poised`.
   void expand(const double* state, double phase_rad, const run::PulseTimes& pulses,
-              const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
+              const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips,
+              const std::vector<bool>& poised = {}) {
     series_.begin(state);
-    begin_contacts(modes, slips);
+    begin_contacts(modes, slips, poised);
     start_drives(phase_rad, pulses);
     if constexpr (N != Eigen::Dynamic) {
       if (expanded_in_registers()) return complete_contacts();
@@ -127,7 +128,8 @@ class Expansion {
   ContactJacobian& jacobian(std::size_t i) { return jacobians_[i]; }
 
  private:
-  void begin_contacts(const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips) {
+  void begin_contacts(const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips,
+                      const std::vector<bool>& poised) {
     sticking_ = 0;
     touching_.clear();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -136,7 +138,7 @@ class Expansion {
                                 numerics::Twin{offset[0], offset[1]});
       contacts_[i].set_velocity(0, at_contact(system_.contacts[i], series_.v(0)));
       const bool open = modes[i] == contact::Mode::open;
-      contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i), slips[i]);
+      contacts_[i].begin(laws_[i], modes[i], open ? 0 : slip(i), slips[i], i < poised.size() && poised[i]);
       if (!open) touching_.push_back(i);
       if (!open && creeping_[i]) contacts_[i].follow(creeps_[i]);
       if (contacts_[i].sticks()) stuck_[sticking_++] = i;

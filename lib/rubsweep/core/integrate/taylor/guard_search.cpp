@@ -115,7 +115,7 @@ double guards_converged_rad(ContactSeries& contact, int order, double accuracy, 
   const double last_terms = accuracy / 2;
   if (contact.sticks() && !contact.creep()) {
     const double unit =
-        std::max(law.friction.dry * law.stiffness * law.clearance, std::abs(contact.holding().number(0)));
+        std::max(law.friction.holding * law.stiffness * law.clearance, std::abs(contact.holding().number(0)));
     for (int k = order - 2; k < order; ++k) {
       const double term = std::abs(contact.holding().number(k)) / unit;
       duration_rad = numerics::longest_below(duration_rad, term, k, last_terms);
@@ -181,6 +181,13 @@ std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, dou
     if (release && (!first || *release < first->share)) first = SlipEvent{*release, slip};
   }
   return first;
+}
+
+double reserve_rate(const ContactSeries& contact, int order, double duration_rad, contact::Slip slip) {
+  double rate = 0;
+  for (int k = order - 1; k > 0; --k)
+    rate = rate * duration_rad + k * contact.reserve_term(k, contact::sign_of(slip));
+  return rate;
 }
 
 double saturated_share(ContactSeries& contact, int order, double duration_rad) {

@@ -47,6 +47,10 @@ struct SlipStart {
 std::optional<SlipEvent> first_slip_event(ContactSeries& contact, int order, double accuracy,
                                           double duration_rad, const SlipStart& start);
 
+/// Rate, `duration_rad` into an expansion, of the friction that a contact which sticks has left in the
+/// direction of `slip`.
+double reserve_rate(const ContactSeries& contact, int order, double duration_rad, contact::Slip slip);
+
 /// The share of `duration_rad` up to which every tanh that the expansion takes as constant is one; 1 where
 /// all of it is.
 double saturated_share(ContactSeries& contact, int order, double duration_rad);

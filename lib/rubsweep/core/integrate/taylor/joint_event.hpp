@@ -36,7 +36,6 @@ JointEvent first_event(Expansion<N>& motion, const law::Dynamics<N, false>& dyna
       const auto event = first_slip_event(motion.contact(i), motion.order(), motion.accuracy(),
                                           first.share * duration_rad, start);
       if (event) first = {first.share * event->share, i, contact::Mode::open, event->next};
-      continue;
     }
     const double share = saturated_share(motion.contact(i), motion.order(), first.share * duration_rad);
     if (share < 1) first = {first.share * share, std::nullopt, contact::Mode::open};

@@ -33,17 +33,24 @@ class SlipZeros {
   }
 
   /// Contact `i`, which sticks, is let go in the direction of `slip`. It starts with its friction, and so
-  /// does its slip's rate: two coefficients are zero, also of others that begin to slip with it.
+  /// does its slip's rate: two coefficients are zero, also of others that begin to slip with it. Where its
+  /// friction jumps, the rates do, too.
   template <class Dynamics, class State>
   void let_go(Dynamics& dynamics, std::size_t i, contact::Slip slip, const State& state, State& scratch,
               double phase) {
     const bool others = law::let_go(dynamics, i, slip, state, scratch, phase);
     for (std::size_t j = 0; j < terms_.size(); ++j) {
-      if (j == i || (others && begins_to_slip(dynamics, j, state))) terms_[j] = dynamics.poised(j) ? 0 : 2;
+      if (j == i || (others && begins_to_slip(dynamics, j, state))) terms_[j] = zeros_of(dynamics, i, j);
     }
   }
 
  private:
+  template <class Dynamics>
+  static int zeros_of(const Dynamics& dynamics, std::size_t let_go, std::size_t j) {
+    if (dynamics.poised(j) || dynamics.slips()[j] == contact::Slip::sticking) return 0;
+    return dynamics.jumps(let_go) ? 1 : 2;
+  }
+
   template <class Dynamics, class State>
   static bool begins_to_slip(const Dynamics& dynamics, std::size_t i, const State& state) {
     return dynamics.touches_dry(i) && dynamics.slips()[i] != contact::Slip::sticking && !dynamics.poised(i) &&

@@ -35,7 +35,7 @@ class TangentBundle {
         acceleration_(system.coordinates(), Count),
         contacts_(system.contacts.size()) {
     const bool holds = std::ranges::any_of(system.contacts, [](const auto& c) {
-      return contact::dry_coefficient(c.friction) > 0 || contact::depends_on_slip(c.friction);
+      return contact::holding_coefficient(c.friction) > 0 || contact::depends_on_slip(c.friction);
     });
     holding_.assign(count, TangentHolding(system.contacts.size(), holds ? order + 1 : 0));
   }

@@ -115,7 +115,7 @@ class TangentHolding {
   }
 
   std::vector<Term> terms_;
-  std::vector<CreepTangent> creeps_;  ///< per contact
+  std::vector<CreepTangent> creeps_;  ///< creep of each contact
 };
 
 }  // namespace rubsweep::integrate::taylor

@@ -185,6 +185,8 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
   if (creeps) ++book_.effort.creep_pieces;
   if (!std::isfinite(state_[0])) return run::Outcome::non_finite;
   book_.note_progress(duration > same_instant);
+  if (event.slip && *event.slip != contact::Slip::sticking && dynamics_.jumps(*event.contact))
+    reserve_rate_ = reserve_rate(motion_.contact(*event.contact), motion_.order(), duration, *event.slip);
   if (event.contact) switch_modes(report, event);
   return run::Outcome::ok;
 }
@@ -193,7 +195,8 @@ template <int N>
 void TaylorRun<N>::expand(const std::vector<double>& state) {
   ++expansions_;
   ++book_.effort.taylor_work;
-  motion_.expand(state.data(), clock_.time(), clock_.pulses(), dynamics_.modes(), dynamics_.slips());
+  motion_.expand(state.data(), clock_.time(), clock_.pulses(), dynamics_.modes(), dynamics_.slips(),
+                 dynamics_.poised());
 }
 
 /// Expands anew with contacts that creep, or leaves the expansion as it is.
@@ -260,7 +263,7 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
     if (*event.slip == contact::Slip::sticking) {
       stop_slip(*event.contact);
     } else {
-      zeros_.let_go(dynamics_, *event.contact, *event.slip, state_, probe_, clock_.time());
+      let_go(*event.contact, *event.slip);
     }
   }
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
@@ -285,6 +288,19 @@ void TaylorRun<N>::stop_slip(std::size_t i) {
   zeros_.stop(dynamics_, i, state_, probe_, clock_.time());
   dynamics_(state_, probe_, clock_.time());
   if (tangents_.count() > 0) law::cross_slip(dynamics_, i, state_, rate_, probe_, tangents_.vectors());
+  std::swap(rate_, probe_);
+}
+
+/// Friction no longer holds contact `i`; `rate_` is that before.
+template <int N>
+void TaylorRun<N>::let_go(std::size_t i, contact::Slip slip) {
+  const bool moves_tangents = dynamics_.jumps(i) && tangents_.count() > 0;
+  Eigen::RowVectorXd gradient;
+  if (moves_tangents) gradient = dynamics_.reserve_gradient(i, slip, state_, probe_, clock_.time());
+  zeros_.let_go(dynamics_, i, slip, state_, probe_, clock_.time());
+  if (!dynamics_.jumps(i)) return;
+  dynamics_(state_, probe_, clock_.time());
+  if (moves_tangents) law::cross(gradient, reserve_rate_, rate_, probe_, tangents_.vectors());
   std::swap(rate_, probe_);
 }
 

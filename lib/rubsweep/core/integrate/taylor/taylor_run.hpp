@@ -94,6 +94,7 @@ class TaylorRun {
   void watch(run::TurnReport& report, double fastest, double duration);
   void switch_modes(run::TurnReport& report, const JointEvent& event);
   void stop_slip(std::size_t i);
+  void let_go(std::size_t i, contact::Slip slip);
   void settle_poised();
   void project_tangents();
   void apply_impulses(run::TurnReport& report);
@@ -116,6 +117,7 @@ class TaylorRun {
   std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
   SlipZeros zeros_;
+  double reserve_rate_ = 0;  ///< of the friction of a contact that is let go
   bool entered_ = false;
   int samples_wanted_ = 0;  ///< as asked for in this turn
   bool peaks_wanted_ = false;

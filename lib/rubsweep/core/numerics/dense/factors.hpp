@@ -56,7 +56,7 @@ class FullPivotFactors {
 /// Here so that Eigen's templates are compiled once.
 class CholeskyFactors {
  public:
-  CholeskyFactors() = default;  ///< of no matrix; another one must be assigned before it is used
+  CholeskyFactors() = default;  ///< factors of no matrix; another one must be assigned before it is used
   explicit CholeskyFactors(const Eigen::MatrixXd& a);
   bool positive_definite() const;  ///< else nothing below means anything
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;

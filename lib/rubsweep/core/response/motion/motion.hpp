@@ -83,16 +83,16 @@ enum class Proof {
   /// in the frame that turns with the shaft) with all its multipliers inside the unit circle, and the run has
   /// been followed towards it over orders of magnitude; no ball about it is known.
   floquet_observed,
-  observed,  ///< by the end of the run: windows that agree, a comb that closes, an exponent
+  observed,  ///< the end of the run decides: windows that agree, a comb that closes, an exponent
 };
 
 constexpr std::string_view to_string(Proof proof) { return enumerator_word(proof); }
 
 /// A motion that a transient is proven to settle on.
 struct ProvenMotion {
-  MotionClass motion_class = MotionClass::synchronous;  ///< of a period, or quasi_periodic
-  std::optional<int> order;                             ///< in turns; empty when quasi-periodic
-  Measures measures;                                    ///< of the orbit itself
+  MotionClass motion_class = MotionClass::synchronous;  ///< class of a period, or quasi_periodic
+  std::optional<int> order;                             ///< period in turns; empty when quasi-periodic
+  Measures measures;                                    ///< measures of the orbit itself
   double floquet_modulus = 0;                           ///< largest multiplier over its period, < 1
   Proof proof = Proof::floquet_observed;                ///< or floquet
 };

@@ -27,10 +27,10 @@ enum class MotionClass {
 /// All that is said about one class. Maps, summaries, comparisons and help texts read it here; colours are
 /// those of MotionKind.
 struct MotionClassRow {
-  std::string_view word;         ///< its name in map.csv
-  std::string_view description;  ///< for help texts
+  std::string_view word;         ///< word in map.csv
+  std::string_view description;  ///< text for --help
   bool rubs = false;             ///< the rotor keeps touching a stop
-  bool repeats = false;  ///< its measures do not depend on when one looks, so that maps may be compared
+  bool repeats = false;  ///< true: measures do not depend on when one looks, so that maps may be compared
 };
 
 /// The table. It is a switch so that a class without a row does not compile.
@@ -102,12 +102,12 @@ constexpr std::optional<MotionClass> motion_class_of(std::string_view word) {
 /// A kind of motion as maps show it: the class, with the order of a subharmonic motion and with the shape and
 /// direction that tell the motions at an annular stop apart. Terminal, figures and report read this table.
 struct MotionKind {
-  std::string_view name;      ///< in map.csv
-  std::string_view label;     ///< in legends
+  std::string_view name;      ///< name in map.csv
+  std::string_view label;     ///< label in legends
   std::uint32_t colour;       ///< 0xRRGGBB
   std::uint32_t dark_colour;  ///< where the background is dark
-  char sign;                  ///< on a terminal; a subharmonic motion shows the digit of its order instead
-  bool hatched = false;       ///< in figures
+  char sign;             ///< letter on a terminal; a subharmonic motion shows the digit of its order instead
+  bool hatched = false;  ///< true: hatched in figures
   bool settled_rub = true;
 };
 

@@ -51,7 +51,7 @@ class Record {
 struct Settling {
   long most_turns = 0;
   std::optional<int> order{};  ///< settled sooner, where its section is that of so many turns ago
-  long fewest_turns = 0;       ///< before which such a return does not count
+  long fewest_turns = 0;       ///< turns before which such a return does not count
   /// The run is given up after more turns in a row without contact: its motion has ended.
   std::optional<int> longest_flight{};
   double most_work = std::numeric_limits<double>::infinity();  ///< limit for the run, recording included
@@ -88,7 +88,7 @@ struct Wanted {
 struct SettledRecord {
   long passed = 0;                                   ///< turns before the first of them
   std::vector<std::complex<double>> displacement_m;  ///< x + iy of the observed point
-  ContactFacts contact;                              ///< over all of them
+  ContactFacts contact;                              ///< facts over all of them
   bool touched = false;
   std::vector<double> end;  ///< section after the last
 };

@@ -29,7 +29,7 @@ using Eigen::VectorXd;
 /// Largest projection onto the contacts, as a share of the eigenvector's length, that counts as unseen. More
 /// than rounding would harm only the ball, whose tubes count everything.
 constexpr double unseen = 1e-8;
-constexpr double slow_from = 0.5;  ///< of a disturbance left after a turn
+constexpr double slow_from = 0.5;  ///< share of a disturbance left after a turn
 
 /// A basis of the eigenvectors that are slow and that no contact sees.
 MatrixXd slow_directions(const MatrixXd& monodromy, double turns, const MatrixXd& seen) {

@@ -16,7 +16,7 @@ namespace rubsweep::response::proof {
 
 /// Norms |norm[i] x| on the sections of an orbit in which every turn is a contraction.
 struct AdaptedNorms {
-  std::vector<Eigen::MatrixXd> norm;  ///< per turn of the period, upper triangular; never below |x|
+  std::vector<Eigen::MatrixXd> norm;  ///< norm in each turn of the period, upper triangular; never below |x|
   double contraction = 0;             ///< |norm[i + 1] A_i x| <= contraction |norm[i] x|, < 1
 };
 

@@ -32,7 +32,7 @@ using Eigen::VectorXd;
 
 constexpr numerics::NewtonLimits newton_limits{.iterations = 8, .free_iterations = 1, .growth = 0.5};
 constexpr double closed = 1e-11;        ///< return error of an orbit found, in (clearance, clearance omega)
-constexpr double nearly_closed = 1e-5;  ///< from here on rough derivatives would cost a step more
+constexpr double nearly_closed = 1e-5;  ///< distance from which on rough derivatives would cost a step more
 constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
 /// Largest multiplier at the transient from which Newton's iteration is tried: no proven orbit had a larger
 /// one there, nor one above 1 at a later iterate; a refused orbit is tried again.

@@ -42,7 +42,7 @@ class PeriodSearch {
   int newest_ = -1;  ///< slot of the last section
   long turns_ = 0, last_touch_ = -1;
   std::vector<double> rows_;  ///< the last kept_ sections, as a circular buffer
-  std::vector<Tried> tried_;  ///< by order
+  std::vector<Tried> tried_;  ///< attempts by their order
 };
 
 /// One revolution: replaces a scaled section by the next and, where given (not null), every column of

@@ -22,13 +22,13 @@ constexpr numerics::NewtonLimits cycle_newton{.iterations = 8, .free_iterations 
 /// Return error of a guess: none of the 40 that were farther off, of 715 in figure 11, led to the cycle that
 /// the transient came to.
 constexpr double farthest_guess = 0.08;
-constexpr double share_of_closed = 0.01;  ///< that a kept derivative is to come to
+constexpr double share_of_closed = 0.01;  ///< share that a kept derivative has to reach
 constexpr double period_changes = 0.2;    ///< share of its first guess by which the period may change
-constexpr int most_parts = 64;            ///< of the period found, after one of which the motion may return
-constexpr double returns_early = 1e-4;    ///< return error that makes a fraction the period
-constexpr double stands_still = 1e-5;     ///< rate below which a cycle is no cycle but a point
-constexpr double followed_down = 1e-3;    ///< share of its distance that a transient is followed down to
-constexpr double near_by = 1e-5;          ///< or this distance: what it does next is the rough flow's noise
+constexpr int most_parts = 64;  ///< parts of the period found, after one of which the motion may return
+constexpr double returns_early = 1e-4;  ///< return error that makes a fraction the period
+constexpr double stands_still = 1e-5;   ///< rate below which a cycle is no cycle but a point
+constexpr double followed_down = 1e-3;  ///< share of its distance that a transient is followed down to
+constexpr double near_by = 1e-5;        ///< or this distance: what it does next is the rough flow's noise
 constexpr proof::Patience patience{.start = 64, .most = 3000};  ///< periods
 
 /// Number of predicted returns in a row after which half of the distance is enough.
@@ -46,7 +46,7 @@ constexpr Accuracy exact{.closed = 1e-9, .trivial = 1e-5, .known_within = 0};
 struct Closed {
   VectorXd x;
   double period_rad = 0;
-  RotatingArc once;  ///< from x, or from so near that its derivative is known well enough
+  RotatingArc once;  ///< arc from x, or from so near that its derivative is known well enough
   /// After Newton's next step, which an iteration that goes on to another accuracy need not make again.
   VectorXd next_x;
   double next_period_rad = 0;

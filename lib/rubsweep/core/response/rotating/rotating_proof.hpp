@@ -26,8 +26,8 @@ struct RotatingEquations {
 /// A synchronous circle: a stable fixed point in the frame that turns with the shaft.
 struct RotatingEquilibrium {
   Eigen::VectorXd state;
-  Eigen::MatrixXd transition;  ///< over one turn
-  double floquet_modulus = 0;  ///< over one turn: e^{2 pi Re lambda}, lambda the rightmost eigenvalue
+  Eigen::MatrixXd transition;  ///< matrix over one turn
+  double floquet_modulus = 0;  ///< modulus over one turn: e^{2 pi Re lambda}, lambda the rightmost eigenvalue
 };
 
 /// Newton's iteration from `start` (in the rotating frame) for a fixed point whose multipliers over one turn
@@ -72,7 +72,7 @@ class RotatingProof {
   proof::PeriodSearch turns_;
   std::optional<ApexReturnSearch> maxima_;  ///< empty after a turn without samples
   std::optional<proof::SceneMap> turn_map_;
-  bool many_maxima_ = true;  ///< in the last turn with as many samples as can be asked for
+  bool many_maxima_ = true;  ///< true: many in the last turn with as many samples as can be asked for
   int free_turns_ = 0;
   long looked_at_ = 0;              ///< turns
   double spent_on_cycles_rad_ = 0;  ///< rotation that Newton's iteration followed

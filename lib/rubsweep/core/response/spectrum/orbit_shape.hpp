@@ -20,8 +20,8 @@ enum class OrbitKind {
 enum class WhirlKind { forward, backward, mixed };
 
 inline constexpr double circle_ratio = 1.05;        ///< max |z - mean| / min |z - mean| stays below this
-inline constexpr double oval_energy_share = 0.95;   ///< of the energy without 0X
-inline constexpr double whirl_energy_share = 0.80;  ///< of the energy without 0X
+inline constexpr double oval_energy_share = 0.95;   ///< share of the energy without 0X
+inline constexpr double whirl_energy_share = 0.80;  ///< share of the energy without 0X
 
 /// Shape of the motion in `displacement_m`, the samples (metres, any unit serves) that `spectrum` was taken
 /// of. A motion without any line but 0X is `complex`: a point has no shape, ask only about motions.

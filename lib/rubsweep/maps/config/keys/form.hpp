@@ -35,10 +35,10 @@ struct Choice {
 enum class Kind {
   number,
   integer,
-  word,      ///< one of `words`
+  word,      ///< a word out of `words`
   text,      ///< any scalar, of `least` to `most` bytes
   list,      ///< `least` to `most` values of the form `forms[0]`
-  map,       ///< with these `keys`
+  map,       ///< a map with these `keys`
   numbered,  ///< a map from numbers, 0 to `most` - 1, to values of the form `forms[0]`
   any_of     ///< any of `forms`
 };
@@ -46,15 +46,15 @@ enum class Kind {
 /// Values that may stand at a place of a configuration.
 struct Form {
   Kind kind = Kind::text;
-  model::Range range{};                ///< of a number
-  long low = 0, high = 0;              ///< of an integer, both included
-  bool even = false;                   ///< of an integer
-  std::vector<std::string> words{};    ///< of a word
-  std::size_t least = 1, most = 4096;  ///< of a list or a text
-  bool different = false;              ///< of a list: no value twice
+  model::Range range{};                ///< range of a number
+  long low = 0, high = 0;              ///< ends of an integer's range, both included
+  bool even = false;                   ///< true: an integer must be even
+  std::vector<std::string> words{};    ///< words that may stand there
+  std::size_t least = 1, most = 4096;  ///< length of a list or a text
+  bool different = false;              ///< true: a list has no value twice
   std::vector<Form> forms{};
   std::vector<Key> keys;          // no initialiser: Key is incomplete here
-  std::vector<Choice> choices{};  ///< of a map
+  std::vector<Choice> choices{};  ///< alternatives of a map
 };
 
 /// One key of a map.

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "rubsweep/maps/config/keys/form.hpp"
-
 namespace rubsweep::config::keys {
 namespace {
 

@@ -9,7 +9,6 @@
 #include <set>
 
 #include "rubsweep/core/model/magnitude.hpp"
-#include "rubsweep/maps/config/keys/form.hpp"
 
 namespace rubsweep::config::keys {
 namespace {

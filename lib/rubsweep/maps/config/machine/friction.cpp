@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "rubsweep/core/contact/friction_bounds.hpp"
 #include "rubsweep/core/contact/stribeck_curve.hpp"
@@ -60,6 +63,17 @@ void refuse_driving(const yaml::Section& section, std::string_view key, const mo
                   model::ConstantFriction::coefficient_range.high));
 }
 
+/// Reads a friction that holds harder than it slides.
+template <class Law>
+Law read_holding(yaml::Section& section) {
+  Law law;
+  read_fields(section, law);
+  if (law.static_coefficient < law.coefficient)
+    section.refuse_together("static", {"static", "coefficient"}, "below the sliding friction",
+                            "a number no less than coefficient");
+  return law;
+}
+
 }  // namespace
 
 model::Friction read_friction(const yaml::Value& value) {
@@ -69,6 +83,17 @@ model::Friction read_friction(const yaml::Value& value) {
   }
   yaml::Section section(value, friction_forms);
   model::Friction friction;
+  const bool falls = section.holds("stribeck_speed_m_per_s") || section.holds("exponent");
+  if (falls || (section.holds("static") && section.holds("coefficient") && !section.holds("kinetic"))) {
+    section.require_exactly_one({"stribeck", "static", "one_way"});
+    if (falls) {
+      friction = read_holding<model::FallingFriction>(section);
+    } else {
+      friction = read_holding<model::StaticFriction>(section);
+    }
+    section.refuse_unknown_keys();
+    return friction;
+  }
   section.require_exactly_one({"stribeck", "static", "coefficient", "one_way"});
   if (const auto stribeck = section.find("stribeck")) {
     if (read_numbers(*stribeck, friction.emplace<model::StribeckFriction>().gamma))
@@ -91,8 +116,15 @@ keys::Form friction_form() {
             "g1 to g6 of mu(v) = g1 (tanh g2 v - tanh g3 v) + g4 tanh g5 v + g6 v")},
       keys_of<model::ConstantFriction>(),
       keys_of<model::OneWayFriction>(),
-      keys_of<model::StribeckCurve>()};
-  return any_of({one_of({&none, 1}), map_of(joined(ways), {choice_of(ways)})});
+      keys_of<model::StribeckCurve>(),
+      keys_of<model::StaticFriction>(),
+      keys_of<model::FallingFriction>()};
+  // Keys that several of them have are listed with the first.
+  std::vector<Key> listed;
+  for (Key& key : joined(ways)) {
+    if (std::ranges::find(listed, key.name, &Key::name) == listed.end()) listed.push_back(std::move(key));
+  }
+  return any_of({one_of({&none, 1}), map_of(std::move(listed), {choice_of(ways)})});
 }
 
 void print_friction(yaml::Printer& printer, const model::Friction& friction) {

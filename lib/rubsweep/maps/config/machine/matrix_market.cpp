@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
-#include <cmath>
 #include <string_view>
 #include <vector>
 
 #include "rubsweep/core/model/shaft_matrices.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
+#include "rubsweep/maps/table/cell.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
@@ -77,16 +76,9 @@ class Lines {
   int number_ = 0;
 };
 
-std::string lower(std::string_view text) {
-  std::string small(text);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
-}
-
 template <std::size_t count>
 std::size_t index_of(const Lines& lines, std::size_t word, const std::array<std::string_view, count>& words) {
-  const auto found = std::ranges::find(words, lower(lines.words()[word].text));
+  const auto found = std::ranges::find(words, table::in_small_letters(lines.words()[word].text));
   if (found == words.end())
     lines.refuse(fmt::format("'{}' is not read", yaml::shown(lines.words()[word].text)),
                  yaml::describe(words), word);
@@ -110,8 +102,8 @@ class MatrixReader {
 
  private:
   void read_head() {
-    if (!lines_.next() || lower(lines_.words().front().text) != "%%matrixmarket" ||
-        lines_.words().size() != 5 || lower(lines_.words()[1].text) != "matrix")
+    if (!lines_.next() || table::in_small_letters(lines_.words().front().text) != "%%matrixmarket" ||
+        lines_.words().size() != 5 || table::in_small_letters(lines_.words()[1].text) != "matrix")
       lines_.refuse("does not begin as a Matrix Market file", std::string(head_form));
     layout_ = static_cast<Layout>(index_of(lines_, 2, layouts));
     index_of(lines_, 3, fields);

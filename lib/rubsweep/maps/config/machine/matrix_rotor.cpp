@@ -19,7 +19,7 @@
 namespace rubsweep::config::machine {
 namespace {
 
-constexpr double same_place = 1e-9;  ///< of the shaft's length
+constexpr double same_place = 1e-9;  ///< share of the shaft's length
 
 /// Parts of a rotor kit that matrices exclude, and why.
 constexpr std::pair<std::string_view, std::string_view> excluded[]{

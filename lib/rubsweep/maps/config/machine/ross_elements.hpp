@@ -1,8 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "rubsweep/core/model/rotor_kit.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"

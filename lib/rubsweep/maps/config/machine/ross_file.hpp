@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "rubsweep/core/model/rotor_kit.hpp"

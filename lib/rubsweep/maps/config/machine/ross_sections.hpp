@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "rubsweep/maps/config/machine/ross_elements.hpp"

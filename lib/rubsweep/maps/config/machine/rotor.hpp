@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "rubsweep/core/model/machine.hpp"
-#include "rubsweep/core/model/rotor.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/machine/printed_matrices.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"

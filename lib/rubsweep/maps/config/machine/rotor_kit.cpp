@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <type_traits>
 
 #include "rubsweep/core/model/disc_inertia.hpp"
 #include "rubsweep/core/model/shaft_end.hpp"
-#include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/config/machine/rotor_parts.hpp"
 #include "rubsweep/maps/config/machine/support_table.hpp"
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "rubsweep/core/model/disc_geometry.hpp"

@@ -1,6 +1,5 @@
 #include "rubsweep/maps/config/machine/rotor_parts.hpp"
 
-#include <array>
 #include <optional>
 #include <variant>
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <functional>
 #include <numbers>
 #include <span>
@@ -143,13 +142,6 @@ std::optional<std::vector<double>> find_column(yaml::Section& section, std::size
   return found;
 }
 
-std::string in_small_letters(std::string_view text) {
-  std::string small(text);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
-}
-
 /// Ending of a key, by the unit of a column; of those with M or k for millions and thousands as they are.
 std::string_view ending_of(std::string_view unit) {
   // Each unit, and then its ending.
@@ -162,7 +154,7 @@ std::string_view ending_of(std::string_view unit) {
       "_rpm",       "r/min",       "_rpm",       "min1",      "_rpm",          "u/min",      "_rpm",
       "hz",         "_hz",         "rev/s",      "_hz",       "rad/s",         "_rad_per_s", "1/s",
       "_hz"};
-  const std::string plain = table::plain_unit(unit), small = in_small_letters(plain);
+  const std::string plain = table::plain_unit(unit), small = table::in_small_letters(plain);
   for (std::size_t i = 0; i < endings.size(); i += 2) {
     const std::string_view written = endings[i];
     const bool as_it_is =
@@ -182,7 +174,7 @@ ColumnKey key_of_support(const table::Heading& heading) {
     if (heading.unit.empty() == (slash + 1 == heading.name.size())) return {};
     return key_of_support({heading.name.substr(0, parted), heading.unit.empty() ? behind : heading.unit});
   }
-  std::string name = in_small_letters(heading.name);
+  std::string name = table::in_small_letters(heading.name);
   std::erase(name, ' ');
   if (name.size() == 4 && name[1] == '_') name.erase(1, 1);  // K_xx
   const bool turns = name == "n";

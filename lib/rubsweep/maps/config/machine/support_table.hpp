@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "rubsweep/core/model/support_table.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"

@@ -208,14 +208,28 @@ void refuse_dry_friction_beside_torsion(const yaml::Value& stops, const model::M
   const model::RotorKit* kit = model::kit_of(machine);
   if (kit == nullptr || !kit->torsion) return;
   for (const model::Stop& stop : machine.stops) {
-    if (!std::holds_alternative<model::ConstantFriction>(stop.friction)) continue;
+    if (!model::may_stick(stop.friction)) continue;
     refuse(stops, "has a friction coefficient, which may stick, beside torsion of the rotor",
            "friction by one_way, stribeck or static, or no torsion");
     return;
   }
 }
 
-bool is_linear(const model::Stop& stop) { return stop.law.linear(); }
+/// A smoothed law goes through slip zero on one curve and never holds.
+void refuse_static_friction_smoothed(const yaml::Value& solver, const sweep::Study& study) {
+  if (study.solver.contact != integrate::run::ContactHandling::smoothed) return;
+  const auto holds = [](const model::Stop& stop) { return model::holding_and_sliding(stop.friction)[0] > 0; };
+  if (std::ranges::any_of(study.machine.stops, holds))
+    refuse(solver, "smooths the contact, beside static friction of a stop, which only holds without",
+           "contact: located, or friction without static");
+}
+
+void refuse_curved_laws(const yaml::Value& solver, const sweep::Study& study) {
+  const auto is_linear = [](const model::Stop& stop) { return stop.law.linear(); };
+  if (!integrate::run::knows_curved_laws(study.solver) && !std::ranges::all_of(study.machine.stops, is_linear))
+    refuse(solver, "knows linear contacts alone by method exact or contact smoothed",
+           "method auto or adaptive with contact located beside a law of another kind");
+}
 
 }  // namespace
 
@@ -240,11 +254,11 @@ sweep::Study read_study(yaml::Section& root) {
   root.field("gravity_m_per_s2", study.machine.gravity_m_per_s2, model::not_negative);
   if (const auto value = root.require("sweep", "a map")) study.grid = read_sweep(*value, study.machine);
   if (const auto value = root.find("study")) read_study_kind(*value, study);
-  if (const auto value = root.find("solver")) study.solver = read_solver(*value, study.machine.stops.size());
-  if (const auto value = root.find("solver"); value && !integrate::run::knows_curved_laws(study.solver) &&
-                                              !std::ranges::all_of(study.machine.stops, is_linear))
-    refuse(*value, "knows linear contacts alone by method exact or contact smoothed",
-           "method auto or adaptive with contact located beside a law of another kind");
+  if (const auto value = root.find("solver")) {
+    study.solver = read_solver(*value, study.machine.stops.size());
+    refuse_static_friction_smoothed(*value, study);
+    refuse_curved_laws(*value, study);
+  }
   if (const auto value = root.find("response")) read_response(*value, study);
   if (const auto value = root.find("kick"); value && root.is_sound()) {
     refuse_endless_kick(*value, *study.machine.kick,

@@ -10,7 +10,6 @@
 
 #include "rubsweep/maps/basin/low_discrepancy.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
-#include "rubsweep/maps/config/study/axis.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 

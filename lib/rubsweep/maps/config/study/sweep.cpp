@@ -11,7 +11,6 @@
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/model/support_path.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
-#include "rubsweep/maps/config/study/axis.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 

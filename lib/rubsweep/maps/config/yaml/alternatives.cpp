@@ -16,8 +16,9 @@ namespace {
 
 using Keys = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 1> stribeck{"stribeck"}, coefficient{"coefficient"},
-    one_way{"one_way"};
+constexpr std::array<std::string_view, 1> stribeck{"stribeck"}, one_way{"one_way"};
+constexpr std::array<std::string_view, 4> holding{"static", "coefficient", "stribeck_speed_m_per_s",
+                                                  "exponent"};
 constexpr std::array<std::string_view, 5> curve{"static", "kinetic", "peak_speed_m_per_s",
                                                 "settle_speed_m_per_s", "viscous_s_per_m"};
 constexpr std::array<std::string_view, 1> stiffness{"stiffness_n_per_m"}, hertz{"hertz"};
@@ -43,7 +44,7 @@ constexpr std::array<std::string_view, 1> stepped{"step"};
 
 /// Alternative spellings, each by the keys that belong to it; at most four, the empty ones do not count.
 constexpr std::array<std::array<Keys, 4>, 15> alternatives{{
-    {stribeck, curve, coefficient, one_way},
+    {stribeck, curve, holding, one_way},
     {stiffness, hertz},
     {stiffness, law},
     {dampings, law},
@@ -64,9 +65,9 @@ bool holds(Keys keys, std::string_view key) { return std::find(keys.begin(), key
 
 bool exclude_each_other(std::string_view a, std::string_view b) {
   return std::any_of(alternatives.begin(), alternatives.end(), [&](const auto& ways) {
-    const auto of_a = std::find_if(ways.begin(), ways.end(), [&](Keys keys) { return holds(keys, a); });
-    const auto of_b = std::find_if(ways.begin(), ways.end(), [&](Keys keys) { return holds(keys, b); });
-    return of_a != ways.end() && of_b != ways.end() && of_a != of_b;
+    const auto any = [&](const auto& of) { return std::ranges::any_of(ways, of); };
+    return any([&](Keys keys) { return holds(keys, a); }) && any([&](Keys keys) { return holds(keys, b); }) &&
+           !any([&](Keys keys) { return holds(keys, a) && holds(keys, b); });
   });
 }
 
@@ -78,8 +79,14 @@ void drop_entry(Node& map, std::size_t index) {
 }
 
 void drop_alternatives(Node& map, std::string_view written) {
+  // Beside other keys of a curve `static` is one of them alone.
+  const bool of_a_curve = written != curve[0] && holds(holding, written) &&
+                          std::ranges::any_of(map.keys, [](const Node::Key& key) {
+                            return holds(Keys(curve).subspan(1), key.text);
+                          });
   for (std::size_t i = map.keys.size(); i-- > 0;) {
-    if (exclude_each_other(written, map.keys[i].text)) drop_entry(map, i);
+    if (exclude_each_other(written, map.keys[i].text) || (of_a_curve && map.keys[i].text == curve[0]))
+      drop_entry(map, i);
   }
 }
 

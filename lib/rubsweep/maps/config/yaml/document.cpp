@@ -23,8 +23,8 @@ struct Refusal {
 
 struct Extent {
   std::size_t nodes = 1;
-  std::size_t depth = 1;  // of maps and lists, the node itself included
-  std::size_t bytes = 0;  // of copies of scalars
+  std::size_t depth = 1;  // depth of maps and lists, the node itself included
+  std::size_t bytes = 0;  // size of copies of scalars
 };
 
 Extent extent_of(const Node& node) {

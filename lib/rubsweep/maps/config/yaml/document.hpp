@@ -20,7 +20,7 @@ struct Node {
   };
 
   Kind kind = Kind::null;
-  SourcePosition place;       ///< of a null in a map: its key's
+  SourcePosition place;       ///< place; of a null in a map that of its key
   std::string text{};         ///< scalar
   bool quoted = false;        ///< scalar in quotes or a block: text, never a number
   std::vector<Key> keys{};    ///< map: as written, repeated ones included; keys[i] belongs to items[i]

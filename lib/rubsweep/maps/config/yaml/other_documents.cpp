@@ -110,7 +110,7 @@ std::size_t depth_of(const Node& node) {
 
 /// Line and column of the last character that the parser took and that is no blank.
 struct Cursor {
-  int line = 1, column = 0;  ///< of the character taken last
+  int line = 1, column = 0;  ///< place of the character taken last
   int seen_line = 1, seen_column = 1;
 
   void take(char c) {

@@ -27,6 +27,9 @@ class Section {
   /// The first value under this key, empty without one. Makes the key a known one.
   std::optional<Value> find(std::string_view name);
 
+  /// Whether it is given. Does not make the key a known one.
+  bool holds(std::string_view name) const { return lookup(name) != nullptr; }
+
   /// As find, and a missing key is a problem.
   std::optional<Value> require(std::string_view name, std::string_view allowed);
 

@@ -61,7 +61,7 @@ std::optional<std::string_view> nearest(std::string_view word, std::span<const s
 enum class NumberError {
   none,
   not_a_number,
-  not_finite,   ///< one of YAML's or C's words for infinity and NaN
+  not_finite,   ///< a word of YAML's or C's for infinity or NaN
   does_not_fit  ///< a decimal number too large or too small for a double
 };
 

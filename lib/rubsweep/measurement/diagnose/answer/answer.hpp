@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rubsweep/measurement/diagnose/inference/next_measurement.hpp"
-#include "rubsweep/measurement/diagnose/motion_lines.hpp"
+#include "rubsweep/measurement/diagnose/observed_lines.hpp"
 
 namespace rubsweep::diagnose::answer {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "rubsweep/measurement/diagnose/features/line_features.hpp"
-#include "rubsweep/measurement/diagnose/motion_lines.hpp"
+#include "rubsweep/measurement/diagnose/observed_lines.hpp"
 
 namespace rubsweep::diagnose::features {
 

@@ -20,17 +20,17 @@ Eigen::VectorXd sampling_errors(const DiagnosisProblem& problem, const CaseSet& 
 
 struct DiagnosisOptions {
   CaseOptions cases{};
-  int most_rounds = 3;              ///< of draws near cases that resemble the recording
-  int draws_per_round = 800;        ///< of all candidates together
+  int most_rounds = 3;              ///< rounds of draws near cases that resemble the recording
+  int draws_per_round = 800;        ///< draws of all candidates together
   bool with_standard_error = true;  ///< where the probabilities do not stand still
-  double least_change = 0.03;       ///< of a probability between two rounds, below which they stand still
+  double least_change = 0.03;  ///< change of a probability between two rounds, below which they stand still
 };
 
 /// Answer of a diagnosis with all that it rests on.
 struct Diagnosis {
   CaseSet set{};
   ObservedCases observed{};
-  Posterior posterior{};                                   ///< without its forest
+  Posterior posterior{};                                   ///< posterior without its forest
   std::vector<std::vector<QuantityMarginal>> marginals{};  ///< marginals_of every candidate
   std::vector<Eigen::VectorXd> history{};  ///< probabilities of the candidates after each round
   double p_value = 1;                      ///< p_value_of

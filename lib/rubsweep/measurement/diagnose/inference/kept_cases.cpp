@@ -15,7 +15,6 @@
 #include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
-#include "rubsweep/measurement/diagnose/inference/cases_version.hpp"
 
 namespace rubsweep::diagnose::inference {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "rubsweep/measurement/diagnose/lasting_motion.hpp"
+#include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::diagnose::inference {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rubsweep/measurement/diagnose/motion_lines.hpp"
+#include "rubsweep/measurement/diagnose/observed_lines.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose::inference {

@@ -42,8 +42,8 @@ void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int thre
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
                        const features::DescribedMotion& seen, int threads);
 
-/// Share of the cases of the priors that stand as far apart from all others as the recording
-/// (forest::Novelty): a check that does not rest on the posterior.
+/// Share of the simulated cases that are at least as far from all others as the recording is
+/// (forest::Novelty): a check that does not use the posterior.
 double p_value_of(const CaseSet& set, const ObservedCases& observed, const features::DescribedMotion& seen,
                   int threads);
 

@@ -9,8 +9,8 @@
 #include "rubsweep/measurement/diagnose/candidate.hpp"
 #include "rubsweep/measurement/diagnose/drawn_machine.hpp"
 #include "rubsweep/measurement/diagnose/features/described_motion.hpp"
-#include "rubsweep/measurement/diagnose/lasting_motion.hpp"
 #include "rubsweep/measurement/diagnose/observed_lines.hpp"
+#include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::diagnose::inference {
 
@@ -19,9 +19,10 @@ struct DiagnosisProblem {
   std::vector<Candidate> candidates{};  ///< their natural frequency and damping are those of the machine
   std::vector<double> prior{};  ///< probability of each, given that it is one of them; they add up to 1
   FixedNumbers fixed{};
-  std::optional<Spread> eccentricity_m{};  ///< of the unbalance, > 0, logarithmic; empty: anything
-  double speed_hz = 0;                     ///< of the shaft
-  int turns = 0;                           ///< of it in the recording
+  std::optional<Spread>
+      eccentricity_m{};  ///< eccentricity of the unbalance, > 0, logarithmic; empty: anything
+  double speed_hz = 0;   ///< speed of the shaft
+  int turns = 0;         ///< turns of the shaft in the recording
   Measuring measuring{};
   std::uint64_t seed = 1;
 };
@@ -32,7 +33,7 @@ inline features::View view_of(const Measuring& measuring) {
 
 /// Largest order that the readings of a turn show as it is.
 inline double seen_order(const Measuring& measuring) {
-  constexpr double clean_share = 0.4;  // as scope::judge
+  constexpr double clean_share = 0.4;  // share as in scope::judge
   return std::min(most_order, clean_share * measuring.readings_per_turn);
 }
 
@@ -57,7 +58,7 @@ std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std:
 /// A case as the instrument shows it. Depends on problem, case and index alone.
 struct ObservedCase {
   features::DescribedMotion seen{};
-  double probe_angle_rad = 0;  ///< of one probe: from the stop's direction
+  double probe_angle_rad = 0;  ///< angle of a single probe from the stop's direction
 };
 ObservedCase observe(const DiagnosisProblem& problem, const SimulatedCase& simulated, std::size_t index,
                      response::spectrum::SpectrumWorkspace& workspace);

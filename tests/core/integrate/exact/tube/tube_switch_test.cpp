@@ -38,7 +38,7 @@ TEST(TubeSwitch, TheLawsDifferByAVectorTimesTheGuard) {
   const Eigen::VectorXd b = difference * row.transpose() / row.squaredNorm();
   EXPECT_LE((difference - b * row).norm(), 1e-9 * difference.norm());
   EXPECT_NEAR(made->own_deflection, std::abs(row.dot(b.transpose())), 1e-9 * made->own_deflection);
-  // b and what the new law makes of it are carried from here on.
+  // The run carries b, and what the new law makes of b, from here on.
   EXPECT_EQ(motion.tangents().size(), 10u);
 }
 

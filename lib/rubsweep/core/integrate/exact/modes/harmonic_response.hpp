@@ -32,15 +32,15 @@ struct HarmonicResponse {
   Eigen::Matrix<Complex, N, 1> amplitude;
   Eigen::Matrix<std::complex<long double>, N, 1> unrounded_amplitude;  ///< only where the compiler knows N
   std::vector<Complex> at_guard;
-  std::vector<double> curvature;  ///< per guard: |at_guard| rate^2
+  std::vector<double> curvature;  ///< bound for each guard: |at_guard| rate^2
   /// Per guard: Taylor coefficients as of Guard, of the real and of the imaginary part of the phasor.
   std::vector<numerics::SeriesTable<2>> taylor;
   std::vector<std::array<Complex, 2>> at_annular_guard;
-  std::vector<double> annular_length;     ///< per annular stop: bound on |at_annular_guard e^{i rate t}|
-  std::vector<Complex> at_force;          ///< per touch
-  std::vector<double> force_curvature;    ///< per touch: |at_force| rate^2
-  std::vector<Complex> at_sliding;        ///< per touch
-  std::vector<double> sliding_curvature;  ///< per touch: |at_sliding| rate^2
+  std::vector<double> annular_length;     ///< bound for each annular stop on |at_annular_guard e^{i rate t}|
+  std::vector<Complex> at_force;          ///< response of each touch
+  std::vector<double> force_curvature;    ///< bound for each touch: |at_force| rate^2
+  std::vector<Complex> at_sliding;        ///< response of each touch
+  std::vector<double> sliding_curvature;  ///< bound for each touch: |at_sliding| rate^2
   std::vector<std::array<Complex, 2>> at_casing;
   std::array<Complex, numerics::exact_step_count>
       steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked

@@ -31,7 +31,7 @@ struct ExactTypes {
   static constexpr int states = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N;
   static constexpr int most = N == Eigen::Dynamic ? most_exact_coordinates : N;
   using Vector = Eigen::Matrix<double, N, 1, Eigen::ColMajor, most, 1>;
-  using Part = Eigen::Array<double, N, 1, Eigen::ColMajor, most, 1>;   ///< one number per pair
+  using Part = Eigen::Array<double, N, 1, Eigen::ColMajor, most, 1>;   ///< an array with one number per pair
   using Pairs = Eigen::Array<double, N, 4, Eigen::ColMajor, most, 4>;  ///< uu, uv, vu, vv per pair
   using State = Eigen::Matrix<double, states, 1, Eigen::ColMajor, 2 * most, 1>;
   using Row = Eigen::Matrix<double, 1, states, Eigen::RowMajor, 1, 2 * most>;
@@ -84,7 +84,7 @@ struct TouchWatch {
   double way = 1;                                  ///< -1: the slip, and friction with it, goes backward
   typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
   ModalTerms sliding_of_free;                      ///< the free vibration's part of it
-  typename ExactTypes<N>::Row sliding_rate_bound;  ///< of the free vibration's part of d sliding / dt
+  typename ExactTypes<N>::Row sliding_rate_bound;  ///< bound on the free vibration's part of d sliding / dt
   /// Empty in most modes. Where every touching contact is released there is nothing but friction, mu K p at
   /// contact k, between rotor and casings, and the penetrations p only fall. `sliding_rate_bound` is then on
   /// the free vibration of the structure without any contact, and friction is added as a force from outside:
@@ -96,7 +96,7 @@ struct TouchWatch {
 /// Displacement of a casing as a linear function of the free vibration, so that no whole state is needed.
 template <int N>
 struct CasingView {
-  Eigen::Matrix<double, 2, N> map;  ///< as of run::ScaledCasing
+  Eigen::Matrix<double, 2, N> map;  ///< map as of run::ScaledCasing
   Eigen::Vector2d rest;             ///< displacement of the constant particular solution
   typename ExactTypes<N>::template RowsOfState<4> of_free;  ///< (x, y, x', y') of z
 };
@@ -117,9 +117,9 @@ template <int N>
 struct LinearMode {
   using Types = ExactTypes<N>;
   std::size_t index = 0;             ///< the modes of one MachineModes are numbered as they are made
-  std::vector<contact::Mode> modes;  ///< per contact
+  std::vector<contact::Mode> modes;  ///< mode of each contact
   Eigen::Matrix<double, N, N> stiffness, damping;  ///< contacts included
-  typename Types::Flow generator;                  ///< of (u, u')
+  typename Types::Flow generator;                  ///< generator of (u, u')
   typename Types::Vector rest;                     ///< u of the constant particular solution
   bool paired = false;
   bool diagonal_basis = false;
@@ -129,15 +129,15 @@ struct LinearMode {
   Eigen::Array<double, N, numerics::most_series_terms> unit_terms, generator_terms;
   double longest_step_s = 0;
   double longest_steps_per_s = 0;                   ///< 1 / longest_step_s
-  std::vector<typename Types::Row> closing;         ///< per contact, for flat ones: p'' of (u, u') - rest
+  std::vector<typename Types::Row> closing;         ///< row of each flat contact: p'' of (u, u') - rest
   double fastest_rad_per_s = 0;                     ///< largest |eigenvalue|
   std::vector<typename Types::Pairs> pair_steps;    ///< e^{A h}, of pairs or
-  mutable StepFlows<typename Types::Factor> steps;  ///< as a whole
+  mutable StepFlows<typename Types::Factor> steps;  ///< flows of whole steps
   std::vector<LinearGuard<N>> guards;
   std::vector<AnnularGuard<N>> annular_guards;
   std::vector<TouchWatch<N>> touches;
   std::vector<CasingView<N>> casings;
-  bool pushes = false;      ///< one of the touches does
+  bool pushes = false;      ///< true: one of the touches pushes
   UnroundedMode unrounded;  ///< only where the compiler knows N
 
   using State = typename Types::State;
@@ -167,9 +167,9 @@ struct LinearMode {
 
 /// Data that all contact modes of a machine share.
 struct CommonToModes {
-  run::ScaledSystem<Eigen::Dynamic> system;          ///< with time in seconds
-  std::vector<contact::SaturatedFriction> friction;  ///< per contact
-  std::optional<numerics::ModalForm> open_form;      ///< of the system without contact
+  run::ScaledSystem<Eigen::Dynamic> system;          ///< system with time in seconds
+  std::vector<contact::SaturatedFriction> friction;  ///< friction of each contact
+  std::optional<numerics::ModalForm> open_form;      ///< form of the system without contact
 };
 
 /// Linear mode of one joint contact mode: `modes` and whether the slip goes `backward`, per contact. Null

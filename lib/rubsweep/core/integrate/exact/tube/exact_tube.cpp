@@ -63,7 +63,7 @@ class TubeBuilder {
   using Spread = TurnTube::Spread;
   using GuardValue = typename ExactMotion<N>::GuardValue;
   static constexpr int most_steps = 100'000;
-  static constexpr double shortest_step = 1e-12;  ///< of a turn
+  static constexpr double shortest_step = 1e-12;  ///< share of a turn
   static constexpr std::size_t none = TubeSwitch<N>::none;
 
   ExactMotion<N>& motion() { return reference_.motion(); }
@@ -206,7 +206,7 @@ class TubeBuilder {
   double period_s_ = 0;
   std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
   double time_s_ = 0;
-  std::vector<GuardValue> guards_;      ///< of the present mode, at the start of a step
+  std::vector<GuardValue> guards_;      ///< guards of the present mode, at the start of a step
   std::vector<modes::ModalSums> seen_;  ///< projections of the disturbances onto these
   TurnTube tube_;
 };

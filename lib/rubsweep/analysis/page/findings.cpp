@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/page/painted_table.hpp"
+#include "rubsweep/analysis/page/findings.hpp"
 
 #include <fmt/format.h>
 

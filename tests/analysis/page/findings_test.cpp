@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/page/painted_table.hpp"
+#include "rubsweep/analysis/page/findings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ MapTable map_of(const Cells& cells, const std::vector<std::string>& classes) {
   return map;
 }
 
-TEST(PaintedTable, GivesTheCellsOfAUniformBlockItsClassAndNothingElse) {
+TEST(FindingsPaintedTable, GivesTheCellsOfAUniformBlockItsClassAndNothingElse) {
   const Cells corners{0, 4, 10, 14};
   const PaintedTable painted =
       painted_table(map_of(corners, std::vector<std::string>(4, "subharmonic")), lattice_grid());
@@ -56,7 +56,7 @@ TEST(PaintedTable, GivesTheCellsOfAUniformBlockItsClassAndNothingElse) {
   EXPECT_EQ(painted.map.number("revolutions", 10), 102);
 }
 
-TEST(PaintedTable, RefusesAMapThatLacksACell) {
+TEST(FindingsPaintedTable, RefusesAMapThatLacksACell) {
   const auto without = [](const Cells& cells) {
     return painted_table(map_of(cells, std::vector<std::string>(cells.size(), "subharmonic")),
                          lattice_grid());
@@ -65,7 +65,7 @@ TEST(PaintedTable, RefusesAMapThatLacksACell) {
   EXPECT_THROW(without({0, 4, 10}), IoError);
 }
 
-TEST(PaintedTable, PaintsEachBlockByItself) {
+TEST(FindingsPaintedTable, PaintsEachBlockByItself) {
   // The right half is of another class; the middle column is where the block was split.
   const Cells cells{0, 2, 4, 5, 7, 9, 10, 12, 14};
   std::vector<std::string> classes;
@@ -82,7 +82,7 @@ TEST(PaintedTable, PaintsEachBlockByItself) {
   EXPECT_EQ(painted.computed, (Cells{0, 2, 3, 4, 5, 7, 8, 9, 10, 12, 13, 14}));
 }
 
-TEST(PaintedTable, RefusesARowThatIsNoCell) {
+TEST(FindingsPaintedTable, RefusesARowThatIsNoCell) {
   MapTable map = map_of({0, 4}, {"chaotic", "chaotic"});
   map.columns[0].numbers[1] = 51;
   EXPECT_THROW(painted_table(map, lattice_grid()), IoError);
@@ -112,7 +112,7 @@ bool says(const std::vector<std::string>& sentences, const std::string& sentence
   return std::find(sentences.begin(), sentences.end(), sentence) != sentences.end();
 }
 
-TEST(PaintedTableFindings, SayWhatTheMapHolds) {
+TEST(Findings, SayWhatTheMapHolds) {
   const auto said = findings(four_cells(), grid);
   for (const char* sentence :
        {"4 cells: 2 speeds from 50 to 80 Hz (3000 to 4800 rpm), 2 whirl ratios from 0.2 to 0.6.",
@@ -129,7 +129,7 @@ TEST(PaintedTableFindings, SayWhatTheMapHolds) {
   }
 }
 
-TEST(PaintedTableFindings, AQuietMapSaysSo) {
+TEST(Findings, AQuietMapSaysSo) {
   MapTable map = four_cells();
   for (auto& column : map.columns) {
     if (column.name == "class") column.words.assign(4, "non_contact");

@@ -17,7 +17,7 @@ inline constexpr std::string_view not_computed = "not computed";
 struct PaintedTable {
   MapTable map;
   std::vector<std::size_t> computed;  ///< the cells that the map held, ascending
-  std::vector<int> labels;            ///< of these cells, sweep::unknown_label of all others
+  std::vector<int> labels;            ///< labels of these cells, sweep::unknown_label of all others
 };
 
 /// Gives every cell of `grid` a row: those of `map` as they are; any other has its place, the class and order

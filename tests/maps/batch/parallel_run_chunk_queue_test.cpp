@@ -1,9 +1,9 @@
-#include "rubsweep/maps/batch/chunk_queue.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
+
+#include "rubsweep/maps/batch/parallel_run.hpp"
 
 namespace rubsweep::batch {
 namespace {
@@ -18,7 +18,7 @@ Chunk cells_from(std::size_t first, std::size_t count) {
 
 const ChunkQueue::Clock::time_point start{};
 
-TEST(ChunkQueue, DealsOutEveryCellOnce) {
+TEST(ParallelRunChunkQueue, DealsOutEveryCellOnce) {
   for (const std::size_t count : {0u, 1u, 2u, 3u, 10u, 34u, 1000u, 1024u, 1320u}) {
     const Chunk cells = cells_from(100, count);
     ChunkQueue queue(cells, 3);
@@ -34,7 +34,7 @@ TEST(ChunkQueue, DealsOutEveryCellOnce) {
   }
 }
 
-TEST(ChunkQueue, DealsOutWhatItIsFilledWithAgain) {
+TEST(ParallelRunChunkQueue, DealsOutWhatItIsFilledWithAgain) {
   ChunkQueue queue({}, 2);
   EXPECT_TRUE(queue.next(0, start).empty());
   for (const std::size_t count : {5u, 40u}) {
@@ -47,7 +47,7 @@ TEST(ChunkQueue, DealsOutWhatItIsFilledWithAgain) {
   }
 }
 
-TEST(ChunkQueue, AChunkIsSpreadOverAllCells) {
+TEST(ParallelRunChunkQueue, AChunkIsSpreadOverAllCells) {
   for (const std::size_t count : {1000u, 1024u, 1320u, 65536u}) {
     ChunkQueue queue(cells_from(0, count), 1);
     Chunk chunk = queue.next(0, start);
@@ -71,23 +71,23 @@ std::vector<std::size_t> sizes(ChunkQueue& queue, std::size_t worker, ChunkQueue
   return result;
 }
 
-TEST(ChunkQueue, AChunkTakesAQuarterOfASecondForEachWorker) {
+TEST(ParallelRunChunkQueue, AChunkTakesAQuarterOfASecondForEachWorker) {
   ChunkQueue queue(cells_from(0, 10'000'000), 2);
   EXPECT_EQ(sizes(queue, 0, 250us, 6), (std::vector<std::size_t>{16, 64, 256, 1000, 1000, 1000}));
   EXPECT_EQ(sizes(queue, 1, 50ms, 4), (std::vector<std::size_t>{16, 5, 5, 5}));
 }
 
-TEST(ChunkQueue, CellsThatTakeNoTimeMakeNoEndlessChunk) {
+TEST(ParallelRunChunkQueue, CellsThatTakeNoTimeMakeNoEndlessChunk) {
   ChunkQueue queue(cells_from(0, 10'000'000), 1);
   EXPECT_EQ(sizes(queue, 0, 0us, 7), (std::vector<std::size_t>{16, 64, 256, 1024, 4096, 16384, 16384}));
 }
 
-TEST(ChunkQueue, CellsThatTakeLongComeOneByOne) {
+TEST(ParallelRunChunkQueue, CellsThatTakeLongComeOneByOne) {
   ChunkQueue queue(cells_from(0, 1000), 1);
   EXPECT_EQ(sizes(queue, 0, 1h, 4), (std::vector<std::size_t>{16, 1, 1, 1}));
 }
 
-TEST(ChunkQueue, ChunksShrinkTowardsTheEnd) {
+TEST(ParallelRunChunkQueue, ChunksShrinkTowardsTheEnd) {
   ChunkQueue queue(cells_from(0, 100), 2);
   // An eighth of what is left.
   EXPECT_EQ(sizes(queue, 0, 1us, 4), (std::vector<std::size_t>{12, 11, 9, 8}));
@@ -97,7 +97,7 @@ TEST(ChunkQueue, ChunksShrinkTowardsTheEnd) {
   EXPECT_EQ(sizes(few, 0, 1us, 4), (std::vector<std::size_t>{1, 1, 1, 0}));
 }
 
-TEST(ChunkQueue, ClosedItDealsOutNothingMore) {
+TEST(ParallelRunChunkQueue, ClosedItDealsOutNothingMore) {
   ChunkQueue queue(cells_from(0, 100), 1);
   EXPECT_FALSE(queue.next(0, start).empty());
   queue.close();

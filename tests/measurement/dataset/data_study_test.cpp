@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/dataset/read_data_study.hpp"
+#include "rubsweep/measurement/dataset/data_study.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ std::string fault(const std::string& text) {
 
 const std::string output = "output: {directory: d}\n";
 
-TEST(ReadDataStudy, NeedsNoMoreThanADirectory) {
+TEST(DataStudyRead, NeedsNoMoreThanADirectory) {
   const auto study = read_data_study_text(output, "study.yaml");
   EXPECT_EQ(study.directory, "d");
   EXPECT_EQ(study.candidates.size(), 5u);
@@ -28,7 +28,7 @@ TEST(ReadDataStudy, NeedsNoMoreThanADirectory) {
     EXPECT_GT(spread_of(candidate, Unknown::natural_frequency).low, 0) << candidate.name;
 }
 
-TEST(ReadDataStudy, RangesOfTheMachineAreThoseOfEveryCandidateUnlessItHasItsOwn) {
+TEST(DataStudyRead, RangesOfTheMachineAreThoseOfEveryCandidateUnlessItHasItsOwn) {
   const auto study = read_data_study_text(
       output +
           "machine: {mass_kg: 3, natural_frequency_hz: 40, damping_ratio: [0.01, 0.02], clearance_m: "
@@ -55,7 +55,7 @@ TEST(ReadDataStudy, RangesOfTheMachineAreThoseOfEveryCandidateUnlessItHasItsOwn)
   EXPECT_EQ(study.measurement.noise_share.high, 0.01);
 }
 
-TEST(ReadDataStudy, RefusesWithPlaceAndWhatIsAllowed) {
+TEST(DataStudyRead, RefusesWithPlaceAndWhatIsAllowed) {
   EXPECT_NE(fault("recordings: 5\n").find("output"), std::string::npos);
   EXPECT_NE(fault(output + "recordings: 0\n").find("study.yaml:2:13: recordings: "), std::string::npos);
   EXPECT_NE(fault(output + "recording: 5\n").find("did you mean 'recordings'?"), std::string::npos);

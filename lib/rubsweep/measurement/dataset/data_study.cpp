@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/dataset/read_data_study.hpp"
+#include "rubsweep/measurement/dataset/data_study.hpp"
 
 #include <cmath>
 

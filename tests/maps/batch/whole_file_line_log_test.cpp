@@ -1,5 +1,3 @@
-#include "rubsweep/maps/batch/line_log.hpp"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -19,7 +17,7 @@
 namespace rubsweep::batch {
 namespace {
 
-TEST(LineLog, EachLineIsThereAtOnce) {
+TEST(WholeFileLineLog, EachLineIsThereAtOnce) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.partial.csv";
   LineLog log(path);
@@ -32,7 +30,7 @@ TEST(LineLog, EachLineIsThereAtOnce) {
 }
 
 /// The last line is asked for once its time is over, whether or not another one comes, and only then.
-TEST(LineLog, RefreshSyncsWhatWasAppendedOnceItsTimeIsOver) {
+TEST(WholeFileLineLog, RefreshSyncsWhatWasAppendedOnceItsTimeIsOver) {
   const TemporaryDirectory directory;
   LineLog log(directory.path() / "map.partial.csv", std::chrono::milliseconds(50));
   const FailingSync syncs;
@@ -47,7 +45,7 @@ TEST(LineLog, RefreshSyncsWhatWasAppendedOnceItsTimeIsOver) {
   EXPECT_EQ(syncs.calls(), 1) << "nothing was appended since";
 }
 
-TEST(LineLog, AFailureToSyncIsWhatTheNextLineThrows) {
+TEST(WholeFileLineLog, AFailureToSyncIsWhatTheNextLineThrows) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.partial.csv";
   LineLog log(path);
@@ -61,7 +59,7 @@ TEST(LineLog, AFailureToSyncIsWhatTheNextLineThrows) {
   log.append("5,6");
 }
 
-TEST(LineLog, GoesOnAfterTheLastWholeLine) {
+TEST(WholeFileLineLog, GoesOnAfterTheLastWholeLine) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.partial.csv";
   const std::string longer_than_a_block(10000, 'x');
@@ -78,7 +76,7 @@ TEST(LineLog, GoesOnAfterTheLastWholeLine) {
   }
 }
 
-TEST(LineLog, ALineThatDoesNotFitLeavesNothingBehind) {
+TEST(WholeFileLineLog, ALineThatDoesNotFitLeavesNothingBehind) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.partial.csv";
   LineLog log(path);
@@ -93,7 +91,7 @@ TEST(LineLog, ALineThatDoesNotFitLeavesNothingBehind) {
   EXPECT_EQ(read_whole_file(path), "1,2\n3,4\n");
 }
 
-TEST(LineLog, AFileThatCannotBeLookedAtIsNotTakenForAnEmptyOne) {
+TEST(WholeFileLineLog, AFileThatCannotBeLookedAtIsNotTakenForAnEmptyOne) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.journal";
   write_whole_file(path, "a\nb\n");
@@ -111,7 +109,7 @@ TEST(LineLog, AFileThatCannotBeLookedAtIsNotTakenForAnEmptyOne) {
   EXPECT_EQ(read_whole_file(path), "a\nb\n");
 }
 
-TEST(LineLog, FailuresAreErrors) {
+TEST(WholeFileLineLog, FailuresAreErrors) {
   EXPECT_EQ(message_of<IoError>([] { LineLog("/nowhere/map.partial.csv"); }),
             "cannot write /nowhere/map.partial.csv: No such file or directory");
   LineLog full("/dev/full");
