@@ -5,7 +5,7 @@ source "$(dirname "$0")/support.sh"
 shopt -s nullglob
 configs=()
 # stop.yaml of a folder is what the stops of the others share, and no configuration of its own.
-for config in "$top"/configs/*.yaml "$top"/configs/{init,reference,benchmark,hard_case,light_casing}/*.yaml; do
+for config in "$top"/configs/*.yaml "$top"/configs/{init,reference,benchmark,hard_case,light_casing,contact_laws}/*.yaml; do
   [[ ${config##*/} == stop.yaml ]] || configs+=("$config")
 done
 ((${#configs[@]})) || fail "there is no configuration in $top/configs"

@@ -268,7 +268,9 @@ keys::Form stops_form() {
                   {may("friction", friction_form(), "friction of the surfaces", "none"),
                    may("casing", any_of({one_of({&rigid, 1}), map_of(keys_of<model::Casing>())}),
                        "casing behind the stop", "rigid")}}),
-          {Choice{{{{std::string(stiffness_key)}, {law}}, {{std::string(hertz_key)}, {law}}, {{law}, {}}}},
+          {Choice{{{{std::string(stiffness_key)}, {law}},
+                   {{std::string(hertz_key)}, {law}},
+                   {{law}, {std::string(hertz_key)}}}},
            damped}),
       1, max_stops);
 }
