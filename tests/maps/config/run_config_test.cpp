@@ -7,6 +7,7 @@
 #include <set>
 
 #include "maps/config/support.hpp"
+#include "rubsweep/maps/config/yaml/alternatives.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
 
 namespace rubsweep::config {

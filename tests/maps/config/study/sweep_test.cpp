@@ -160,7 +160,7 @@ TEST(SweepPlaceAxes, IsPrintedAsItWasWrittenAndInSiUnitsForTheDigest) {
             std::string::npos)
       << printed;
   EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
-  const std::string study = print_study(config.study);
+  const std::string study = config::print_study(config.study);
   EXPECT_NE(study.find("  speed_hz:\n    values: [75]\n  eccentricity_m:\n    values: [0.0002]\n"),
             std::string::npos)
       << study;
