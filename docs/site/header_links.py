@@ -50,7 +50,7 @@ def link_headers(body, pages, to_library):
 def with_documents(page, links):
     """The text of a page of doxygen's, which says in its first line where the documents are and which of them name it, and
     links to a document where it names one. `links` are pairs of address and text."""
-    unlinked = r'(?<!\.html">)(?<!\.html"><code>)(<code>)?docs/([\w-]+)\.md(?(1)</code>)'
+    unlinked = r'(?<!\.html">)(?<!\.html"><code>)(<code>)?docs/((?:[\w-]+/)*[\w-]+)\.md(?(1)</code>)'
     page = re.sub(unlinked, r'<a href="../docs/\2.html">\g<0></a>', page)
     page = re.sub(f"{_BEGIN}.*?{_END}\n", "", page, flags=re.DOTALL)
     listed = ", ".join(f'<a href="{address}">{text}</a>' for address, text in links)

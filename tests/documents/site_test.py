@@ -71,7 +71,7 @@ class Site(unittest.TestCase):
     def test_documents_that_headers_name_are_linked(self):
         for page in ("library/index.html", "library/namespacerubsweep_1_1linear.html"):
             named = {path for path, _ in links_of(page, text_of(page)) if path.startswith("docs/")}
-            self.assertIn("docs/method.html", named)
+            self.assertTrue(any(path.startswith("docs/method") for path in named), named)
             self.assertEqual(named - set(self.documents), set())
 
     def test_links_of_header_pages_lead_to_headings(self):

@@ -132,8 +132,9 @@ StateReader::StateReader(const scene::Scene& scene, const integrate::run::Solver
 }
 
 void StateReader::pass(const integrate::run::ModeSwitch& change) {
-  if (change.from == contact::Mode::open)
-    impact_damping_[static_cast<std::size_t>(change.contact)] = change.impact_damping;
+  const auto i = static_cast<std::size_t>(change.contact);
+  if (change.from == contact::Mode::open && i < impact_damping_.size())
+    impact_damping_[i] = change.impact_damping;
 }
 
 contact::NormalForce StateReader::normal_force(std::size_t index, const StopMotion& motion) const {

@@ -95,7 +95,7 @@ TEST(HertzFrictionCurve, ProblemsHaveTheirPlaces) {
   EXPECT_NE(message("{static: 0.3, kinetic: 0.2, coefficient: 1}").find("given beside"), std::string::npos);
 }
 
-TEST(StaticFrictionKeys, AreReadPrintedAndReadAgain) {
+TEST(HertzStaticFrictionKeys, AreReadPrintedAndReadAgain) {
   for (const std::string law :
        {"{static: 0.3, coefficient: 0.2}",
         "{static: 0.3, coefficient: 0.2, stribeck_speed_m_per_s: 0.05, exponent: 2}"}) {
@@ -109,7 +109,7 @@ TEST(StaticFrictionKeys, AreReadPrintedAndReadAgain) {
   }
 }
 
-TEST(StaticFrictionKeys, ProblemsHaveTheirPlaces) {
+TEST(HertzStaticFrictionKeys, ProblemsHaveTheirPlaces) {
   const auto message = [](const std::string& text, const std::string& more = "gravity_m_per_s2=0") {
     return message_of(test_file("minimal.yaml"), {"stops.0.friction=" + text, more});
   };
@@ -136,7 +136,7 @@ TEST(StaticFrictionKeys, ProblemsHaveTheirPlaces) {
             std::string::npos);
 }
 
-TEST(StaticFrictionKeys, AreWrittenOverOtherFriction) {
+TEST(HertzStaticFrictionKeys, AreWrittenOverOtherFriction) {
   const auto after = [](const std::string& base, std::vector<std::string> over) {
     over.insert(over.begin(), "stops.0.friction=" + base);
     return read_run_config_text(test_file("minimal.yaml"), "test.yaml", over)
