@@ -36,8 +36,8 @@ double most_work_of_a_turn(const run::SolverOptions& options) {
   return run::work_of_an_expansion * static_cast<double>(run::most_pieces_of_a_turn(options));
 }
 
-/// Friction that is less as soon as it slips: what holds then depends on the past, which a turn handed on in
-/// the middle forgets.
+/// Friction that is less as soon as it slips: whether a contact sticks then depends on the past, which a turn
+/// that is handed on while something touches forgets.
 bool any_jumps(const scene::Scene& scene) {
   return std::ranges::any_of(
       scene.contacts, [](const scene::Contact& c) { return contact::friction_terms(c.friction).jumps(); });
@@ -73,6 +73,7 @@ class HybridRun {
         run_(scene, std::move(modes), options.max_steps_per_revolution),
         in_pieces_(may_be_in_pieces(scene, options)),
         sticks_in_rings_(may_stick_in_a_ring(scene)),
+        jumps_(any_jumps(scene)),
         stiff_(scene_, options),
         end_of_pulses_rad_(run::pulses_end_s(scene) * scene.speed_rad_per_s) {}
 
@@ -252,7 +253,7 @@ class HybridRun {
   run::Outcome made_away(const run::TurnReport& report) {
     run_.resume(report.section);
     ++absent_;
-    if (!report.touched || absent_ >= absence_) {
+    if (!report.touched || (absent_ >= absence_ && !jumps_)) {
       if (!report.touched) absence_ = 1;
       come_back();
     }
@@ -281,6 +282,7 @@ class HybridRun {
   exact::ExactRun<N> run_;
   bool in_pieces_ = false;        ///< turns whose friction leaves saturation are
   bool sticks_in_rings_ = false;  ///< may_stick_in_a_ring
+  bool jumps_ = false;            ///< any_jumps
   long switches_of_stuck_ = 0;    ///< switches of pieces by the last look whether a contact sticks
   int stuck_pieces_ = 0;          ///< since the last of them
   StiffTurns stiff_;
