@@ -77,8 +77,8 @@ expect_matches stdout '^stepper auto: dopri5 throughout'
 expect_exit 0 ring.yaml --explain --set solver.stepper=rkf78
 expect_matches stdout 'rkf78 \(order 8'
 
-# Static friction holds on over the end of a turn that finds it sticking: a rotor on a floor sticks and slips up to 5 Hz,
+# Static friction holds on over the end of a turn that finds it sticking: a rotor on a floor sticks and slips up to 2.5 Hz,
 # where its swing after breaking away no longer comes back to the speed of the surface.
 expect_exit 0 "$top/configs/gallery/stick_slip.yaml" --output stick_slip --quiet
-[[ $(count_rows stick_slip/map.csv 'speed_hz <= 5 and kind == "resting_contact"') == 0 ]] || fail 'stick-slip died out'
-[[ $(count_rows stick_slip/map.csv 'speed_hz > 5.2 and kind != "resting_contact"') == 0 ]] || fail 'sliding did not settle'
+[[ $(count_rows stick_slip/map.csv 'speed_hz <= 2.5 and kind == "resting_contact"') == 0 ]] || fail 'stick-slip died out'
+[[ $(count_rows stick_slip/map.csv 'speed_hz > 2.6 and kind != "resting_contact"') == 0 ]] || fail 'sliding did not settle'

@@ -44,11 +44,10 @@ struct LinearLaw {
   double spring = 0, damper = 0, friction = 0;
 };
 
-/// Stated here alone: every solver reads it, so that a change of the law is made once.
-constexpr LinearLaw law_of(Mode mode) {
-  constexpr std::array<LinearLaw, mode_count> laws{{{0, 0, 0}, {2, 0, 1}, {1, 1, 1}, {0, 0, 1}}};
-  return laws[static_cast<std::size_t>(mode)];
-}
+/// Laws of the modes, stated here alone: every solver reads it, so that a change of the law is made once. (A
+/// local table would be made anew by every call.)
+inline constexpr std::array<LinearLaw, mode_count> linear_laws{{{0, 0, 0}, {2, 0, 1}, {1, 1, 1}, {0, 0, 1}}};
+constexpr LinearLaw law_of(Mode mode) { return linear_laws[static_cast<std::size_t>(mode)]; }
 
 /// Law of one mode, continued smoothly beyond the mode's own region so that a step may overshoot its end.
 constexpr NormalForce force_in_mode(Mode mode, double stiffness, double damping, double penetration,

@@ -18,6 +18,10 @@ constexpr std::string_view to_string(Slip slip) {
   return slip == Slip::forward ? "forward" : slip == Slip::backward ? "backward" : "sticking";
 }
 
+/// Zero band of a slip, as a share of the surface's own speed (or of one clearance a radian): rounding stays
+/// below it, and friction would stop a smaller slip within as many radians.
+inline constexpr double no_slip = 1e-12;
+
 /// Stops that may come to stick at one instant, or stick together.
 inline constexpr int most_sticking = 16;
 

@@ -36,26 +36,16 @@ double most_work_of_a_turn(const run::SolverOptions& options) {
   return run::work_of_an_expansion * static_cast<double>(run::most_pieces_of_a_turn(options));
 }
 
-/// Friction that is less as soon as it slips: whether a contact sticks then depends on the past, which a turn
-/// that is handed on while something touches forgets.
-bool any_jumps(const scene::Scene& scene) {
-  return std::ranges::any_of(
-      scene.contacts, [](const scene::Contact& c) { return contact::friction_terms(c.friction).jumps(); });
-}
-
 /// Whether turns are handed on in the middle: between flat stops, by Taylor's series.
 bool may_be_in_pieces(const scene::Scene& scene, const run::SolverOptions& options) {
   return scene.impulses.empty() && options.stepper == run::Stepper::automatic &&
          options.contact == run::ContactHandling::located &&
-         std::ranges::all_of(scene.contacts,
-                             [](const scene::Contact& c) { return contact::linear(c.wall); }) &&
-         !any_jumps(scene);
+         std::ranges::all_of(scene.contacts, [](const scene::Contact& c) { return contact::linear(c.wall); });
 }
 
 /// Whether dry friction may hold the rotor at a place of a ring, whose surface stands.
 bool may_stick_in_a_ring(const scene::Scene& scene) {
-  return scene.impulses.empty() && !any_jumps(scene) &&
-         std::ranges::any_of(scene.contacts, [](const scene::Contact& c) {
+  return scene.impulses.empty() && std::ranges::any_of(scene.contacts, [](const scene::Contact& c) {
            return contact::annular(c.wall) && c.surface_speed_m_per_s == 0 &&
                   contact::holding_coefficient(c.friction) != 0;
          });
@@ -73,7 +63,6 @@ class HybridRun {
         run_(scene, std::move(modes), options.max_steps_per_revolution),
         in_pieces_(may_be_in_pieces(scene, options)),
         sticks_in_rings_(may_stick_in_a_ring(scene)),
-        jumps_(any_jumps(scene)),
         stiff_(scene_, options),
         end_of_pulses_rad_(run::pulses_end_s(scene) * scene.speed_rad_per_s) {}
 
@@ -161,8 +150,7 @@ class HybridRun {
       if (taylor_->sticks() && lasts() && stick(request, report) &&
           work_so_far() - before > most_work_of_a_turn(options_))
         return run::Outcome::step_limit;
-      const bool may_join =
-          in_pieces_ && !taylor_->sticks() && !taylor_->just_let_go() && taylor_->phase_rad() < last_join;
+      const bool may_join = in_pieces_ && !taylor_->sticks() && taylor_->phase_rad() < last_join;
       if (may_join && run_.join(taylor_->phase_rad(), taylor_->section(), taylor_->modes(), report))
         return ending;
     }
@@ -253,7 +241,7 @@ class HybridRun {
   run::Outcome made_away(const run::TurnReport& report) {
     run_.resume(report.section);
     ++absent_;
-    if (!report.touched || (absent_ >= absence_ && !jumps_)) {
+    if (!report.touched || absent_ >= absence_) {
       if (!report.touched) absence_ = 1;
       come_back();
     }
@@ -282,7 +270,6 @@ class HybridRun {
   exact::ExactRun<N> run_;
   bool in_pieces_ = false;        ///< turns whose friction leaves saturation are
   bool sticks_in_rings_ = false;  ///< may_stick_in_a_ring
-  bool jumps_ = false;            ///< any_jumps
   long switches_of_stuck_ = 0;    ///< switches of pieces by the last look whether a contact sticks
   int stuck_pieces_ = 0;          ///< since the last of them
   StiffTurns stiff_;

@@ -21,8 +21,8 @@ struct Touching {
   SlipWatch<4> watch;
   State start;
 
-  explicit Touching(double surface_speed_m_per_s)
-      : scene(with_surface(surface_speed_m_per_s)), watch(scene, machine->friction()) {
+  explicit Touching(double surface_speed_m_per_s) : Touching(with_surface(surface_speed_m_per_s)) {}
+  explicit Touching(const scene::Scene& of) : scene(of), watch(scene, machine->friction()) {
     start << 0.2, 1.01, 0, 0, 100, -50, 1, -2;  // time in seconds
     motion.set_phases(0);
     EXPECT_TRUE(motion.enter(0, start));
@@ -78,6 +78,28 @@ TEST(SlipWatch, TheGuardIsWhatIsLeftOfTheSlipAndItsRate) {
     const double rate = (touching.slip_m_per_s(touching.motion.physical()) - before) / h;
     const double way = touching.motion.mode().touches[0].way;
     EXPECT_NEAR(guard.rate, -way * rate, 1e-4 * std::abs(rate) + 1e-3);
+  }
+}
+
+/// A contact that sticks slips by rounding. Friction that is less as soon as it slips would let it go by
+/// that, and is not saturated there; dry friction, which would hold it again at once, is.
+TEST(SlipWatch, ASlipOfRoundingIsNoneWhereFrictionJumps) {
+  const auto saturated_at = [](const model::Friction& friction, double slip_m_per_s) {
+    scene::Scene scene = Touching::with_surface(0);
+    scene.contacts[0].friction = friction;
+    const double still = Touching(scene).slip_m_per_s(Touching(scene).start);
+    scene.contacts[0].surface_speed_m_per_s = slip_m_per_s - still;
+    Touching touching(scene);
+    EXPECT_NEAR(touching.slip_m_per_s(touching.start), slip_m_per_s, 1e-14);
+    return touching.watch
+        .saturated_mode(*touching.machine, modes::in_joint_mode(Mode::sprung, 0), touching.start)
+        .has_value();
+  };
+  for (const double way : {1, -1}) {
+    EXPECT_FALSE(saturated_at(model::StaticFriction{0.4, 0.2}, way * 3e-14));
+    EXPECT_TRUE(saturated_at(model::StaticFriction{0.4, 0.2}, way * 1e-9));
+    EXPECT_TRUE(saturated_at(model::StaticFriction{0.2, 0.2}, way * 3e-14));
+    EXPECT_TRUE(saturated_at(model::ConstantFriction{0.2}, way * 3e-14));
   }
 }
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "rubsweep/core/contact/dry_friction.hpp"
+#include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/integrate/exact/exact_motion.hpp"
 #include "rubsweep/core/integrate/exact/modes/joint_mode.hpp"
 #include "rubsweep/core/integrate/exact/modes/machine_modes.hpp"
@@ -30,12 +32,11 @@ class SlipWatch {
   SlipWatch(const scene::Scene& scene, const std::vector<contact::SaturatedFriction>& friction)
       : length_m_(scene.length_scale_m) {
     for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
-      const bool saturates = contact::saturated_friction(scene.contacts[i].friction).has_value();
+      const scene::Contact& c = scene.contacts[i];
       contacts_.push_back(
-          {.above_m_per_s = saturates ? friction[i].above_m_per_s : std::numeric_limits<double>::infinity(),
-           .surface_speed_m_per_s = scene.contacts[i].surface_speed_m_per_s,
-           .one_way =
-               contact::keeps_its_direction(scene.contacts[i].friction) && friction[i].coefficient != 0});
+          {.above_m_per_s = saturated_above(scene, c, friction[i]),
+           .surface_speed_m_per_s = c.surface_speed_m_per_s,
+           .one_way = contact::keeps_its_direction(c.friction) && friction[i].coefficient != 0});
     }
   }
 
@@ -152,6 +153,16 @@ class SlipWatch {
 
     bool always() const { return above_m_per_s < 0; }
   };
+
+  /// A contact that sticks has a slip that is zero but for rounding. Where its friction is less as soon as it
+  /// slips, it would be let go by that.
+  static double saturated_above(const scene::Scene& scene, const scene::Contact& contact,
+                                const contact::SaturatedFriction& friction) {
+    if (!contact::saturated_friction(contact.friction)) return std::numeric_limits<double>::infinity();
+    if (!contact::friction_terms(contact.friction).jumps()) return friction.above_m_per_s;
+    return contact::no_slip *
+           std::max(scene.length_scale_m * scene.speed_rad_per_s, std::abs(contact.surface_speed_m_per_s));
+  }
 
   void look_at_one_way(const ExactMotion<N>& motion, std::size_t t, const State& physical) {
     const modes::TouchWatch<N>& touch = motion.mode().touches[t];

@@ -56,8 +56,10 @@ double certified_by(const StickingView& view, const StickingMotion& motion, doub
 StickingStretch::StickingStretch(const scene::Scene& scene) : system_(run::scale<Eigen::Dynamic>(scene)) {
   for (const auto& contact : system_.contacts) {
     const bool normal_stands = contact::linear(contact.wall) || contact.surface_speed_m_per_s == 0;
-    dry_.push_back(normal_stands && contact::holding_coefficient(contact.friction) != 0);
     const contact::FrictionTerms terms = contact::friction_terms(contact.friction);
+    // A stretch ends at the bound. A state there says neither that the contact is held nor that it is let go,
+    // which differ where the friction is less as soon as it slips: pieces go through that instant.
+    dry_.push_back(normal_stands && terms.holding != 0 && !terms.jumps());
     const bool dry = terms.holding != 0 && terms.holding == terms.dry;
     steady_.push_back(contact::linear(contact.wall) && (dry || !contact::acts(contact.friction)));
   }

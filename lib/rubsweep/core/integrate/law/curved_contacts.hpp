@@ -46,7 +46,8 @@ class CurvedContacts {
     begin_impact(i, std::sqrt(k.closing_speed * k.closing_speed + 2 * c.mobility() * energy));
   }
 
-  contact::NormalForce force(std::size_t i, contact::Mode mode, double p, double v) const {
+  /// A function of its own, so that linear contacts do not pay for its registers.
+  [[gnu::noinline]] contact::NormalForce force(std::size_t i, contact::Mode mode, double p, double v) const {
     if (mode == contact::Mode::open) return {};
     const double spring = spring_n(i, p);
     return {spring, mode == contact::Mode::released ? 0 : spring * (1 + damping_[i] * v)};

@@ -5,37 +5,28 @@
 #include <cmath>
 #include <vector>
 
-#include "rubsweep/core/contact/contact_mode.hpp"
-#include "rubsweep/core/contact/dry_friction.hpp"
-#include "rubsweep/core/contact/force_law.hpp"
-#include "rubsweep/core/contact/friction_law.hpp"
-#include "rubsweep/core/integrate/law/contact_states.hpp"
-#include "rubsweep/core/integrate/law/curved_contacts.hpp"
+#include "rubsweep/core/integrate/law/contact_forces.hpp"
 #include "rubsweep/core/integrate/run/pulse_times.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
 
 namespace rubsweep::integrate::law {
 
-/// Right-hand side of a scaled system as Odeint takes it, u then u' in one state. Located: every contact
-/// obeys the law of its current mode, continued smoothly past the mode's end. Smoothed: the blended law,
-/// whatever the mode, of linear contacts alone. Any state with contiguous doubles behind operator[] will do.
-/// Dry friction, which jumps where the slip reverses, depends on `slips`: a contact that sticks keeps the
-/// slip that it has.
+/// Right-hand side of a scaled system as Odeint takes it, u then u' in one state, and its derivatives. Any
+/// state with contiguous doubles behind operator[] will do. A contact that sticks keeps the slip that it has.
 template <int N, bool Smoothed>
-class Dynamics : public ContactStates<N, Smoothed> {
-  using States = ContactStates<N, Smoothed>;
+class Dynamics : public ContactForces<N, Smoothed> {
+  using Forces = ContactForces<N, Smoothed>;
 
  public:
   static constexpr bool smoothed = Smoothed;
   static constexpr int coordinates = N;
-  using typename States::ConstMap;
-  using typename States::Holding;
-  using typename States::Map;
-  using typename States::Matrix;
-  using typename States::Vector;
+  using typename Forces::ConstMap;
+  using typename Forces::Holding;
+  using typename Forces::Map;
+  using typename Forces::Matrix;
+  using typename Forces::Vector;
 
-  Dynamics(const run::ScaledSystem<N>& system, double smoothing_width)
-      : States(system), curved_(system), smoothing_width_(smoothing_width) {}
+  Dynamics(const run::ScaledSystem<N>& system, double smoothing_width) : Forces(system, smoothing_width) {}
 
   /// `phase` in [0, 2 pi]: the revolution is an integer kept elsewhere, so that phases stay exact for ever.
   template <class State>
@@ -67,118 +58,6 @@ class Dynamics : public ContactStates<N, Smoothed> {
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact(i, u, v, acceleration);
   }
 
-  /// Largest friction in newtons of contact `i`, which touches.
-  template <class State>
-  double largest_friction_n(std::size_t i, const State& state) const {
-    const contact::ContactFrame f = this->frame_at(i, state);
-    return dry_[i].holding * normal_force(i, f.penetration, f.closing_speed).spring_n;
-  }
-  /// The friction that it begins to slip with.
-  template <class State>
-  double sliding_friction_n(std::size_t i, const State& state) const {
-    const contact::ContactFrame f = this->frame_at(i, state);
-    const double coefficient = dry_[i].jumps() ? dry_[i].dry : dry_[i].holding;
-    return coefficient * normal_force(i, f.penetration, f.closing_speed).spring_n;
-  }
-
-  /// Penetration of contact `i` and its two rates, scaled, from a state and its rate; as
-  /// contact::open_kinematics while it is open.
-  template <class State>
-  contact::Kinematics kinematics(std::size_t i, const State& state, const State& rate) const {
-    const Eigen::Index n = system_.coordinates();
-    const auto& c = system_.contacts[i];
-    const ConstMap acceleration(&rate[0] + n, n);
-    const contact::RelativeMotion m = relative_motion(c, ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
-    const double a1 = c.first_row.dot(acceleration.transpose());
-    const double a2 = c.second_row.dot(acceleration.transpose());
-    return !Smoothed && modes_[i] == contact::Mode::open
-               ? contact::open_kinematics(c.wall, m, a1, a2, c.clearance)
-               : contact::kinematics(c.wall, m, a1, a2, c.clearance);
-  }
-
-  /// Puts contact `i` into the mode that a state has by itself, its rate being that of the modes before. A
-  /// start exactly at the wall and moving into it is in contact from the first instant.
-  template <class State>
-  void enter_by_state(std::size_t i, const State& state, const State& rate) {
-    const Contact& c = system_.contacts[i];
-    const bool begins = modes_[i] == contact::Mode::open;
-    contact::Kinematics k = kinematics(i, state, rate);
-    if (k.penetration > 0) {
-      // The guard of an open annular stop is in squares; the modes are separated by the penetration itself.
-      modes_[i] = contact::Mode::sprung;
-      k = kinematics(i, state, rate);
-    }
-    if (begins) curved_.begin_inside(i, k);
-    const contact::Mode mode = c.law
-                                   ? contact::curved_mode(impact_damping(i), k.penetration, k.closing_speed)
-                                   : contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
-    modes_[i] = mode_after(i, mode, k);
-  }
-
-  /// The guards armed in the mode of contact `i`, and the mode just after an instant at which `mode` may have
-  /// ended.
-  contact::Guards guards(std::size_t i, const contact::Kinematics& k) const {
-    return guards(i, modes_[i], k);
-  }
-  contact::Mode mode_after(std::size_t i, contact::Mode mode, const contact::Kinematics& k) const {
-    return contact::mode_after(mode, k, [&](contact::Mode of) { return guards(i, of, k); });
-  }
-
-  /// Contact `i` begins to touch with this closing speed: its law may damp it by that.
-  void begin_impact(std::size_t i, double closing_speed) { curved_.begin_impact(i, closing_speed); }
-  double impact_damping(std::size_t i) const { return curved_.impact_damping(i); }
-
-  /// Normal force in newtons by the law this object integrates.
-  contact::NormalForce normal_force(std::size_t i, double penetration, double closing_speed) const {
-    const auto& c = system_.contacts[i];
-    if constexpr (Smoothed) {
-      return contact::smoothed_elastogap(c.stiffness, c.damping, penetration, closing_speed,
-                                         smoothing_width_);
-    } else {
-      if (c.law) return curved_.force(i, modes_[i], penetration, closing_speed);
-      return contact::force_in_mode(modes_[i], c.stiffness, c.damping, penetration, closing_speed);
-    }
-  }
-
-  template <class State>
-  double slip_m_per_s(std::size_t i, const State& state) const {
-    return law::slip_m_per_s(system_.contacts[i], this->frame_at(i, state));
-  }
-
-  /// Friction force of contact `i` on the casing, in newtons along the tangent.
-  template <class State>
-  double friction_n(std::size_t i, const State& state) const {
-    if (!Smoothed && modes_[i] == contact::Mode::open) return 0;
-    const contact::ContactFrame f = this->frame_at(i, state);
-    if (Smoothed && f.penetration <= -smoothing_width_ / 2) return 0;
-    return coefficient(i, f) * normal_force(i, f.penetration, f.closing_speed).spring_n;
-  }
-
-  /// Rate at which friction alone changes the slip at contact `i`, over the angular frequency of that
-  /// contact's spring between the masses it joins. Zero where friction does not depend on the slip, and in a
-  /// contact that is open.
-  template <class State>
-  double friction_ratio(std::size_t i, const State& state) const {
-    const Eigen::Index n = system_.coordinates();
-    const ConstMap u(&state[0], n), v(&state[0] + n, n);
-    const Contact& c = system_.contacts[i];
-    if (!Smoothed && modes_[i] == contact::Mode::open) return 0;
-    const contact::ContactFrame f = contact_frame(c, u, v);
-    const double slope = coefficient_slope(i, f);
-    if (slope <= 0) return 0;
-    const double spring_n = normal_force(i, f.penetration, f.closing_speed).spring_n;
-    return slope * spring_n * std::sqrt(c.mobility() / c.stiffness);
-  }
-
-  /// The largest of all contacts that touch.
-  template <class State>
-  double friction_ratio(const State& state) const {
-    double largest = 0;
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i)
-      largest = std::max(largest, friction_ratio(i, state));
-    return largest;
-  }
-
   /// Derivatives of the acceleration by u and by u', n x n, by the law in force; `holding` is what `hold`
   /// returned at this state.
   template <class State>
@@ -201,7 +80,7 @@ class Dynamics : public ContactStates<N, Smoothed> {
     const Eigen::Index row = std::find(list.begin(), list.end(), i) - list.begin();
     const Contact& c = system_.contacts[i];
     const contact::ContactFrame f = this->frame_at(i, state);
-    const double bound = dry_[i].holding * force_slopes(i, f.penetration, f.closing_speed).spring_by_p;
+    const double bound = dry_[i].holding * this->force_slopes(i, f.penetration, f.closing_speed).spring_by_p;
     Eigen::RowVectorXd gradient(2 * by_u.cols());
     gradient << bound * (f.cosine * c.first_row + f.sine * c.second_row) -
                     contact::sign_of(slip) * force_by_u.row(row),
@@ -261,11 +140,12 @@ class Dynamics : public ContactStates<N, Smoothed> {
       add_contact_slopes(i, holding, u, v, by_u, by_v);
   }
 
-  using States::dry_;
-  using States::modes_;
-  using States::slips_;
-  using States::system_;
-  using typename States::Contact;
+  using Forces::dry_;
+  using Forces::modes_;
+  using Forces::slips_;
+  using Forces::smoothing_width_;
+  using Forces::system_;
+  using typename Forces::Contact;
 
   template <class Visit>
   void for_each_acting_pulse(const Visit& visit) const {
@@ -277,34 +157,6 @@ class Dynamics : public ContactStates<N, Smoothed> {
       if (pulse.always_elapsed) visit(pulse, *pulse.always_elapsed);
   }
 
-  /// Friction over spring force, which is none of a contact that sticks, and its derivative by the scaled
-  /// slip. A smoothed law takes dry friction over from one way to the other within one smoothing width a
-  /// radian.
-  double coefficient(std::size_t i, const contact::ContactFrame& f) const {
-    const Contact& c = system_.contacts[i];
-    const contact::FrictionTerms& dry = dry_[i];
-    if (dry.holding == 0) return contact::friction_coefficient(c.friction, law::slip_m_per_s(c, f));
-    if constexpr (Smoothed)
-      return dry.dry * std::tanh(law::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
-    const double way = contact::sign_of(slips_[i]);
-    if (this->poised(i)) return dry.holding * way;
-    if (dry.falling.height == 0) return dry.dry * way;
-    return way * (dry.dry + dry.falling.at(way * law::slip_m_per_s(c, f)));
-  }
-  double coefficient_slope(std::size_t i, const contact::ContactFrame& f) const {
-    const Contact& c = system_.contacts[i];
-    const contact::FrictionTerms& dry = dry_[i];
-    if (dry.holding == 0)
-      return contact::friction_slope(c.friction, law::slip_m_per_s(c, f)) * c.slip_scale_m_per_s;
-    if constexpr (!Smoothed) {
-      const double way = contact::sign_of(slips_[i]);
-      if (way == 0 || dry.falling.height == 0 || this->poised(i)) return 0;
-      return dry.falling.slope(way * law::slip_m_per_s(c, f)) * c.slip_scale_m_per_s;
-    }
-    const double share = std::tanh(law::slip_m_per_s(c, f) / (c.slip_scale_m_per_s * smoothing_width_));
-    return dry.dry * (1 - share * share) / smoothing_width_;
-  }
-
   void add_contact(std::size_t i, const ConstMap& u, const ConstMap& v, Map& acceleration) const {
     if constexpr (!Smoothed) {
       if (modes_[i] == contact::Mode::open) return;
@@ -314,8 +166,8 @@ class Dynamics : public ContactStates<N, Smoothed> {
     if constexpr (Smoothed) {
       if (f.penetration <= -smoothing_width_ / 2) return;
     }
-    const contact::NormalForce force = normal_force(i, f.penetration, f.closing_speed);
-    const double friction = coefficient(i, f) * force.spring_n;
+    const contact::NormalForce force = this->normal_force(i, f.penetration, f.closing_speed);
+    const double friction = this->coefficient(i, f) * force.spring_n;
     if (contact::linear(c.wall)) {
       acceleration += c.first_push * force.total_n + c.second_push * friction;
     } else {
@@ -324,30 +176,15 @@ class Dynamics : public ContactStates<N, Smoothed> {
     }
   }
 
-  contact::ForceSlopes force_slopes(std::size_t i, double p, double v) const {
-    const auto& c = system_.contacts[i];
-    if constexpr (Smoothed) {
-      return contact::smoothed_elastogap_slopes(c.stiffness, c.damping, p, v, smoothing_width_);
-    } else {
-      if (!c.law) return contact::slopes_in_mode(modes_[i], c.stiffness, c.damping);
-      return curved_.slopes(i, modes_[i], p, v);
-    }
-  }
-
-  contact::Guards guards(std::size_t i, contact::Mode mode, const contact::Kinematics& k) const {
-    const Contact& c = system_.contacts[i];
-    return c.law ? curved_.guards(i, mode, k) : contact::guards_of(mode, c.stiffness, c.damping, k);
-  }
-
   /// f = F(p, v) n + mu(s) S(p) t with n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
   void add_contact_slopes(std::size_t i, const Holding& holding, const ConstMap& u, const ConstMap& v,
                           Matrix& by_u, Matrix& by_v) const {
     const Contact& c = system_.contacts[i];
     const contact::ContactFrame f = contact_frame(c, u, v);
-    const contact::ForceSlopes slopes = force_slopes(i, f.penetration, f.closing_speed);
+    const contact::ForceSlopes slopes = this->force_slopes(i, f.penetration, f.closing_speed);
     if (slopes.spring_by_p == 0 && slopes.total_by_v == 0) return;
-    const contact::NormalForce force = normal_force(i, f.penetration, f.closing_speed);
-    const double mu = coefficient(i, f), mu_by_v = coefficient_slope(i, f);
+    const contact::NormalForce force = this->normal_force(i, f.penetration, f.closing_speed);
+    const double mu = this->coefficient(i, f), mu_by_v = this->coefficient_slope(i, f);
     const bool sticks = this->touches_dry(i) && slips_[i] == contact::Slip::sticking;
     const double friction_n = sticks ? holding.force_n(i) : mu * force.spring_n;
     const Eigen::Vector2d n(f.cosine, f.sine), t(-f.sine, f.cosine);
@@ -367,8 +204,6 @@ class Dynamics : public ContactStates<N, Smoothed> {
     by_v += push * by_rate * rows;
   }
 
-  CurvedContacts<N> curved_;
-  double smoothing_width_;
   const run::PulseTimes* pulses_ = nullptr;
   mutable long rhs_calls_ = 0;
 };

@@ -10,12 +10,8 @@
 
 namespace rubsweep::integrate::law {
 
-/// Zero band of a slip, as a share of the surface's own speed (or of one clearance a radian): rounding stays
-/// below it, and friction would stop a smaller slip within as many radians.
-inline constexpr double no_slip = 1e-12;
-
-/// A poised contact whose slip is within this (as `no_slip`) of zero stands. Where it leaves that against its
-/// friction, it is settled anew.
+/// A poised contact whose slip is within this (as contact::no_slip) of zero stands. Where it leaves that
+/// against its friction, it is settled anew.
 inline constexpr double poised_slip = 1e-11;
 
 template <class Law, class State>
@@ -23,7 +19,7 @@ bool stands(const Law& law, std::size_t i, const State& state) {
   const auto& c = law.system().contacts[i];
   const double surface = c.surface_speed_m_per_s / c.slip_scale_m_per_s;
   // A contact that is settled anew may be past the edge, and poised again.
-  const double near = law.poised(i) ? 2 * poised_slip : no_slip;
+  const double near = law.poised(i) ? 2 * poised_slip : contact::no_slip;
   return std::abs(law.slip(i, state)) <= near * std::max(1.0, std::abs(surface));
 }
 

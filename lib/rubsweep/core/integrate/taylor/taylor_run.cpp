@@ -6,8 +6,8 @@
 #include "rubsweep/core/integrate/law/settle_slips.hpp"
 #include "rubsweep/core/integrate/run/work_bound.hpp"
 #include "rubsweep/core/integrate/taylor/joint_event.hpp"
+#include "rubsweep/core/integrate/taylor/piece_report.hpp"
 #include "rubsweep/core/integrate/taylor/step_length.hpp"
-#include "rubsweep/core/integrate/taylor/step_peaks.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/core/numerics/matrix_flow.hpp"
 
@@ -165,7 +165,7 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
     // Without progress a landing is not repeated: its instant is stepped over.
     const double instant = std::min(same_instant, left);
     take(report, fastest, instant, instant < left ? clock_.time() + instant : boundary);
-    switch_modes(report, {});
+    switch_modes(report, {}, instant);
     book_.note_progress(true);
     return run::Outcome::ok;
   }
@@ -185,9 +185,7 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
   if (creeps) ++book_.effort.creep_pieces;
   if (!std::isfinite(state_[0])) return run::Outcome::non_finite;
   book_.note_progress(duration > same_instant);
-  if (event.slip && *event.slip != contact::Slip::sticking && dynamics_.jumps(*event.contact))
-    reserve_rate_ = reserve_rate(motion_.contact(*event.contact), motion_.order(), duration, *event.slip);
-  if (event.contact) switch_modes(report, event);
+  if (event.contact) switch_modes(report, event, duration);
   return run::Outcome::ok;
 }
 
@@ -216,8 +214,9 @@ bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration
   book_.effort.taylor_work +=
       run::share_of_a_tangent * static_cast<double>(tangents_.count() + tangents_.take_sweeps());
   if (!moved) return false;
-  put_samples(report, end_phase);
-  watch(report, fastest, duration);
+  put_samples(motion_, clock_.time(), end_phase, samples_wanted_, report);
+  note_contact(motion_, dynamics_.modes(), duration, report);
+  if (peaks_wanted_) note_peaks(motion_, system_, dynamics_.modes(), fastest, duration, states_, report);
   motion_.series().put_state(duration, state_.data());
   clock_.go_to(end_phase);
   zeros_.clear();
@@ -225,37 +224,14 @@ bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration
 }
 
 template <int N>
-void TaylorRun<N>::put_samples(run::TurnReport& report, double end_phase) {
-  const auto due = [this](int k) { return numerics::full_turn * k / samples_wanted_; };
-  const int first = report.sample_count;
-  int& next = report.sample_count;
-  while (next < samples_wanted_ && due(next) < end_phase) ++next;
-  motion_.series().put_states(
-      next - first, [&](int i) { return due(first + i) - clock_.time(); },
-      report.samples.data() + static_cast<std::size_t>(first) * state_.size());
-}
-
-template <int N>
-void TaylorRun<N>::watch(run::TurnReport& report, double fastest, double duration) {
-  bool touching = false;
-  for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    if (dynamics_.modes()[i] == Mode::open) continue;
-    touching = true;
-    if (motion_.law(i).friction.constant != 0 && !report.slip_reversed)
-      report.slip_reversed = slip_reverses(motion_.contact(i), motion_.order(), duration);
-  }
-  if (touching) run::add_contact(duration / numerics::full_turn, report);
-  if (peaks_wanted_) note_peaks(motion_, system_, dynamics_.modes(), fastest, duration, states_, report);
-}
-
-template <int N>
 void TaylorRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from) {
   book_.note_switch({clock_.time(), static_cast<int>(i), from, dynamics_.modes()[i]}, report);
 }
 
-/// The force is continuous across the switch of a mode: one rate holds on both sides of it.
+/// Switches what `event` asks for at the end of the piece, which took `duration`. The force is continuous
+/// across the switch of a mode: one rate holds on both sides of it.
 template <int N>
-void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event) {
+void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event, double duration) {
   clock_.change_pulses();
   dynamics_(state_, rate_, clock_.time());
   if (event.slip) {
@@ -263,16 +239,15 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
     if (*event.slip == contact::Slip::sticking) {
       stop_slip(*event.contact);
     } else {
-      let_go(*event.contact, *event.slip);
+      let_go(*event.contact, *event.slip, duration);
     }
   }
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-    const auto& c = system_.contacts[i];
     Mode& mode = dynamics_.modes()[i];
     const Mode from = mode;
     const contact::Kinematics kinematics = dynamics_.kinematics(i, state_, rate_);
     if (event.contact == i && !event.slip) mode = contact::mode_through(from, event.next, kinematics);
-    mode = contact::mode_after(mode, c.stiffness, c.damping, kinematics);
+    mode = dynamics_.mode_after(i, mode, kinematics);
     if (mode == from) continue;
     note_switch(report, i, from);
     if (mode == Mode::open && dynamics_.any_poised()) settle_poised();
@@ -291,16 +266,19 @@ void TaylorRun<N>::stop_slip(std::size_t i) {
   std::swap(rate_, probe_);
 }
 
-/// Friction no longer holds contact `i`; `rate_` is that before.
+/// Friction no longer holds contact `i` at the end of a piece that took `duration`; `rate_` is that before.
+/// Tangent vectors change where the rate does: where the friction is less as soon as it slips.
 template <int N>
-void TaylorRun<N>::let_go(std::size_t i, contact::Slip slip) {
-  const bool moves_tangents = dynamics_.jumps(i) && tangents_.count() > 0;
+void TaylorRun<N>::let_go(std::size_t i, contact::Slip slip, double duration) {
+  if (!dynamics_.jumps(i)) return zeros_.let_go(dynamics_, i, slip, state_, probe_, clock_.time());
   Eigen::RowVectorXd gradient;
-  if (moves_tangents) gradient = dynamics_.reserve_gradient(i, slip, state_, probe_, clock_.time());
+  if (tangents_.count() > 0) gradient = dynamics_.reserve_gradient(i, slip, state_, probe_, clock_.time());
   zeros_.let_go(dynamics_, i, slip, state_, probe_, clock_.time());
-  if (!dynamics_.jumps(i)) return;
   dynamics_(state_, probe_, clock_.time());
-  if (moves_tangents) law::cross(gradient, reserve_rate_, rate_, probe_, tangents_.vectors());
+  if (tangents_.count() > 0) {
+    const double way = reserve_rate(motion_.contact(i), motion_.order(), duration, slip);
+    law::cross(gradient, way, rate_, probe_, tangents_.vectors());
+  }
   std::swap(rate_, probe_);
 }
 

@@ -66,13 +66,6 @@ class TaylorRun {
   double phase_rad() const { return clock_.time(); }
   /// Dry friction holds a contact.
   bool sticks() const { return dynamics_.any_dry() && dynamics_.stuck_contacts().count > 0; }
-  /// Whether a contact has just been let go whose friction is less since then: by its slip alone, which is
-  /// zero, it would be held again.
-  bool just_let_go() const {
-    for (std::size_t i = 0; i < zeros_.terms().size(); ++i)
-      if (zeros_.terms()[i] > 0 && dynamics_.jumps(i)) return true;
-    return false;
-  }
   const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
   /// Slips of the contacts, valid for those that touch with dry friction.
   const std::vector<contact::Slip>& slips() const { return dynamics_.slips(); }
@@ -97,11 +90,9 @@ class TaylorRun {
   void expand(const std::vector<double>& state);
   bool try_creep(double fastest, double ratio);
   bool take(run::TurnReport& report, double fastest, double duration, double end_phase);
-  void put_samples(run::TurnReport& report, double end_phase);
-  void watch(run::TurnReport& report, double fastest, double duration);
-  void switch_modes(run::TurnReport& report, const JointEvent& event);
+  void switch_modes(run::TurnReport& report, const JointEvent& event, double duration);
   void stop_slip(std::size_t i);
-  void let_go(std::size_t i, contact::Slip slip);
+  void let_go(std::size_t i, contact::Slip slip, double duration);
   void settle_poised();
   void project_tangents();
   void apply_impulses(run::TurnReport& report);
@@ -124,7 +115,6 @@ class TaylorRun {
   std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
   SlipZeros zeros_;
-  double reserve_rate_ = 0;  ///< of the friction of a contact that is let go
   bool entered_ = false;
   int samples_wanted_ = 0;  ///< as asked for in this turn
   bool peaks_wanted_ = false;

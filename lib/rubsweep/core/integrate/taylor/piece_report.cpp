@@ -1,4 +1,4 @@
-#include "rubsweep/core/integrate/taylor/step_peaks.hpp"
+#include "rubsweep/core/integrate/taylor/piece_report.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "rubsweep/core/integrate/taylor/step_peaks.hpp"
+#include "rubsweep/core/integrate/taylor/piece_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ Expansion<2> expanded(const run::ScaledSystem<2>& system, const scene::Scene& sc
 
 /// An undamped rotor on an ellipse is farthest out at the end of its long half-axis, a quarter turn on, and
 /// before that where the step ends.
-TEST(StepPeaks, FindTheLongHalfAxisOfAnEllipse) {
+TEST(PieceReport, FindTheLongHalfAxisOfAnEllipse) {
   const scene::Scene scene = test::annular_scene(1, 0, 1, 0, 0, 10, 0);
   const auto system = run::scale<2>(scene);
   std::vector<double> states;
@@ -40,7 +40,7 @@ TEST(StepPeaks, FindTheLongHalfAxisOfAnEllipse) {
 
 /// A rotor that goes straight into an undamped stop is pushed back the hardest where it turns round: with
 /// penetration p from zero, p'' + (1 + k_c) p = -1, so that p = -(1 - cos w t) / w^2 + v sin(w t) / w.
-TEST(StepPeaks, FindTheForceWhereTheRotorTurnsRound) {
+TEST(PieceReport, FindTheForceWhereTheRotorTurnsRound) {
   const double k_c = 10, w = std::sqrt(1 + k_c), v = 0.7;
   const scene::Scene scene = test::annular_scene(1, 0, 1, 0, 0, k_c, 0);
   const auto system = run::scale<2>(scene);

@@ -6,8 +6,11 @@
 #include "rubsweep/core/contact/contact_mode.hpp"
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
 #include "rubsweep/core/integrate/run/turn.hpp"
+#include "rubsweep/core/integrate/run/turn_book.hpp"
 #include "rubsweep/core/integrate/taylor/contact_series.hpp"
 #include "rubsweep/core/integrate/taylor/expansion.hpp"
+#include "rubsweep/core/integrate/taylor/guard_search.hpp"
+#include "rubsweep/core/numerics/full_turn.hpp"
 
 namespace rubsweep::integrate::taylor {
 
@@ -43,6 +46,36 @@ void note_peaks(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
   const double length_m = system.scale.length_m;
   report.peak_displacement_m = std::max(report.peak_displacement_m, observed * length_m);
   report.peak_casing_displacement_m = std::max(report.peak_casing_displacement_m, casing * length_m);
+}
+
+/// Samples due before `end_phase` in a turn of `wanted` evenly spaced ones, from the expansion that starts at
+/// `start_phase`, radians into the turn; `report` has room for all of them.
+template <int N>
+void put_samples(const Expansion<N>& motion, double start_phase, double end_phase, int wanted,
+                 run::TurnReport& report) {
+  const auto due = [wanted](int k) { return numerics::full_turn * k / wanted; };
+  const int first = report.sample_count;
+  int& next = report.sample_count;
+  while (next < wanted && due(next) < end_phase) ++next;
+  const std::size_t numbers = wanted > 0 ? report.samples.size() / static_cast<std::size_t>(wanted) : 0;
+  motion.series().put_states(
+      next - first, [&](int i) { return due(first + i) - start_phase; },
+      report.samples.data() + static_cast<std::size_t>(first) * numbers);
+}
+
+/// Takes contact over the first `duration_rad`, and slips that reverse in it against a friction that keeps
+/// its direction, into `report`; `modes` per contact.
+template <int N>
+void note_contact(Expansion<N>& motion, const std::vector<contact::Mode>& modes, double duration_rad,
+                  run::TurnReport& report) {
+  bool touching = false;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (modes[i] == contact::Mode::open) continue;
+    touching = true;
+    if (motion.law(i).friction.constant != 0 && !report.slip_reversed)
+      report.slip_reversed = slip_reverses(motion.contact(i), motion.order(), duration_rad);
+  }
+  if (touching) run::add_contact(duration_rad / numerics::full_turn, report);
 }
 
 extern template LargestDisplacements largest_displacements<2>(const Expansion<2>&,
