@@ -23,8 +23,7 @@ std::string rubdata_help() {
   return fmt::format(
       "rubdata STUDY.yaml [options]\n"
       "Makes labelled recordings of simulated rotors, with and without rub, to develop and to test methods "
-      "of "
-      "diagnosis on.\n\n"
+      "of diagnosis on.\n\n"
       "{}\n"
       "Examples:\n"
       "  rubdata configs/recordings/rub_recordings.yaml\n"
@@ -38,10 +37,9 @@ std::string rubdata_help() {
       "  instrument.yaml      reads each of them with rubscope\n"
       "  recordings.journal   what is finished, to go on from\n\n"
       "The same study and build give the same bytes, whatever the number of threads. Ctrl-C keeps finished "
-      "recordings; "
-      "the same command goes on.\n\n"
-      "Exit codes: 0 done; 1 usage; 2 a study that cannot be used, or a directory of another study or build; 3 "
-      "input/output; 6 another process is at work there; 128+signal when interrupted.\n",
+      "recordings; the same command goes on.\n\n"
+      "Exit codes: 0 done; 1 usage; 2 a study that cannot be used, or a directory of another study or build; "
+      "3 input/output; 6 another process is at work there; 128+signal when interrupted.\n",
       text_of(visible_options()));
 }
 

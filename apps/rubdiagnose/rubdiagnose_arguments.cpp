@@ -27,8 +27,7 @@ po::options_description visible_options() {
       "seed", po::value<long>()->value_name("N")->default_value(1), "of the random numbers")(
       "table", po::value<std::string>()->value_name("DIR"),
       "keep simulated motions there, for the next recording of the machine at that speed, instead of beside "
-      "FILE.yaml of "
-      "--machine, with the ending _cases");
+      "FILE.yaml of --machine, with the ending _cases");
   add_output(options, "write there instead of into RECORDING without its ending and with _diagnosis");
   add_threads(options, "threads; 0: one per processor");
   add_figure(options, "draw probabilities, orbits and lines");
@@ -51,8 +50,7 @@ std::string rubdiagnose_help() {
   return fmt::format(
       "rubdiagnose RECORDING --machine MACHINE.yaml [options]\n"
       "Says which rub a recording shows, if any: probabilities of candidates and of none of them, by "
-      "comparison with "
-      "simulated motions of the machine.\n\n"
+      "comparison with simulated motions of the machine.\n\n"
       "{}\n"
       "Examples:\n"
       "  rubdiagnose run7.csv --machine run7_fit/config.yaml           (with run7.yaml beside the "
@@ -63,11 +61,10 @@ std::string rubdiagnose_help() {
       "  probabilities.csv  of each candidate and of none of these\n"
       "  orbits.csv         the recording and the closest simulated motion\n"
       "  lines.csv          lines of both\n\n"
-      "The rotor is a Jeffcott rotor or a rotor kit, and runs steadily. Ctrl-C gives the answer of the motions simulated so "
-      "far.\n\n"
+      "The rotor is a Jeffcott rotor or a rotor kit, and runs steadily. Ctrl-C gives the answer of the "
+      "motions simulated so far.\n\n"
       "Exit codes: 0 done; 1 usage; 2 a recording, machine or list that cannot be used; 3 input/output; "
-      "128+signal when "
-      "interrupted.\n",
+      "128+signal when interrupted.\n",
       text_of(visible_options()));
 }
 

@@ -25,8 +25,7 @@ po::options_description visible_options() {
       "smallest line that counts for a period, in per cent of the largest one; 0.5 unless given")(
       "most-modulation", po::value<double>()->value_name("PERCENT"),
       "what lines may slowly vary by, in per cent of the motion, and still belong to their period; one line "
-      "by "
-      "twice as much of itself; 10 unless given")(
+      "by twice as much of itself; 10 unless given")(
       "compare", po::value<std::string>()->value_name("CONFIG.yaml"),
       "lay the recording over a simulated motion, that of --cell, by the first sensor of a rotor kit or by "
       "the rotor")("cell", po::value<std::string>()->value_name("SPEED_HZ,UNBALANCE"),
@@ -82,8 +81,7 @@ std::string rubscope_help() {
   return fmt::format(
       "rubscope RECORDING [options]\n"
       "Says what a recorded motion is: speed, orbit, lines, section, period, shape and whirl, and what noise "
-      "and "
-      "length leave open.\n\n"
+      "and length leave open.\n\n"
       "{}\n"
       "Examples:\n"
       "  rubscope measured.csv                               (with measured.yaml beside it)\n"

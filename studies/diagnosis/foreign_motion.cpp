@@ -10,7 +10,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-constexpr double size_m = 1e-4;  ///< of the line at 1X
+constexpr double size_m = 1e-4;  ///< amplitude of the line at 1X
 
 double between(double low, double high, std::mt19937_64& random) {
   return std::uniform_real_distribution<double>(low, high)(random);

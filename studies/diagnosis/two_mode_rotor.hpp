@@ -24,7 +24,7 @@ struct Rotor {
 struct Setting {
   Cause cause = Cause::one_side;
   double speed_hz = 0, clearance_m = 3e-4, second_clearance = 1, offset = 0, stiffness = 0, loss = 0,
-         friction = 0, radius_m = 0.02, angle_rad = 0, strength = 0, order = 0.45;
+         friction = 0, radius_m = 0.02, angle_rad = 0, strength = 0;
   Complex unbalance_a, unbalance_b;  ///< mass times eccentricity
 };
 

@@ -14,6 +14,8 @@
 namespace rubsweep::batch {
 namespace {
 
+namespace fs = std::filesystem;
+
 class TableFileTest : public testing::Test {
  protected:
   void write(const std::string& text, const TableSource& source = {"rubsweep 1.2.3", "abc", {}}) const {
@@ -117,8 +119,6 @@ TEST_F(TableFileTest, AnEarlierTableHasNone) {
   EXPECT_EQ(check_table(path_), TableSum::none);
   EXPECT_THROW(check_table(directory_.path() / "nowhere.csv"), IoError);
 }
-
-namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> names{"a.csv", "b.csv", "config.yaml"};
 const ResultSource source{"rubtest", "0123"};

@@ -19,6 +19,8 @@
 namespace rubsweep::batch {
 namespace {
 
+namespace fs = std::filesystem;
+
 std::ptrdiff_t entries(const std::filesystem::path& directory) {
   return std::distance(std::filesystem::directory_iterator(directory), {});
 }
@@ -136,9 +138,7 @@ TEST(WholeFile, ThatIsGivenUpLeavesTheOlderOne) {
   EXPECT_EQ(entries(directory.path()), 1);
 }
 
-namespace fs = std::filesystem;
-
-TEST(WholeFile, AreThoseThatWereCommittedEachOnceAndAreStillThere) {
+TEST(WholeFileWrittenFiles, AreThoseThatWereCommittedEachOnceAndAreStillThere) {
   const TemporaryDirectory directory;
   const fs::path kept = directory.path() / "kept", removed = directory.path() / "removed",
                  given_up = directory.path() / "given_up";

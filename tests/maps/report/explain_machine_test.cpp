@@ -44,13 +44,6 @@ TEST(ExplainMachine, RotorKitSaysWhatItWasReducedTo) {
   EXPECT_TRUE(says(explain_machine(machine, 45), "number of modes: auto, the smallest within 0.01\n"));
 }
 
-TEST(ExplainMachine, AContactThatIsFasterThanTheModesAreChosenForIsSaid) {
-  model::Machine machine = scene::light_shaft_machine();
-  EXPECT_FALSE(says(explain_machine(machine, 45), "contact is faster"));
-  machine.stops[0].stiffness_n_per_m *= 1e4;
-  EXPECT_TRUE(says(explain_machine(machine, 45), "largest forces depend on rotor.modes\n"));
-}
-
 TEST(ExplainMachine, FaultyBearingsSayWhatCannotBeProven) {
   model::Machine machine = scene::light_shaft_machine();
   EXPECT_FALSE(says(explain_machine(machine, 45), "impulses"));
@@ -67,6 +60,7 @@ TEST(ExplainMachine, RigidCasingHasNoState) {
   model::Machine machine = scene::one_side_machine();
   machine.stops[0].casing.reset();
   machine.gravity_m_per_s2 = 9.81;
+  machine.stops[0].friction = model::NoFriction{};
   machine.kick.reset();
   const std::string text = explain_machine(machine, 45);
   EXPECT_TRUE(says(text, "states: 4 (2 coordinates and their rates)\n"));
@@ -75,6 +69,7 @@ TEST(ExplainMachine, RigidCasingHasNoState) {
   machine.start.emplace();
   EXPECT_TRUE(says(explain_machine(machine, 45), "start: in a given state, not kicked"));
   EXPECT_FALSE(says(text, "left out: gravity"));
+  EXPECT_TRUE(says(text, "left out: friction (no stop has any)\n"));
 }
 
 TEST(ExplainMachine, EveryStopInTurn) {
@@ -82,34 +77,6 @@ TEST(ExplainMachine, EveryStopInTurn) {
   EXPECT_TRUE(says(text, "stop 0 (kicked): one side at 90 degrees"));
   EXPECT_TRUE(says(text, "stop 1: one side at -90 degrees"));
   EXPECT_TRUE(says(text, "states: 12 (6 coordinates and their rates)\n"));
-}
-
-TEST(ExplainMachine, FrictionSaturatedOrNotAtTheStatedSpeed) {
-  model::Machine machine = scene::one_side_machine();
-  // 0.0375 m at 2 pi 45 rad/s are 10.603 m/s.
-  EXPECT_TRUE(says(explain_machine(machine, 45),
-                   "friction: Stribeck, 0.1 at the surface speed 10.6 m/s of the lowest speed (saturated"));
-  // tanh(100 * 0.0375 * 2 pi * 0.1) is not yet 1.
-  EXPECT_TRUE(says(explain_machine(machine, 0.1), "(depends on the slip)"));
-  machine.stops[0].friction = model::ConstantFriction{0.25};
-  EXPECT_TRUE(says(explain_machine(machine, 45),
-                   "friction: dry 0.25; reverses with the slip, and may hold the surfaces together"));
-  machine.stops[0].friction = model::OneWayFriction{0.25};
-  EXPECT_TRUE(says(explain_machine(machine, 45),
-                   "friction: one-way 0.25; a run whose slip would reverse says slip_reversal"));
-  machine.stops[0].friction = model::NoFriction{};
-  EXPECT_TRUE(says(explain_machine(machine, 45), "friction: none\n"));
-  EXPECT_TRUE(says(explain_machine(machine, 45), "left out: friction (no stop has any)\n"));
-}
-
-TEST(ExplainMachine, DampingWithoutReboundAndWithoutLoss) {
-  model::Machine machine = scene::one_side_machine();
-  machine.stops[0].damping = model::ExplicitDamping{1e4};
-  EXPECT_TRUE(says(explain_machine(machine, 45),
-                   "beyond critical, so that a free impact returns less than 0.2636 of its speed"));
-  machine.stops[0].damping = model::NominalRestitution{1};
-  EXPECT_TRUE(
-      says(explain_machine(machine, 45), " 0 N s/m (damping ratio 0; a free impact returns 1 of its speed)"));
 }
 
 }  // namespace

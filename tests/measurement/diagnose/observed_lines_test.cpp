@@ -144,8 +144,6 @@ TEST(ObservedLines, OfUnequalGainsAreAnEllipse) {
   EXPECT_NEAR(gy, 1, 0.5);
 }
 
-using Complex = std::complex<double>;
-
 /// Lines at 1/2, -1 and 2, and a mean, over 6 turns.
 std::vector<Complex> samples() {
   std::vector<Complex> z;

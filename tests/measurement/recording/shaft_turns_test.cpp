@@ -102,8 +102,6 @@ TEST(ShaftTurns, AThresholdOutsideOfTheSignalIsRefused) {
   }
 }
 
-using std::numbers::pi;
-
 /// The sample after each instant, less half a step: what an edge shorter than a step becomes.
 std::vector<double> rounded(const std::vector<double>& marks, double step_s) {
   std::vector<double> rounded;

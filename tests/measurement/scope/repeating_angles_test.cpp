@@ -113,9 +113,6 @@ TEST(RepeatingAngles, APeriodThatIsNoneLeavesWhatDoesNotRepeat) {
   EXPECT_GT(apart, 50);
 }
 
-using std::numbers::pi;
-using Complex = std::complex<double>;
-
 /// A circle that grows by a share, with a line of another order.
 std::vector<Complex> moved(int turns, double growth, double order, double amplitude) {
   std::vector<Complex> z;

@@ -17,11 +17,11 @@ namespace rubsweep::batch {
 /// Identity of the computation that the results in a journal belong to. Results of two journals with equal
 /// digests and cells may be mixed.
 struct JournalHeader {
-  std::string study_digest;       ///< of everything that decides the results
-  std::string program_digest;     ///< of the code that computes them
-  std::size_t cells = 0;          ///< of the whole grid; records name cells 0 ... cells - 1
+  std::string study_digest;       ///< digest of everything that decides the results
+  std::string program_digest;     ///< digest of the code that computes them
+  std::size_t cells = 0;          ///< cells of the whole grid; records name cells 0 ... cells - 1
   std::string study;              ///< the study itself as lines of text, so that a difference can be named
-  std::size_t damaged_lines = 0;  ///< that could not be read and were not needed
+  std::size_t damaged_lines = 0;  ///< lines that could not be read and were not needed
 };
 
 /// Thrown where a journal does not say which computation its records belong to.
@@ -37,7 +37,7 @@ bool same_results(const JournalHeader& a, const JournalHeader& b);
 struct JournalRecord {
   std::size_t cell;
   std::string_view text;  ///< one line without its end
-  std::uint64_t offset;   ///< of the text in the file
+  std::uint64_t offset;   ///< place of the text in the file
 };
 
 /// Reads the header before the records. Damaged lines are ignored where the others suffice: the

@@ -18,9 +18,11 @@
 namespace rubsweep::batch {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::string_view is_a_link = "it is a symbolic link, and what that leads to would be changed";
 
-bool is_passed_on(const std::filesystem::path& path) {
+bool is_passed_on(const fs::path& path) {
   const std::string& name = path.native();
   return name == "/dev/stdin" || name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/");
 }
@@ -32,14 +34,11 @@ std::string reason(int error) {
 
 }  // namespace
 
-void throw_io_error(std::string_view action, const std::filesystem::path& path, int error) {
-  if (error == ENOMEM) throw std::bad_alloc();
-  throw IoError(
-      fmt::format("cannot {} {}: {}", action, path.string(), std::generic_category().message(error)));
+void throw_io_error(std::string_view action, const fs::path& path, int error) {
+  throw IoError(fmt::format("cannot {} {}: {}", action, path.string(), reason(error)));
 }
 
-Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action,
-                     const std::filesystem::path& known_as) {
+Descriptor open_file(const fs::path& path, int flags, std::string_view action, const fs::path& known_as) {
   Descriptor descriptor(::open(path.c_str(), flags | O_CLOEXEC, 0666));
   if (descriptor.get() >= 0) return descriptor;
   if (errno == ELOOP && (flags & O_NOFOLLOW) != 0)
@@ -47,9 +46,9 @@ Descriptor open_file(const std::filesystem::path& path, int flags, std::string_v
   throw_io_error(action, known_as, errno);
 }
 
-void refuse_link(std::string_view action, const std::filesystem::path& path) {
+void refuse_link(std::string_view action, const fs::path& path) {
   std::error_code none;
-  if (std::filesystem::is_symlink(path, none))
+  if (fs::is_symlink(path, none))
     throw IoError(fmt::format("cannot {} {}: {}", action, path.string(), is_a_link));
 }
 
@@ -59,7 +58,7 @@ Descriptor::~Descriptor() {
 
 int Descriptor::release() { return std::exchange(value_, -1); }
 
-bool is_file_at(int descriptor, const std::filesystem::path& path) {
+bool is_file_at(int descriptor, const fs::path& path) {
   struct stat opened {
   }, named{};
   return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
@@ -77,8 +76,6 @@ int write_all(int descriptor, std::string_view text) {
   }
   return 0;
 }
-
-namespace fs = std::filesystem;
 
 void sync_directory(const fs::path& directory) {
   const fs::path named = directory.empty() ? fs::path(".") : directory;
@@ -106,7 +103,7 @@ void make_directory(const fs::path& directory) {
   }
 }
 
-Input find_input(const std::filesystem::path& path, InputKind kind) {
+Input find_input(const fs::path& path, InputKind kind) {
   if (kind == InputKind::also_passed_on && is_passed_on(path)) {
     Descriptor passed(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     const int error = errno;
@@ -124,13 +121,13 @@ Input find_input(const std::filesystem::path& path, InputKind kind) {
   return {std::move(descriptor), ""};
 }
 
-Descriptor open_input(const std::filesystem::path& path) {
+Descriptor open_input(const fs::path& path) {
   Input input = find_input(path);
   if (!input.problem.empty()) throw IoError(fmt::format("cannot read {}: {}", path.string(), input.problem));
   return std::move(input.descriptor);
 }
 
-InputStream open_input_stream(const std::filesystem::path& path) {
+InputStream open_input_stream(const fs::path& path) {
   Descriptor descriptor = open_input(path);
   InputStream stream(::fdopen(descriptor.get(), "rb"), &std::fclose);
   if (!stream) throw_io_error("read", path, errno);
@@ -140,8 +137,7 @@ InputStream open_input_stream(const std::filesystem::path& path) {
 
 LineBuffer::~LineBuffer() { std::free(text); }
 
-std::string_view read_line(std::FILE* stream, const std::filesystem::path& path, char*& text,
-                           std::size_t& capacity) {
+std::string_view read_line(std::FILE* stream, const fs::path& path, char*& text, std::size_t& capacity) {
   errno = 0;
   const ssize_t length = ::getline(&text, &capacity, stream);
   if (length >= 0) return {text, static_cast<std::size_t>(length)};
@@ -163,7 +159,7 @@ int read_bytes(int descriptor, std::size_t most, std::string& text) {
   return 0;
 }
 
-std::string read_input(const std::filesystem::path& path) {
+std::string read_input(const fs::path& path) {
   const Descriptor file = open_input(path);
   std::string text;
   if (const int error = read_bytes(file.get(), text.max_size(), text)) throw_io_error("read", path, error);

@@ -150,8 +150,6 @@ std::string caption_lines(const Captions& captions) {
   return lines;
 }
 
-namespace fs = std::filesystem;
-
 namespace {
 
 TableSource table_source(const ResultSource& source) {

@@ -24,6 +24,18 @@ namespace rubsweep::config {
 yaml::Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
                         const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics);
 
+/// Value that `read` makes of the root of a configuration. Throws ConfigError as parse_config does, and with
+/// every problem that `read` added.
+template <class Read>
+auto read_parsed(std::string_view text, const std::filesystem::path& file, std::string_view form,
+                 const std::vector<std::string>& overrides, Read read) {
+  yaml::Diagnostics diagnostics(file.string(), overrides);
+  const yaml::Node root = parse_config(text, file, form, overrides, diagnostics);
+  auto value = read(yaml::Value{root, "", diagnostics});
+  diagnostics.throw_if_any();
+  return value;
+}
+
 /// `base` of any map.
 keys::Key base_of_map();
 

@@ -146,11 +146,8 @@ keys::Form run_form() {
 
 model::Machine read_machine_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides) {
-  yaml::Diagnostics diagnostics(name, overrides);
-  const yaml::Node root = parse_config(text, name, root_form, overrides, diagnostics);
-  model::Machine machine = read_sections({root, "", diagnostics}).study.machine;
-  diagnostics.throw_if_any();
-  return machine;
+  return read_parsed(text, name, root_form, overrides,
+                     [](const yaml::Value& root) { return read_sections(root).study.machine; });
 }
 
 RunConfig read_run_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {

@@ -27,11 +27,11 @@ enum class Scale {
   one,
   frequency_hz,      ///< the lowest natural frequency
   frequency_rpm,     ///< the same in revolutions per minute
-  period_s,          ///< of that frequency
-  clearance,         ///< of the stop
+  period_s,          ///< period of that frequency
+  clearance,         ///< clearance of the stop
   clearance_g_mm,    ///< unbalance whose eccentricity is that clearance
-  contact_radius,    ///< of the stop
-  rotor_stiffness,   ///< of a Jeffcott rotor
+  contact_radius,    ///< radius of the stop
+  rotor_stiffness,   ///< stiffness of a Jeffcott rotor
   rotor_power,       ///< the same as K of the stop's K p^n at a twentieth of its clearance
   clearance_blow_n,  ///< force of the kick that moves a Jeffcott rotor by the clearance of the stop
   weight_per_mm      ///< stiffness that gives way by one millimetre under the rotor's weight

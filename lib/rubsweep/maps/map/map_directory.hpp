@@ -33,8 +33,8 @@ class MapDirectory {
   MapDirectory(std::filesystem::path directory, const config::RunConfig& config, std::optional<Share> part,
                bool fresh, const std::string& program);
 
-  std::size_t cells() const { return cells_; }                       ///< of the share
-  std::size_t finished() const { return cells_ - missing_.size(); }  ///< of them, when the work began
+  std::size_t cells() const { return cells_; }                       ///< cells of the share
+  std::size_t finished() const { return cells_ - missing_.size(); }  ///< number when the work began
   const std::vector<std::size_t>& missing() const { return missing_; }
 
   /// Whether the cell is one of the share.

@@ -13,7 +13,7 @@ namespace rubsweep::map {
 /// Facts from config.yaml, as the program that wrote it reads it.
 struct VerifiedConfiguration {
   std::string digest;
-  std::optional<sweep::Study> study = {};  ///< of a rotor
+  std::optional<sweep::Study> study = {};  ///< study of a rotor
 };
 using ReadConfiguration = std::function<VerifiedConfiguration(const std::filesystem::path& file)>;
 

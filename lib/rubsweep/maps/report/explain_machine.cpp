@@ -2,278 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
 #include "rubsweep/core/contact/friction_law.hpp"
-#include "rubsweep/core/contact/hertz_line.hpp"
-#include "rubsweep/core/contact/restitution.hpp"
-#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
-#include "rubsweep/core/scene/constant_load.hpp"
-#include "rubsweep/core/structure/full_reference.hpp"
-#include "rubsweep/core/structure/stability.hpp"
-#include "rubsweep/maps/report/explain_law.hpp"
+#include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/report/explain_rotor.hpp"
+#include "rubsweep/maps/report/explain_stop.hpp"
 
 namespace rubsweep::report {
 namespace {
 
-double contact_half_period_s(const model::Stop& stop, double rotor_mass_kg) {
-  const double mass =
-      stop.casing ? contact::reduced_mass(rotor_mass_kg, stop.casing->mass_kg) : rotor_mass_kg;
-  return std::numbers::pi * std::sqrt(mass / stop.stiffness_n_per_m);
-}
-
-std::string explain_casing(const model::Stop& stop, double rotor_mass_kg) {
-  const double half_period_ms = 1e3 * contact_half_period_s(stop, rotor_mass_kg);
-  if (!stop.casing)
-    return fmt::format("  casing: rigid, no state; contact half-period {:.3g} ms\n", half_period_ms);
-  const double hz = std::sqrt(stop.casing->stiffness_n_per_m / stop.casing->mass_kg) / (2 * std::numbers::pi);
-  return fmt::format(
-      "  casing: moves in x and y (2 coordinates), {} kg, {:.4g} Hz, damping ratio {}; contact half-period "
-      "{:.3g} ms\n",
-      stop.casing->mass_kg, hz, stop.casing->damping_ratio, half_period_ms);
-}
-
-/// By how much is in docs/method/rotors.md.
-std::string explain_fast_contact(const model::Stop& stop, double rotor_mass_kg, const model::RotorKit& kit) {
-  const double contact_hz = 1 / (2 * contact_half_period_s(stop, rotor_mass_kg));
-  if (contact_hz <= kit.modes_up_to_hz) return "";
-  return fmt::format(
-      "  contact is faster ({:.4g} Hz) than what the number of modes is chosen for ({} Hz): largest forces "
-      "depend on "
-      "rotor.modes\n",
-      contact_hz, kit.modes_up_to_hz);
-}
-
-std::string explain_damping(const model::Stop& stop, const scene::Contact& contact, double rotor_mass_kg) {
-  if (!stop.law.linear()) return explain_law(stop);
-  double mass = stop.contact_mass_kg.value_or(rotor_mass_kg);
-  if (stop.casing) mass = contact::reduced_mass(mass, stop.casing->mass_kg);
-  const double ratio = contact.damping_ns_per_m / (2 * std::sqrt(mass * stop.stiffness_n_per_m));
-  std::string text = fmt::format("  force law: clamped ElastoGap, {} N/m, {:.6g} N s/m (damping ratio {:.4g}",
-                                 stop.stiffness_n_per_m, contact.damping_ns_per_m, ratio);
-  if (ratio < 1) {
-    text += fmt::format("; a free impact returns {:.4g} of its speed", contact::delivered_restitution(ratio));
-  } else {
-    text += fmt::format("; beyond critical, so that a free impact returns less than {:.4g} of its speed",
-                        model::DeliveredRestitution::range.low);
-  }
-  return text + ")\n";
-}
-
-std::string explain_friction(const model::Stop& stop, const scene::Contact& contact) {
-  const double slip = contact.surface_speed_m_per_s;
-  const auto name = contact::name_of(stop.friction);
-  if (!contact::acts(stop.friction)) return fmt::format("  friction: {}\n", name);
-  const double mu = contact::friction_coefficient(stop.friction, slip);
-  if (const auto [holding, sliding] = model::holding_and_sliding(stop.friction); holding > 0) {
-    const auto* falling = std::get_if<model::FallingFriction>(&stop.friction);
-    return fmt::format(
-        "  friction: dry, holds the surfaces together up to {} and slides with {}{}; reverses with the "
-        "slip\n",
-        holding, sliding,
-        falling == nullptr ? ""
-                           : fmt::format(", falling to it with exp(-(slip / {:.6g} m/s)^{})",
-                                         falling->stribeck_speed_m_per_s, falling->exponent));
-  }
-  if (!contact::depends_on_slip(stop.friction)) {
-    if (mu == 0) return fmt::format("  friction: {} 0\n", name);
-    const bool reverses = !contact::keeps_its_direction(stop.friction);
-    return fmt::format("  friction: {} {}; {}\n", name, mu,
-                       reverses ? "reverses with the slip, and may hold the surfaces together"
-                                : "a run whose slip would reverse says slip_reversal");
-  }
-  const bool saturated = contact::friction_slope(stop.friction, slip) == 0;
-  return fmt::format("  friction: {}, {:.6g} at the surface speed {:.4g} m/s of the lowest speed ({})\n",
-                     name, mu, slip,
-                     saturated ? "saturated: there it does not depend on the slip" : "depends on the slip");
-}
-
-std::string describe(const model::StopGeometry& geometry) {
-  return std::visit(overloaded{[](const model::OneSideGeometry& flat) {
-                                 return fmt::format("one side at {} degrees", flat.angle_deg);
-                               },
-                               [](const model::AnnularGeometry& annular) -> std::string {
-                                 const auto& offset_m = annular.offset_m;
-                                 if (offset_m[0] == 0 && offset_m[1] == 0) return "annular, centred";
-                                 return fmt::format("annular, rotor offset by ({}, {}) m", offset_m[0],
-                                                    offset_m[1]);
-                               }},
-                    geometry);
-}
-
-/// Sag of a stop whose clearance counts from where weight and static loads leave the shaft.
-std::string explain_sag(const scene::PreparedMachine& prepared, std::size_t stop) {
-  if (!model::kit_of(prepared.machine)->clearances_from_sag) return "";
-  const Eigen::Vector2d sag = scene::sag_m(prepared, stop);
-  return fmt::format("  its clearance counts from the sag, {:.4g} m in x and {:.4g} m in y\n", sag.x(),
-                     sag.y());
-}
-
-std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Cell& cell, std::size_t i) {
-  const model::Stop& stop = prepared.machine.stops[i];
-  const double mass_kg = prepared.assembly.contact_mass_kg[i];
-  const scene::Contact& contact = cell.scene.contacts[i];
-  std::string text = fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
-                                 describe(stop.geometry), stop.clearance_m);
-  if (model::kit_of(prepared.machine) != nullptr) {
-    text += fmt::format("  at {} m of the shaft; mass behind the contact {:.4g} kg{}\n", *stop.position_m,
-                        stop.contact_mass_kg.value_or(mass_kg),
-                        stop.contact_mass_kg ? "" : " (modal mass of the first mode there)");
-    text += explain_sag(prepared, i);
-  }
-  if (stop.by_hertz_secant()) {
-    text += fmt::format(
-        "  stiffness: secant of the Hertz line contact at {} N, half-width {:.4g} m, approach {:.4g} m\n",
-        stop.hertz->design_force_n, contact::hertz_half_width_m(*stop.hertz, stop.hertz->design_force_n),
-        contact::hertz_approach_m(*stop.hertz, stop.hertz->design_force_n));
-  }
-  text += explain_damping(stop, contact, mass_kg) + explain_friction(stop, contact) +
-          explain_casing(stop, mass_kg);
-  if (const model::RotorKit* kit = model::kit_of(prepared.machine))
-    text += explain_fast_contact(stop, mass_kg, *kit);
-  return text;
-}
-
-bool friction_free(const model::Machine& machine) {
-  for (const model::Stop& stop : machine.stops) {
-    if (contact::acts(stop.friction)) return false;
-  }
-  return true;
-}
-
-std::string explain_plane(const structure::Reduction& reduction, std::size_t plane) {
-  const auto& numbers = reduction.mode_number[plane];
-  const auto& hz = reduction.frequency_hz[plane];
-  std::string modes, attachments;
-  for (Eigen::Index j = 0; j < hz.size(); ++j) {
-    const auto column = static_cast<std::size_t>(j);
-    if (column < numbers.size()) {
-      modes += fmt::format("{}{} ({:.5g} Hz)", modes.empty() ? "" : ", ", numbers[column], hz(j));
-    } else {
-      attachments += fmt::format("{}{:.5g} Hz", attachments.empty() ? "" : ", ", hz(j));
-    }
-  }
-  return fmt::format("modes {}; attachment modes of the stops {}\n", modes,
-                     attachments.empty() ? "none" : attachments);
-}
-
-std::string explain_faults(const model::RotorKit& kit) {
-  std::string text;
-  bool turns_differ = false;
-  for (const model::Support& support : kit.supports) {
-    if (!support.fault || support.fault->impulse_ns == 0) continue;
-    const model::BearingFault& fault = *support.fault;
-    text += fmt::format(
-        "  faulty bearing at {} m: {} impulses of {} N s per revolution at {} degrees, from the kick on\n",
-        support.position_m, fault.multiple, fault.impulse_ns, fault.angle_deg);
-    turns_differ = turns_differ || fault.multiple != std::floor(fault.multiple);
-  }
-  if (text.empty()) return text;
-  text +=
-      "    with impulses nothing is ever proven to rest, and the whirl ratio is that of the motion without "
-      "them\n";
-  if (turns_differ)
-    text += "    revolutions get different impulses: no proof of a period, no exponent, two windows decide\n";
-  return text;
-}
-
-/// At another speed supports by tables are others: where the whirl is unstable is then said of the sweep
-/// alone.
-std::string explain_rotating_damping(const scene::PreparedMachine& prepared, const model::RotorKit& kit,
-                                     bool by_tables) {
-  if (!model::has_rotating_damping(kit)) return "";
-  if (by_tables)
-    return fmt::format("  damping that turns with the shaft: ratio {} and so on by mode\n",
-                       kit.rotating_damping_ratio.front());
-  const double highest_hz = 20 * prepared.reduction->frequency_hz[0](0);
-  const auto from_hz = structure::instability_hz(prepared.assembly, highest_hz);
-  return fmt::format(
-      "  damping that turns with the shaft: ratio {} and so on by mode; the quiet whirl is {}\n",
-      kit.rotating_damping_ratio.front(),
-      from_hz ? fmt::format("unstable from {} on and grows until it touches", model::speed_text(*from_hz))
-              : "stable up to " + model::speed_text(highest_hz, 4));
-}
-
-std::string explain_shaft(const model::RotorKit& kit) {
-  return fmt::format(
-      "rotor: kit, shaft of {:.6g} m in {} or more Timoshenko elements, {} discs, {} supports, {} "
-      "couplings{}{}\n",
-      model::shaft_length_m(kit), kit.elements, kit.discs.size(), kit.supports.size(), kit.couplings.size(),
-      kit.bow ? ", residual bow" : "", kit.torsion ? ", torsion against the drive (1 coordinate)" : "");
-}
-
-/// Couplings that are not equally stiff all around.
-std::string explain_second_harmonic(const scene::PreparedMachine& prepared) {
-  if (prepared.assembly.second_n.size() == 0) return "";
-  return "  couplings that are stiffer along one axis: a force twice per revolution, whatever the unbalance; "
-         "the whirl "
-         "ratio is that of both together\n"
-         "    left out: how the vibration itself modulates their stiffness\n";
-}
-
-std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit, bool by_tables) {
-  const structure::Reduction& reduction = *prepared.reduction;
-  std::string text = kit.matrices ? explain_matrices(kit) : explain_shaft(kit);
-  text += explain_rotating_damping(prepared, kit, by_tables);
-  text += explain_second_harmonic(prepared);
-  const std::string faults = explain_faults(kit);
-  text += faults;
-  text += "  reduced in x to " + explain_plane(reduction, 0);
-  text += "  reduced in y to " + explain_plane(reduction, 1);
-  text += "  the attachment modes make the static compliance between the stops exact\n";
-  text += fmt::format(
-      "  receptance from the stops{} to stops and sensors, at rest and turning with the force: within {:.2g} "
-      "of that of "
-      "the full matrices up to {} Hz; at resonance, and from unbalance, loads and kick, within {:.2g}\n",
-      faults.empty() ? "" : " and faulty bearings", reduction.receptance_error, kit.modes_up_to_hz,
-      reduction.receptance_error / structure::share_beside);
-  if (reduction.growth_error > 0)
-    text += fmt::format(
-        "  free vibrations that grow: rate and frequency within {:.2g} of those of the full matrices\n",
-        reduction.growth_error);
-  text += reduction.automatic ? fmt::format("  number of modes: auto, the smallest within {}\n",
-                                            structure::receptance_tolerance)
-                              : std::string("  number of modes: as configured\n");
-  if (const std::string many = describe_many_modes(prepared); !many.empty()) text += "    " + many + "\n";
-  return text +
-         "left out: modes that no stop and no sensor sees and that nothing couples with one they see, and "
-         "those above the last one listed\n";
-}
-
-std::string explain_rotating_damping(const model::JeffcottRotor& rotor) {
-  if (rotor.rotating_damping_ratio == 0) return "";
-  return fmt::format(
-      "  damping that turns with the shaft: ratio {}; from {} on the quiet whirl is unstable and "
-      "grows "
-      "until it touches\n",
-      rotor.rotating_damping_ratio,
-      model::speed_text(rotor.natural_frequency_hz *
-                        (1 + rotor.damping_ratio / rotor.rotating_damping_ratio)));
-}
-
-std::string explain_rotor(const scene::PreparedMachine& prepared, bool by_tables) {
-  return std::visit(
-      overloaded{
-          [](const model::JeffcottRotor& rotor) {
-            return fmt::format(
-                       "rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio "
-                       "{}\n",
-                       rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio) +
-                   explain_rotating_damping(rotor);
-          },
-          [&](const model::RotorKit& kit) { return explain_kit(prepared, kit, by_tables); }},
-      prepared.machine.rotor);
-}
-
 std::string explain_kick(const model::Machine& machine) {
   if (model::begins_at_rest(machine.start))
     return "start: at rest in the unloaded position, not kicked, the shaft's mark along +x; unbalance and "
-           "weight "
-           "act from then on\n";
+           "weight act from then on\n";
   if (machine.start)
     return "start: in a given state, not kicked; what is not given is that of the quiet whirl\n";
   if (!machine.kick) return "kick: none\n";
@@ -315,7 +59,8 @@ std::string explain_machine(const model::Machine& machine, double speed_hz) {
   text += fmt::format("states: {} ({} coordinates and their rates)\n", 2 * coordinates, coordinates);
   text += left_out(machine);
   if (machine.gravity_m_per_s2 == 0) text += "left out: gravity (gravity_m_per_s2 is 0)\n";
-  if (friction_free(machine)) text += "left out: friction (no stop has any)\n";
+  if (std::ranges::none_of(machine.stops, [](const auto& stop) { return contact::acts(stop.friction); }))
+    text += "left out: friction (no stop has any)\n";
   return text;
 }
 

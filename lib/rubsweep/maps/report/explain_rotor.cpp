@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
 
 #include "rubsweep/core/model/shaft_matrices.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/model/support_path.hpp"
+#include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/core/structure/full_reference.hpp"
 #include "rubsweep/core/structure/matrix_problems.hpp"
+#include "rubsweep/core/structure/stability.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 
 namespace rubsweep::report {
@@ -62,7 +66,129 @@ std::string explain_coefficients(const model::SupportTable& table, double speed_
   return text + "\n";
 }
 
+std::string explain_plane(const structure::Reduction& reduction, std::size_t plane) {
+  const auto& numbers = reduction.mode_number[plane];
+  const auto& hz = reduction.frequency_hz[plane];
+  std::string modes, attachments;
+  for (Eigen::Index j = 0; j < hz.size(); ++j) {
+    const auto column = static_cast<std::size_t>(j);
+    if (column < numbers.size()) {
+      modes += fmt::format("{}{} ({:.5g} Hz)", modes.empty() ? "" : ", ", numbers[column], hz(j));
+    } else {
+      attachments += fmt::format("{}{:.5g} Hz", attachments.empty() ? "" : ", ", hz(j));
+    }
+  }
+  return fmt::format("modes {}; attachment modes of the stops {}\n", modes,
+                     attachments.empty() ? "none" : attachments);
+}
+
+std::string explain_faults(const model::RotorKit& kit) {
+  std::string text;
+  bool turns_differ = false;
+  for (const model::Support& support : kit.supports) {
+    if (!support.fault || support.fault->impulse_ns == 0) continue;
+    const model::BearingFault& fault = *support.fault;
+    text += fmt::format(
+        "  faulty bearing at {} m: {} impulses of {} N s per revolution at {} degrees, from the kick on\n",
+        support.position_m, fault.multiple, fault.impulse_ns, fault.angle_deg);
+    turns_differ = turns_differ || fault.multiple != std::floor(fault.multiple);
+  }
+  if (text.empty()) return text;
+  text +=
+      "    with impulses nothing is ever proven to rest, and the whirl ratio is that of the motion without "
+      "them\n";
+  if (turns_differ)
+    text += "    revolutions get different impulses: no proof of a period, no exponent, two windows decide\n";
+  return text;
+}
+
+/// At another speed supports by tables are others: where the whirl is unstable is then said of the sweep
+/// alone.
+std::string explain_rotating_damping(const scene::PreparedMachine& prepared, const model::RotorKit& kit,
+                                     bool by_tables) {
+  if (!model::has_rotating_damping(kit)) return "";
+  if (by_tables)
+    return fmt::format("  damping that turns with the shaft: ratio {} and so on by mode\n",
+                       kit.rotating_damping_ratio.front());
+  const double highest_hz = 20 * prepared.reduction->frequency_hz[0](0);
+  const auto from_hz = structure::instability_hz(prepared.assembly, highest_hz);
+  return fmt::format(
+      "  damping that turns with the shaft: ratio {} and so on by mode; the quiet whirl is {}\n",
+      kit.rotating_damping_ratio.front(),
+      from_hz ? fmt::format("unstable from {} on and grows until it touches", model::speed_text(*from_hz))
+              : "stable up to " + model::speed_text(highest_hz, 4));
+}
+
+std::string explain_shaft(const model::RotorKit& kit) {
+  return fmt::format(
+      "rotor: kit, shaft of {:.6g} m in {} or more Timoshenko elements, {} discs, {} supports, {} "
+      "couplings{}{}\n",
+      model::shaft_length_m(kit), kit.elements, kit.discs.size(), kit.supports.size(), kit.couplings.size(),
+      kit.bow ? ", residual bow" : "", kit.torsion ? ", torsion against the drive (1 coordinate)" : "");
+}
+
+/// Couplings that are not equally stiff all around.
+std::string explain_second_harmonic(const scene::PreparedMachine& prepared) {
+  if (prepared.assembly.second_n.size() == 0) return "";
+  return "  couplings that are stiffer along one axis: a force twice per revolution, whatever the unbalance; "
+         "the whirl ratio is that of both together\n"
+         "    left out: how the vibration itself modulates their stiffness\n";
+}
+
+std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit, bool by_tables) {
+  const structure::Reduction& reduction = *prepared.reduction;
+  std::string text = kit.matrices ? explain_matrices(kit) : explain_shaft(kit);
+  text += explain_rotating_damping(prepared, kit, by_tables);
+  text += explain_second_harmonic(prepared);
+  const std::string faults = explain_faults(kit);
+  text += faults;
+  text += "  reduced in x to " + explain_plane(reduction, 0);
+  text += "  reduced in y to " + explain_plane(reduction, 1);
+  text += "  the attachment modes make the static compliance between the stops exact\n";
+  text += fmt::format(
+      "  receptance from the stops{} to stops and sensors, at rest and turning with the force: within {:.2g} "
+      "of that of the full matrices up to {} Hz; at resonance, and from unbalance, loads and kick, within "
+      "{:.2g}\n",
+      faults.empty() ? "" : " and faulty bearings", reduction.receptance_error, kit.modes_up_to_hz,
+      reduction.receptance_error / structure::share_beside);
+  if (reduction.growth_error > 0)
+    text += fmt::format(
+        "  free vibrations that grow: rate and frequency within {:.2g} of those of the full matrices\n",
+        reduction.growth_error);
+  text += reduction.automatic ? fmt::format("  number of modes: auto, the smallest within {}\n",
+                                            structure::receptance_tolerance)
+                              : std::string("  number of modes: as configured\n");
+  if (const std::string many = describe_many_modes(prepared); !many.empty()) text += "    " + many + "\n";
+  return text +
+         "left out: modes that no stop and no sensor sees and that nothing couples with one they see, and "
+         "those above the last one listed\n";
+}
+
+std::string explain_rotating_damping(const model::JeffcottRotor& rotor) {
+  if (rotor.rotating_damping_ratio == 0) return "";
+  return fmt::format(
+      "  damping that turns with the shaft: ratio {}; from {} on the quiet whirl is unstable and "
+      "grows until it touches\n",
+      rotor.rotating_damping_ratio,
+      model::speed_text(rotor.natural_frequency_hz *
+                        (1 + rotor.damping_ratio / rotor.rotating_damping_ratio)));
+}
+
 }  // namespace
+
+std::string explain_rotor(const scene::PreparedMachine& prepared, bool by_tables) {
+  return std::visit(
+      overloaded{
+          [](const model::JeffcottRotor& rotor) {
+            return fmt::format(
+                       "rotor: Jeffcott, moves in x and y (2 coordinates), {} kg, {} Hz, damping ratio "
+                       "{}\n",
+                       rotor.mass_kg, rotor.natural_frequency_hz, rotor.damping_ratio) +
+                   explain_rotating_damping(rotor);
+          },
+          [&](const model::RotorKit& kit) { return explain_kit(prepared, kit, by_tables); }},
+      prepared.machine.rotor);
+}
 
 std::string explain_matrices(const model::RotorKit& kit) {
   const model::ShaftMatrices& matrices = *kit.matrices;
@@ -126,8 +252,7 @@ std::string describe_many_modes(const scene::PreparedMachine& prepared) {
   if (most <= many) return "";
   return fmt::format(
       "modes: auto keeps {} modes a plane, and a cell takes longer with each; a smaller rotor.modes_up_to_hz "
-      "(now {}) "
-      "or a number as rotor.modes keeps fewer",
+      "(now {}) or a number as rotor.modes keeps fewer",
       most, kit->modes_up_to_hz);
 }
 

@@ -9,6 +9,10 @@
 
 namespace rubsweep::report {
 
+/// Lines about the rotor of a machine for `--explain`: its coordinates, what of it is reduced and left out.
+/// `by_tables`: supports of the machine follow the speed, and `prepared` is the machine at one of its speeds.
+std::string explain_rotor(const scene::PreparedMachine& prepared, bool by_tables);
+
 /// Lines about the matrices of a kit: their size, mass and nodes, and what of them is symmetric and what is
 /// not.
 std::string explain_matrices(const model::RotorKit& kit);

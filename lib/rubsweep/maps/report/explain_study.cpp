@@ -158,8 +158,7 @@ std::string explain_study(const sweep::Study& study) {
   if (study.threshold) {
     text += fmt::format(
         "threshold: in each cell, after which of {}  rub goes on; where it begins or ends between two of "
-        "them "
-        "to {} of it\n",
+        "them to {} of it\n",
         explain_axis(study.threshold->axis), study.threshold->tolerance);
   }
   if (study.basin) {

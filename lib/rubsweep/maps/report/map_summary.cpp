@@ -113,8 +113,7 @@ std::string MapSummary::warning() const {
   if (far_ == 0) return "";
   return fmt::format(
       "warning: in {} of {} cells the rotor moves farther than {} clearances, at most {:.3g}; hardly a shaft "
-      "is "
-      "linear up to there (column peak_over_clearance, key output.warn_over_clearances)\n{}",
+      "is linear up to there (column peak_over_clearance, key output.warn_over_clearances)\n{}",
       far_, total_, warn_over_clearances_, largest_over_clearance_, unbalance_question());
 }
 
@@ -123,8 +122,7 @@ std::string MapSummary::unbalance_question() const {
   if (largest_over_clearance_ <= no_motion_of_a_rotor) return "";
   return fmt::format(
       "question: what was the unbalance meant to be? It moves the rotor by {:.3g} clearances (an "
-      "eccentricity in "
-      "millimetres, a whirl ratio in per cent, an unbalance in g cm?)\n",
+      "eccentricity in millimetres, a whirl ratio in per cent, an unbalance in g cm?)\n",
       largest_over_clearance_);
 }
 

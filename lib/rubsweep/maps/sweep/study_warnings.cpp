@@ -72,13 +72,11 @@ std::string why_untouched(const Study& study, const scene::PreparedMachine& prep
   const auto& kick = prepared.machine.kick;
   if (!kick) {
     return "no kick: the cells whose quiet whirl leaves a clearance (whirl ratio below 1) touch nothing and "
-           "are all "
-           "non_contact; to change that, give kick.force_n and kick.duration_s\n";
+           "are all non_contact; to change that, give kick.force_n and kick.duration_s\n";
   }
   return fmt::format(
       "weak kick: {} N for {} s reach no wall from any cell whose quiet whirl leaves a clearance (whirl "
-      "ratio below "
-      "1), which are all non_contact; to change that, raise kick.force_n\n",
+      "ratio below 1), which are all non_contact; to change that, raise kick.force_n\n",
       kick->force_n, kick->duration_s);
 }
 
@@ -123,16 +121,11 @@ struct Found {
   double growth_per_s = 0, growth_hz = 0;  ///< the fastest, and the speed that it is at
 
   void look(const structure::Assembly& assembly, double speed_hz) {
-    ++looked_at;
     const double speed = 2 * std::numbers::pi * speed_hz;
-    if (!structure::grows(assembly, speed)) return;
-    lowest_hz = unstable == 0 ? speed_hz : std::min(lowest_hz, speed_hz);
-    highest_hz = std::max(highest_hz, speed_hz);
-    ++unstable;
-    const double growth = structure::growth_per_s(assembly, speed);
-    if (growth <= growth_per_s) return;
-    growth_per_s = growth;
-    growth_hz = speed_hz;
+    Found one{.looked_at = 1};
+    if (structure::grows(assembly, speed))
+      one = {1, 1, speed_hz, speed_hz, structure::growth_per_s(assembly, speed), speed_hz};
+    add(one);
   }
 
   void add(const Found& other) {

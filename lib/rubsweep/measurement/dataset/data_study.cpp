@@ -104,11 +104,7 @@ DataStudy read_root(const yaml::Value& root) {
 }  // namespace
 
 DataStudy read_data_study_text(std::string_view text, const std::string& name) {
-  yaml::Diagnostics diagnostics(name, {});
-  const yaml::Node root = parse_config(text, name, root_form, {}, diagnostics);
-  DataStudy study = read_root({root, "", diagnostics});
-  diagnostics.throw_if_any();
-  return study;
+  return read_parsed(text, name, root_form, {}, read_root);
 }
 
 }  // namespace rubsweep::config::dataset

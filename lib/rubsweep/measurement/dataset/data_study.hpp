@@ -17,7 +17,7 @@ constexpr std::string_view to_string(Format format) { return format == Format::c
 
 /// How motions are read.
 struct Measurement {
-  int turns = 32;                  ///< of the shaft in every recording, as far as whole readings go
+  int turns = 32;                  ///< turns of the shaft in every recording, as far as whole readings go
   double sampling_rate_hz = 5000;  ///< > 0
   int probes = 2;                  ///< 2: x and y; 1: x alone
   /// White noise of every reading, standard deviation over the size of the motion.
@@ -50,7 +50,7 @@ struct DataStudy {
   Measurement measurement{};
   Split split{};
   Format format = Format::csv;
-  std::filesystem::path directory{};  ///< where the set goes; decides no byte of it
+  std::filesystem::path directory{};  ///< place of the set; decides no byte of it
 };
 
 }  // namespace rubsweep::dataset

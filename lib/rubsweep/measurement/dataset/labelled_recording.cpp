@@ -14,6 +14,7 @@ namespace {
 
 using diagnose::Point;
 using diagnose::RandomStream;
+using diagnose::samples_per_revolution;
 using diagnose::Unknown;
 
 constexpr bool of_one_recording(Unknown unknown) {
@@ -62,8 +63,6 @@ void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRec
       "recording " + std::to_string(recording.index) +
       ": no draw could be simulated that stays within rub.penetration_ratio and rub.force_ratio");
 }
-
-using diagnose::samples_per_revolution;
 
 /// Readings of one direction at times that are in turns of the shaft.
 std::vector<double> read(const std::vector<std::complex<double>>& motion, bool y,

@@ -11,6 +11,10 @@
 namespace rubsweep::config::dataset {
 namespace {
 
+using diagnose::Candidate;
+using diagnose::Cause;
+using diagnose::Unknown;
+
 constexpr model::Range any_share{.low = 0, .high = 1}, noise{.low = 0, .high = 1, .low_open = true};
 /// The time of each reading is written with twelve digits.
 constexpr model::Range rate_hz{.low = 0, .high = 1e6, .low_open = true};
@@ -65,10 +69,6 @@ CandidateFile read_file_root(const yaml::Value& root) {
   section.refuse_unknown_keys();
   return file;
 }
-
-using diagnose::Candidate;
-using diagnose::Cause;
-using diagnose::Unknown;
 
 const auto& words() {
   static const auto all = [] {
@@ -177,11 +177,7 @@ CandidateFile usual_candidate_file() {
 }
 
 CandidateFile read_candidate_file_text(std::string_view text, const std::string& name) {
-  yaml::Diagnostics diagnostics(name, {});
-  const yaml::Node root = parse_config(text, name, candidate_file_form, {}, diagnostics);
-  CandidateFile file = read_file_root({root, "", diagnostics});
-  diagnostics.throw_if_any();
-  return file;
+  return read_parsed(text, name, candidate_file_form, {}, read_file_root);
 }
 
 std::vector<Candidate> read_candidates(const yaml::Value& value, bool of_any_rotor) {

@@ -31,7 +31,7 @@ void read_measuring(const yaml::Value& value, diagnose::Measuring& measuring);
 struct CandidateFile {
   std::vector<diagnose::Candidate>
       candidates{};             ///< with their clearances; machine and speed come from elsewhere
-  std::vector<double> prior{};  ///< of each, add up to 1
+  std::vector<double> prior{};  ///< probability of each, add up to 1
   std::optional<diagnose::Spread> eccentricity_m{};  ///< unbalance of the recorded machine; empty: not known
   diagnose::Measuring measuring{};                   ///< probes and readings come from the recording
 };

@@ -1,24 +1,10 @@
 #include "rubsweep/measurement/diagnose/candidate.hpp"
 
-#include "rubsweep/core/error.hpp"
+#include "rubsweep/core/enumerator_word.hpp"
 
 namespace rubsweep::diagnose {
 
-std::string_view to_string(Cause cause) {
-  switch (cause) {
-    case Cause::no_rub:
-      return "no_rub";
-    case Cause::one_side:
-      return "one_side";
-    case Cause::two_sides:
-      return "two_sides";
-    case Cause::annular:
-      return "annular";
-    case Cause::annular_offset:
-      return "annular_offset";
-  }
-  throw SolverError("cause: no such enumerator");
-}
+std::string_view to_string(Cause cause) { return enumerator_word(cause); }
 
 const std::array<UnknownRow, unknown_count>& unknown_rows() {
   constexpr model::Range ratio{.low = 0, .high = 1, .low_open = true, .high_open = true},

@@ -26,22 +26,22 @@ std::string_view to_string(Cause cause);
 
 /// Numbers that a recording alone does not tell. Angles count from the stop.
 enum class Unknown : std::size_t {
-  natural_frequency,  ///< of the rotor, Hz
+  natural_frequency,  ///< frequency of the rotor, Hz
   damping_ratio,
   whirl_ratio,             ///< quiet whirl / clearance left
-  stiffness,               ///< of the contact, N/m
+  stiffness,               ///< stiffness of the contact, N/m
   restitution,             ///< nominal
   friction,                ///< dry coefficient
   casing_mass,             ///< kg
-  casing_frequency,        ///< of the casing on its mount, Hz
+  casing_frequency,        ///< frequency of the casing on its mount, Hz
   kick_ratio,              ///< velocity after the kick / (clearance x natural angular frequency)
   kick_angle,              ///< degrees from the stop
-  kick_phase,              ///< of the shaft, degrees
+  kick_phase,              ///< angle of the shaft, degrees
   second_clearance_ratio,  ///< two_sides: clearance of the second stop / that of the first one
   offset_ratio,            ///< annular_offset: offset / clearance
   stop_angle,  ///< degrees from +x; 0 where the machine looks the same from all directions without the stop
-  position,    ///< of the stops along the shaft of a rotor kit, m
-  kit          ///< of KnownKit::likely, as a share of them
+  position,    ///< place of the stops along the shaft of a rotor kit, m
+  kit          ///< place in KnownKit::likely, as a share of them
 };
 inline constexpr std::size_t unknown_count = 16;
 
@@ -51,7 +51,7 @@ using Point = std::array<double, unknown_count>;
 struct UnknownRow {
   Unknown unknown;
   std::string_view key;  ///< in a file of candidates
-  model::Range range;    ///< that a machine may have
+  model::Range range;    ///< values that a machine may have
   Spread usual;          ///< unless a file says otherwise
   bool logarithmic;      ///< how an interval of a file is meant
   bool of_file = true;   ///< may be said in a file; false: the machine or the recording says it
@@ -64,7 +64,7 @@ struct Candidate {
   std::string name;
   Cause cause = Cause::no_rub;
   std::array<Spread, unknown_count> spreads{};
-  Spread clearance_m{};                ///< of the first stop; usual candidates have none, the study says it
+  Spread clearance_m{};  ///< clearance of the first stop; usual candidates have none, the study says it
   std::optional<Spread> position_m{};  ///< along the shaft of a rotor kit; else all places that it may have
 };
 

@@ -16,7 +16,7 @@ struct FittedParameters {
   std::vector<std::string> name{};
   Eigen::VectorXd value{}, low_95{}, high_95{};
   Eigen::MatrixXd error_root{};  ///< R, where R R^T is the correlation of the errors
-  std::string text{};            ///< of the files
+  std::string text{};            ///< bytes of the files
 };
 
 /// Reads parameters.csv and correlation.csv of a directory; without the second one errors are not correlated.

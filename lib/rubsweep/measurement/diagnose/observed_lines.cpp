@@ -1,6 +1,7 @@
 #include "rubsweep/measurement/diagnose/observed_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -37,6 +38,12 @@ MotionLines with_gains(const MotionLines& lines, double x_gain, double y_gain) {
     seen.at(k) = (x_gain + y_gain) / 2 * lines.at(k) + (x_gain - y_gain) / 2 * std::conj(lines.at(-k));
   return seen;
 }
+
+/// A line that no rub made.
+struct OtherLine {
+  int order = 0;
+  Complex amplitude = 0;  ///< amplitude in the unit of the motion
+};
 
 /// Lines at -1X, 2X, -2X, 3X and -3X of a motion of this size.
 std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, RandomStream& random) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <complex>
 #include <span>
 
@@ -13,7 +12,7 @@ namespace rubsweep::diagnose {
 /// Full spectrum of a motion over whole turns of the shaft, with phases: z = sum over k of A_k exp(i k phi /
 /// turns).
 struct MotionLines {
-  int turns = 0;                 ///< of the shaft
+  int turns = 0;                 ///< turns of the shaft
   Eigen::VectorXcd amplitude{};  ///< A_k in metres, k from -last() to last(); of one probe A_-k = conj(A_k)
 
   int last() const { return static_cast<int>(amplitude.size() / 2); }
@@ -47,13 +46,7 @@ struct OtherLines {
 /// Size of a motion: root mean square about its mean, in the unit of the samples.
 double size_of(std::span<const std::complex<double>> samples);
 
-/// A line that no rub made.
-struct OtherLine {
-  int order = 0;
-  std::complex<double> amplitude = 0;  ///< in the unit of the motion
-};
-
-/// Adds lines at -1X, 2X and 3X that no rub made to a motion of this size.
+/// Adds lines at -1X, 2X, -2X, 3X and -3X that no rub made to a motion of this size.
 void add_other_lines(std::span<std::complex<double>> samples, const OtherLines& lines, double size,
                      RandomStream& random);
 
@@ -63,7 +56,7 @@ struct Measuring {
   double readings_per_turn = 0;
   /// Whether the machine is not the same in all directions, and those of the probes are known.
   bool directions = false;
-  double probe_angle_rad = 0;  ///< of one probe whose direction is known, from +x to +y
+  double probe_angle_rad = 0;  ///< direction of a single probe, where it is known, from +x to +y
   bool from_rest = false;      ///< readings count from where the rotor rests
   Spread noise_share{1e-3, 3e-2,
                      true};  ///< white noise of every reading, standard deviation / size of the motion

@@ -16,6 +16,8 @@
 namespace rubsweep::fit {
 namespace {
 
+using batch::CsvReader;
+using Complex = std::complex<double>;
 using std::numbers::pi;
 
 /// Piece of a ramp with knots that holds an instant, or is the nearest one.
@@ -28,10 +30,7 @@ double rate_hz_per_s(const Ramp& ramp, std::size_t piece) {
   return (ramp.knot_hz[piece + 1] - ramp.knot_hz[piece]) / (ramp.knot_s[piece + 1] - ramp.knot_s[piece]);
 }
 
-using Complex = std::complex<double>;
-using batch::CsvReader;
-
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree = pi / 180;
 /// Longest period of a rub.
 constexpr int most_turns = 64;
 

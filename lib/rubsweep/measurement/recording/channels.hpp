@@ -21,7 +21,7 @@ struct Channel {
 struct Channels {
   std::vector<Channel> channels;
   std::vector<std::size_t> line{};  ///< line of every row of a text, from 1; empty: the file is no text
-  std::optional<double> sampling_rate_hz{};  ///< where the file says it
+  std::optional<double> sampling_rate_hz{};  ///< rate that the file says; empty: it says none
   /// Columns or variables that are no signals, by name, and why: "holds text".
   struct LeftOut {
     std::string name, why;

@@ -107,11 +107,7 @@ Instrument read_root(const yaml::Value& root) {
 }  // namespace
 
 Instrument read_instrument_text(std::string_view text, const std::string& name) {
-  yaml::Diagnostics diagnostics(name, {});
-  const yaml::Node root = parse_config(text, name, root_form, {}, diagnostics);
-  Instrument instrument = read_root({root, "", diagnostics});
-  diagnostics.throw_if_any();
-  return instrument;
+  return read_parsed(text, name, root_form, {}, read_root);
 }
 
 }  // namespace rubsweep::config::recording

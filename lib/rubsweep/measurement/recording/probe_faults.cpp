@@ -224,8 +224,7 @@ void add_pair_findings(const ProbeReadings& first, const ProbeReadings& second,
   const auto& [silent, seeing] = noise ? std::pair(first, second) : std::pair(second, first);
   findings.push_back(
       fmt::format("'{}' shows noise alone where '{}' sees a motion: shape and whirl are not those of the "
-                  "shaft, if that probe has no "
-                  "signal",
+                  "shaft, if that probe has no signal",
                   silent.column, seeing.column));
 }
 

@@ -131,8 +131,7 @@ std::optional<Channels> stretch_without_jump(const Channels& channels, const Ins
              end = static_cast<std::ptrdiff_t>(begins[best + 1]);
   findings.push_back(
       fmt::format("'{}' jumps from {:.10g} to {:.10g} at {}{}: the longest stretch without a jump, from "
-                  "{:.10g} to {:.10g}, is "
-                  "looked at",
+                  "{:.10g} to {:.10g}, is looked at",
                   time.name, time.values[begins[1] - 1], time.values[begins[1]], channels.place_of(begins[1]),
                   jumps > 1 ? fmt::format(", {} times in all", jumps) : "", time.values[begins[best]],
                   time.values[begins[best + 1] - 1]));

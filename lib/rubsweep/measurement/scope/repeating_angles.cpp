@@ -12,6 +12,7 @@ namespace rubsweep::scope {
 namespace {
 
 using Complex = std::complex<double>;
+using std::numbers::pi;
 
 /// Values of Legendre's polynomials of degree 1 to `degree` at places from -1 to 1, each column about its
 /// mean.
@@ -62,9 +63,8 @@ std::vector<Complex> rate_of(std::span<const Complex> orbit, int turns, double m
   std::vector<Complex> rate(orbit.size());
   for (int k = -last; k <= last; ++k) {
     const double order = static_cast<double>(k) / turns;
-    const Complex line = lines[static_cast<std::size_t>(k + last)] * Complex(0, 2 * std::numbers::pi * order);
-    const Complex step =
-        std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(orbit.size()));
+    const Complex line = lines[static_cast<std::size_t>(k + last)] * Complex(0, 2 * pi * order);
+    const Complex step = std::polar(1.0, 2 * pi * static_cast<double>(k) / static_cast<double>(orbit.size()));
     Complex root = 1;
     for (Complex& sum : rate) {
       sum += line * root;
@@ -121,9 +121,6 @@ double allowed_share(const Eigen::VectorXd& shift_turns, const recording::AngleD
     if (const double next = share + std::ldexp(1.0, -k); allowed(next * shift_turns, doubt)) share = next;
   return share;
 }
-
-using Complex = std::complex<double>;
-using std::numbers::pi;
 
 constexpr Eigen::Index fewest_levelled = 4;
 constexpr double most_drift = 0.5;
@@ -202,7 +199,7 @@ std::vector<Complex> lines_of_period(std::span<const Complex> period, int last) 
   const std::size_t count = period.size();
   std::vector<Complex> roots(count), lines;
   for (std::size_t j = 0; j < count; ++j)
-    roots[j] = std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(count));
+    roots[j] = std::polar(1.0, -2 * pi * static_cast<double>(j) / static_cast<double>(count));
   for (int k = -last; k <= last; ++k) {
     Complex sum = 0;
     const std::size_t step = k < 0 ? count - static_cast<std::size_t>(-k) : static_cast<std::size_t>(k);

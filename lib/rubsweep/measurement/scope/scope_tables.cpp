@@ -183,7 +183,7 @@ std::string findings_text(const Recording& recording) {
 /// An even change of speed by least squares.
 struct Ramp {
   double rate_hz_per_s = 0;
-  double largest_error = 0;  ///< of the speed, relative to the whole change
+  double largest_error = 0;  ///< error of the speed, relative to the whole change
 };
 
 Ramp ramp_of(const std::vector<OrderPoint>& points) {

@@ -1,10 +1,10 @@
 #include "rubsweep/measurement/scope/verdict.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numbers>
 
+#include "rubsweep/core/enumerator_word.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/spectrum/discrete_lines.hpp"
 #include "rubsweep/measurement/scope/repeating_angles.hpp"
@@ -243,11 +243,7 @@ void measure_whirl(Verdict& verdict) {
 
 }  // namespace
 
-std::string_view to_string(MeasuredClass value) {
-  constexpr std::array<std::string_view, 5> words{"at_rest", "synchronous", "subharmonic", "quasi_periodic",
-                                                  "aperiodic"};
-  return words[static_cast<std::size_t>(value)];
-}
+std::string_view to_string(MeasuredClass value) { return enumerator_word(value); }
 
 Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolution, bool plane,
               const Reading& reading) {

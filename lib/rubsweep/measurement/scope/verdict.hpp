@@ -41,7 +41,7 @@ inline constexpr int most_discrete_lines = 16;
 /// A period that the noise does not exclude, but that would show if the recording were longer.
 struct DoubtfulPeriod {
   int turns = 0;           ///< period
-  double amplitude_m = 0;  ///< of its largest line that a shorter period does not have
+  double amplitude_m = 0;  ///< amplitude of its largest line that a shorter period does not have
   double more_turns = 0;   ///< after which this line would stand out of the noise or be gone
 };
 
@@ -54,9 +54,9 @@ struct Thresholds {
 
 struct Verdict {
   MeasuredClass motion = MeasuredClass::at_rest;
-  int turns = 0;                ///< that were looked at, whole periods
+  int turns = 0;                ///< turns that were looked at, whole periods
   std::optional<int> period{};  ///< in turns; empty: none up to the longest that the recording can tell
-  int longest_period = 0;       ///< that the recording can tell
+  int longest_period = 0;       ///< longest one that the recording can tell
   std::optional<DoubtfulPeriod> doubtful{};
   /// How far the lines of a subharmonic may stand beside multiples of 1 / period, in orders.
   std::optional<double> order_room{};
@@ -69,11 +69,11 @@ struct Verdict {
   double seen_m = 0;    ///< smallest amplitude of such a line that noise does not reach
   std::vector<std::complex<double>>
       orbit_m{};                      ///< mean of all periods about its centre; of no period, the last turns
-  std::vector<MeasuredLine> lines{};  ///< of that orbit, |order| <= most_order, ascending
-  std::vector<DiscreteLine> discrete_lines{};            ///< of a motion without a period, the largest first
-  std::optional<response::spectrum::OrbitKind> shape{};  ///< of two probes
-  std::optional<response::spectrum::WhirlKind> whirl{};  ///< of two probes
-  double forward_share = 0, forward_share_uncertainty = 0;  ///< of the energy without 0X
+  std::vector<MeasuredLine> lines{};  ///< lines of that orbit, |order| <= most_order, ascending
+  std::vector<DiscreteLine> discrete_lines{};  ///< lines of a motion without a period, the largest first
+  std::optional<response::spectrum::OrbitKind> shape{};     ///< orbit of two probes
+  std::optional<response::spectrum::WhirlKind> whirl{};     ///< whirl of two probes
+  double forward_share = 0, forward_share_uncertainty = 0;  ///< share of the energy without 0X
   Thresholds thresholds{};                                  ///< thresholds that decided
 };
 

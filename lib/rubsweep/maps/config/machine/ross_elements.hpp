@@ -10,7 +10,7 @@ namespace rubsweep::config::machine {
 /// One element of a ROSS file: the map under "ShaftElement_Shaft Element 0", by its class and its tag.
 struct RossElement {
   std::string type;  ///< word before the first underscore, without 6DoF
-  std::string tag;   ///< what stands after it: may have blanks and underscores
+  std::string tag;   ///< text after it: may have blanks and underscores
   std::string name;  ///< all of it
   yaml::Value value;
 };

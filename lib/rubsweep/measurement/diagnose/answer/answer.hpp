@@ -32,7 +32,7 @@ struct CandidateAnswer {
   double probability = 0;  ///< "none of these" counted in
   std::vector<NumberInterval>
       numbers{};  ///< given that it is this one; none of no_rub, or where no case is like it
-  std::optional<double> standard_error{};  ///< of the probability, where more motions would still change it
+  std::optional<double> standard_error{};  ///< given where more motions would still change the probability
 };
 
 /// A feature of the recording beside those of the cases of the two likeliest candidates, weighted.

@@ -22,7 +22,7 @@ struct DiagnosisOptions {
   CaseOptions cases{};
   int most_rounds = 3;              ///< rounds of draws near cases that resemble the recording
   int draws_per_round = 800;        ///< draws of all candidates together
-  bool with_standard_error = true;  ///< where the probabilities do not stand still
+  bool with_standard_error = true;  ///< errors where the probabilities do not stand still
   double least_change = 0.03;  ///< change of a probability between two rounds, below which they stand still
 };
 

@@ -33,7 +33,7 @@ inline features::View view_of(const Measuring& measuring) {
 
 /// Largest order that the readings of a turn show as it is.
 inline double seen_order(const Measuring& measuring) {
-  constexpr double clean_share = 0.4;  // share as in scope::judge
+  constexpr double clean_share = 0.4;  // share as in scope::most_order_looked_at
   return std::min(most_order, clean_share * measuring.readings_per_turn);
 }
 
