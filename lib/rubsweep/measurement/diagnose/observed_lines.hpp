@@ -13,7 +13,7 @@ namespace rubsweep::diagnose {
 /// Full spectrum of a motion over whole turns of the shaft, with phases: z = sum over k of A_k exp(i k phi /
 /// turns).
 struct MotionLines {
-  int turns = 0;                 ///< of the shaft
+  int turns = 0;                 ///< turns of the shaft
   Eigen::VectorXcd amplitude{};  ///< A_k in metres, k from -last() to last(); of one probe A_-k = conj(A_k)
 
   int last() const { return static_cast<int>(amplitude.size() / 2); }

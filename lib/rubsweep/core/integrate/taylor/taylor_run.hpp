@@ -124,7 +124,7 @@ class TaylorRun {
   std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
   SlipZeros zeros_;
-  double reserve_rate_ = 0;  ///< of the friction of a contact that is let go
+  double reserve_rate_ = 0;  ///< rate of the friction's reserve at a contact that is let go
   bool entered_ = false;
   int samples_wanted_ = 0;  ///< as asked for in this turn
   bool peaks_wanted_ = false;
