@@ -510,7 +510,7 @@ TEST(AssemblyEigenvalues, PassThroughAnInclinationOf90Degrees) {
   EXPECT_LT(distance(there, roots_with_50_digits(system, 40)), 2e-14);
 }
 
-TEST(AssemblyEigenvaluesSpectrum, SlopesAreTheDerivatives) {
+TEST(AssemblySpectrum, SlopesAreTheDerivatives) {
   RandomSystems random(4, 3);
   for (int i = 0; i < 30; ++i) {
     const System system = random.next();
@@ -532,14 +532,14 @@ TEST(AssemblyEigenvaluesSpectrum, SlopesAreTheDerivatives) {
   }
 }
 
-TEST(AssemblyEigenvaluesNormalForm, RefusesAMovingLoadWithoutMass) {
+TEST(AssemblyNormalForm, RefusesAMovingLoadWithoutMass) {
   System system{.ring = paper_ring(), .loads = {spring_mass(0, 1e6, 1e6)}, .friction_coefficient = 0.1};
   EXPECT_THROW(normal_form(system), ConfigError);
   system.loads[0].motion = Motion::radial;
   EXPECT_NO_THROW(normal_form(system));
 }
 
-TEST(AssemblyEigenvaluesNormalForm, RefusesFrictionThatCancelsTheInertia) {
+TEST(AssemblyNormalForm, RefusesFrictionThatCancelsTheInertia) {
   System system{.ring = paper_ring(), .loads = {at(0, beam(300, 140, 1e7, 1e6))}, .friction_coefficient = 0};
   system.loads[0].inclination_deg = 45;
   const auto determinant = [&](double friction) {

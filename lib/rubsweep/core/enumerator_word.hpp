@@ -7,8 +7,8 @@
 
 namespace rubsweep {
 
-/// Name of an enumerator as its enumeration writes it, from what the compiler calls this function; empty for a
-/// number that is none of them.
+/// Name of an enumerator as its enumeration writes it, from what the compiler calls this function; empty for
+/// a number that is none of them.
 template <auto value>
 consteval std::string_view enumerator_name() {
   constexpr std::string_view before = "value = ", function = __PRETTY_FUNCTION__;
@@ -24,7 +24,9 @@ template <class Enum>
 constexpr std::string_view enumerator_word(Enum value) {
   constexpr auto words = []<std::size_t... i>(std::index_sequence<i...>) {
     return std::array{enumerator_name<static_cast<Enum>(i)>()...};
-  }(std::make_index_sequence<32>{});
+  }
+  (std::make_index_sequence<33>{});
+  static_assert(words.back().empty());
   const auto number = static_cast<std::size_t>(value);
   return number < words.size() ? words[number] : std::string_view{};
 }

@@ -172,6 +172,33 @@ void add_stable_windows(const std::vector<Regime>& regimes, std::vector<Onset>& 
   }
 }
 
+/// Closest approaches of neighbouring frequencies within a quarter of their mean, of a track without
+/// friction.
+std::vector<Onset> veerings(const Track& track, const NormalForm& form) {
+  std::vector<Onset> onsets;
+  std::vector<std::vector<double>> all;
+  for (const TrackPoint& point : track.points) all.push_back(neutral_frequencies(point.spectrum.values));
+  for (std::size_t i = 1; i + 1 < all.size(); ++i) {
+    if (all[i - 1].empty() || all[i].empty() || all[i + 1].empty()) continue;
+    for (std::size_t k = 0; k + 1 < all[i].size(); ++k) {
+      const auto gap_at = [k](const std::vector<double>& f) { return f[k + 1] - f[k]; };
+      const double gap_here = gap_at(all[i]);
+      if (!(gap_here < gap_at(all[i - 1]) && gap_here <= gap_at(all[i + 1]))) continue;
+      const auto speed =
+          closest_approach(form, k, track.points[i - 1].speed_rad_per_s, track.points[i + 1].speed_rad_per_s);
+      if (!speed) continue;
+      const auto f = neutral_frequencies(eigenvalues(form, *speed));
+      if (f.empty()) continue;
+      const double least = gap_at(f), mean = 0.5 * (f[k] + f[k + 1]);
+      // Below: modes that do not know each other and cross.
+      if (!(least < 0.25 * mean && least > 1e-6 * mean)) continue;
+      onsets.push_back({"veering", *speed, modes_at(track, *speed, {0, mean}, 2, false),
+                        fmt::format("gap {:.6g} rad/s at {:.6g} rad/s", least, mean)});
+    }
+  }
+  return onsets;
+}
+
 }  // namespace
 
 std::vector<Onset> describe_change(const Change& change, const Track& track, bool has_friction) {
@@ -208,31 +235,6 @@ std::vector<Onset> describe_change(const Change& change, const Track& track, boo
     } else {
       if (pairs > 0) add("flutter_begin", 1, false, speed == 0 ? "as soon as it turns" : note);
       if (pairs < 0) add("flutter_end", 1, true, note);
-    }
-  }
-  return onsets;
-}
-
-std::vector<Onset> veerings(const Track& track, const NormalForm& form) {
-  std::vector<Onset> onsets;
-  std::vector<std::vector<double>> all;
-  for (const TrackPoint& point : track.points) all.push_back(neutral_frequencies(point.spectrum.values));
-  for (std::size_t i = 1; i + 1 < all.size(); ++i) {
-    if (all[i - 1].empty() || all[i].empty() || all[i + 1].empty()) continue;
-    for (std::size_t k = 0; k + 1 < all[i].size(); ++k) {
-      const auto gap_at = [k](const std::vector<double>& f) { return f[k + 1] - f[k]; };
-      const double gap_here = gap_at(all[i]);
-      if (!(gap_here < gap_at(all[i - 1]) && gap_here <= gap_at(all[i + 1]))) continue;
-      const auto speed =
-          closest_approach(form, k, track.points[i - 1].speed_rad_per_s, track.points[i + 1].speed_rad_per_s);
-      if (!speed) continue;
-      const auto f = neutral_frequencies(eigenvalues(form, *speed));
-      if (f.empty()) continue;
-      const double least = gap_at(f), mean = 0.5 * (f[k] + f[k + 1]);
-      // Below: modes that do not know each other and cross.
-      if (!(least < 0.25 * mean && least > 1e-6 * mean)) continue;
-      onsets.push_back({"veering", *speed, modes_at(track, *speed, {0, mean}, 2, false),
-                        fmt::format("gap {:.6g} rad/s at {:.6g} rad/s", least, mean)});
     }
   }
   return onsets;

@@ -24,10 +24,6 @@ struct Onset {
 /// Onsets of a change of the signature, with the modes they concern (none without a track).
 std::vector<Onset> describe_change(const Change& change, const Track& track, bool has_friction);
 
-/// Closest approaches of neighbouring frequencies within a quarter of their mean, of a track without
-/// friction.
-std::vector<Onset> veerings(const Track& track, const NormalForm& form);
-
 /// A range of speeds over which the same modes are unstable in the same way.
 struct Regime {
   double from_rad_per_s = 0, to_rad_per_s = 0;

@@ -14,6 +14,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Matrix2d;
+using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 
@@ -28,6 +29,40 @@ void add_ring(Matrices& matrices, const Ring& ring) {
   matrices.rotation(1, 0) += 2 * a * n;
   matrices.stiffness.topLeftCorner<2, 2>() += a * n * n * critical * critical * Matrix2d::Identity();
   matrices.softening.topLeftCorner<2, 2>() += a * n * n * Matrix2d::Identity();
+}
+
+/// How one load follows X, and where its friction acts.
+struct LoadMaps {
+  Eigen::MatrixXd tip;        ///< 2 x N: X to (u along the load, v across it)
+  Eigen::RowVector2d inward;  ///< (u, v) to the inward normal displacement of the tip
+  Eigen::VectorXd friction;   ///< N: generalised force of a unit rubbing force on the ring
+};
+
+/// The friction arm includes the reaction on the load. `coordinate` of q in X; negative: the load has none.
+LoadMaps load_maps(const Ring& ring, const Load& load, Index coordinate, Index size) {
+  const double n = ring.nodal_diameters, eta = surface_ratio(ring);
+  const double cos_n = cos_deg(n * load.angle_deg), sin_n = sin_deg(n * load.angle_deg);
+  const double c = cos_deg(load.inclination_deg), s = sin_deg(load.inclination_deg);
+  LoadMaps maps{Eigen::MatrixXd::Zero(2, size), {-c, s}, Eigen::VectorXd::Zero(size)};
+  if (load.motion != Motion::tangential) {
+    const Eigen::RowVector2d inward(-n * sin_n, n * cos_n);
+    maps.tip.topLeftCorner<1, 2>() = -c * inward;
+    maps.tip.bottomLeftCorner<1, 2>() = s * inward;
+  }
+  maps.friction.head<2>() << eta * cos_n, eta * sin_n;
+  if (coordinate >= 0) {
+    maps.tip.col(coordinate) << s, c;
+    maps.friction(coordinate) = -1;
+  }
+  return maps;
+}
+
+/// Coordinate of every load in X, -1 where it has none.
+std::vector<Index> load_coordinates(const System& system) {
+  std::vector<Index> coordinates;
+  Index next = 2;
+  for (const Load& load : system.loads) coordinates.push_back(load.motion == Motion::radial ? -1 : next++);
+  return coordinates;
 }
 
 void add_load(Matrices& matrices, const System& system, const Load& load, Index coordinate) {
@@ -49,8 +84,6 @@ void add_load(Matrices& matrices, const System& system, const Load& load, Index 
   matrices.centrifugal += reach * Vector2d(load.centrifugal_mass_kg * system.ring.radius_m.value_or(0), 0);
 }
 
-using Eigen::MatrixXcd;
-
 /// Where several roots merge at once Eigen's own limit may be too low.
 constexpr Index iterations_per_row = 4000;
 
@@ -59,6 +92,28 @@ numerics::dense::GeneralModes solve(const MatrixXd& matrix, bool with_vectors) {
       numerics::dense::general_modes(matrix, with_vectors, iterations_per_row);
   if (!modes.converged) throw SolverError("the eigenvalue iteration did not converge");
   return modes;
+}
+
+/// First-order form: d/dt (Y, Y') = state_matrix (Y, Y') in scaled time.
+MatrixXd state_matrix(const NormalForm& form, double speed_rad_per_s) {
+  const double speed = speed_rad_per_s / form.reference_rad_per_s;
+  const Eigen::Index size = form.coordinates();
+  MatrixXd state(2 * size, 2 * size);
+  state.topLeftCorner(size, size).setZero();
+  state.topRightCorner(size, size).setIdentity();
+  state.bottomLeftCorner(size, size) = speed * speed * form.softening - form.stiffness;
+  state.bottomRightCorner(size, size) = -speed * form.rotation;
+  return state;
+}
+
+/// Derivative of the state matrix by O.
+MatrixXd state_matrix_slope(const NormalForm& form, double speed_rad_per_s) {
+  const double speed = speed_rad_per_s / form.reference_rad_per_s;
+  const Eigen::Index size = form.coordinates();
+  MatrixXd slope = MatrixXd::Zero(2 * size, 2 * size);
+  slope.bottomLeftCorner(size, size) = 2 * speed * form.softening;
+  slope.bottomRightCorner(size, size) = -form.rotation;
+  return slope;
 }
 
 }  // namespace
@@ -83,51 +138,6 @@ NormalForm normal_form(const System& system) {
   form.rotation = mass.solve(scaled(matrices.rotation));
   form.softening = mass.solve(scaled(matrices.softening));
   return form;
-}
-
-MatrixXd state_matrix(const NormalForm& form, double speed_rad_per_s) {
-  const double speed = speed_rad_per_s / form.reference_rad_per_s;
-  const Eigen::Index size = form.coordinates();
-  MatrixXd state(2 * size, 2 * size);
-  state.topLeftCorner(size, size).setZero();
-  state.topRightCorner(size, size).setIdentity();
-  state.bottomLeftCorner(size, size) = speed * speed * form.softening - form.stiffness;
-  state.bottomRightCorner(size, size) = -speed * form.rotation;
-  return state;
-}
-
-MatrixXd state_matrix_slope(const NormalForm& form, double speed_rad_per_s) {
-  const double speed = speed_rad_per_s / form.reference_rad_per_s;
-  const Eigen::Index size = form.coordinates();
-  MatrixXd slope = MatrixXd::Zero(2 * size, 2 * size);
-  slope.bottomLeftCorner(size, size) = 2 * speed * form.softening;
-  slope.bottomRightCorner(size, size) = -form.rotation;
-  return slope;
-}
-
-LoadMaps load_maps(const Ring& ring, const Load& load, Index coordinate, Index size) {
-  const double n = ring.nodal_diameters, eta = surface_ratio(ring);
-  const double cos_n = cos_deg(n * load.angle_deg), sin_n = sin_deg(n * load.angle_deg);
-  const double c = cos_deg(load.inclination_deg), s = sin_deg(load.inclination_deg);
-  LoadMaps maps{Eigen::MatrixXd::Zero(2, size), {-c, s}, Eigen::VectorXd::Zero(size)};
-  if (load.motion != Motion::tangential) {
-    const Eigen::RowVector2d inward(-n * sin_n, n * cos_n);
-    maps.tip.topLeftCorner<1, 2>() = -c * inward;
-    maps.tip.bottomLeftCorner<1, 2>() = s * inward;
-  }
-  maps.friction.head<2>() << eta * cos_n, eta * sin_n;
-  if (coordinate >= 0) {
-    maps.tip.col(coordinate) << s, c;
-    maps.friction(coordinate) = -1;
-  }
-  return maps;
-}
-
-std::vector<Index> load_coordinates(const System& system) {
-  std::vector<Index> coordinates;
-  Index next = 2;
-  for (const Load& load : system.loads) coordinates.push_back(load.motion == Motion::radial ? -1 : next++);
-  return coordinates;
 }
 
 Matrices assemble(const System& system) {

@@ -23,12 +23,6 @@ struct NormalForm {
 /// coefficient at which the rubbing force cancels the inertia.
 NormalForm normal_form(const System& system);
 
-/// First-order form: d/dt (Y, Y') = state_matrix (Y, Y') in scaled time.
-Eigen::MatrixXd state_matrix(const NormalForm& form, double speed_rad_per_s);
-
-/// Its derivative by O.
-Eigen::MatrixXd state_matrix_slope(const NormalForm& form, double speed_rad_per_s);
-
 /// M X'' + Omega C X' + (K0 - Omega^2 K2) X = F0 + Omega^2 F2, SI. X = (A, B, q of every load that has a
 /// coordinate), q the tangential deflection of the load's tip. Friction makes all of them asymmetric.
 struct Matrices {
@@ -41,19 +35,6 @@ struct Matrices {
 
   Eigen::Index coordinates() const { return mass.rows(); }
 };
-
-/// How one load follows X, and where its friction acts.
-struct LoadMaps {
-  Eigen::MatrixXd tip;        ///< 2 x N: X to (u along the load, v across it)
-  Eigen::RowVector2d inward;  ///< (u, v) to the inward normal displacement of the tip
-  Eigen::VectorXd friction;   ///< N: generalised force of a unit rubbing force on the ring
-};
-
-/// The friction arm includes the reaction on the load. `coordinate` of q in X; negative: the load has none.
-LoadMaps load_maps(const Ring& ring, const Load& load, Eigen::Index coordinate, Eigen::Index size);
-
-/// Coordinate of every load in X, -1 where it has none.
-std::vector<Eigen::Index> load_coordinates(const System& system);
 
 /// Regular at every inclination: with q instead of the beam's own flexure v no tan(alpha) appears; the
 /// eigenvalues are those of Appendix A (as corrected, see results/ring_findings.txt) for |alpha| < 90

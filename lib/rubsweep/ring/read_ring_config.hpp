@@ -14,12 +14,7 @@
 
 namespace rubsweep::config::ring {
 
-inline constexpr Words<rubsweep::ring::Parameter, 5> parameters{
-    {"friction_coefficient", "angle_deg", "inclination_deg", "radial_stiffness_n_per_m",
-     "tangential_stiffness_n_per_m"},
-    {rubsweep::ring::Parameter::friction_coefficient, rubsweep::ring::Parameter::angle_deg,
-     rubsweep::ring::Parameter::inclination_deg, rubsweep::ring::Parameter::radial_stiffness_n_per_m,
-     rubsweep::ring::Parameter::tangential_stiffness_n_per_m}};
+inline constexpr auto parameters = words_of<rubsweep::ring::Parameter>();
 /// Faster than any rotor turns; far beyond, eigenvalues are rounding.
 inline constexpr model::Range speeds_rpm{.low = 0, .high = 1e7};
 

@@ -43,19 +43,6 @@ void fill(ChartLine& line, System system, const std::vector<double>& speeds_rad_
   std::ranges::stable_sort(line.onsets, {}, &Onset::speed_rad_per_s);
 }
 
-}  // namespace
-
-System with_parameter(System system, const ChartAxis& axis, double value) {
-  if (axis.parameter == Parameter::friction_coefficient) {
-    system.friction_coefficient = value;
-  } else if (axis.load) {
-    set(system.loads.at(*axis.load), axis.parameter, value);
-  } else {
-    for (Load& load : system.loads) set(load, axis.parameter, value);
-  }
-  return system;
-}
-
 ChartLine evaluate_line(const System& system, const ChartAxis& axis, double value,
                         const std::vector<double>& speeds_rad_per_s) {
   ChartLine line{value, {}, {}, "ok"};
@@ -67,6 +54,19 @@ ChartLine evaluate_line(const System& system, const ChartAxis& axis, double valu
     line = {value, {}, {}, "not_converged"};
   }
   return line;
+}
+
+}  // namespace
+
+System with_parameter(System system, const ChartAxis& axis, double value) {
+  if (axis.parameter == Parameter::friction_coefficient) {
+    system.friction_coefficient = value;
+  } else if (axis.load) {
+    set(system.loads.at(*axis.load), axis.parameter, value);
+  } else {
+    for (Load& load : system.loads) set(load, axis.parameter, value);
+  }
+  return system;
 }
 
 std::vector<std::optional<ChartLine>> run_chart(const System& system, const ChartAxis& axis,

@@ -51,8 +51,6 @@ struct ChartLine {
       onsets;  ///< onsets between those speeds, without modes; couplings are those without friction
   std::string status = "ok";  ///< singular_mass or not_converged
 };
-ChartLine evaluate_line(const System& system, const ChartAxis& axis, double value,
-                        const std::vector<double>& speeds_rad_per_s);
 
 /// Every line on `threads` threads (0: all processors), in the order of the axis, with the same content for
 /// any number of threads. `on_line` sees each as it is finished, one at a time. Once `stop` is true no new

@@ -256,7 +256,7 @@ struct Reference {
   const scene::Scene& scene;
   std::vector<model::Stop> stops;
   std::vector<Real> x{};      ///< c v0 of each stop
-  std::vector<Real> speed{};  ///< of the present approach
+  std::vector<Real> speed{};  ///< speed of the present approach
   Numbers state{};
   Real longest = 1;
 

@@ -49,7 +49,7 @@ class StickSlipReference {
   enum class Zone { open, clamped, sprung, released };
   struct Contact {
     Zone zone = Zone::open;
-    int way = 0;  ///< of the slip; 0 sticks
+    int way = 0;  ///< direction of the slip; 0 sticks
   };
   struct Look {
     Real nx, ny, radius, depth, closing, sliding, slip;
@@ -187,7 +187,7 @@ class StickSlipReference {
   struct Guard {
     std::size_t wall = 0;
     Zone next = Zone::open;
-    int way = 0;   ///< of a release
+    int way = 0;   ///< direction of the slip after a release
     int kind = 0;  ///< 0 a zone, 1 a stop, 2 a release
     Real value = 0;
   };

@@ -141,7 +141,7 @@ TEST(MatrixFlowPairFlow, DoesNotOverflowWhereDampingIsHuge) {
 const std::vector<Pair> every_kind{{0, 5, -5, 0},   {0, 5, -5, -1},  {0, 5, -5, -10},
                                    {0, 1, -25, -2}, {-1, 4, -4, -1}, {-1, 0, 0, -5}};
 
-TEST(MatrixFlowPairFlowPairSeries, SumsToTheFlow) {
+TEST(MatrixFlowPairSeries, SumsToTheFlow) {
   constexpr double fastest = 10;
   const PairSeries series = pair_series(every_kind, fastest);
   for (std::size_t j = 0; j < every_kind.size(); ++j) {
@@ -161,7 +161,7 @@ TEST(MatrixFlowPairFlowPairSeries, SumsToTheFlow) {
   }
 }
 
-TEST(MatrixFlowPairFlowPairSeries, StartsAtTheUnitMatrix) {
+TEST(MatrixFlowPairSeries, StartsAtTheUnitMatrix) {
   const PairSeries series = pair_series(every_kind, 10);
   EXPECT_TRUE((series.unit.col(0) == 1).all());
   EXPECT_TRUE((series.generator.col(0) == 0).all());

@@ -177,13 +177,13 @@ double evaluate(const Quartic& q, double x) {
          4 * q[3] * x * x * x * y + q[4] * x * x * x * x;
 }
 
-TEST(PolynomialRootBernsteinRootQuarticThrough, ReproducesThePolynomial) {
+TEST(PolynomialRootQuarticThrough, ReproducesThePolynomial) {
   const Polynomial p{{0.3, -2, 1.5, 0.7, -0.4}};
   const Quartic q = p.bernstein();
   for (double x = 0; x <= 1; x += 0.01) EXPECT_NEAR(evaluate(q, x), p(x), 1e-14);
 }
 
-TEST(PolynomialRootBernsteinRootFirstRise, AgreesWithFineSampling) {
+TEST(PolynomialRootBernstein, AgreesWithFineSampling) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
   int found = 0;
@@ -207,7 +207,7 @@ TEST(PolynomialRootBernsteinRootFirstRise, AgreesWithFineSampling) {
   EXPECT_GT(found, 200);
 }
 
-TEST(PolynomialRootBernsteinRootFirstRise, SeesAGrazeThatEndsDisagreeOn) {
+TEST(PolynomialRootBernstein, SeesAGrazeThatEndsDisagreeOn) {
   // -(x - 0.37)^2 + h: both ends negative, above zero only within sqrt(h) of 0.37.
   const auto graze = [](double h) { return Polynomial{{h - 0.37 * 0.37, 0.74, -1, 0, 0}}; };
   const auto rise = bernstein_root(graze(1e-10).bernstein());
@@ -216,7 +216,7 @@ TEST(PolynomialRootBernsteinRootFirstRise, SeesAGrazeThatEndsDisagreeOn) {
   EXPECT_FALSE(bernstein_root(graze(-1e-10).bernstein()));
 }
 
-TEST(PolynomialRootBernsteinRootFirstRise, StartingAboveZeroMustFallFirst) {
+TEST(PolynomialRootBernstein, StartingAboveZeroMustFallFirst) {
   EXPECT_FALSE(bernstein_root(Polynomial{{0.1, 1, 0, 0, 0}}.bernstein()));
   EXPECT_FALSE(bernstein_root(Polynomial{{0, 1, 0, 0, 0}}.bernstein()));
   EXPECT_FALSE(bernstein_root(Polynomial{{0.1, -1, 0, 0, 0}}.bernstein()));
@@ -226,14 +226,14 @@ TEST(PolynomialRootBernsteinRootFirstRise, StartingAboveZeroMustFallFirst) {
   EXPECT_NEAR(*rise, 0.2, 1e-10);
 }
 
-TEST(PolynomialRootBernsteinRootFirstRise, TakesTheFirstOfTwo) {
+TEST(PolynomialRootBernstein, TakesTheFirstOfTwo) {
   // (x - 0.2)(x - 0.4)(x - 0.6) rises at 0.2 and 0.6.
   const auto rise = bernstein_root(Polynomial{{-0.048, 0.44, -1.2, 1, 0}}.bernstein());
   ASSERT_TRUE(rise);
   EXPECT_NEAR(*rise, 0.2, 1e-10);
 }
 
-TEST(PolynomialRootBernsteinRootClearlyBelowZero, NeverHidesARiseOfTheCubic) {
+TEST(PolynomialRootClearlyBelowZero, NeverHidesARiseOfTheCubic) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   int hidden_chances = 0;

@@ -145,7 +145,7 @@ void expect_point_at(const Point& point, Eigen::Index x, Eigen::Index n) {
   }
 }
 
-TEST(AssemblyJeffcottAssemble, EveryEntryOfTheMatrices) {
+TEST(AssemblyJeffcott, EveryEntryOfTheMatrices) {
   const LinearSystem system = assemble_jeffcott(rotor, {first, std::nullopt, second}).system;
   EXPECT_EQ(system.coordinates(), 6);
   expect_diagonal(system.mass, {0.8, 0.8, 0.05, 0.05, 0.03, 0.03});
@@ -155,7 +155,7 @@ TEST(AssemblyJeffcottAssemble, EveryEntryOfTheMatrices) {
                   {6.031857894892402, 6.031857894892402, 31.622776601683796, 31.622776601683796, 0, 0});
 }
 
-TEST(AssemblyJeffcottAssemble, PointsFollowTheStopsAndRigidCasingsHaveNone) {
+TEST(AssemblyJeffcott, PointsFollowTheStopsAndRigidCasingsHaveNone) {
   const Assembly assembly = assemble_jeffcott(rotor, {first, std::nullopt, second});
   const LinearSystem& system = assembly.system;
   const auto& casing_points = assembly.casing_points;
@@ -169,7 +169,7 @@ TEST(AssemblyJeffcottAssemble, PointsFollowTheStopsAndRigidCasingsHaveNone) {
   expect_point_at(system.points[static_cast<std::size_t>(casing_points[2].value())], 4, 6);
 }
 
-TEST(AssemblyJeffcottAssemble, RigidCasingsHaveNoState) {
+TEST(AssemblyJeffcott, RigidCasingsHaveNoState) {
   for (const Casings& casings : {Casings{}, Casings{std::nullopt}, Casings{std::nullopt, std::nullopt}}) {
     const Assembly assembly = assemble_jeffcott(rotor, casings);
     EXPECT_EQ(assembly.system.coordinates(), 2);
@@ -178,7 +178,7 @@ TEST(AssemblyJeffcottAssemble, RigidCasingsHaveNoState) {
   }
 }
 
-TEST(AssemblyJeffcottAssemble, FreeRotorDecaysAtItsFrequencyAndDampingRatio) {
+TEST(AssemblyJeffcott, FreeRotorDecaysAtItsFrequencyAndDampingRatio) {
   // Root of m s^2 + c s + k: -zeta w0 +- i w0 sqrt(1 - zeta^2).
   const LinearSystem system = assemble_jeffcott(rotor, {}).system;
   const double m = system.mass(0, 0), c = system.damping(0, 0), k = system.stiffness(0, 0);
@@ -187,7 +187,7 @@ TEST(AssemblyJeffcottAssemble, FreeRotorDecaysAtItsFrequencyAndDampingRatio) {
   EXPECT_NEAR(-root.real() / std::abs(root), 0.02, 1e-15);
 }
 
-TEST(AssemblyJeffcottAssemble, UnbalanceTurnsFromXTowardsYWithForceMassTimesEccentricityTimesSpeedSquared) {
+TEST(AssemblyJeffcott, UnbalanceTurnsFromXTowardsYWithForceMassTimesEccentricityTimesSpeedSquared) {
   const LinearSystem system = assemble_jeffcott(rotor, {first}).system;
   const double e = 3e-4, w = 471;
   for (const double phase : {0.0, 0.3, 1.9, 4.4}) {
@@ -199,7 +199,7 @@ TEST(AssemblyJeffcottAssemble, UnbalanceTurnsFromXTowardsYWithForceMassTimesEcce
   }
 }
 
-TEST(AssemblyJeffcottAssemble, WeightActsOnRotorAndMovingCasingsAlongMinusY) {
+TEST(AssemblyJeffcott, WeightActsOnRotorAndMovingCasingsAlongMinusY) {
   const LinearSystem system = assemble_jeffcott(rotor, {first, std::nullopt, second}).system;
   Eigen::VectorXd weight(6);
   weight << 0, -0.8, 0, -0.05, 0, -0.03;

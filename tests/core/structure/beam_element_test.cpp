@@ -15,7 +15,7 @@
 namespace rubsweep::structure {
 namespace {
 
-TEST(BeamElementBeamMesh, HasNodesAtPartsAndTwoAtACoupling) {
+TEST(BeamElementMesh, HasNodesAtPartsAndTwoAtACoupling) {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.4, 0.02), steel_segment(0.6, 0.03)};
   kit.elements = 4;
@@ -34,7 +34,7 @@ TEST(BeamElementBeamMesh, HasNodesAtPartsAndTwoAtACoupling) {
   EXPECT_EQ(mesh.elements[5].first_node, 6U);
 }
 
-TEST(BeamElementBeamMesh, TakesThePointsOfABow) {
+TEST(BeamElementMesh, TakesThePointsOfABow) {
   model::RotorKit kit;
   kit.bow = model::Bow{.shape = model::BowPoints{.position_m = {0.1, 0.7}, .deflection_m = {0, 1e-4}}};
   kit.sensors = {{.position_m = 0.2}};

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -14,7 +13,6 @@
 #include "core/structure/whirl_eigenvalues.hpp"
 #include "maps/batch/message_of.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/core/structure/beam_element.hpp"
 #include "rubsweep/core/structure/free_modes.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <complex>
 #include <limits>
-#include <string>
 
 #include "core/structure/hand_matrices.hpp"
 #include "core/structure/steel.hpp"
@@ -16,7 +15,7 @@
 namespace rubsweep::structure {
 namespace {
 
-TEST(MatrixShaftMatrixLayout, HasASlopeThatTheMatricesLeaveOut) {
+TEST(MatrixShaftLayout, HasASlopeThatTheMatricesLeaveOut) {
   const model::ShaftMatrices matrices = disc_and_bracket();
   const MatrixLayout layout = layout_of(matrices);
   EXPECT_EQ(layout.coordinates(), 3);
@@ -28,14 +27,14 @@ TEST(MatrixShaftMatrixLayout, HasASlopeThatTheMatricesLeaveOut) {
   EXPECT_EQ(block(matrices.stiffness, layout, 0, 1), cross);
 }
 
-TEST(MatrixShaftMatrixLayout, CountsAnglesAboutXTheOtherWay) {
+TEST(MatrixShaftLayout, CountsAnglesAboutXTheOtherWay) {
   model::ShaftMatrices matrices = empty_matrices(freedoms_at({0.3}));
   matrices.stiffness(1, 2) = 7;
   const MatrixLayout layout = layout_of(matrices);
   EXPECT_EQ(block(matrices.stiffness, layout, 1, 1), (Eigen::Matrix2d{{0, -7}, {0, 0}}));
 }
 
-TEST(MatrixShaftMatrixLayout, NamesTheUnbalanceThatDoesNotTurn) {
+TEST(MatrixShaftLayout, NamesTheUnbalanceThatDoesNotTurn) {
   model::ShaftMatrices matrices = disc_and_bracket();
   EXPECT_FALSE(turning_unbalance(matrices, layout_of(matrices)).wrong);
   matrices.unbalance_kg(1) = std::complex<double>(0, 2);
@@ -181,7 +180,7 @@ void expect_same(const Assembly& a, const Assembly& b) {
     EXPECT_EQ(a.system.points[i].map, b.system.points[i].map);
 }
 
-TEST(MatrixShaftMatrixExport, IsReducedToTheSameBits) {
+TEST(MatrixShaftExport, IsReducedToTheSameBits) {
   const model::Machine machine = rich_machine();
   const model::Machine exported = machine_by_matrices(machine);
   ASSERT_TRUE(model::kit_of(exported)->matrices);
@@ -192,7 +191,7 @@ TEST(MatrixShaftMatrixExport, IsReducedToTheSameBits) {
   EXPECT_FALSE(typed.assembly.system.stiffness.isApprox(typed.assembly.system.stiffness.transpose()));
 }
 
-TEST(MatrixShaftMatrixExport, KeepsSupportsThatFollowATable) {
+TEST(MatrixShaftExport, KeepsSupportsThatFollowATable) {
   model::Machine machine = rich_machine();
   model::SupportTable table{.speed_hz = {10, 20, 30, 40}, .columns = {}};
   for (auto& column : table.columns) column = {0, 0, 0, 0};
@@ -210,11 +209,10 @@ TEST(MatrixShaftMatrixExport, KeepsSupportsThatFollowATable) {
   kit_in(machine).supports[0] = model::with_table(kit_in(machine).supports[0], table);
   EXPECT_EQ(message_of<ConfigError>([&] { machine_by_matrices(machine); }),
             "rotor.supports.0: follows a table or strikes the shaft beside a housing and cannot be said by "
-            "matrices, "
-            "allowed: such a support of the shaft on the ground or a pedestal");
+            "matrices, allowed: such a support of the shaft on the ground or a pedestal");
 }
 
-TEST(MatrixShaftMatrixExport, HasTheMatricesOfTheBook) {
+TEST(MatrixShaftExport, HasTheMatricesOfTheBook) {
   model::RotorKit kit;
   kit.shaft = {steel_segment(1.5, 0.05)};
   kit.discs = {{0.5, 32.58972765304033, 0.32956362089137037, 0.17808928257067666},
@@ -237,7 +235,7 @@ TEST(MatrixShaftMatrixExport, HasTheMatricesOfTheBook) {
   }
 }
 
-TEST(MatrixShaftMatrixExport, RefusesWhatMatricesCannotSay) {
+TEST(MatrixShaftExport, RefusesWhatMatricesCannotSay) {
   const auto refused = [](auto change) {
     model::Machine machine = rich_machine();
     change(kit_in(machine));
@@ -267,12 +265,12 @@ TEST(MatrixShaftMatrixExport, RefusesWhatMatricesCannotSay) {
             "rotor.kind: a Jeffcott rotor has no finite elements, allowed: a rotor kit");
 }
 
-TEST(MatrixShaftMatrixExport, LeavesMatricesAsTheyAre) {
+TEST(MatrixShaftExport, LeavesMatricesAsTheyAre) {
   const model::Machine exported = machine_by_matrices(rich_machine());
   EXPECT_EQ(model::kit_of(machine_by_matrices(exported))->matrices, model::kit_of(exported)->matrices);
 }
 
-TEST(MatrixShaftMatrixExport, OfAStopBetweenNodesIsRefusedByTheAssembly) {
+TEST(MatrixShaftExport, OfAStopBetweenNodesIsRefusedByTheAssembly) {
   model::Machine exported = machine_by_matrices(rich_machine());
   exported.stops[0].position_m = 0.653;
   EXPECT_EQ(message_of<ConfigError>([&] { assemble_rotor_kit(exported); }),

@@ -111,6 +111,46 @@ class TurnReader {
   double step_s_;
 };
 
+/// Lets `run`, the verdict on `cell`, go on from its last revolution and records it: a rotor that is proven
+/// to rest from its closed form; a periodic motion from where its section returns within 1e-5 clearances
+/// (after max_revolutions at the latest); a proven motion without a period one window later; any other at
+/// once. Empty where the run failed or fails.
+std::optional<SettledMotion> settled_motion(const scene::Cell& cell, const response::SettledRun& run,
+                                            const sweep::Study& study,
+                                            response::motion::Workspace& workspace) {
+  if (run.outcome != Outcome::ok) return std::nullopt;
+  if (run.proof == response::motion::Proof::rest && cell.scene.impulses.empty())
+    return quiet_motion(cell, study, workspace);
+  const scene::Scene scene = integrate::run::scene_at(cell.scene, run.section, run.revolutions);
+  const int window = study.response.window_revolutions;
+  int spectrum_turns = window, section_turns = 2 * window;
+  response::motion::Wanted wanted;
+  if (run.motion.order) {
+    wanted.settling.order = run.motion.order;
+    wanted.settling.most_turns = study.response.max_revolutions;
+    spectrum_turns = std::max(*run.motion.order, response::motion::window_turns(window, *run.motion.order));
+    section_turns = *run.motion.order;
+  } else if (run.proof && run.revolutions < study.response.max_revolutions) {
+    wanted.settling.most_turns = window;
+  }
+  SettledMotion motion;
+  std::vector<Complex> displacement_m;
+  const TurnReader reader(scene, study);
+  wanted.turns = std::max(spectrum_turns, section_turns);
+  wanted.samples_per_revolution = reader.samples();
+  wanted.take = [&](const response::motion::RecordedTurn& turn) {
+    reader.read(turn.report, motion.section, displacement_m);
+  };
+  const auto record = response::motion::record_settled(scene, study.solver, workspace.modes, wanted);
+  if (!record) return std::nullopt;
+  const auto samples = static_cast<std::size_t>(spectrum_turns * study.response.samples_per_revolution);
+  motion.spectrum = response::spectrum::full_spectrum(std::span(displacement_m).last(samples), spectrum_turns,
+                                                      workspace.spectrum);
+  motion.section.erase(motion.section.begin(), motion.section.end() - section_turns);
+  motion.end = handed(scene, record->end);
+  return motion;
+}
+
 thread_local response::motion::Workspace workspace;
 
 /// Lets the cell start in a state of its neighbour.
@@ -152,42 +192,6 @@ void refuse_other_coordinates(std::span<const LineCell> cells) {
 }
 
 }  // namespace
-
-std::optional<SettledMotion> settled_motion(const scene::Cell& cell, const response::SettledRun& run,
-                                            const sweep::Study& study,
-                                            response::motion::Workspace& workspace) {
-  if (run.outcome != Outcome::ok) return std::nullopt;
-  if (run.proof == response::motion::Proof::rest && cell.scene.impulses.empty())
-    return quiet_motion(cell, study, workspace);
-  const scene::Scene scene = integrate::run::scene_at(cell.scene, run.section, run.revolutions);
-  const int window = study.response.window_revolutions;
-  int spectrum_turns = window, section_turns = 2 * window;
-  response::motion::Wanted wanted;
-  if (run.motion.order) {
-    wanted.settling.order = run.motion.order;
-    wanted.settling.most_turns = study.response.max_revolutions;
-    spectrum_turns = std::max(*run.motion.order, response::motion::window_turns(window, *run.motion.order));
-    section_turns = *run.motion.order;
-  } else if (run.proof && run.revolutions < study.response.max_revolutions) {
-    wanted.settling.most_turns = window;
-  }
-  SettledMotion motion;
-  std::vector<Complex> displacement_m;
-  const TurnReader reader(scene, study);
-  wanted.turns = std::max(spectrum_turns, section_turns);
-  wanted.samples_per_revolution = reader.samples();
-  wanted.take = [&](const response::motion::RecordedTurn& turn) {
-    reader.read(turn.report, motion.section, displacement_m);
-  };
-  const auto record = response::motion::record_settled(scene, study.solver, workspace.modes, wanted);
-  if (!record) return std::nullopt;
-  const auto samples = static_cast<std::size_t>(spectrum_turns * study.response.samples_per_revolution);
-  motion.spectrum = response::spectrum::full_spectrum(std::span(displacement_m).last(samples), spectrum_turns,
-                                                      workspace.spectrum);
-  motion.section.erase(motion.section.begin(), motion.section.end() - section_turns);
-  motion.end = handed(scene, record->end);
-  return motion;
-}
 
 std::size_t follow_line(std::span<const LineCell> cells, std::span<const Pass> passes, int threads,
                         const std::function<void(LinePoint&&)>& on_point, const std::atomic<bool>& stop) {

@@ -39,14 +39,6 @@ struct SettledMotion {
   HandedState end;                            ///< after all of it
 };
 
-/// Lets `run`, the verdict on `cell`, go on from its last revolution and records it: a rotor that is proven
-/// to rest from its closed form; a periodic motion from where its section returns within 1e-5 clearances
-/// (after max_revolutions at the latest); a proven motion without a period one window later; any other at
-/// once. Empty where the run failed or fails.
-std::optional<SettledMotion> settled_motion(const scene::Cell& cell, const response::SettledRun& run,
-                                            const sweep::Study& study,
-                                            response::motion::Workspace& workspace);
-
 /// How the cells of a line start.
 enum class Pass {
   kick,  ///< each from its kick, as in a map

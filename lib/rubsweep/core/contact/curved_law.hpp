@@ -53,8 +53,8 @@ class CurvedLaw {
   /// that its tangent; F = -2 q / W(-2 q e^{-2 b}), q = p / a, with the lower branch of Lambert's function.
   double a_ = 0, b_ = 0;
   numerics::Pchip table_;
-  double end_m_ = 0, end_n_ = 0, end_slope_ = 0;  ///< where the tangent of a line contact or table begins
-  std::vector<double> energy_j_;                  ///< at the points of a table
+  double end_m_ = 0, end_n_ = 0, end_slope_ = 0;  ///< start of the tangent to a line contact or table
+  std::vector<double> energy_j_;                  ///< energies at the points of a table
 };
 
 /// Secant of a law that is not linear at a twentieth of the clearance, N/m: what estimates of a contact go

@@ -66,8 +66,9 @@ constexpr double return_rate_known_to = 2e-3;
 /// Both halves above this are chaos, for as long as it lasts.
 constexpr double chaotic_half_exponent = 0.02;
 
-}  // namespace
-
+/// The exponent of a motion that has been chaotic for as long as it was followed: 1280 turns or more, the
+/// exponent positive beyond its bar and above chaos_floor, by smooth weights in either half as well, and a
+/// section that does not return. Empty for any other.
 std::optional<motion::Exponent> lasting_chaos(const Followed& motion) {
   if (motion.turns() < shortest_chaos) return std::nullopt;
   const motion::Exponent exponent = exponent_of(motion.contributions);
@@ -76,6 +77,8 @@ std::optional<motion::Exponent> lasting_chaos(const Followed& motion) {
     return std::nullopt;
   return exponent;
 }
+
+}  // namespace
 
 Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& touched,
                              std::vector<double> section, std::size_t turns_before,

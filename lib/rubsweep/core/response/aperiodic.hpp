@@ -50,11 +50,6 @@ Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& to
                              const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
                              spectrum::SpectrumWorkspace& workspace);
 
-/// The exponent of a motion that has been chaotic for as long as it was followed: 1280 turns or more, the
-/// exponent positive beyond its bar and above chaos_floor, by smooth weights in either half as well, and a
-/// section that does not return. Empty for any other.
-std::optional<motion::Exponent> lasting_chaos(const Followed& motion);
-
 /// Early detection of a torus: a motion that never has a period to be proven, and would take every run to its
 /// end. From turn `settled_after` on a tangent vector is carried; tests come 200 turns later and then after a
 /// quarter as many again, as long as the window that is to confirm the torus ends before the run's last two

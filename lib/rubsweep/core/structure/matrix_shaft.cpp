@@ -122,8 +122,6 @@ model::ShaftMatrices matrices_of(const BeamShaft& shaft) {
 
 }  // namespace
 
-using model::Direction;
-
 std::vector<MatrixNode> nodes_of(const model::ShaftMatrices& matrices) {
   std::vector<MatrixNode> nodes;
   std::map<std::string, std::size_t> known;

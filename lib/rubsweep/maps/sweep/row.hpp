@@ -70,7 +70,7 @@ struct Row {
   std::optional<Basins>
       basins{};  ///< basins of a study that asks for them; empty where no kick was simulated
   std::vector<double> key_values{};              ///< values of the axes over keys, in the order of key_names
-  std::optional<HertzSecant> hertz{};            ///< where secants may be taken anew
+  std::optional<HertzSecant> hertz{};            ///< secants that may be taken anew
   std::optional<response::Survival> survival{};  ///< survival of a chaotic motion
   std::optional<Threshold>
       threshold{};  ///< threshold of a study that asks for it; empty where no kick was simulated

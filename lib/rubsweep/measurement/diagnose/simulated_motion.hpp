@@ -27,7 +27,7 @@ inline constexpr int fewest_turns_before_recording = 120, most_turns_before_reco
                      kit_turns_before_recording = 200;
 int turns_before_recording(const model::Machine& machine, double speed_hz);
 
-inline constexpr double most_order = 8;  ///< largest order of lines that are looked at
+inline constexpr double most_order = 8;  ///< highest order of lines that are looked at
 
 /// A motion that a kick left, without a verdict on it: several times cheaper than SimulatedMotion.
 struct LastingMotion {

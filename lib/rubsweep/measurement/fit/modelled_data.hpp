@@ -16,7 +16,7 @@
 namespace rubsweep::fit {
 
 /// Numbers beside the keys of a configuration that may be looked for.
-inline constexpr const char* eccentricity_name = "eccentricity_m";  ///< unbalance of run-ups and steady 1X
+inline constexpr const char* eccentricity_name = "eccentricity_m";  ///< eccentricity in run-ups and steady 1X
 inline constexpr const char* mark_name =
     "mark_deg";  ///< angle of the configuration's mark when the measured one passes
 inline constexpr const char* hit_name = "hit_s";  ///< instant of the ring-downs at which the kick began
@@ -25,7 +25,7 @@ inline constexpr const char* rate_name = "rate_hz_per_s";  ///< rate of run-ups,
 struct MachineFit {
   std::vector<Parameter> parameters;  ///< keys of the configuration, or names from above
   std::vector<MeasuredData> data;
-  double eccentricity_m = 0, mark_deg = 0, hit_s = 0;  ///< values where they are no parameters
+  double eccentricity_m = 0, mark_deg = 0, hit_s = 0;  ///< values of names that are no parameters
   /// Machine with these values of the parameters that are keys (in their order), else the names from above
   /// are skipped. Throws ConfigError for values that are not allowed.
   std::function<scene::PreparedMachine(const Eigen::VectorXd&)> machine;

@@ -90,7 +90,7 @@ TEST(FactorsCholesky, SaysWhereAMatrixIsNotPositiveDefinite) {
   EXPECT_FALSE(CholeskyFactors(MatrixXd{{1, 2}, {2, 1}}).positive_definite());
 }
 
-TEST(FactorsCholeskySymmetricFactors, SolveIndefiniteMatricesToo) {
+TEST(FactorsSymmetric, SolveIndefiniteMatricesToo) {
   const MatrixXd a{{1, 2, 0}, {2, 1, -3}, {0, -3, 4}}, one = MatrixXd::Identity(3, 3);
   const SymmetricFactors factors(a);
   EXPECT_LE((a * factors.solve(one) - one).norm(), 1e-14);

@@ -37,7 +37,7 @@ TEST(MotionClasses, WhatRubsAndWhatRepeats) {
 using spectrum::OrbitKind;
 using spectrum::WhirlKind;
 
-TEST(MotionClassMotionKind, EveryClassHasARowWhateverItsMeasures) {
+TEST(MotionClassKind, EveryClassHasARowWhateverItsMeasures) {
   for (const MotionClass motion_class : motion_classes) {
     const MotionKind& kind = kind_of(motion_class, {}, {}, {}, false);
     EXPECT_TRUE(kind.name.starts_with(to_string(motion_class))) << kind.name;
@@ -49,7 +49,7 @@ TEST(MotionClassMotionKind, EveryClassHasARowWhateverItsMeasures) {
   EXPECT_EQ(motion_kind_of("rolling"), nullptr);
 }
 
-TEST(MotionClassMotionKind, SubharmonicMotionsOfLongPeriodsAreOne) {
+TEST(MotionClassKind, SubharmonicMotionsOfLongPeriodsAreOne) {
   const auto name = [](int order) { return kind_of(MotionClass::subharmonic, order, {}, {}, false).name; };
   EXPECT_EQ(name(2), "subharmonic_2");
   EXPECT_EQ(name(7), "subharmonic_7");
@@ -57,7 +57,7 @@ TEST(MotionClassMotionKind, SubharmonicMotionsOfLongPeriodsAreOne) {
   EXPECT_EQ(name(13), "subharmonic_8");
 }
 
-TEST(MotionClassMotionKind, ShapeAndDirectionPartTheMotionsAtAnAnnularStop) {
+TEST(MotionClassKind, ShapeAndDirectionPartTheMotionsAtAnAnnularStop) {
   const auto circle = [](WhirlKind whirl) {
     return kind_of(MotionClass::synchronous, 1, OrbitKind::circle, whirl, false).name;
   };
@@ -74,7 +74,7 @@ TEST(MotionClassMotionKind, ShapeAndDirectionPartTheMotionsAtAnAnnularStop) {
   EXPECT_EQ(closed(WhirlKind::backward, false), "quasi_periodic");
 }
 
-TEST(MotionClassMotionKind, NamesLabelsAndColoursAreUnique) {
+TEST(MotionClassKind, NamesLabelsAndColoursAreUnique) {
   std::set<std::string_view> names, labels;
   std::set<std::uint32_t> colours, dark;
   for (const MotionKind& kind : motion_kinds) {

@@ -27,7 +27,7 @@ double size_in(const MatrixXd& from, const MatrixXd& turn, const MatrixXd& to) {
 }
 
 /// A focus that decays slowly: the maximum norm of a disturbance halves by turning alone.
-TEST(ApproachNormsAdaptedNorms, ContractWhereTheMaximumNormOnlyTurns) {
+TEST(ApproachAdaptedNorms, ContractWhereTheMaximumNormOnlyTurns) {
   const double shrink = 0.999, angle = 0.7, stretch = 20;
   Matrix2d turn;
   turn << std::cos(angle), -stretch * std::sin(angle), std::sin(angle) / stretch, std::cos(angle);
@@ -39,7 +39,7 @@ TEST(ApproachNormsAdaptedNorms, ContractWhereTheMaximumNormOnlyTurns) {
   EXPECT_LE(size_in(norms->norm[0], turn, norms->norm[0]), norms->contraction * (1 + 1e-9));
 }
 
-TEST(ApproachNormsAdaptedNorms, EveryTurnOfAPeriodContracts) {
+TEST(ApproachAdaptedNorms, EveryTurnOfAPeriodContracts) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
   for (int trial = 0; trial < 50; ++trial) {
@@ -63,7 +63,7 @@ TEST(ApproachNormsAdaptedNorms, EveryTurnOfAPeriodContracts) {
   }
 }
 
-TEST(ApproachNormsAdaptedNorms, NoneOnTheUnitCircleOrOutside) {
+TEST(ApproachAdaptedNorms, NoneOnTheUnitCircleOrOutside) {
   EXPECT_FALSE(adapted_norms({MatrixXd::Identity(2, 2)}));
   EXPECT_FALSE(adapted_norms({2 * MatrixXd::Identity(2, 2), MatrixXd::Identity(2, 2)}));
   EXPECT_TRUE(adapted_norms({2 * MatrixXd::Identity(2, 2), 0.4 * MatrixXd::Identity(2, 2)}));
@@ -98,7 +98,7 @@ double largest(const MatrixXd& matrix) {
   return std::sqrt(numerics::dense::self_adjoint_eigenvalues(matrix.transpose() * matrix).maxCoeff());
 }
 
-TEST(ApproachNormsSplitNorms, AVibrationThatNoContactSeesIsTheSlowPart) {
+TEST(ApproachSplitNorms, AVibrationThatNoContactSeesIsTheSlowPart) {
   const Turns turns(0.98);
   const auto norms = split_norms(turns.list, turns.seen);
   ASSERT_TRUE(norms);
@@ -112,7 +112,7 @@ TEST(ApproachNormsSplitNorms, AVibrationThatNoContactSeesIsTheSlowPart) {
   EXPECT_GT(parts_of(*norms, 1, offset).slow, 0.1);
 }
 
-TEST(ApproachNormsSplitNorms, EveryTurnDrawsBothPartsTogether) {
+TEST(ApproachSplitNorms, EveryTurnDrawsBothPartsTogether) {
   const Turns turns(0.98);
   const auto norms = split_norms(turns.list, turns.seen);
   ASSERT_TRUE(norms);
@@ -126,21 +126,21 @@ TEST(ApproachNormsSplitNorms, EveryTurnDrawsBothPartsTogether) {
   }
 }
 
-TEST(ApproachNormsSplitNorms, NoneWhereContactsSeeEverything) {
+TEST(ApproachSplitNorms, NoneWhereContactsSeeEverything) {
   const Turns turns(0.98);
   MatrixXd seen = turns.seen;
   seen(0, 4) = 1e-3;
   EXPECT_FALSE(split_norms(turns.list, seen));
 }
 
-TEST(ApproachNormsSplitNorms, NoneWhereTheUnseenVibrationDecaysAtOnceOrGrows) {
+TEST(ApproachSplitNorms, NoneWhereTheUnseenVibrationDecaysAtOnceOrGrows) {
   const Turns fast(0.3), growing(1.01);
   EXPECT_FALSE(split_norms(fast.list, fast.seen));
   EXPECT_FALSE(split_norms(growing.list, growing.seen));
 }
 
 /// One wall above: penetration is the rotor's y less the casing's.
-TEST(ApproachNormsSplitNormsSeenByContacts, PenetrationsAndTheirRates) {
+TEST(ApproachSeenByContacts, PenetrationsAndTheirRates) {
   const MatrixXd rows = seen_by_contacts(test::cell_of({}).scene);
   ASSERT_EQ(rows.rows(), 2);
   ASSERT_EQ(rows.cols(), 8);

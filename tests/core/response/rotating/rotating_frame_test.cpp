@@ -98,7 +98,7 @@ TEST(RotatingFrameField, JacobianIsWhatDifferencesSay) {
   }
 }
 
-TEST(RotatingFrameSymmetryRotationallySymmetric, ARotorInCentredRings) {
+TEST(RotatingFrameSymmetry, ARotorInCentredRings) {
   EXPECT_TRUE(rotating::rotationally_symmetric(annular_cell(110, 0.4).scene));
   EXPECT_TRUE(rotating::rotationally_symmetric(annular_cell(110, 0).scene));
   auto machine = annular_machine();
@@ -108,7 +108,7 @@ TEST(RotatingFrameSymmetryRotationallySymmetric, ARotorInCentredRings) {
       rotating::rotationally_symmetric(scene::build_cell(machine, 77.7, scene::WhirlRatio{0.3}).scene));
 }
 
-TEST(RotatingFrameSymmetryRotationallySymmetric, NotWithAnOffsetAFlatWallOrGravity) {
+TEST(RotatingFrameSymmetry, NotWithAnOffsetAFlatWallOrGravity) {
   EXPECT_FALSE(rotating::rotationally_symmetric(annular_cell(110, 0.4, 1e-9).scene));
   EXPECT_FALSE(rotating::rotationally_symmetric(
       scene::build_cell(scene::one_side_machine(), 75, scene::WhirlRatio{0.4}).scene));
@@ -122,7 +122,7 @@ TEST(RotatingFrameSymmetryRotationallySymmetric, NotWithAnOffsetAFlatWallOrGravi
       rotating::rotationally_symmetric(scene::build_cell(machine, 110, scene::WhirlRatio{0.4}).scene));
 }
 
-TEST(RotatingFrameSymmetryRotationallySymmetric, NotWithAnAnisotropicStructureOrForcing) {
+TEST(RotatingFrameSymmetry, NotWithAnAnisotropicStructureOrForcing) {
   const auto without = [](auto&& change) {
     auto scene = annular_cell(110, 0.4).scene;
     change(scene);
@@ -172,7 +172,7 @@ double turning_first_and_last_differ_by(const scene::Scene& scene) {
   return largest;
 }
 
-TEST(RotatingFrameSymmetryRotationallySymmetric, IsWhatTheMotionShows) {
+TEST(RotatingFrameSymmetry, IsWhatTheMotionShows) {
   EXPECT_LT(turning_first_and_last_differ_by(annular_cell(110, 0.4).scene), 1e-7);
   EXPECT_GT(turning_first_and_last_differ_by(annular_cell(110, 0.4, 1e-4).scene), 1e-3);
 }

@@ -1,6 +1,7 @@
 #include "rubsweep/analysis/branch/families/attribution.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <numbers>
 #include <utility>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "rubsweep/analysis/branch/families/family.hpp"
 #include "rubsweep/analysis/branch/families/family_records.hpp"
 #include "rubsweep/core/enumerator_word.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::branch::families {
@@ -69,12 +69,8 @@ enum class CheckResult {
   unproven,      ///< outside: the label rests on no proof, so that there is no orbit to compare
 };
 
-inline constexpr std::array all_findings{
-    CheckResult::reached,      CheckResult::stays,     CheckResult::another_orbit,
-    CheckResult::ends_as_well, CheckResult::leaves,    CheckResult::same_orbit,
-    CheckResult::not_followed, CheckResult::not_found, CheckResult::unproven};
-
 constexpr std::string_view to_string(CheckResult finding) { return enumerator_word(finding); }
+inline constexpr auto all_findings = words_of<CheckResult>().values;
 
 constexpr bool contradicts(CheckResult finding) { return finding >= CheckResult::leaves; }
 

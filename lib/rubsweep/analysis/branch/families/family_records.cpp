@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::branch::families {
 namespace {
@@ -65,20 +66,12 @@ std::optional<CellOrbit> read_orbit(Words& words) {
 
 /// The word as it stands in the program; empty where nothing is called so.
 std::string_view known_kind(std::string_view word) {
-  using enum continuation::EventKind;
-  for (const continuation::EventKind kind :
-       {fold, period_doubling, neimark_sacker, branch_point, period_halving, graze, sequence, stability}) {
-    if (to_string(kind) == word) return to_string(kind);
-  }
-  for (const continuation::Ending ending :
-       {continuation::Ending::left_range, continuation::Ending::closed, continuation::Ending::off_the_walls,
-        continuation::Ending::period_halving, continuation::Ending::infeasible, continuation::Ending::failed,
-        continuation::Ending::step_too_small, continuation::Ending::singular,
-        continuation::Ending::point_limit, continuation::Ending::first_change,
-        continuation::Ending::target}) {
-    if (to_string(ending) == word) return to_string(ending);
-  }
-  return {};
+  const auto among = [word](const auto& texts) {
+    const auto found = std::ranges::find(texts, word);
+    return found == texts.end() ? std::string_view{} : *found;
+  };
+  const std::string_view event = among(words_of<continuation::EventKind>().texts);
+  return event.empty() ? among(words_of<continuation::Ending>().texts) : event;
 }
 
 std::optional<Passage> read_passage(Words& words) {

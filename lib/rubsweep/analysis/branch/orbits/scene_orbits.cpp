@@ -151,8 +151,7 @@ class SceneOrbits {
     if (!integrate::run::same_every_turn(*scene))
       throw ConfigError(
           "impulses that are not the same in every revolution, or contacts damped by the approach speed of "
-          "each "
-          "impact, have no orbits to follow, allowed: law.approach_speed_m_per_s");
+          "each impact, have no orbits to follow, allowed: law.approach_speed_m_per_s");
     SceneAt& made = recent_.emplace(parameter, *scene, solver_, modes_);
     recent_.trim();
     return &made;

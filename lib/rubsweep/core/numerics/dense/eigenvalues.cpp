@@ -8,6 +8,7 @@ namespace rubsweep::numerics::dense {
 namespace {
 
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 /// Binary orders between a row and the column of the same number from which a matrix is balanced. The
 /// generator of u'' = -k u has k of them: an eigenvalue loses sqrt(k) times the rounding of doubles.
@@ -76,9 +77,6 @@ GeneralModes general_modes(const Eigen::MatrixXd& matrix, bool with_vectors,
 }
 
 double spectral_radius(const MatrixXd& matrix) { return eigenvalues(matrix).cwiseAbs().maxCoeff(); }
-
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 SelfAdjointModes<MatrixXd> self_adjoint_modes(const MatrixXd& a) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(a);

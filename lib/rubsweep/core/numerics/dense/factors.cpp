@@ -62,9 +62,6 @@ MatrixXd FullPivotFactors::solve(const MatrixXd& b) const { return lu_->solve(b)
 MatrixXd FullPivotFactors::inverse() const { return lu_->inverse(); }
 MatrixXd FullPivotFactors::kernel() const { return lu_->kernel(); }
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 CholeskyFactors::CholeskyFactors(const MatrixXd& a) : llt_(std::make_shared<const Eigen::LLT<MatrixXd>>(a)) {}
 bool CholeskyFactors::positive_definite() const { return llt_->info() == Eigen::Success; }
 VectorXd CholeskyFactors::solve(const VectorXd& b) const { return llt_->solve(b); }
@@ -77,11 +74,6 @@ SymmetricFactors::SymmetricFactors(const MatrixXd& a)
     : ldlt_(std::make_shared<const Eigen::LDLT<MatrixXd>>(a)) {}
 VectorXd SymmetricFactors::solve(const VectorXd& b) const { return ldlt_->solve(b); }
 MatrixXd SymmetricFactors::solve(const MatrixXd& b) const { return ldlt_->solve(b); }
-
-using Eigen::MatrixXcd;
-using Eigen::MatrixXd;
-using Eigen::VectorXcd;
-using Eigen::VectorXd;
 
 VectorXd least_norm_solution(const MatrixXd& a, const VectorXd& b) {
   return a.completeOrthogonalDecomposition().solve(b);

@@ -105,7 +105,7 @@ struct MotionKind {
   std::string_view name;      ///< name in map.csv
   std::string_view label;     ///< label in legends
   std::uint32_t colour;       ///< 0xRRGGBB
-  std::uint32_t dark_colour;  ///< where the background is dark
+  std::uint32_t dark_colour;  ///< colour on a dark background
   char sign;             ///< letter on a terminal; a subharmonic motion shows the digit of its order instead
   bool hatched = false;  ///< true: hatched in figures
   bool settled_rub = true;
