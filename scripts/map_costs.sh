@@ -45,7 +45,7 @@ compare_builds() {
     was=$(instructions "$before" "$name")
     is=$(instructions "$after" "$name")
     for ((i = 0; i < pairs; ++i)); do
-      awk "BEGIN { was = $(seconds "$before" "$name"); print was > 0 ? $(seconds "$after" "$name") / was : 1 }"
+      awk "BEGIN { was = $(seconds "$before" "$name"); print (was > 0 ? $(seconds "$after" "$name") / was : 1) }"
     done | sort -g >"$work/ratios"
     echo "$name: $was -> $is instructions, $(percent "$was" "$is") %," \
       "processor time x $(sed -n "$(((pairs + 1) / 2))p" "$work/ratios")"

@@ -10,7 +10,7 @@
 
 namespace rubsweep::apps {
 
-/// From every event of the branches a curve in the plane, each curve once. Says on stderr which events have
+/// A curve in the plane from every event of the branches, each curve once. Says on stderr which events have
 /// none. `first`: the range of the first parameter.
 std::vector<CurveFrom> curves_of(const std::vector<branch::continuation::Branch>& branches,
                                  const BranchPlane& plane, const branch::orbits::ParameterRange& first,

@@ -80,7 +80,7 @@ std::string label_of(const std::string& column) {
   return column;
 }
 
-/// Commands that write rpm above an axis of speeds in Hz; none over another one.
+/// Commands that write rpm above an axis of speeds in Hz; empty for any other axis.
 std::string_view rpm_above(const std::string& column) {
   if (column != "speed_hz") return "";
   return "set link x2 via 60 * x inverse x / 60.0\n"

@@ -35,7 +35,7 @@ std::optional<std::filesystem::path> find_command(const std::string& name) {
 
 namespace {
 
-/// Between two looks at a child and at signals.
+/// Time between two looks at a child and at signals.
 constexpr std::chrono::milliseconds patience{10};
 
 /// Argument list of exec and its kind; the texts stay where they are.

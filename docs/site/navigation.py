@@ -25,7 +25,7 @@ class Section:
 SECTIONS = [
     Section("Start", ["README.md"]),
     Section("Tutorial", ["docs/tutorial.md", "docs/gallery.md"]),
-    Section("Guide", ["docs/guide/README.md", "docs/user-guide.md"], "docs/guide",
+    Section("Guide", ["docs/user-guide.md"], "docs/guide",
             ["docs/known-limits.md", "docs/other-programs.md", "docs/continuous-integration.md", "docs/for-helpers.md"], in_a_row=True),
     Section("Reference", ["docs/reference/README.md", "docs/keys.md"], "docs/reference"),
     Section("Method", ["docs/method.md"], "docs/method", in_a_row=True),

@@ -135,7 +135,7 @@ void TorusWatch::add(const integrate::run::TurnRequest& request, const integrate
   motion_.add(turn.section, take_growth(direction_), turn.touched);
 }
 
-/// With contact, without a period in the last window, and returning as a torus does.
+/// Whether it touches, has no period in the last window, and returns as a torus does.
 bool TorusWatch::shows_a_torus(spectrum::SpectrumWorkspace& workspace) const {
   const int window = options_.window_revolutions;
   if (motion_.turns_without_contact >= window) return false;

@@ -17,7 +17,7 @@ void push_ends(Eigen::VectorXcd& load, Eigen::Index before, Complex force, Compl
   load(before + 3) += moment;
 }
 
-/// By how much the axis behind a coupling stands beside that before it, and leans.
+/// Offset and lean of the axis behind a coupling against that before it.
 struct Misalignment {
   Complex offset_m, lean_rad;
 };

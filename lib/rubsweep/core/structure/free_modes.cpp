@@ -95,7 +95,7 @@ class KrylovSpace {
   Index size() const { return map_.cols(); }
   const Eigen::MatrixXd& states() const { return states_; }
   Eigen::MatrixXd square() const { return map_.topRows(map_.cols()); }
-  /// By how much the inverse leads a combination of the states out of them.
+  /// Size of what the inverse leads out of the states, of a combination of them.
   double rest(const Eigen::VectorXcd& combination) const {
     return closed() ? 0 : (map_.bottomRows(map_.rows() - map_.cols()) * combination).norm();
   }

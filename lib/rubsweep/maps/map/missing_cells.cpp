@@ -20,7 +20,7 @@
 namespace rubsweep::map {
 namespace {
 
-/// Until the journals of other shards are read again.
+/// Time until the journals of other shards are read again.
 constexpr std::chrono::milliseconds shard_patience{500};
 
 /// Shards that were begun with one command are not there at one instant, and the first may have no more to do

@@ -12,7 +12,7 @@
 namespace rubsweep::matlab {
 namespace {
 
-/// By the digit P of the type MOPT.
+/// Types by the digit P of the type MOPT.
 constexpr std::array<Stored, 6> stored_types{Stored::double_, Stored::single_, Stored::int32,
                                              Stored::int16,   Stored::uint16,  Stored::uint8};
 

@@ -33,7 +33,7 @@ std::string explain_casing(const model::Stop& stop, double rotor_mass_kg) {
       stop.casing->mass_kg, hz, stop.casing->damping_ratio, half_period_ms);
 }
 
-/// By how much is in docs/method/rotors.md.
+/// Says that largest forces depend on rotor.modes; docs/method/rotors.md says by how much.
 std::string explain_fast_contact(const model::Stop& stop, double rotor_mass_kg, const model::RotorKit& kit) {
   const double contact_hz = 1 / (2 * contact_half_period_s(stop, rotor_mass_kg));
   if (contact_hz <= kit.modes_up_to_hz) return "";

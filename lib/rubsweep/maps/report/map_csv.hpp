@@ -51,7 +51,7 @@ std::string map_header(const sweep::Study& study = {});
 std::string map_line(const sweep::Row& row, const sweep::Study& study = {});
 
 /// Comment lines above the header of a map, after the head that every table has: a `#` line on the units and,
-/// for axes over keys, one that names the columns of their keys; each with its end.
+/// for axes over keys, one that names the columns of their keys; each with its line end.
 std::string map_comments(const sweep::Study& study = {});
 
 }  // namespace rubsweep::report

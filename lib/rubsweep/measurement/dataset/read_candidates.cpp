@@ -30,7 +30,7 @@ void read_disturbances(yaml::Section& section, diagnose::Spread& noise_share, di
 
 constexpr std::string_view candidate_file_form =
     "a map with clearance_m, eccentricity_m, candidates, prior, measurement";
-/// From a labyrinth seal of a small machine to the screw of a rotor kit.
+/// Range from a labyrinth seal of a small machine to the screw of a rotor kit.
 constexpr diagnose::Spread usual_clearance_m{5e-5, 1e-3, true};
 
 void read_prior(const yaml::Value& value, std::vector<double>& prior) {

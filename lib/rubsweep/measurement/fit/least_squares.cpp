@@ -48,7 +48,7 @@ class Evaluation : public ceres::EvaluationCallback {
   /// Whether residuals and derivatives are those of the point.
   bool whole() const { return whole_; }
   const Eigen::VectorXd& residuals() const { return residuals_; }
-  /// With respect to parameters in units of their scales.
+  /// Derivatives by the parameters in units of their scales.
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
 
  private:

@@ -29,7 +29,7 @@ struct Lines : FullSpectrum {
   double most_order = 0, least_share = 0;
 };
 
-/// Lines that are looked at, but not 0X.
+/// Calls `look` with each line that counts; 0X does not.
 template <class Look>
 void for_lines(const Lines& spectrum, Look look) {
   const int last = static_cast<int>(spectrum.most_order * spectrum.turns);
@@ -45,7 +45,7 @@ struct Noise {
   double deviation_m = 0, variance = 0;
 };
 
-/// By the median of the lines that belong to no period.
+/// Noise by the median of the lines that belong to no period.
 Noise noise_of(const Lines& spectrum) {
   std::vector<double> between, all;
   for_lines(spectrum, [&](int k, double amplitude) {

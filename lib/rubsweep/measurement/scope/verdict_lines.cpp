@@ -28,7 +28,7 @@ struct Scale {
   double factor = 1, uncertainty = 0;
 };
 
-/// By the line that turns with the shaft, where the marks allow it, else with what they leave open.
+/// Scale by the line that turns with the shaft, where the marks allow it, else with what they leave open.
 Scale scale_of(std::span<const response::spectrum::ResolvedLine> lines, double per_turn, std::size_t turns,
                const recording::AngleDoubt& doubt) {
   // Noise of a mark's probe moves marks, too, that have readings on their edges.

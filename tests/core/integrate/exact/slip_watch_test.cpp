@@ -42,8 +42,8 @@ struct Touching {
   }
 };
 
-/// Over the longest stretch friction stays saturated, and the stretch is not much shorter than it must be
-/// where the slip goes towards its end.
+/// Friction stays saturated over the longest stretch. Where the slip goes towards the end of saturation, the
+/// stretch is hardly shorter than it must be.
 TEST(SlipWatch, AStretchKeepsFrictionSaturated) {
   for (const Mode mode : {Mode::clamped, Mode::sprung, Mode::released}) {
     for (const double surface_m_per_s : {0.3, 0.5, 1.0, 5.0, -0.3, -1.0, -5.0}) {

@@ -30,7 +30,7 @@ inline LabelledSamples slanting_clouds(int count, std::uint64_t seed) {
   return samples;
 }
 
-/// Probability of the second cloud by Bayes' theorem, which is weighted `odds` times the first.
+/// Probability by Bayes' theorem of the second cloud, which is weighted `odds` times the first.
 inline double second_cloud(double x, double odds = 1) { return 1 / (1 + std::exp(-2 * x) / odds); }
 
 }  // namespace rubsweep::diagnose::forest

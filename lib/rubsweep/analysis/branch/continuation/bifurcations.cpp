@@ -173,7 +173,7 @@ class Finder {
     return std::ranges::find(events_, kind, &BranchEvent::kind) != events_.end();
   }
 
-  /// By the multipliers, and complex pairs of them, that pass the unit circle at the events found.
+  /// Whether multipliers, and pairs of them, that cross 1 in size at the events found explain the change.
   bool stability_explained() const {
     const int turns = has(EventKind::fold) || has(EventKind::branch_point);
     const int single = turns + has(EventKind::period_halving) + has(EventKind::period_doubling);

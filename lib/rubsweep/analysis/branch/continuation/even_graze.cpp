@@ -145,7 +145,7 @@ class EvenGrazeSearch {
            std::abs(even->penetration) < first_penetration;
   }
 
-  /// With the tangent along which the penetration goes on as it came.
+  /// The point with the tangent along which the penetration goes on as it came.
   BranchPoint led_away(BranchPoint point) const {
     const double slope = slope_along(problem_, position_of(problem_, point), point.tangent, contact_);
     return (slope > 0) == touches() ? turned_about(std::move(point)) : point;
@@ -219,7 +219,7 @@ class EvenGrazeSearch {
     }
   }
 
-  /// By how much the last estimates differ, and what rounding does to the orbits that they are made from.
+  /// Difference of the last estimates, and what rounding does to the orbits that they are made from.
   double parameter_error(double parameter_slope) const {
     double error = std::numeric_limits<double>::epsilon() * std::abs(estimates_.back());
     for (std::size_t i = estimates_.size() - 2; i < estimates_.size(); ++i)

@@ -68,7 +68,7 @@ std::optional<double> dip_of_signed(Cubic f) {
 
 double period_of(const orbits::OrbitProblem& problem) { return 2 * std::numbers::pi * problem.order; }
 
-/// From the change `begin` to the change `end` of the closed sequence, in which it comes next.
+/// Stretch from the change `begin` to `end`, which comes next in the closed sequence.
 Margin stretch_between(const ModeSwitch& begin, const ModeSwitch& end, double period_rad) {
   double duration_rad = end.phase_rad - begin.phase_rad;
   if (duration_rad <= 0) duration_rad += period_rad;

@@ -45,7 +45,7 @@ class CurveTask {
     return orbits.first.holds(place.first) && orbits.second.holds(place.second);
   }
 
-  /// On the edge of the plane that the step has crossed: the first one, where it has crossed two.
+  /// Point on the edge of the plane that the step has crossed: the first one, where it has crossed two.
   std::optional<CurveCorrection> correct_at_edge(const CurvePoint& here, const CurveCorrection& found) const {
     const orbits::PlaneOrbits& orbits = *system_.orbits;
     const continuation::Position& beyond = found.at;

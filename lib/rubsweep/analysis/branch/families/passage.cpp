@@ -39,7 +39,7 @@ struct Way {
   double from = 0, to = 0;
 };
 
-/// From one cell to another along one axis; along the speed where they are the same.
+/// Way from one cell to another along one axis; along the speed where they are the same.
 Way way_between(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                 std::size_t neighbour, orbits::Closing closing, int order,
                 response::motion::Workspace& workspace) {
@@ -82,7 +82,7 @@ constexpr int patient_points = 5000;
 
 constexpr double same = 1e-6;
 
-/// By what does not depend on which of its maxima an oval is known by.
+/// Compares what does not depend on which of its maxima an oval is known by.
 bool same_oval(const orbits::OrbitFacts& a, const orbits::OrbitFacts& b) {
   const auto agree = [](double x, double y) {
     return std::abs(x - y) <= same * std::max(std::abs(x), std::abs(y));

@@ -102,7 +102,7 @@ class ApproachSearch {
     }
   }
 
-  /// Between the samples k - 1 and k.
+  /// Adds an approach between the samples k - 1 and k.
   void add_between(std::size_t i, std::size_t k) {
     const Sampled &before = before_[i], &here = guards_[i];
     if (changed_[i] || before.mode != here.mode) return;

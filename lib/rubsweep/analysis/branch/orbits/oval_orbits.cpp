@@ -73,7 +73,7 @@ struct Landing {
   double angle_rad = 0;
 };
 
-/// From `y` to the maximum that is nearest to what comes after `expected_rad`.
+/// Way from `y` to the maximum that is nearest to what comes after `expected_rad`.
 std::optional<Landing> land(const OvalScene& at, const VectorXd& y, double expected_rad, double loop_rad) {
   double angle = expected_rad;
   for (int i = 0; i < most_steps; ++i) {

@@ -17,7 +17,7 @@ Eigen::MatrixXcd solve(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
 Eigen::MatrixXcd solve_banded(Eigen::MatrixXcd a, Eigen::MatrixXcd b, Eigen::Index band);
 /// a^-1 by partialPivLu.
 Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& a);
-/// By partialPivLu.
+/// Determinant by partialPivLu.
 double determinant(const Eigen::MatrixXd& a);
 
 /// a^-1 b by fullPivLu, for matrices that may be close to singular.
@@ -84,7 +84,7 @@ class SymmetricFactors {
 /// size is known at run time. Here so that Eigen's templates are compiled once.
 Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-/// By real and imaginary parts, whose least squares and norm are the same.
+/// The same by real and imaginary parts, whose least squares and norm are equal.
 Eigen::VectorXcd least_norm_solution(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 
 /// First `count` columns of the orthogonal factor of householderQr, of a matrix whose size is known at run

@@ -162,7 +162,7 @@ bool PeriodSearch::closest(int order, double error) const {
   return true;
 }
 
-/// With contact on the way, and closer than ever tried or not tried for long.
+/// Whether there is contact on the way, and it is closer than ever tried or not tried for long.
 bool PeriodSearch::is_due(int order, double error) const {
   const Tried& tried = tried_[static_cast<std::size_t>(order)];
   return last_touch_ >= turns_ - order && (error < tried.below || (tried.again > 0 && turns_ >= tried.again));

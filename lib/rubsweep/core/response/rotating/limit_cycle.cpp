@@ -47,7 +47,7 @@ struct Closed {
   VectorXd x;
   double period_rad = 0;
   RotatingArc once;  ///< arc from x, or from so near that its derivative is known well enough
-  /// After Newton's next step, which an iteration that goes on to another accuracy need not make again.
+  /// State after Newton's next step, which an iteration that goes on to another accuracy need not repeat.
   VectorXd next_x;
   double next_period_rad = 0;
 };

@@ -50,7 +50,7 @@ struct CycleFlows {
   CycleFlows(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
              int samples_per_revolution);
 
-  /// With the rates of `field`; both are referred to.
+  /// The motion with the rates of `field`; both are referred to.
   RotatingMotion motion(const RotatingField& field) const;
 };
 

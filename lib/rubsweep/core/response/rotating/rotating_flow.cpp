@@ -51,7 +51,7 @@ integrate::run::TurnRequest sampled(int samples_per_revolution) {
           .switches = true};
 }
 
-/// By Taylor pieces, the transition where it is asked for.
+/// Follows by Taylor pieces, with the transition where it is asked for.
 template <int N>
 HowFollowed follow_by_series(integrate::taylor::TaylorRun<N>& run, const Eigen::VectorXd& state,
                              double tolerance, int samples_per_revolution, bool transition,

@@ -159,8 +159,8 @@ class YamlTreeBuilder : public YAML::EventHandler {
     parent.items.push_back(std::move(node));
   }
 
-  /// `{mass_kg: 0,8}` is a map of mass_kg: 0 and of a key 8 without a value. Two numbers side by side are
-  /// nothing else.
+  /// Refuses a number before a key that is a number without a value: `{mass_kg: 0,8}` is a map of mass_kg: 0
+  /// and of a key 8.
   static void refuse_decimal_comma(const Node& map) {
     if (map.items.empty() || map.items.back().kind != Node::Kind::scalar || map.items.back().quoted) return;
     const std::string& whole = map.items.back().text;
