@@ -84,6 +84,31 @@ TEST(AperiodicClassify, ATorusIsQuasiPeriodic) {
   EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 0.05, 0, 0.1})), "quasi_periodic");
 }
 
+/// Growth of the vector along the flow of a motion that sticks (slow) for a tenth of a swing and slips (fast)
+/// for the rest: it is bounded, so that the exponent is zero. Three turns hold almost 50 swings, and the
+/// turns of a block hold the slow swing that is left once: all blocks show the same trend of 0.022 a turn.
+TEST(AperiodicClassify, SlowSwingsOfATangentVectorAreNeitherChaosNorDecay) {
+  for (const double detuning : {0.0025, 0.0027, 0.0051, 0.0053}) {
+    double phase = 0.05;
+    const auto speed = [](double at) {
+      const double place = at - std::floor(at);
+      return place < 0.1 ? -4.0 : 1 + std::sin(9 * place);
+    };
+    const Growth growth = [&](std::span<double> section) -> std::optional<double> {
+      const double before = speed(phase);
+      phase += 50.0 / 3 + detuning;
+      section[0] = std::cos(2 * std::numbers::pi * phase);
+      section[1] = std::sin(2 * std::numbers::pi * phase);
+      return speed(phase) - before;
+    };
+    const Eigen::Matrix<double, 2, Eigen::Dynamic> observed = Eigen::Vector2d(1, 0);
+    spectrum::SpectrumWorkspace workspace;
+    const Aperiodic found = classify_aperiodic(
+        growth, [] { return true; }, {1, 0}, 0, observed, window, workspace);
+    EXPECT_EQ(name(found), "quasi_periodic") << detuning;
+  }
+}
+
 TEST(AperiodicClassify, AModulationThatStillDecaysIsUnsettled) {
   // Its exponent is as good as zero, its lines stay: only the closest return tells.
   const Aperiodic found = follow(modulated_period_two(-4e-4), {0.9, 0.05, 0, 0.1});

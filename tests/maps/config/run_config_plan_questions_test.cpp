@@ -57,6 +57,12 @@ TEST(RunConfigPlanQuestions, ARotorThatSagsOntoAStop) {
   below.emplace_back("stops.0.angle_deg=270");
   EXPECT_TRUE(of(below, "gravity_m_per_s2").starts_with("the rotor sags by 0.00994 m and rests on stop 0, "))
       << of(below, "gravity_m_per_s2");
+  auto placed = below;
+  placed.emplace_back("start={x_m: 0, y_m: -0.0012, vx_m_per_s: 0, vy_m_per_s: 0}");
+  EXPECT_TRUE(asked(placed).empty()) << asked(placed).front();
+  auto free = below;
+  free.emplace_back("start={x_m: 0, y_m: 0, vx_m_per_s: 0, vy_m_per_s: 0}");
+  EXPECT_EQ(asked(free).size(), 1U);
   auto above = low;
   above.emplace_back("stops.0.angle_deg=90");
   EXPECT_TRUE(asked(above).empty());

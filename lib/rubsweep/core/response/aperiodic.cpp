@@ -27,6 +27,19 @@ bool chaotic(const motion::Exponent& exponent) {
   return exponent.per_revolution > std::max(exponent.error_bar, chaos_floor);
 }
 
+/// Whether a disturbance grew (`sign` 1) or shrank (-1) by more than it ever went the other way meanwhile,
+/// the first fifth dropped. The tangent vector of a stick-slip motion swings by a factor of hundreds and does
+/// neither; near a resonance of slip and shaft the swings are so slow that blocks of turns show a trend.
+bool goes_beyond_its_swings(std::span<const double> contributions, double sign) {
+  double sum = 0, furthest = 0, largest_return = 0;
+  for (const double growth : contributions.subspan(contributions.size() / 5)) {
+    sum += sign * growth;
+    furthest = std::max(furthest, sum);
+    largest_return = std::max(largest_return, furthest - sum);
+  }
+  return sum > largest_return;
+}
+
 /// Whether it was chaotic in the first half of the turns that are not its last window.
 bool was_chaotic(const Followed& motion, int window) {
   constexpr std::size_t fewest = 80;
@@ -45,8 +58,9 @@ bool decide(const Followed& motion, std::size_t turns_before,
     return true;
   }
   const auto [exponent, bar] = *result.exponent;
-  if (exponent < -std::max(bar, chaos_floor)) return true;
-  if (chaotic(*result.exponent) && turns_before + motion.turns() >= shortest_chaos) {
+  if (exponent < -std::max(bar, chaos_floor) && goes_beyond_its_swings(motion.contributions, -1)) return true;
+  if (chaotic(*result.exponent) && turns_before + motion.turns() >= shortest_chaos &&
+      goes_beyond_its_swings(motion.contributions, 1)) {
     result.motion_class = motion::MotionClass::chaotic;
     return true;
   }
@@ -73,8 +87,10 @@ std::optional<motion::Exponent> lasting_chaos(const Followed& motion) {
   if (motion.turns() < shortest_chaos) return std::nullopt;
   const motion::Exponent exponent = exponent_of(motion.contributions);
   const BumpMeans means = bump_means(motion.contributions);
-  if (!chaotic(exponent) || std::min(means.first, means.last) <= chaos_floor || period_of(motion))
+  if (!chaotic(exponent) || std::min(means.first, means.last) <= chaos_floor || period_of(motion) ||
+      !goes_beyond_its_swings(motion.contributions, 1)) {
     return std::nullopt;
+  }
   return exponent;
 }
 

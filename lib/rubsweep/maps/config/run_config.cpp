@@ -79,18 +79,25 @@ std::optional<Question> idle_kick(const sweep::Study& study) {
       "1?)"};
 }
 
-/// Clearances count from the position without weight.
+/// Clearances count from the position without weight. A start that lies on the stop is meant so.
 std::optional<Question> sag_onto_stop(const sweep::Study& study) {
   const auto* rotor = jeffcott(study);
   const double gravity = study.machine.gravity_m_per_s2;
   if (rotor == nullptr || gravity == 0) return std::nullopt;
   const double sag_m = gravity / std::pow(2 * std::numbers::pi * rotor->natural_frequency_hz, 2);
   const Eigen::Vector2d down(0, -sag_m);
+  const auto touches = [](const model::Stop& stop, const Eigen::Vector2d& at_m) {
+    const contact::Wall wall = contact::wall_of(stop.geometry);
+    const Eigen::Vector2d distance = at_m + contact::offset(wall);
+    return distance.dot(contact::normal_at(wall, distance)) >= stop.clearance_m;
+  };
+  const auto given_m = [](const model::Start& start) {
+    return Eigen::Vector2d(start.rotor.x_m.value_or(0), start.rotor.y_m.value_or(0));
+  };
+  const auto& start = study.machine.start;
   for (std::size_t i = 0; i < study.machine.stops.size(); ++i) {
     const model::Stop& stop = study.machine.stops[i];
-    const contact::Wall wall = contact::wall_of(stop.geometry);
-    const Eigen::Vector2d distance = down + contact::offset(wall);
-    if (distance.dot(contact::normal_at(wall, distance)) < stop.clearance_m) continue;
+    if (!touches(stop, down) || (start && touches(stop, given_m(*start)))) continue;
     return Question{
         "gravity_m_per_s2",
         fmt::format("the rotor sags by {:.3g} m and rests on stop {}, whose clearance counts from the "
