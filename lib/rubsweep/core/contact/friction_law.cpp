@@ -55,9 +55,9 @@ std::optional<SaturatedFriction> saturated(const StribeckFriction& stribeck) {
   return SaturatedFriction{g[3], saturated_argument / steepness};
 }
 
-/// Sliding friction in its own direction where this power of e is left of the fall.
+/// Sliding friction in its own direction, from the slip speed where the fall has decayed to exp(-28).
 std::optional<SaturatedFriction> saturated(const FallingFriction& law) {
-  constexpr double saturated_argument = 28;  // as that of tanh
+  constexpr double saturated_argument = 28;  // exp(-28) = 7e-13, as small as 1 - tanh(14)
   const double steep = law.exponent == 1 ? saturated_argument : std::sqrt(saturated_argument);
   return SaturatedFriction{law.coefficient, steep * law.stribeck_speed_m_per_s};
 }

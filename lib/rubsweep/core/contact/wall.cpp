@@ -123,8 +123,8 @@ double share_of_way_to(const Wall& wall, double clearance, const Eigen::Vector2d
                                  return along > 0 ? clearance / along : never;
                                },
                                [&](const AnnularWall& annular) {
-                                 // |s way + offset| = clearance: a s^2 + 2 b s = c with c > 0, in the form
-                                 // that does not cancel.
+                                 // |s way + offset| = clearance: a s^2 + 2 b s = c with c > 0, solved in the
+                                 // form without cancellation.
                                  const double a = way.squaredNorm(), b = way.dot(annular.offset);
                                  const double c = clearance * clearance - annular.offset.squaredNorm();
                                  const double root = std::sqrt(b * b + a * c);
