@@ -5,8 +5,8 @@
 
 namespace rubsweep::structure {
 
-/// A place of the structure where a force may act or a sensor look: displacement (x, y) = map * q, in metres.
-/// A force (fx, fy) at the point enters the equations as map^T (fx, fy).
+/// A point of the structure where a force may act or a sensor measure: displacement (x, y) = map * q, in
+/// metres. A force (fx, fy) at the point enters the equations as map^T (fx, fy).
 struct Point {
   Eigen::Matrix<double, 2, Eigen::Dynamic> map;  ///< 2 x n
 };
@@ -23,8 +23,8 @@ struct LinearSystem {
   Eigen::Index coordinates() const { return mass.rows(); }
 };
 
-/// Impulses that follow the rotation at a fixed ratio: `multiple` per revolution, the first one
-/// `phase_periods` of the rotation between two after the start of a run.
+/// Impulses at a fixed ratio to the rotation: `multiple` per revolution. The first one comes `phase_periods`
+/// of the interval between two impulses after the start of a run.
 struct ImpulseTrain {
   Eigen::VectorXd impulse_ns;  ///< n: generalised impulse; the velocities jump by mass^-1 impulse
   double multiple = 0;         ///< > 0
