@@ -14,7 +14,7 @@ struct StraightLine {
   double operator()(double x) const { return value + slope * (x - at); }
 };
 
-/// Line of the least squares through points, two or more whose x are not all the same; `at` is their mean.
+/// Least-squares line through at least two points whose x are not all equal; `at` is the mean of x.
 inline StraightLine line_through(std::span<const double> x, std::span<const double> y) {
   StraightLine line;
   const auto count = static_cast<double>(x.size());
