@@ -4,7 +4,7 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// A law, which is a template over what it is made of, behind the interface that methods know.
+/// Adapts a law, whose type is a template, to the interface used by the methods.
 template <class Law>
 class LawOfSteps final : public RightHandSide {
  public:
