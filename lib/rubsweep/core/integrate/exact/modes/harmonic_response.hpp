@@ -30,8 +30,7 @@ struct HarmonicResponse {
 
   double rate = 0;  ///< rad/s
   Eigen::Matrix<Complex, N, 1> amplitude;
-  Eigen::Matrix<std::complex<long double>, N, 1> unrounded_amplitude;  ///< only if N is a compile-time
-                                                                       ///< constant
+  Eigen::Matrix<std::complex<long double>, N, 1> unrounded_amplitude;  ///< only for compile-time N
   std::vector<Complex> at_guard;
   std::vector<double> curvature;  ///< bound for each guard: |at_guard| rate^2
   /// Per guard: Taylor coefficients as in LinearGuard, for real and imaginary part of the phasor.
