@@ -34,7 +34,7 @@ struct SlipEvent {
   contact::Slip next = contact::Slip::sticking;
 };
 
-/// What is known of a slip at the start of an expansion.
+/// Properties of a slip at the start of an expansion.
 struct SlipStart {
   /// Number of leading coefficients that are zero except for rounding, because the slip has just begun.
   int zero_terms = 0;
