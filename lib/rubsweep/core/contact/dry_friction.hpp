@@ -56,11 +56,11 @@ struct SettledSlips {
 SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acceleration,
                           const StickVector& limit);
 
-/// The same for surfaces that slip with the friction `sliding` <= limit. As many as possible stick: a surface
-/// that even its limit does not hold gets its sliding friction as its new limit, and all are settled again,
-/// in at most as many rounds as there are surfaces. In the end a sticking surface needs no more than its
-/// limit, and a slipping one is pushed on by more than its friction. `more` is added to the accelerations in
-/// the first round, so that a surface at its limit comes loose or is poised.
+/// Decides stick or slip as above for surfaces that slip with the friction `sliding` <= limit. As many as
+/// possible stick: a surface that even its limit does not hold gets its sliding friction as its new limit,
+/// and all are settled again, in at most as many rounds as there are surfaces. In the end a sticking surface
+/// needs at most its limit, and a slipping one is pushed on by more than its friction. `more` is added to the
+/// accelerations in the first round, so that a surface at its limit comes loose or is poised.
 SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acceleration,
                           const StickVector& more, StickVector limit, const StickVector& sliding);
 

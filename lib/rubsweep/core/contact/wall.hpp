@@ -25,7 +25,7 @@ struct ContactFrame {
   double curvature = 0;
   double penetration = 0;
   double closing_speed = 0;
-  double sliding_speed = 0;  ///< d' . t
+  double sliding_speed = 0;  ///< d' . t, along the tangent
 };
 
 inline ContactFrame flat_frame(const RelativeMotion& m, double clearance) {

@@ -15,9 +15,9 @@ struct Survival {
   double turns = 0;
   int escapes = 0;
 
-  /// Lower end of the 95 % confidence interval of the mean life in turns: 2 turns / chi^2_{0.95} with
-  /// 2 (escapes + 1) degrees of freedom (B. Epstein, M. Sobel, J. Am. Stat. Assoc. 48 (1953) 486). Without an
-  /// escape turns / 2.9957.
+  /// Lower end of the 95 % confidence interval of the mean life in turns: 2 turns / chi^2_{0.95} with 2
+  /// (escapes + 1) degrees of freedom (B. Epstein, M. Sobel, J. Am. Stat. Assoc. 48 (1953) 486). Without an
+  /// escape this is turns / 2.9957.
   double least_mean_life() const;
 };
 
@@ -25,7 +25,7 @@ struct Survival {
 struct SurvivalOptions {
   int companions = 2;
   int turns = 320;         ///< turns followed per companion, fewer for one that escapes
-  int window = 64;         ///< turns without contact that count as an escape; a period must show in as many
+  int window = 64;         ///< turns without contact that are an escape; number of turns to show a period
   int max_order = 12;      ///< a section that returns within so many turns is also an escape
   double distance = 0.01;  ///< distance of companions, in standard deviations of the section along the motion
 };

@@ -28,7 +28,7 @@ std::optional<motion::Record> recorded_run(const scene::Scene& scene,
 class Checkpoints {
  public:
   struct Checkpoint {
-    long revolutions = 0;  ///< revolutions before it
+    long revolutions = 0;  ///< number of revolutions before this section
     std::vector<double> section;
   };
 

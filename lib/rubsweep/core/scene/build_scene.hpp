@@ -57,8 +57,7 @@ struct Cell {
 /// speeds; prepared_at gives one with the coordinates of a single speed.
 Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance);
 
-/// The same for a single cell; prepares the machine at its speed. Throws ConfigError for an invalid
-/// `machine`.
+/// Builds a single cell and prepares its machine at this speed. Throws ConfigError for an invalid `machine`.
 Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance);
 
 }  // namespace rubsweep::scene

@@ -115,7 +115,7 @@ std::optional<Eigen::Index> find_deflection(const std::vector<double>& node_posi
   return std::nullopt;
 }
 
-/// The matrices of a kit, with coordinates for the pedestals of the supports beside them.
+/// Shaft from the matrices of a kit, with added coordinates for the pedestals of its supports.
 BeamShaft assemble_matrices(const model::RotorKit& kit, std::vector<double> stations) {
   BeamShaft shaft = matrix_shaft(*kit.matrices);
   add_places(kit, stations);

@@ -14,7 +14,7 @@
 namespace rubsweep::structure {
 namespace {
 
-constexpr double node_of_mode = 1e-6;  ///< square of a share of the largest deflection
+constexpr double node_of_mode = 1e-6;  ///< smallest squared deflection off a node, over the squared largest
 
 /// Whether the damping constant of a contact depends on the rotor mass.
 bool takes_mass(const model::ContactDamping& damping) {

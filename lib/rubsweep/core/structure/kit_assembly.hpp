@@ -20,8 +20,8 @@ struct KitAssembly {
 /// do not hold the shaft, or a stop without contact_mass_kg is at a node of the first mode.
 KitAssembly assemble_rotor_kit(const model::Machine& machine);
 
-/// The same for one of many speeds: where the kit gives its number of modes, the receptance error of the
-/// reduction is not computed.
+/// Rotor kit as by assemble_rotor_kit, for one of many speeds: if the kit gives its number of modes, the
+/// receptance error of the reduction is not computed.
 KitAssembly assemble_kit_for_speed(const model::Machine& machine);
 
 }  // namespace rubsweep::structure

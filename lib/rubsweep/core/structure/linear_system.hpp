@@ -27,7 +27,7 @@ struct LinearSystem {
 /// of the interval between two impulses after the start of a run.
 struct ImpulseTrain {
   Eigen::VectorXd impulse_ns;  ///< n: generalised impulse; the velocities jump by mass^-1 impulse
-  double multiple = 0;         ///< > 0
+  double multiple = 0;         ///< impulses per revolution, > 0
   double phase_periods = 0;    ///< >= 0 and < 1
 };
 

@@ -48,7 +48,7 @@ class Drives {
 
   /// Sets the phasors for a phase of the shaft; from here on no pulse of the scene acts.
   void start(double phase_rad, Phasors& phasors);
-  /// The same with the pulses that act at `time_s` in the revolution of `times`, whose unit is seconds.
+  /// Sets the phasors, with the pulses that act at `time_s` in the revolution of `times` (in seconds).
   void start(double phase_rad, const run::PulseTimes& times, double time_s, Phasors& phasors);
 
   void turn(Phasors& phasors, double duration_s) const {

@@ -57,9 +57,9 @@ class ExactMotion {
   const Instant& here() const { return now_; }
   /// Moves an instant within the present mode, which must have a modal form; the motion itself does not move.
   void ahead(Instant& instant, double duration_s) const;
-  /// The same by step `k` of the mode's table.
+  /// Moves an instant by step `k` of the mode's table.
   void ahead_by_table(Instant& instant, int k) const;
-  /// The same over one sampling interval, whose flow is cached.
+  /// Moves an instant by one sampling interval, whose flow is cached.
   void ahead_by_interval(Instant& instant, double interval_s);
 
   State physical() const { return physical(here()); }

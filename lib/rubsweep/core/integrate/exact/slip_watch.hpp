@@ -52,7 +52,7 @@ class SlipWatch {
     return joint;
   }
 
-  /// The same without the test for saturation.
+  /// Joint mode with the present slip directions, as saturated_mode, without the test for saturation.
   std::size_t with_ways(const modes::MachineModes<N>& machine, std::size_t modes,
                         const State& physical) const {
     std::size_t joint = modes;

@@ -26,7 +26,7 @@ class TangentVectors {
   /// Changes from mode `from` to `to`. The force is continuous there, so that tangent vectors do not jump
   /// (the saltation matrix is the identity); only their coordinates change.
   void change(const modes::LinearMode<N>& from, const modes::LinearMode<N>& to);
-  /// The same with the matrix `by` between both modes.
+  /// Changes from mode `from` by the transformation `by` to the next mode.
   void change(const modes::LinearMode<N>& from, const typename modes::ExactTypes<N>::Factor& by);
   /// Adds a tangent vector, (u, u') with time in seconds.
   void add(const modes::LinearMode<N>& mode, const typename modes::ExactTypes<N>::State& physical);

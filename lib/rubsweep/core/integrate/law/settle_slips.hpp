@@ -139,7 +139,7 @@ void cross(const Eigen::RowVectorXd& gradient, double way, const State& rate_bef
   }
 }
 
-/// The same where the slip of contact `i` reaches zero. If it then sticks, no change lets it slip.
+/// Applies `cross` where the slip of contact `i` reaches zero. If it then sticks, no change lets it slip.
 template <class Law, class State, class Changes>
 void cross_slip(const Law& law, std::size_t i, const State& state, const State& rate_before,
                 const State& rate_after, Changes&& changes) {

@@ -59,7 +59,7 @@ class AnyDirections {
   Twin by_first_, by_second_;
 };
 
-/// The same for a contact whose directions are parallel to the coordinates: in every pair the first
+/// AnyDirections for a contact whose directions are parallel to the coordinates: in every pair the first
 /// coordinate is along the first direction (or against it), the second along the second. This takes half the
 /// products and none across a pair.
 template <int N>

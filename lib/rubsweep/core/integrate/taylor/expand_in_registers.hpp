@@ -46,9 +46,9 @@ void expand_in_registers(const DiagonalStructure<N>& structure, const Directions
   }
 }
 
-/// The same for `Count` tangent vectors side by side, until they have converged over `duration_rad` or for
-/// `most` terms. Displacements are columns k Count + i of `w`, rates those of `rate`. The contact's
-/// variations must have begun; `speed` is the variation of its relative velocity.
+/// Computes the coefficients of `Count` tangent vectors side by side, until they have converged over
+/// `duration_rad` or for `most` terms. Displacements are columns k Count + i of `w`, rates those of `rate`.
+/// The contact's variations must have begun; `speed` is the variation of its relative velocity.
 template <int N, class Directions, int Count, class Contact, class Terms>
 void expand_in_registers(const DiagonalStructure<N>& structure, const Directions& directions, int most,
                          double duration_rad, Contact& contact, typename ContactTangents<Count>::Term speed,

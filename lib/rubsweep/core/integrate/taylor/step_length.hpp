@@ -14,8 +14,8 @@ namespace rubsweep::integrate::taylor {
 /// an unexcited mode as the motion would, within 8^25 / 25! = 2e-3.
 inline constexpr double longest_times_fastest = 8;
 
-/// The same where tangent vectors are carried, which excite every mode as strongly as themselves, whatever
-/// the motion does. The truncation error of e^x at order 23 is x^24 / 24!: x = 3.3 for 4e-12.
+/// Largest such product with tangent vectors, which excite every mode as strongly as themselves, whatever the
+/// motion does. The truncation error of e^x at order 23 is x^24 / 24!: x = 3.3 for 4e-12.
 inline double longest_times_fastest_of_tangents(double accuracy) {
   constexpr int next = TangentExpansion<2>::order + 1;
   return std::min(longest_times_fastest, std::pow(accuracy * std::tgamma(next + 1), 1.0 / next));

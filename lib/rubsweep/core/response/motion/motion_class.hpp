@@ -111,7 +111,7 @@ struct MotionKind {
   bool settled_rub = true;
 };
 
-/// Colours: Paul Tol's "muted" scheme, made for colour-blind readers, and some of their own for rare kinds.
+/// Colours are from Paul Tol's "muted" scheme for colour-blind readers, with others for rare kinds.
 inline constexpr std::array motion_kinds{
     MotionKind{"non_contact", "no contact", 0xF4F4F4, 0x2B2F36, '.', false, false},
     MotionKind{"synchronous_circle", "synchronous circle", 0x4F9BD0, 0x4F9BD0, '1'},

@@ -128,8 +128,8 @@ struct Nearness {
 bool comes_near(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
                 const AdaptedNorms& norms, const Nearness& wanted, const Patience& patience);
 
-/// The same until both parts of `norms` are within `radii`, with the distance in the norm whose unit ball has
-/// these radii. Also false after `most_turns`.
+/// Follows a transient as comes_near until both parts of `norms` are within `radii`, with the distance in the
+/// norm whose unit ball has these radii. Also false after `most_turns`.
 bool comes_inside(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
                   const SplitNorms& norms, const integrate::exact::tube::Parts& radii, double most_turns);
 

@@ -24,17 +24,17 @@ class SceneMap {
   SceneMap(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
            integrate::exact::modes::ModeCache& modes, integrate::run::WorkBudget* budget = nullptr);
 
-  /// `section`: 2n numbers. False when the solver fails.
+  /// Replaces `section`, 2n numbers, by the section one revolution later. False when the solver fails.
   bool operator()(std::span<double> section);
 
-  /// The same; in addition, each column of `disturbances` (2n rows, at most 2n columns) becomes its image
-  /// under the derivative of the new section by the old one. The derivative is exact where the turn has
+  /// Moves `section` by one revolution, and multiplies each column of `disturbances` (2n rows, at most 2n
+  /// columns) by the derivative of the new section by the old one. The derivative is exact where the turn has
   /// closed forms, accurate to `accuracy` by Taylor pieces, or else by central differences.
   bool carry(std::span<double> section, Eigen::MatrixXd& disturbances,
              double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 
-  /// The same, but only where the solver of the turn can move tangent vectors. `moved` tells whether it
-  /// could; otherwise `disturbances` stays unchanged.
+  /// Moves `section` as `carry`, and `disturbances` only where the solver of the turn can move tangent
+  /// vectors. `moved` tells whether it could; otherwise `disturbances` stays unchanged.
   bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved,
                      double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 

@@ -13,7 +13,7 @@ namespace rubsweep::response::spectrum {
 /// keeps its amplitude.
 std::vector<std::complex<double>> under_hann_window(std::span<const std::complex<double>> samples);
 
-/// The same about the mean under the window, which a growing line does not shift.
+/// Samples under a Hann window, minus their mean under it, which a growing line does not shift.
 std::vector<std::complex<double>> under_hann_window_of_growing(std::span<const std::complex<double>> samples);
 
 /// full_spectrum of the samples under the window, with the true 0X. A line also appears in both neighbouring

@@ -131,7 +131,7 @@ struct LinearMode {
   std::vector<typename Types::Row> closing;         ///< row of each flat contact: p'' from (u, u') - rest
   double fastest_rad_per_s = 0;                     ///< largest |eigenvalue|
   std::vector<typename Types::Pairs> pair_steps;    ///< e^{A h} of table steps, for pairs
-  mutable StepFlows<typename Types::Factor> steps;  ///< the same as full matrices
+  mutable StepFlows<typename Types::Factor> steps;  ///< e^{A h} of table steps, full matrices
   std::vector<LinearGuard<N>> guards;
   std::vector<AnnularGuard<N>> annular_guards;
   std::vector<TouchWatch<N>> touches;
@@ -140,7 +140,7 @@ struct LinearMode {
   UnroundedMode unrounded;  ///< only where N is a compile-time constant
 
   using State = typename Types::State;
-  /// State (u, u') without its particular solution from z; and the inverse.
+  /// State (u, u') minus the particular solution, computed from z; and the inverse transformation.
   void put_from_free(const State& z, State& vibration) const { put_changed(basis, z, vibration); }
   void put_to_free(const State& vibration, State& z) const { put_changed(inverse, vibration, z); }
   State from_free(const State& z) const {

@@ -55,7 +55,7 @@ class TubeReference {
     see(e, seen);
     return seen;
   }
-  /// The same, written into an existing object.
+  /// Writes these projections into an existing object.
   void see(std::size_t e, Seen& seen) { see_by(motion_.mode().guards[e].terms, 1, seen); }
 
   /// Slip margin of a touching contact in m/s, as a guard that rises through zero where friction leaves
