@@ -14,7 +14,7 @@ consteval std::string_view enumerator_name() {
   constexpr std::string_view before = "value = ", function = __PRETTY_FUNCTION__;
   constexpr std::size_t begin = function.find(before) + before.size();
   constexpr std::string_view name = function.substr(begin, function.find_first_of(";]", begin) - begin);
-  // A number without a name is written as a cast.
+  // The compiler writes a number without an enumerator as a cast.
   return name.starts_with('(') ? std::string_view{} : name.substr(name.rfind(':') + 1);
 }
 

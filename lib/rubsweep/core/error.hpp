@@ -4,7 +4,8 @@
 
 namespace rubsweep {
 
-/// The user must act: a value, a file or a combination that cannot be simulated. Programs exit with 2.
+/// An error that the user must correct: a value, a file or a combination that cannot be simulated. Exit code
+/// 2.
 class ConfigError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

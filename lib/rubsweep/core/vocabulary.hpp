@@ -30,7 +30,7 @@ struct Words {
   std::array<Enum, count> values;
 };
 
-/// The words that `to_string` has for every value of an enumeration.
+/// Words of all values of an enumeration, by its function `to_string`.
 template <class Enum>
 constexpr auto words_of() {
   constexpr auto word = [](Enum value) { return to_string(value); };

@@ -29,7 +29,7 @@ struct Kinematics {
   double closing_acceleration = 0;
 };
 
-/// Mode of a state, without knowledge of the past. At p = 0 exactly the contact is open.
+/// Mode of a state, without knowledge of earlier states. At exactly p = 0 the contact is open.
 constexpr Mode mode_of(double stiffness, double damping, double penetration, double closing_speed) {
   if (penetration <= 0) return Mode::open;
   const double spring = stiffness * penetration;
@@ -64,8 +64,8 @@ constexpr ForceSlopes slopes_in_mode(Mode mode, double stiffness, double damping
   return {law.friction * stiffness, law.spring * stiffness, law.damper * damping};
 }
 
-/// One way out of a mode: the guard is spring K p + damper d v or, where it does not depend on the damper,
-/// spring p. It is negative inside the mode, which ends towards `next` when the guard rises through zero.
+/// One way out of a mode. The guard is spring K p + damper d v, or spring p if it does not depend on the
+/// damper. It is negative inside the mode; when it rises through zero, the mode `next` follows.
 struct GuardForm {
   double spring = 0, damper = 0;
   Mode next = Mode::open;
@@ -107,7 +107,7 @@ struct Guards {
   int count = 0;
 };
 
-/// The guards armed in `mode` at a state.
+/// Values and rates, at a state, of the guards armed in `mode`.
 constexpr Guards guards_of(Mode mode, double stiffness, double damping, const Kinematics& k) {
   const GuardForms forms = guard_forms(mode, damping > 0);
   Guards guards{{}, forms.count};

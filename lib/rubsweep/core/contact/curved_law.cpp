@@ -37,7 +37,7 @@ double delivering_factor(double e) {
   // Root with both logarithms expanded to third order; half of it is surely below the true root.
   const double about = 1.5 * (1 - e) / (1 - e + e * e), highest = std::nextafter(1 / e, 0.0);
   const auto at = [e](double factor) { return excess(e, factor); };
-  // The factor of a small restitution is 1 / e to all digits.
+  // The factor of a small restitution is 1 / e to the last digit.
   return at(highest) >= 0 || about / 2 >= highest ? highest : root(at, about / 2, highest);
 }
 

@@ -30,7 +30,7 @@ class CurvedLaw {
 
   double force_n(double penetration_m) const;
   double slope_n_per_m(double penetration_m) const;
-  /// Integral of S from 0, for penetrations >= 0.
+  /// Elastic energy in joules: integral of S from 0 to a penetration >= 0.
   double energy_j(double penetration_m) const;
 
   /// Damping factor x = c v0, without unit.

@@ -59,7 +59,7 @@ class FrictionBox {
  private:
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-  /// The surface whose friction is at a side and is pulled inwards most; -1 where there is none.
+  /// Index of the surface whose friction is at a side of the box and is pulled inwards most; -1 if none.
   Index pulled_inwards() const {
     Index found = -1;
     double most = still;

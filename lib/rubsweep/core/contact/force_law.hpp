@@ -33,7 +33,7 @@ inline double smooth_ramp(double y, double width) {
   return (y + half) * (y + half) / (2 * width);
 }
 
-/// d smooth_ramp / dy.
+/// Derivative of smooth_ramp by y.
 inline double smooth_ramp_slope(double y, double width) { return std::clamp(y / width + 0.5, 0.0, 1.0); }
 
 /// The ElastoGap law made continuously differentiable: each corner becomes a parabola over the penetration

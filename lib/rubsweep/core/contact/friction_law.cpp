@@ -18,7 +18,7 @@ using model::StribeckFriction;
 
 constexpr double everywhere = -std::numeric_limits<double>::infinity();
 
-/// tanh(x), skipping the library call where the result is 1 to the last bit.
+/// Value of tanh(x); skips the library call where the result is 1 to the last bit.
 double saturating_tanh(double x) {
   constexpr double saturated_above = 20;  // 1 - tanh(20) = 8.5e-18 < epsilon/2
   return std::abs(x) > saturated_above ? std::copysign(1.0, x) : std::tanh(x);

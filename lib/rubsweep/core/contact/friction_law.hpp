@@ -15,7 +15,7 @@ namespace rubsweep::contact {
 /// between. One-way: the coefficient, whatever the sign of v.
 double friction_coefficient(const model::Friction& friction, double slip_m_per_s);
 
-/// d mu / d v in s/m, for implicit steppers.
+/// Derivative d mu / d v in s/m, for implicit steppers.
 double friction_slope(const model::Friction& friction, double slip_m_per_s);
 
 /// Friction whose coefficient no longer depends on the slip speed.

@@ -13,8 +13,8 @@ namespace rubsweep::contact {
 double hertz_half_width_m(const model::HertzLine& contact, double force_n);
 
 /// Approach of the two bodies in metres under `force_n`:
-/// 2 F (k0 + k1) / (pi L) (2 ln 2 + 1/2 + ln(L / 2b)) (Ishibashi & Kawai eq. 9, after Inagaki et al. 2005):
-/// both surfaces in the middle of the strip L x 2b under Hertz's pressure.
+/// 2 F (k0 + k1) / (pi L) (2 ln 2 + 1/2 + ln(L / 2b)) (Ishibashi & Kawai eq. 9, after Inagaki et al. 2005).
+/// It is the displacement of both surfaces in the middle of the strip L x 2b under Hertz's pressure.
 double hertz_approach_m(const model::HertzLine& contact, double force_n);
 
 /// Secant stiffness F / approach at the design force, in N/m. Throws ConfigError where the contact strip is

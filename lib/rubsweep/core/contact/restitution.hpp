@@ -15,10 +15,10 @@ double delivered_restitution(double damping_ratio);
 /// is outside the range of zeta in [0, 1): from e^{-4/3} = 0.2636, the limit at critical damping, to 1.
 double damping_ratio_delivering(double restitution);
 
-/// d = 2 zeta sqrt(m K), in N s/m. `mass_kg` is the reduced mass of the impact.
+/// Damping constant d = 2 zeta sqrt(m K), in N s/m. `mass_kg` is the reduced mass of the impact.
 double damping_constant(double damping_ratio, double mass_kg, double stiffness_n_per_m);
 
-/// m m_C / (m + m_C): the mass of the relative motion when the casing moves.
+/// Reduced mass m m_C / (m + m_C), in kg, for an impact with a moving casing.
 double reduced_mass(double mass_kg, double casing_mass_kg);
 
 }  // namespace rubsweep::contact

@@ -9,8 +9,7 @@
 namespace rubsweep::contact {
 namespace {
 
-/// Largest distance from its mean of a point that moves as Re(amplitude e^{i phase}): the long half-axis of
-/// the ellipse.
+/// Long half-axis of the ellipse on which a point moves as Re(amplitude e^{i phase}) about its mean.
 double long_half_axis(const Eigen::Vector2cd& amplitude) {
   const std::complex<double> i(0, 1);
   return (std::abs(amplitude.x() + i * amplitude.y()) + std::abs(amplitude.x() - i * amplitude.y())) / 2;

@@ -46,7 +46,7 @@ inline ContactFrame annular_frame(const RelativeMotion& m, double clearance) {
           cosine * m.v2 - sine * m.v1};
 }
 
-/// A wall whose normal, a unit vector from the rest position towards it, does not turn.
+/// A flat wall, whose normal does not turn: a unit vector from the rest position towards the wall.
 struct FlatWall {
   Eigen::Vector2d normal{0, 1};
 };
@@ -82,7 +82,7 @@ constexpr bool annular(const Wall& wall) {
       overloaded{[](const FlatWall&) { return false; }, [](const AnnularWall&) { return true; }}, wall);
 }
 
-/// Whether the wall looks the same from every direction of the rotor's rest position.
+/// Whether the wall is the same in all directions from the rotor's rest position.
 bool centred(const Wall& wall);
 
 /// Vector from the centre of an annular stop to the rotor's rest position; zero for a flat wall.
@@ -104,17 +104,17 @@ struct Outline {
 };
 Outline outline(const Wall& wall);
 
-/// Map from the displacements q to rotor point - casing point.
+/// Map from the displacements q to rotor point minus casing point.
 using RelativeMap = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 
-/// Rows on q whose lengths bound the motion of the rotor against the wall.
+/// Rows on q that give the components of the rotor's motion towards the wall, which bound its excursion.
 Eigen::MatrixXd rows_against(const Wall& wall, const RelativeMap& relative);
 
 /// Penetration under the motion q = mean + Re(amplitude e^{i phase}): at the mean position, and its largest
 /// rise above that. In an annular stop the excursion counts as if it pointed outwards at the mean position,
 /// which it does at some time if the whirl is a circle.
 struct Excursion {
-  double mean = 0;       ///< below 0: a gap
+  double mean = 0;       ///< < 0: a gap
   double amplitude = 0;  ///< >= 0
 };
 Excursion excursion(const Wall& wall, double clearance, const RelativeMap& relative,

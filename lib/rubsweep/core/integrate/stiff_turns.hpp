@@ -13,7 +13,7 @@ namespace rubsweep::integrate {
 /// contact changes its mode, an implicit stepper follows only the slow motion, in about a hundred steps.
 class StiffTurns {
  public:
-  /// `scene` must outlive this.
+  /// `scene` must outlive this object.
   StiffTurns(const scene::Scene& scene, const run::SolverOptions& options);
 
   /// Notes a turn made of `pieces` Taylor pieces with `changes` of contact mode.

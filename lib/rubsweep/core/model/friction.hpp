@@ -33,8 +33,8 @@ struct ConstantFriction {
   }
 };
 
-/// mu(v) = coefficient whatever the slip speed v, even where v < 0: this friction never changes its
-/// direction. A run whose slip would reverse says so in its status.
+/// One-way friction: mu(v) = coefficient for every slip speed v, even for v < 0, so that its direction never
+/// changes. The status of a run reports where its slip would reverse.
 struct OneWayFriction {
   static constexpr std::string_view name = "one-way";
 
@@ -85,8 +85,8 @@ struct StribeckFriction {
   }
 };
 
-/// Dry friction that holds harder than it slides: at slip zero it takes up to static_coefficient of the
-/// spring force, and mu(v) = coefficient sign(v) as soon as the surfaces slip.
+/// Dry friction with a larger static coefficient. At slip zero it holds up to static_coefficient times the
+/// spring force; as soon as the surfaces slip, mu(v) = coefficient sign(v).
 struct StaticFriction {
   static constexpr std::string_view name = "static and sliding";
 

@@ -61,7 +61,7 @@ constexpr std::string_view name_of() {
   return first;
 }
 
-/// Visitor that hands every key on to the `field` of a section, a printer or a table.
+/// Visitor that passes every key to the function `field` of a section, a printer or a table.
 auto fields_into(auto& keys) {
   return [&keys](std::string_view name, auto& field, const auto& key) { keys.field(name, field, key); };
 }

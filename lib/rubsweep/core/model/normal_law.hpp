@@ -28,7 +28,7 @@ inline constexpr Words<ImpactDamping, 5> impact_dampings{
 /// Law of the normal force of a stop.
 struct NormalLaw {
   ForceCurve kind = ForceCurve::linear;
-  double stiffness_n_per_m_n = required;       ///< K of K p^n
+  double stiffness_n_per_m_n = required;       ///< K of the force K p^n
   double exponent = required;                  ///< n
   std::vector<double> penetration_m, force_n;  ///< points of a measured curve
   ImpactDamping damping = ImpactDamping::none;

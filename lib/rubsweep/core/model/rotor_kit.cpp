@@ -169,7 +169,7 @@ void validate_bow(const Bow& bow, const RotorKit& kit, const std::string& path) 
 }  // namespace
 
 bool supports_hold(const RotorKit& kit, int plane) {
-  // Stiffness against translation and tilting about the shaft's free end, then against each housing.
+  // Stiffness matrix of translation and tilt about the shaft's free end, and of each housing.
   const auto n = static_cast<Eigen::Index>(2 + kit.housings.size());
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for (const Support& support : kit.supports) {

@@ -64,7 +64,7 @@ struct PointMass {
   }
 };
 
-/// Body beside the shaft that moves in x and y, held by supports alone.
+/// Body beside the shaft, such as a bearing housing, that moves in x and y and is held only by supports.
 struct Housing {
   double mass_kg = required;
   std::optional<double> mass_y_kg = std::nullopt;

@@ -54,7 +54,7 @@ struct RestitutionByRotorMass {
   }
 };
 struct DeliveredRestitution {
-  double value = required;  ///< e that the clamped law really returns in one free impact
+  double value = required;  ///< e that the clamped law really delivers in a free impact
 
   /// The clamped law delivers e^{-4/3} = 0.26360 at critical damping and more below it.
   static constexpr Range range{.low = 0.2636, .high = 1};
@@ -80,7 +80,7 @@ struct Stop {
   std::optional<double> position_m;  ///< along the shaft of a rotor kit; a Jeffcott rotor has none
   double clearance_m =
       required;  ///< C_R: travel of the rotor from rest to first touch, in an annular stop from its centre
-  double stiffness_n_per_m = required;  ///< K of the contact spring
+  double stiffness_n_per_m = required;  ///< K, stiffness of the contact spring
   ContactDamping damping = NominalRestitution{};
   std::optional<double> contact_mass_kg;  ///< rotor mass for a restitution, before reduction with the
                                           ///< casing's; empty: the mass of a Jeffcott rotor, or a kit's modal

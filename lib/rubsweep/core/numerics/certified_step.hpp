@@ -35,7 +35,7 @@ inline double latest_crossing(double value, double rate, double curvature_bound)
   return 2 * gap / (rate + std::sqrt(rate * rate - 2 * curvature_bound * gap));
 }
 
-/// Root of g + g' t + g'' t^2 / 2 next to zero: a step of Halley's iteration in its irrational form.
+/// Root of g + g' t + g'' t^2 / 2 nearest to zero: a step of Halley's iteration in its irrational form.
 inline double next_root(double value, double rate, double curvature) {
   const double square = rate * rate - 2 * value * curvature;
   return square > 0 ? -2 * value / (rate + std::copysign(std::sqrt(square), rate)) : -value / rate;

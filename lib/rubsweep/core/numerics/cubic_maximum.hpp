@@ -4,7 +4,7 @@
 
 namespace rubsweep::numerics {
 
-/// Largest value over one step of the cubic with the given end values and end slopes per step.
+/// Largest value, over one step, of the cubic with the given values and slopes (per step) at both ends.
 double cubic_maximum(double start, double start_slope, double end, double end_slope);
 
 /// Maximum of the cubic or `known`, whichever is larger. The cubic lies below its Bernstein coefficients;

@@ -31,7 +31,7 @@ inline StraightLine line_through(std::span<const double> x, std::span<const doub
   return line;
 }
 
-/// Largest distance of a point from the line, in y.
+/// Largest vertical distance (in y) of a point from the line.
 inline double largest_distance(const StraightLine& line, std::span<const double> x,
                                std::span<const double> y) {
   double largest = 0;

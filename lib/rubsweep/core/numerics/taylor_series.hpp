@@ -113,7 +113,7 @@ inline double inner_square(const Series& a, int k) {
   return k % 2 == 0 && k > 0 ? twice + a[k / 2] * a[k / 2] : twice;
 }
 
-/// Coefficient k of a a.
+/// Coefficient k of the product a a.
 inline double square_term(const Series& a, int k) {
   return k == 0 ? a[0] * a[0] : 2 * a[0] * a[k] + inner_square(a, k);
 }
@@ -203,7 +203,7 @@ Twin sum_of_products(const A& a, const B& b, int k, int first, int last) {
   return even + odd;
 }
 
-/// Coefficient k of a b, component by component.
+/// Coefficient k of the product a b, component by component.
 template <class A, class B>
 Twin product_term(const A& a, const B& b, int k) {
   return sum_of_products(a, b, k, 0, k);

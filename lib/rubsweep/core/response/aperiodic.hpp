@@ -70,7 +70,8 @@ class TorusWatch {
 
   /// Revolutions after which the next test is due; the maximum of the run when no test is left.
   long next_look() const { return look_; }
-  /// Runs the torus test; on success opens the confirmation window, else schedules the next test.
+  /// Makes the torus test. If it succeeds, the confirming window begins; otherwise the next test is
+  /// scheduled.
   void look(spectrum::SpectrumWorkspace& workspace);
 
   /// Revolutions after which recording for the verdict begins: two windows, or only one after a torus was

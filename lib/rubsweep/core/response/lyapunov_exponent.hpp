@@ -61,8 +61,8 @@ struct BumpMeans {
 };
 BumpMeans bump_means(std::span<const double> contributions);
 
-/// Half-width of the two-sided 99 % confidence interval of a mean or a slope in units of its standard error:
-/// the quantile 0.995 of Student's distribution with so many degrees of freedom, at least 1.
+/// Quantile 0.995 of Student's distribution with at least 1 degree of freedom. It is the half-width of the
+/// two-sided 99 % confidence interval of a mean or a slope, in units of its standard error.
 double student_quantile(std::size_t degrees_of_freedom);
 
 }  // namespace rubsweep::response

@@ -14,7 +14,7 @@
 
 namespace rubsweep::response {
 
-/// A run from the kick to its verdict.
+/// Result of a run from the kick to its verdict.
 struct SettledRun {
   integrate::run::Outcome outcome = integrate::run::Outcome::ok;
   motion::Motion motion;                  ///< class `failed` when the outcome is not ok

@@ -24,7 +24,7 @@ struct Survival {
 /// Settings for following companions of a chaotic motion, and criteria for an escape.
 struct SurvivalOptions {
   int companions = 2;
-  int turns = 320;         ///< turns followed per companion, fewer for one that escapes
+  int turns = 320;         ///< largest number of turns per companion
   int window = 64;         ///< turns without contact that are an escape; number of turns to show a period
   int max_order = 12;      ///< a section that returns within so many turns is also an escape
   double distance = 0.01;  ///< distance of companions, in standard deviations of the section along the motion

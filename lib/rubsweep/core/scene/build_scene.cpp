@@ -174,7 +174,7 @@ bool touches_anywhere(const Cell& cell) {
   return false;
 }
 
-/// Structure, walls and constant force at a speed: the part that no unbalance and no kick changes.
+/// Structure, walls and constant force at a speed, which do not depend on unbalance and kick.
 Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   const structure::Assembly& assembly = prepared.assembly;
   if (!assembly.tables.empty()) structure::refuse_beyond_tables(prepared.machine, speed_hz, speed_hz);

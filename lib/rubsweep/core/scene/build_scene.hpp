@@ -25,7 +25,7 @@ struct Place {
 };
 
 enum class Start {
-  quiet,    ///< whirls without touching; the kick decides
+  quiet,    ///< whirls without contact until the kick
   contact,  ///< the quiet motion itself reaches a wall: starts at rest with the unbalance, without a kick
   initial_contact,  ///< static forces leave no clearance at the first stop, so that no unbalance gives the
                     ///< whirl ratio

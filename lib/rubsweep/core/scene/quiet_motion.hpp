@@ -28,8 +28,8 @@ QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_
 contact::Excursion quiet_penetration(const QuietMotion& motion, const structure::LinearSystem& structure,
                                      const Contact& contact);
 
-/// Direction in which the rotor's mean position is nearest to the wall: the normal of a flat wall; in an
-/// annular stop the direction of the mean offset, +y when centred.
+/// Direction from the rotor's mean position to the nearest place of the wall: the normal of a flat wall, or
+/// the direction of the mean offset in an annular stop (+y if centred).
 Eigen::Vector2d nearest_wall(const QuietMotion& motion, const structure::LinearSystem& structure,
                              const Contact& contact);
 

@@ -35,7 +35,7 @@ struct Pulse {
   Eigen::VectorXd direction;  ///< n: generalised force per newton
   double force_n = 0;
   double duration_s = 0;
-  double elapsed_s = 0;  ///< how long before t = 0 it started; below 0: it starts at t = -elapsed_s
+  double elapsed_s = 0;  ///< time from its start to t = 0; below 0: it starts later
 };
 
 /// Torsion: one coordinate is the angle in radians by which the rotor leads its drive, which turns at the
@@ -62,7 +62,7 @@ struct Scene {
   double speed_rad_per_s = 0;            ///< > 0; one revolution lasts 2 pi / speed
   Eigen::VectorXcd harmonic_n;           ///< n: force Re(harmonic_n e^{i speed t})
   Eigen::VectorXcd second_harmonic_n{};  ///< n or empty: force Re(second_harmonic_n e^{2 i speed t})
-  Eigen::VectorXd constant_n;            ///< n: force that does not change
+  Eigen::VectorXd constant_n;            ///< n: constant force
   std::vector<Pulse> pulses;
   std::vector<structure::ImpulseTrain> impulses;
   long elapsed_revolutions = 0;    ///< revolutions that the impulse trains have behind them at t = 0

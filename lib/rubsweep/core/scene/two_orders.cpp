@@ -14,7 +14,7 @@ namespace {
 /// than two samples apart differ by at most 1e-5 of the motion, and each sampled maximum is refined.
 constexpr int samples = 256;
 
-/// A function of the phase with two derivatives.
+/// Value of a function of the phase with its first two derivatives.
 struct Local {
   double value = 0, slope = 0, curvature = 0;
 };

@@ -14,8 +14,8 @@ namespace rubsweep::structure {
 struct Assembly {
   LinearSystem system;          ///< system without the terms that depend on the speed
   Eigen::MatrixXd gyroscopic;   ///< n x n or empty: at a speed w the damping is system.damping + w gyroscopic
-  Eigen::MatrixXd circulatory;  ///< n x n or empty: damping that turns with the shaft makes the stiffness
-                                ///< system.stiffness + w circulatory, which is not symmetric
+  Eigen::MatrixXd circulatory;  ///< n x n or empty: with rotating damping the stiffness is system.stiffness +
+                                ///< w circulatory, unsymmetric
   std::vector<TabledSupport> tables;  ///< supports whose coefficients depend on the speed: see system_at
   std::optional<Eigen::Index> twist;  ///< index of the torsion coordinate: angle between rotor and drive
   double unbalance_inertia_kg = 0;    ///< polar inertia per e^2 that an eccentricity e adds

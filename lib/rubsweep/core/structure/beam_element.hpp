@@ -37,7 +37,7 @@ struct BeamElement {
   Eigen::Matrix4d mass;        ///< translation and rotary inertia, consistent mass matrix
   Eigen::Matrix4d gyroscopic;  ///< twice the rotary inertia, as the polar moment of a round section
   Eigen::Matrix4d stiffness;
-  Eigen::Matrix4d damping;  ///< mass_damping_per_s mass + stiffness_damping_s stiffness of each layer
+  Eigen::Matrix4d damping;  ///< per layer: mass_damping_per_s mass + stiffness_damping_s stiffness
   double polar_inertia_kg_m2 = 0;
 };
 

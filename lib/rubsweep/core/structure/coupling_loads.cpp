@@ -9,7 +9,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Force and moment of a joint on the end behind it; the end before it feels the opposite.
+/// Adds the force and moment of a joint to the end behind it, and the opposite to the end before it.
 void push_ends(Eigen::VectorXcd& load, Eigen::Index before, Complex force, Complex moment) {
   load(before) -= force;
   load(before + 1) -= moment;

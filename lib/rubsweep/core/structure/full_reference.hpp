@@ -67,7 +67,7 @@ class FullReference {
   std::vector<Line> lines_;
   int points_ = 0, around_ = 0;
   Rotor full_;
-  std::vector<std::vector<Eigen::MatrixXcd>> exact_;      ///< exact response of each line and point
+  std::vector<std::vector<Eigen::MatrixXcd>> exact_;      ///< exact receptance for each line and point
   std::vector<std::pair<Line, Eigen::VectorXcd>> rates_;  ///< rates of free vibrations, if some may grow
 };
 

@@ -6,7 +6,7 @@
 
 namespace rubsweep::structure {
 
-/// A reduced rotor kit with its casings, and how it was reduced.
+/// A reduced rotor kit with its casings, and the reduction used.
 struct KitAssembly {
   Assembly assembly;
   Reduction reduction;

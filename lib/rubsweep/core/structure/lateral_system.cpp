@@ -97,7 +97,7 @@ LateralSystem project(const BeamShaft& shaft, const PlaneBases& bases) {
 }
 
 PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, Eigen::Index count) {
-  constexpr double massless = 1e-14;  // share of the largest 1/w^2
+  constexpr double massless = 1e-14;  // share of the largest 1/w^2: smaller ones have no mass
   if (!mass.allFinite() || !stiffness.allFinite()) {
     throw ConfigError(
         "rotor: its numbers give a mass or stiffness that is no finite number, allowed: less extreme ones");

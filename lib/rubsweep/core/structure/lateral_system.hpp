@@ -52,7 +52,7 @@ struct FullSystem {
 
 FullSystem full_system(const BeamShaft& shaft, const model::RotorKit& kit);
 
-/// mass q'' + damping q' + stiffness q = forces at one speed.
+/// Matrices of mass q'' + damping q' + stiffness q = forces at one speed.
 struct SpeedMatrices {
   Eigen::MatrixXd mass, damping, stiffness;
 };

@@ -11,13 +11,13 @@ struct Point {
   Eigen::Matrix<double, 2, Eigen::Dynamic> map;  ///< 2 x n
 };
 
-/// M q'' + C q' + K q = f(t), n coordinates.
+/// Linear system M q'' + C q' + K q = f(t) with n coordinates.
 struct LinearSystem {
   Eigen::MatrixXd mass;           ///< n x n, positive definite
   Eigen::MatrixXd damping;        ///< n x n; gyroscopic terms are part of it
   Eigen::MatrixXd stiffness;      ///< n x n
-  Eigen::VectorXcd unbalance_kg;  ///< n: an eccentricity e at speed w forces e w^2 Re(unbalance_kg e^{i w t})
-  Eigen::VectorXd weight_kg;      ///< n: gravity g along -y forces g * weight_kg
+  Eigen::VectorXcd unbalance_kg;  ///< n: an eccentricity e gives the force e w^2 Re(unbalance_kg e^{i w t})
+  Eigen::VectorXd weight_kg;      ///< n: gravity g along -y gives the force g * weight_kg
   std::vector<Point> points;
 
   Eigen::Index coordinates() const { return mass.rows(); }

@@ -56,8 +56,8 @@ struct RotatingDamping {
 RotatingDamping rotating_damping(const BeamShaft& shaft, const model::RotorKit& kit,
                                  const Reduction& reduction, const LateralSystem& system);
 
-/// Modal mass of mode `j` of a plane for a force at a station: its kinetic energy is half this times the
-/// square of the station's velocity. Infinite at a node of the mode.
+/// Modal mass of mode `j` of a plane, referred to a station: half of it times the square of the station's
+/// velocity is the kinetic energy. Infinite at a node of the mode.
 double modal_mass_kg(const BeamShaft& shaft, const Reduction& reduction, std::size_t plane, Eigen::Index j,
                      double position_m);
 

@@ -8,7 +8,7 @@ namespace rubsweep::integrate::adaptive {
 template <class Law>
 class LawOfSteps final : public RightHandSide {
  public:
-  /// `law` must outlive this.
+  /// `law` must outlive this object.
   explicit LawOfSteps(Law& law) : law_(law) {}
 
   void operator()(const State& state, State& rate, double phase) override { law_(state, rate, phase); }

@@ -25,7 +25,7 @@ class RightHandSide {
   /// Jacobian d(rate)/d(state), row by row, and d(rate)/d(phase). Only implicit methods use it.
   virtual void jacobian(const State& state, double* by_state, double phase, State& by_phase) = 0;
 
-  /// As Dynamics::friction_ratio.
+  /// Friction ratio at a state, as Dynamics::friction_ratio.
   virtual double friction_ratio(const State& state) = 0;
 };
 

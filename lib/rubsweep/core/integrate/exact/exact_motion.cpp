@@ -200,7 +200,7 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::annular(std::size_t r, const
     speed += response.annular_length[r] * response.rate;
     curvature += response.annular_length[r] * response.rate * response.rate;
   });
-  // (|d|^2)'' = 2 |d'|^2 + 2 d.d'' with |d| <= C until the first touch.
+  // (|d|^2)'' = 2 |d'|^2 + 2 d.d'', where |d| <= C until the first touch.
   return {(d[0] * d[0] + d[1] * d[1] - c.clearance * c.clearance) / (2 * c.clearance),
           (d[0] * v[0] + d[1] * v[1]) / c.clearance, speed * speed / c.clearance + curvature};
 }

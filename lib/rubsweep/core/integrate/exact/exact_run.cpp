@@ -295,7 +295,7 @@ bool ExactRun<N>::begin_slip(const State& here) {
   return false;
 }
 
-/// Renews the slip watch, whose bounds hold over one longest stretch.
+/// Renews the slip watch, whose bounds hold for one longest stretch only.
 template <int N>
 bool ExactRun<N>::renew_slip_watch(StepChoice& choice) {
   if (motion_.joint() == 0 || slip_.duration_s() + choice.step_s <= slip_.longest_s()) return true;

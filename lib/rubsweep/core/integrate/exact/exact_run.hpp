@@ -58,7 +58,7 @@ class ExactRun {
 
   /// Scaled state at the start of the next revolution, as TurnReport::section.
   std::vector<double> section() const;
-  /// The same without an allocation, once `section` is large enough.
+  /// Writes the section without an allocation, once `section` is large enough.
   void put_section(std::vector<double>& section) const;
   long revolution() const { return book_.revolution; }
   const run::Effort& effort() const { return book_.effort; }

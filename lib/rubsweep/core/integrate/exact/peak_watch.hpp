@@ -105,7 +105,7 @@ class PeakWatch {
     const Casing& casing = casings_[c];
     const bool open = motion.mode().modes[casing.contact] == contact::Mode::open;
     if (open && casing.reach(start_state_) * length_m_ <= known_m) return;
-    // The square of a displacement vibrates twice as fast.
+    // The square of a displacement vibrates at twice its frequency.
     const double reach_s = open ? 0.125 / casing.rate : peak_reach_s(motion);
     ValueAndRate from = square_of(casing.map, start_state_);
     double square = from.value, left_s = duration_s;

@@ -57,7 +57,7 @@ class StickingStretch {
   /// A force, or the length of a vector, whose peak is reported.
   struct Watched {
     bool length = false;
-    std::array<StickingView, 2> views;  ///< the force; x and y
+    std::array<StickingView, 2> views;  ///< the force; or x and y of the vector
     double scale = 1;                   ///< factor to the unit of the report
     double run::TurnReport::*peak = nullptr;
   };

@@ -43,7 +43,7 @@ Eigen::Matrix<double, 1, N> tangential_row(const run::ScaledContact<N>& c, const
   return f.cosine * c.second_row - f.sine * c.first_row;
 }
 
-/// Scaled acceleration per newton of friction on the casing.
+/// Scaled accelerations of the coordinates per newton of friction on the casing.
 template <int N>
 Eigen::Matrix<double, N, 1> tangential_push(const run::ScaledContact<N>& c, const contact::ContactFrame& f) {
   return f.cosine * c.second_push - f.sine * c.first_push;

@@ -18,7 +18,7 @@ class CurvedContacts {
   using Contact = run::ScaledContact<N>;
 
  public:
-  /// `system` must outlive this.
+  /// `system` must outlive this object.
   explicit CurvedContacts(const run::ScaledSystem<N>& system)
       : system_(system), damping_(system.contacts.size(), 0) {
     for (std::size_t i = 0; i < damping_.size(); ++i) begin_impact(i, 0);

@@ -35,7 +35,7 @@ class Dynamics : public ContactForces<N, Smoothed> {
     if (this->any_dry()) this->hold(state, rate);
   }
 
-  /// The same without the friction that holds sticking contacts.
+  /// Right-hand side without the friction that holds sticking contacts.
   template <class State>
   void loose(const State& state, State& rate, double phase) const {
     ++rhs_calls_;

@@ -72,8 +72,8 @@ struct SolverOptions {
   Method method = Method::automatic;
   Stepper stepper = Stepper::automatic;
   ContactHandling contact = ContactHandling::located;
-  double relative_tolerance = 1e-8;  ///< absolute tolerance is this times (clearance, clearance omega)
-  double smoothing_m = 1e-7;         ///< penetration width of the blend, `smoothed` only
+  double relative_tolerance = 1e-8;  ///< absolute tolerance: times clearance, or clearance times speed
+  double smoothing_m = 1e-7;         ///< penetration width of the blend; only for `smoothed`
   long max_steps_per_revolution = 1'000'000;  ///< limit of accepted plus refused steps; beyond it: step_limit
 
   static constexpr model::Range relative_tolerance_range{.low = 1e-14, .high = 1e-2};

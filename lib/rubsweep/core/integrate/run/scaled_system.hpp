@@ -97,7 +97,7 @@ struct ScaledSystem {
 template <int N>
 ScaledSystem<N> scale(const scene::Scene& scene, const StateScale& scale);
 
-/// The same in the scale of the scene's sections.
+/// Converts a scene to the scale of its sections.
 template <int N>
 ScaledSystem<N> scale(const scene::Scene& scene) {
   return scale<N>(scene, state_scale(scene));

@@ -14,7 +14,7 @@ struct GuardCrossing {
   contact::Mode next = contact::Mode::open;
 };
 
-// `order` and `accuracy` below are those of SeriesOptions.
+// The parameters `order` and `accuracy` below are those of SeriesOptions.
 
 /// The longest duration, at most `duration_rad`, over which the polynomials of a contact's guards are
 /// accurate to `accuracy`. The series of |d| and its square converge more slowly than that of d, so that a

@@ -50,7 +50,7 @@ class TangentBundle {
     for (Eigen::Index i = 0; i < Count; ++i) sum_up(i, duration_rad, tangents.col(first + i));
   }
 
-  /// The same for one vector where contacts creep. False where its slips still have a transient of their own.
+  /// Moves one vector where contacts creep. False where its slips still have a transient of their own.
   bool pass_creeping(Expansion<N>& motion, double duration_rad, double accuracy, Eigen::MatrixXd& tangents,
                      Eigen::Index column) requires(Count == 1) {
     if (!settle_creep(motion, begin(motion, tangents, column), duration_rad, accuracy)) return false;

@@ -42,7 +42,7 @@ class TangentConvergence {
 
  private:
   double accuracy_;
-  Sizes displacement_, rate_;  ///< the largest so far
+  Sizes displacement_, rate_;  ///< largest terms so far
   std::array<int, static_cast<std::size_t>(Count)> small_in_a_row_{}, orders_{};
   int left_ = Count;
 };

@@ -103,7 +103,7 @@ class TangentHolding {
     return sum * contact.inverse_length();
   }
 
-  /// Coefficient k of the change of s r.
+  /// Coefficient k of the variation of s r, the product of sliding speed and distance.
   template <int Count>
   static double creeping_term(const ContactSeries& contact, const ContactTangents<Count>& changes,
                               std::size_t which, const CreepTangent& creep, int k) {

@@ -37,8 +37,7 @@ struct WindowVerdict {
   std::optional<int> order;                           ///< confirmed by section and spectrum
   std::optional<SectionPeriod> period;                ///< period from the section only; empty without contact
   bool spectrum_agrees = true;                        ///< false: `period` exists, the spectrum contradicts it
-  std::optional<double> off_order_energy_fraction;    ///< energy off the multiples of 1/n over energy without
-                                                      ///< 0X
+  std::optional<double> off_order_energy_fraction;    ///< energy off multiples of 1/n over energy without 0X
   Measures measures;
 };
 

@@ -68,7 +68,7 @@ struct Exponent {
 /// Final verdict on one run.
 struct Motion {
   MotionClass motion_class = MotionClass::unsettled;
-  std::optional<int> order;  ///< n of a motion with contact that repeats after n turns, else empty
+  std::optional<int> order;  ///< n for a motion with contact that repeats after n turns, otherwise empty
   MotionStatus status = MotionStatus::ok;
   Measures measures;
   std::optional<Exponent> exponent;  ///< measured where neither two windows nor a comb decided

@@ -88,7 +88,7 @@ constexpr MotionClassRow row_of(MotionClass motion_class) {
 /// Word of a class in map.csv; empty for a number that is no class.
 constexpr std::string_view to_string(MotionClass motion_class) { return row_of(motion_class).word; }
 
-/// Every class, in the order of the enumeration.
+/// All classes, in the order of the enumeration.
 inline constexpr auto motion_classes =
     enumerators_of<MotionClass, [](MotionClass motion_class) { return row_of(motion_class).word; }>;
 

@@ -28,7 +28,7 @@ VectorXd vector_of(const std::vector<double>& x) {
 /// Tubes of an orbit's turns, in norms of one part or two.
 class OrbitTubes {
  public:
-  /// `defect`: distance of the orbit's last section from its first.
+  /// `defect`: distance between the orbit's last section and its first.
   OrbitTubes(std::vector<integrate::exact::tube::TurnTube> tubes, const Parts& defect)
       : tubes_(std::move(tubes)), defect_(defect) {}
 

@@ -117,7 +117,7 @@ PeriodSearch::PeriodSearch(std::size_t states, int largest_order)
       rows_(states * static_cast<std::size_t>(kept_)),
       tried_(static_cast<std::size_t>(largest_order) + 1, Tried{close_enough, 0}) {}
 
-/// Section `ago` < kept_ turns before the last.
+/// The section `ago` turns before the latest, ago < kept_.
 const double* PeriodSearch::row(int ago) const {
   const int slot = newest_ >= ago ? newest_ - ago : newest_ - ago + kept_;
   return rows_.data() + static_cast<std::size_t>(slot) * states_;
@@ -142,7 +142,7 @@ double PeriodSearch::return_error(int order, double worst, int ago) const {
 
 std::optional<int> PeriodSearch::candidate() const {
   const int known = static_cast<int>(std::min<long>(largest_, turns_ - 1));
-  if (last_touch_ < turns_ - known) return std::nullopt;  // no order is due
+  if (last_touch_ < turns_ - known) return std::nullopt;  // too long without contact for any order
   const double* const last = row(0);
   const double* then = last;
   for (int n = 1; n <= known; ++n) {

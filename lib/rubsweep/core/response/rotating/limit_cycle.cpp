@@ -23,7 +23,7 @@ constexpr numerics::NewtonLimits cycle_newton{.iterations = 8, .free_iterations 
 /// the cycle that the transient reached.
 constexpr double farthest_guess = 0.08;
 constexpr double share_of_closed = 0.01;  ///< share of `closed` to be reached with a kept derivative
-constexpr double period_changes = 0.2;    ///< share of its first guess by which the period may change
+constexpr double period_changes = 0.2;    ///< largest change of the period, as a share of its first guess
 constexpr int most_parts = 64;          ///< parts of a found period after one of which it may already return
 constexpr double returns_early = 1e-4;  ///< return error at which a part is the period
 constexpr double stands_still = 1e-5;   ///< rate below which a cycle is only a point
@@ -207,8 +207,8 @@ constexpr bool is_prime(int k) {
   return k > 1;
 }
 
-/// The largest prime k <= `most` for which the motion returns to `x` after a k-th of the period; 1 where
-/// there is none.
+/// The largest prime k <= `most` for which the motion returns to `x` after 1/k of the period; 1 if there is
+/// none.
 int parts_of(const RotatingMotion& motion, const VectorXd& x, double period_rad, int most) {
   VectorXd here = x;
   double passed_rad = 0;

@@ -28,7 +28,7 @@ constexpr numerics::NewtonLimits equilibrium_newton{.iterations = 12,
                                                     .growth = std::numeric_limits<double>::infinity()};
 constexpr double closed = 1e-13;  ///< size of a Newton step, in (clearance, clearance omega)
 
-/// Newton's iteration for a fixed point; see numerics::newton. Its error is the step just taken.
+/// Newton's iteration for a fixed point; see numerics::newton. Its error is the size of the latest step.
 struct EquilibriumNewton {
   const RotatingEquations& equations;
   const VectorXd& start;

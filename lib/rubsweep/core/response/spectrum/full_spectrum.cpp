@@ -14,7 +14,7 @@
 namespace rubsweep::response::spectrum {
 namespace {
 
-// FFTW documents std::complex<double> and fftw_complex as the same two doubles.
+// FFTW guarantees that std::complex<double> and fftw_complex have the same layout.
 fftw_complex* as_fftw(std::complex<double>* buffer) { return reinterpret_cast<fftw_complex*>(buffer); }
 
 // FFTW's planner is not thread-safe, executing a plan is. A plan fits every pair of distinct aligned buffers.

@@ -32,7 +32,8 @@ struct FullSpectrum {
   /// Order of line k in multiples of the shaft speed, negative for backward whirl.
   double order(int k) const { return static_cast<double>(k) / turns; }
 
-  /// Sum of the squared amplitudes of all lines but 0X, in m^2: the mean of |z - mean z|^2 (Parseval).
+  /// Energy of all lines except 0X: sum of their squared amplitudes in m^2, the mean of |z - mean z|^2
+  /// (Parseval).
   double energy_without_mean() const;
 
  private:
@@ -49,8 +50,8 @@ struct SpectralLine {
 /// (a straight orbit), the forward one is returned, so that rounding never decides the sign.
 int dominant_line(const FullSpectrum& spectrum);
 
-/// Buffers that one thread lends to `full_spectrum`, aligned for FFTW's vector code. They grow to the longest
-/// window seen.
+/// Buffers of one thread for `full_spectrum`, aligned for FFTW's vector code. They grow to the longest window
+/// so far.
 class SpectrumWorkspace {
   friend std::span<const std::complex<double>> transform(std::span<const std::complex<double>>,
                                                          SpectrumWorkspace&);

@@ -37,9 +37,9 @@ struct HarmonicResponse {
   std::vector<numerics::SeriesTable<2>> taylor;
   std::vector<std::array<Complex, 2>> at_annular_guard;
   std::vector<double> annular_length;     ///< bound for each annular stop on |at_annular_guard e^{i rate t}|
-  std::vector<Complex> at_force;          ///< response of each touch
+  std::vector<Complex> at_force;          ///< normal force at each touch
   std::vector<double> force_curvature;    ///< bound for each touch: |at_force| rate^2
-  std::vector<Complex> at_sliding;        ///< response of each touch
+  std::vector<Complex> at_sliding;        ///< sliding speed at each touch
   std::vector<double> sliding_curvature;  ///< bound for each touch: |at_sliding| rate^2
   std::vector<std::array<Complex, 2>> at_casing;
   std::array<Complex, numerics::exact_step_count>

@@ -51,7 +51,7 @@ struct ModalTerms {
 /// z_v are summed separately, because the processor adds both at once.
 class ModalSum {
  public:
-  /// `paired`: z has a modal form.
+  /// `paired`: whether z has a modal form.
   ModalSum(const ModalTerm& term, const double* z, bool paired) {
     const numerics::Twin pair{z[term.u], z[term.v]};
     value_ = term.value * pair;

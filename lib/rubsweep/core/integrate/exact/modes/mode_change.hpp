@@ -16,7 +16,7 @@ struct ModeChange {
   typename ExactTypes<N>::State constant;
 };
 
-/// For modes that have kept their unrounded matrices (LinearMode::unrounded).
+/// Computes the change between modes that have kept their unrounded matrices (LinearMode::unrounded).
 template <int N>
 ModeChange<N> make_mode_change(const LinearMode<N>& from, const LinearMode<N>& to);
 
