@@ -268,7 +268,7 @@ class HybridRun {
   run::SolverOptions options_;
   exact::ExactRun<N> run_;
   bool in_pieces_ = false;        ///< true: turns whose friction leaves saturation are made in pieces
-  bool sticks_in_rings_ = false;  ///< may_stick_in_a_ring
+  bool sticks_in_rings_ = false;  ///< result of may_stick_in_a_ring
   long switches_of_stuck_ = 0;    ///< switches of pieces at the latest check for sticking
   int stuck_pieces_ = 0;          ///< number of pieces since the last switch
   StiffTurns stiff_;

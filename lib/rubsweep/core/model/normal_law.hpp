@@ -29,7 +29,7 @@ inline constexpr Words<ImpactDamping, 5> impact_dampings{
 struct NormalLaw {
   ForceCurve kind = ForceCurve::linear;
   double stiffness_n_per_m_n = required;       ///< K of the force K p^n
-  double exponent = required;                  ///< n
+  double exponent = required;                  ///< n of the force K p^n
   std::vector<double> penetration_m, force_n;  ///< points of a measured curve
   ImpactDamping damping = ImpactDamping::none;
   double restitution = required;

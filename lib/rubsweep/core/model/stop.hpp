@@ -77,7 +77,7 @@ using ContactDamping =
 /// One place where the rotor can touch: geometry, contact law and casing.
 struct Stop {
   StopGeometry geometry;
-  std::optional<double> position_m;  ///< along the shaft of a rotor kit; a Jeffcott rotor has none
+  std::optional<double> position_m;  ///< position along the shaft of a rotor kit; a Jeffcott rotor has none
   double clearance_m =
       required;  ///< C_R: travel of the rotor from rest to first touch, in an annular stop from its centre
   double stiffness_n_per_m = required;  ///< K, stiffness of the contact spring
@@ -87,7 +87,7 @@ struct Stop {
                                           ///< mass of the first mode at the stop
   double contact_radius_m = required;     ///< R in the slip speed: the rotor surface moves with R omega
   Friction friction = NoFriction{};
-  std::optional<Casing> casing;                   ///< empty: rigid
+  std::optional<Casing> casing;                   ///< empty: rigid casing
   std::optional<HertzLine> hertz = std::nullopt;  ///< source of stiffness_n_per_m
                                                   ///< (contact::hertz_stiffness_n_per_m); changes no force
                                                   ///< unless the law is hertz_line

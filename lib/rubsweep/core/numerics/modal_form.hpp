@@ -10,7 +10,7 @@ namespace rubsweep::numerics {
 
 /// Modal form of w' = A w: n decoupled pairs, w = basis z, with (z_j, z_{n+j})' = pairs[j] (z_j, z_{n+j}).
 struct ModalForm {
-  Eigen::MatrixXd basis, inverse;  ///< 2n x 2n
+  Eigen::MatrixXd basis, inverse;  ///< matrices, 2n x 2n
   std::vector<Pair> pairs;         ///< n generators
   /// Largest growth rate: the length of a pair (z_j, z_{n+j}) grows at most by e^{growth t}.
   double growth = 0;

@@ -15,8 +15,8 @@ struct NewtonLimits {
 
 /// Newton's iteration; true where it converged. `problem` holds the unknowns and has the functions:
 /// - error(i, last): evaluates the map and its derivative at iteration i and returns the error; empty where
-/// this fails. `last`: error of the iteration before, at first infinite;
-/// - converged(i, error, last);
+/// this fails. `last` is the error of the iteration before, infinite at first.
+/// - converged(i, error, last): whether to stop.
 /// - step(i): takes Newton's step; false where there is none.
 template <class Problem>
 bool newton(Problem& problem, const NewtonLimits& limits) {

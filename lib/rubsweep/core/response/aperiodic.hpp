@@ -97,7 +97,7 @@ class TorusWatch {
   motion::ResponseOptions options_;
   Eigen::Matrix<double, 2, Eigen::Dynamic> observed_;
   Followed motion_;
-  Eigen::MatrixXd direction_;  ///< states x 1, unit length
+  Eigen::MatrixXd direction_;  ///< tangent vector, states x 1, of unit length
   long look_ = 0, record_begin_ = 0;
   bool chaotic_ = false;  ///< true: chaotic at the last test
   std::optional<motion::Exponent> torus_;

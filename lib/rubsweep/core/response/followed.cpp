@@ -147,7 +147,7 @@ bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2,
 }
 
 bool belongs_to(const Followed& motion, std::span<const double> sections) {
-  constexpr double more = 4, small = 0.01;  // `small` in clearances
+  constexpr double more = 4, small = 0.01;  // `more`: ratio; `small`: clearances
   if (4 * motion.turns() * motion.states < 15 * sections.size()) return true;
   const auto rows = motion.last_rows(4 * motion.turns() / 5);
   const auto cloud = rows.first(rows.size() - sections.size());

@@ -44,14 +44,14 @@ class Checkpoints {
 
  private:
   int window_;
-  std::array<Checkpoint, 3> last_;  ///< the newest first
+  std::array<Checkpoint, 3> last_;  ///< checkpoints, the newest first
   std::size_t count_ = 1;
 };
 
 /// Properties of a scene that decide how it is examined, computed once per run.
 struct SceneFacts {
   bool rotationally_symmetric = false;
-  bool same_every_turn = false;  ///< as defined at integrate::run
+  bool same_every_turn = false;  ///< result of integrate::run::same_every_turn
 
   explicit SceneFacts(const scene::Scene& scene);
 };

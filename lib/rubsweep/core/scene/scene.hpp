@@ -18,7 +18,7 @@ namespace rubsweep::scene {
 struct Contact {
   int rotor_point = 0;
   std::optional<int> casing_point;  ///< empty: the casing does not move
-  contact::Wall wall;               ///< in metres
+  contact::Wall wall;               ///< geometry of the wall in metres
   double clearance_m = 0;           ///< >= 0
   double stiffness_n_per_m = 0;
   double damping_ns_per_m = 0;
@@ -66,7 +66,7 @@ struct Scene {
   std::vector<Pulse> pulses;
   std::vector<structure::ImpulseTrain> impulses;
   long elapsed_revolutions = 0;    ///< revolutions that the impulse trains have behind them at t = 0
-  Eigen::VectorXd displacement_m;  ///< n: q(0)
+  Eigen::VectorXd displacement_m;  ///< n: displacements q(0)
   Eigen::VectorXd velocity_m_per_s;
   std::optional<Twist> twist{};
   int observed_point = 0;     ///< point whose motion is sampled and classified: the rotor

@@ -8,7 +8,7 @@ namespace rubsweep::structure {
 
 /// Disc in the complex plane that selects rates s of free vibrations: |s - centre| <= radius, per second.
 struct RateDisc {
-  double centre = 0;  ///< real
+  double centre = 0;  ///< on the real axis
   double radius = 1;
 };
 

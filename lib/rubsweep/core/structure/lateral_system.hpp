@@ -17,7 +17,7 @@ using PlaneBases = std::array<Eigen::MatrixXd, 2>;
 /// forces. The coordinates of shape j in the x and y planes are neighbours, so that equal planes give pairs.
 struct LateralSystem {
   Eigen::MatrixXd mass, damping, gyroscopic, stiffness;
-  std::array<Eigen::Index, 2> shapes{0, 0};  ///< m_x, m_y
+  std::array<Eigen::Index, 2> shapes{0, 0};  ///< m_x and m_y, numbers of shapes
 
   Eigen::Index coordinates() const { return shapes[0] + shapes[1]; }
   /// Index of the coordinate of shape `j` of a plane.
@@ -33,7 +33,7 @@ LateralSystem project(const BeamShaft& shaft, const PlaneBases& bases);
 /// Undamped modes of one plane at rest, lowest first.
 struct PlaneModes {
   Eigen::VectorXd rad_per_s;
-  Eigen::MatrixXd shape;  ///< columns, mass-normalised
+  Eigen::MatrixXd shape;  ///< shapes as columns, mass-normalised
 };
 
 /// The `count` lowest modes of stiffness v = w^2 mass v (at least one), or fewer where fewer have mass.

@@ -8,7 +8,7 @@ namespace rubsweep::structure {
 /// A point of the structure where a force may act or a sensor measure: displacement (x, y) = map * q, in
 /// metres. A force (fx, fy) at the point enters the equations as map^T (fx, fy).
 struct Point {
-  Eigen::Matrix<double, 2, Eigen::Dynamic> map;  ///< 2 x n
+  Eigen::Matrix<double, 2, Eigen::Dynamic> map;  ///< matrix, 2 x n
 };
 
 /// Linear system M q'' + C q' + K q = f(t) with n coordinates.
@@ -28,7 +28,7 @@ struct LinearSystem {
 struct ImpulseTrain {
   Eigen::VectorXd impulse_ns;  ///< n: generalised impulse; the velocities jump by mass^-1 impulse
   double multiple = 0;         ///< impulses per revolution, > 0
-  double phase_periods = 0;    ///< >= 0 and < 1
+  double phase_periods = 0;    ///< share of the interval, >= 0 and < 1
 };
 
 }  // namespace rubsweep::structure

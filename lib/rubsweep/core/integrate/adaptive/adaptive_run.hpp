@@ -294,7 +294,7 @@ class AdaptiveRun {
   Law dynamics_;
   LawOfSteps<Law> right_hand_side_{dynamics_};
   std::unique_ptr<StepMethod> method_;
-  run::TurnClock clock_;  ///< in radians
+  run::TurnClock clock_;  ///< clock in radians
   run::TurnBook book_;
   long max_steps_, max_evaluations_;  ///< limits of a turn
   Step step_;

@@ -25,7 +25,7 @@ struct Crossing {
   std::size_t contact = 0;
   contact::Mode next = contact::Mode::open;
   Event event = Event::mode;
-  contact::Slip slip = contact::Slip::forward;  ///< after a release
+  contact::Slip slip = contact::Slip::forward;  ///< direction of slip after a release
 };
 
 /// Finds the first event in an accepted step. States inside the step come from the method's dense output. A

@@ -16,7 +16,7 @@ namespace rubsweep::integrate::exact {
 /// A harmonic force, divided by the mass: the acceleration is Re(acceleration e^{i rate t}). Lengths are
 /// scaled, time is in seconds.
 struct Drive {
-  Eigen::VectorXcd acceleration;              ///< per coordinate, scaled length per s^2
+  Eigen::VectorXcd acceleration;              ///< forcing of each coordinate, scaled length per s^2
   std::vector<std::complex<double>> closing;  ///< acceleration along each contact's normal
   double rate = 0;                            ///< rad/s
 };

@@ -100,7 +100,7 @@ class ExactRun {
 
   State turn_start_;           ///< unscaled state
   bool goes_on_ = false;       ///< true: the motion is where the last turn ended
-  Eigen::Index tangents_ = 0;  ///< number requested for this turn
+  Eigen::Index tangents_ = 0;  ///< number of vectors requested in this turn
   bool unsaturated_ = false;   ///< true: friction leaves saturation at the present point of the turn
   State here_;                 ///< unscaled state at that point
   Handover handover_;

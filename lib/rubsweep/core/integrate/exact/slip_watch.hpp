@@ -141,7 +141,7 @@ class SlipWatch {
 
  private:
   struct ValueAndRate {
-    double value = 0, rate = 0;  ///< m/s, m/s^2
+    double value = 0, rate = 0;  ///< slip speed in m/s, its rate in m/s^2
   };
 
   struct Contact {

@@ -14,7 +14,7 @@ using Complex = std::complex<double>;
 using Row = Eigen::RowVectorXd;
 
 constexpr double independent = 1e-10;       ///< smallest independent mobility, as a share of the largest
-constexpr double largest_amplitude = 1e4;   ///< in clearances, as in HarmonicResponse
+constexpr double largest_amplitude = 1e4;   ///< largest forced amplitude in clearances
 constexpr double least_reciprocal = 1e-14;  ///< least reciprocal condition of a stiffness with an equilibrium
 
 }  // namespace

@@ -101,9 +101,9 @@ class StickingMode {
 
   Eigen::MatrixXd stiffness_, damping_;  ///< A and C with the contacts, without the friction of sticking ones
   Eigen::VectorXd constant_;
-  Eigen::VectorXcd drive_;                    ///< unbalance: Re(drive e^{i phase})
-  Eigen::MatrixXd rows_;                      ///< R
-  Eigen::MatrixXd hold_;                      ///< M^-1 R
+  Eigen::VectorXcd drive_;                    ///< drive by the unbalance: Re(drive e^{i phase})
+  Eigen::MatrixXd rows_;                      ///< R, rows of the sliding speeds
+  Eigen::MatrixXd hold_;                      ///< M^-1 R, with M = R B
   Eigen::MatrixXd to_y_;                      ///< maps u to y
   Eigen::MatrixXd on_drift_, on_drift_rate_;  ///< map sigma and sigma' to u
   Eigen::VectorXd rest_;

@@ -26,8 +26,8 @@ class StickingStretch {
   /// State at the start of a stretch and, after `go_on`, at its end.
   struct StretchState {
     double phase_rad = 0;
-    std::vector<double> state;        ///< as TurnReport::section
-    Eigen::MatrixXd tangent_vectors;  ///< as TurnRequest::tangent_vectors
+    std::vector<double> state;        ///< state as in TurnReport::section
+    Eigen::MatrixXd tangent_vectors;  ///< vectors as in TurnRequest::tangent_vectors
   };
 
   /// Continues the turn of `report` towards `end_phase_rad`, without pulses or impulses, as far as is

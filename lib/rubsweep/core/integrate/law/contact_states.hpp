@@ -24,7 +24,7 @@ contact::RelativeMotion relative_motion(const run::ScaledContact<N>& c,
           c.first_row.dot(v.transpose()), c.second_row.dot(v.transpose())};
 }
 
-/// Contact frame of that motion, seen from the wall.
+/// Contact frame, seen from the wall, of the motion with coordinates `u` and rates `v`.
 template <int N>
 contact::ContactFrame contact_frame(const run::ScaledContact<N>& c,
                                     const Eigen::Map<const Eigen::Matrix<double, N, 1>>& u,

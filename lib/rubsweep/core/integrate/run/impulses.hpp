@@ -38,7 +38,7 @@ class Impulses {
 
  private:
   struct Train {
-    Eigen::VectorXd jump_m_per_s;  ///< mass^-1 impulse
+    Eigen::VectorXd jump_m_per_s;  ///< jump by an impulse: mass^-1 impulse
     double multiple = 0, phase_periods = 0;
   };
   /// Position of a train at the start of a revolution, in periods, and its next impulse in that revolution.

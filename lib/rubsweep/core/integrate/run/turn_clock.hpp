@@ -32,7 +32,7 @@ class TurnClock {
   }
   bool begin_turn(long revolution) { return begin_turn(revolution, period_); }
 
-  double time() const { return time_; }  ///< since the start of the revolution
+  double time() const { return time_; }  ///< time since the start of the revolution
   double phase_rad() const { return speed_ * time_; }
   double period() const { return period_; }
   bool turn_is_over() const { return !(time_ < end_); }

@@ -103,7 +103,7 @@ class TaylorRun {
   law::Dynamics<N, false> dynamics_;
   Expansion<N> motion_;
   TangentExpansion<N> tangents_;
-  run::TurnClock clock_;       ///< in radians
+  run::TurnClock clock_;       ///< clock in radians
   double structure_rate_ = 0;  ///< fastest rate of the structure without contacts, per radian
   CreepChoice<N> creep_;
   double tangent_accuracy_ = 0;
@@ -116,7 +116,7 @@ class TaylorRun {
   std::vector<contact::Mode> modes_before_;
   SlipZeros zeros_;
   bool entered_ = false;
-  int samples_wanted_ = 0;  ///< number requested for this turn
+  int samples_wanted_ = 0;  ///< samples requested in this turn
   bool peaks_wanted_ = false;
 };
 

@@ -31,7 +31,7 @@ class LuFactors {
   explicit LuFactors(const Eigen::MatrixXd& a);
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
-  double reciprocal_condition() const;  ///< estimated, in the 1-norm
+  double reciprocal_condition() const;  ///< estimate in the 1-norm
 
  private:
   std::shared_ptr<const Eigen::PartialPivLU<Eigen::MatrixXd>> lu_;
@@ -42,7 +42,7 @@ class FullPivotFactors {
  public:
   explicit FullPivotFactors(const Eigen::MatrixXd& a);
   bool invertible() const;              ///< square and of full rank
-  double reciprocal_condition() const;  ///< estimated, in the 1-norm
+  double reciprocal_condition() const;  ///< estimate in the 1-norm
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
   Eigen::MatrixXd inverse() const;

@@ -34,7 +34,7 @@ struct Window {
 /// Verdict on a single window.
 struct WindowVerdict {
   MotionClass motion_class = MotionClass::unsettled;  ///< non_contact, a periodic class, or unsettled
-  std::optional<int> order;                           ///< confirmed by section and spectrum
+  std::optional<int> order;                           ///< order n confirmed by section and spectrum
   std::optional<SectionPeriod> period;                ///< period from the section only; empty without contact
   bool spectrum_agrees = true;                        ///< false: `period` exists, the spectrum contradicts it
   std::optional<double> off_order_energy_fraction;    ///< energy off multiples of 1/n over energy without 0X

@@ -16,7 +16,7 @@ namespace rubsweep::response::motion {
 struct ContactFacts {
   int hits = 0;                           ///< contacts that began
   double contact_fraction = 0;            ///< time in contact / time; 1 with 0 hits: slides without a break
-  double peak_displacement_m = 0;         ///< largest |z|
+  double peak_displacement_m = 0;         ///< largest distance |z| of the rotor
   double peak_contact_force_n = 0;        ///< largest total force at one stop
   double peak_casing_displacement_m = 0;  ///< largest distance of a casing from its unloaded position
   double peak_twist_rad = 0;              ///< largest angle between rotor and drive

@@ -18,7 +18,8 @@ constexpr double largest_radius = 0.1;
 constexpr int most_halvings = 26;  ///< halvings of 0.1, down to 1.5e-9
 constexpr int unknown_halvings = most_halvings + 1;
 /// Shares of the linear map's contraction margin: for a turn's nonlinear deviation, and (relative to the
-/// radius) for the distance between given sections and orbit. The remaining 5 % cover its effect.
+/// radius) for the distance between given sections and orbit. The remaining 5 % cover the effect of that
+/// distance.
 constexpr double deviation_share = 0.9, defect_share = 1e-3;
 
 VectorXd vector_of(const std::vector<double>& x) {

@@ -14,7 +14,7 @@ namespace {
 constexpr double close_enough =
     1e-2;  ///< return error, in (clearance, clearance omega), below which a proof is tried
 constexpr double much_closer = 0.1;  ///< relative to any fewer turns, and to the last refusal
-constexpr double much_later = 1.3;   ///< ratio of turns
+constexpr double much_later = 1.3;   ///< ratio of the run's turns to those at the last refusal
 
 /// Largest difference of `count` numbers; stops at the first above `worst` and returns it.
 double largest_difference(const double* a, const double* b, std::size_t count, double worst) {

@@ -35,7 +35,7 @@ class RestProof {
  private:
   struct Bound {
     double quiet_penetration = 0;  ///< static part + harmonic amplitude, in units of the length scale
-    Eigen::VectorXd pair_weight;   ///< |r basis_j|
+    Eigen::VectorXd pair_weight;   ///< |r basis_j| of each pair j
   };
 
   bool usable_ = false, grows_ = false;

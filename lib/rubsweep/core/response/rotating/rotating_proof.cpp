@@ -44,7 +44,7 @@ struct EquilibriumNewton {
   bool step(int) const { return true; }
 };
 
-constexpr int free_for_long = 16;  ///< turns
+constexpr int free_for_long = 16;  ///< number of turns without contact
 
 /// Samples per turn, enough for a good start of Newton's iteration between two of them. The coarse number is
 /// used where an occasional turn with the fine number has few maxima.

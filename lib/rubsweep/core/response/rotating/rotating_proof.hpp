@@ -74,7 +74,7 @@ class RotatingProof {
   std::optional<proof::SceneMap> turn_map_;
   bool many_maxima_ = true;  ///< true: many maxima in the last turn with the largest number of samples
   int free_turns_ = 0;
-  long looked_at_ = 0;              ///< number of turns looked at
+  long looked_at_ = 0;              ///< number of turns examined so far
   double spent_on_cycles_rad_ = 0;  ///< rotation followed by Newton's iteration
 };
 

@@ -76,7 +76,7 @@ class TurningOrbit {
 
   const std::vector<Complex>& samples() const { return w_; }
   Complex mean() const { return mean_; }
-  double mean_square() const { return mean_square_; }  ///< about the mean
+  double mean_square() const { return mean_square_; }  ///< mean square of w about its mean
 
   /// Root mean square of w(t + lag) - w(t), divided by that of w about its mean. `lag` in samples, >= 4.
   double return_error(double lag) const {

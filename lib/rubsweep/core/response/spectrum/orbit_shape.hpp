@@ -13,7 +13,7 @@ namespace rubsweep::response::spectrum {
 enum class OrbitKind {
   circle,  ///< the distance from the mean varies by less than 5 %
   oval,    ///< the two largest lines are an ellipse (+k and -k) with 95 % of the energy; also a straight line
-  complex,  ///< anything else
+  complex,  ///< any other shape
 };
 
 /// Whirl direction: the side of the full spectrum that holds 80 % of the energy.

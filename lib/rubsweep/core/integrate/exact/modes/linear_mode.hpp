@@ -117,7 +117,7 @@ struct LinearMode {
   using Types = ExactTypes<N>;
   std::size_t index = 0;                           ///< index in one MachineModes, in the order of making
   std::vector<contact::Mode> modes;                ///< mode of each contact
-  Eigen::Matrix<double, N, N> stiffness, damping;  ///< with the contacts included
+  Eigen::Matrix<double, N, N> stiffness, damping;  ///< matrices that include the contacts
   typename Types::Flow generator;                  ///< generator of (u, u')
   typename Types::Vector rest;                     ///< u of the constant particular solution
   bool paired = false;
@@ -129,7 +129,7 @@ struct LinearMode {
   double longest_step_s = 0;
   double longest_steps_per_s = 0;                   ///< 1 / longest_step_s
   std::vector<typename Types::Row> closing;         ///< row of each flat contact: p'' from (u, u') - rest
-  double fastest_rad_per_s = 0;                     ///< largest |eigenvalue|
+  double fastest_rad_per_s = 0;                     ///< largest |eigenvalue| of the generator
   std::vector<typename Types::Pairs> pair_steps;    ///< e^{A h} of table steps, for pairs
   mutable StepFlows<typename Types::Factor> steps;  ///< e^{A h} of table steps, full matrices
   std::vector<LinearGuard<N>> guards;

@@ -71,7 +71,7 @@ struct TurnTube {
   double period_s = 0;
   std::vector<LimitMargin> margins;  ///< margins in the order of time
   std::vector<Switch> switches;
-  std::vector<EndDeflection> deflections;  ///< deflection of each switch
+  std::vector<EndDeflection> deflections;  ///< deflection at the end due to each switch
   /// Largest length of the fast (slow) part of end_norm DF W y, per unit of each part of y.
   Parts to_fast, to_slow;
 
