@@ -24,10 +24,11 @@ struct SaturatedFriction {
   double above_m_per_s = 0;  ///< holds for slip speeds above this; -infinity: for all
 };
 
-/// The limit of `friction` at large positive slip speed. No friction and a one-way coefficient hold at every
-/// speed, a constant coefficient at every positive speed. A Stribeck curve without viscous part (g6 = 0)
-/// holds where every tanh differs from 1 by less than 2e-12; its g1 terms cancel there. Empty where the
-/// coefficient always varies: with a viscous part, or a tanh that never saturates.
+/// Limit of the friction coefficient at large positive slip speed, and the speed above which it holds. For no
+/// friction and a one-way coefficient it holds at every speed, for a constant one at every positive speed.
+/// For a Stribeck curve without viscous part (g6 = 0) it holds where every tanh differs from 1 by less than
+/// 2e-12; the terms of g1 cancel there. Empty where the coefficient always varies: with a viscous part, or a
+/// tanh that never saturates.
 std::optional<SaturatedFriction> saturated_friction(const model::Friction& friction);
 
 /// Part of a sliding friction that falls with the slip speed: `height` exp(-(steepness slip)^exponent).

@@ -37,7 +37,7 @@ std::optional<double> eccentricity_reaching(double target_m, double bow_m, doubl
     if (excess(low) > 0) return std::nullopt;
   }
   if (excess(high) <= 0) return high;
-  std::uintmax_t iterations = 400;  // four halve the bracket at least once: it ends before
+  std::uintmax_t iterations = 400;  // four of them at least halve the bracket
   const auto bracket = boost::math::tools::toms748_solve(
       excess, low, high, boost::math::tools::eps_tolerance<double>(52), iterations);
   return (bracket.first + bracket.second) / 2;

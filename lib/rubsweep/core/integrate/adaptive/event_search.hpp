@@ -227,8 +227,7 @@ struct CrossingSearch {
     const double at_low = value(low), at_high = value(high);
     if (!(at_low < 0 && at_high >= 0)) return std::nullopt;
     if (at_high == 0) return step.start_phase + high * h;
-    std::uintmax_t iterations =
-        400;  // four halve the bracket at least once (Alefeld, Potra & Shi): it ends before
+    std::uintmax_t iterations = 400;  // four of them at least halve the bracket (Alefeld, Potra & Shi)
     const auto close_enough = [](double a, double b) { return std::abs(b - a) < 1e-15; };
     const auto bracket =
         boost::math::tools::toms748_solve(value, low, high, at_low, at_high, close_enough, iterations);

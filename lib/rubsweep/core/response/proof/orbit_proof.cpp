@@ -46,7 +46,8 @@ constexpr double rough_accuracy = 1e-6;
 /// its convergence is predicted earlier.
 constexpr double followed_down = 1e-4;
 
-/// Some periods at the start, and a limit. Turns without closed forms cost a hundred times more.
+/// Limits for following a transient: 64 periods plus what its norm promises, up to a maximum. Turns without
+/// closed forms cost a hundred times more.
 Patience patience(const StableOrbit& orbit, bool closed_forms) {
   constexpr double periods = 64;
   return {.start = periods * orbit.order, .most = closed_forms ? 200'000.0 : 1'000.0};

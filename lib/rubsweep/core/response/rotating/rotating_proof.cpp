@@ -184,7 +184,7 @@ std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd
 }
 
 /// Whether a whole number of periods fits into a few turns as far as a section can tell. The motion is then
-/// subharmonic (or synchronous) by name, which a record of it must show.
+/// called subharmonic (or synchronous), which only its recorded windows may decide.
 bool RotatingProof::returns_with_the_shaft(const LimitCycle& cycle) const {
   const double fastest = field_.rate(cycle.state).cwiseAbs().maxCoeff();
   for (int n = 1; n <= options_.max_order; ++n) {
