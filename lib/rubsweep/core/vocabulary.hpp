@@ -7,10 +7,10 @@
 
 namespace rubsweep {
 
-/// All enumerators of `Enum`, in their order. They count from 0 without gaps, and `word_of` (a constexpr
-/// function of one enumerator that returns a std::string_view) has a word for each of them and none for any
-/// other number. Where `word_of` is a switch without a default, the compiler refuses an enumerator that was
-/// forgotten there, so that a list made from this one is never short of one.
+/// All enumerators of `Enum`, in their order. They count from 0 without gaps. `word_of` (a constexpr function
+/// of one enumerator that returns a std::string_view) has a word for each of them and an empty one for any
+/// other number. Where `word_of` is a switch without a default, the compiler rejects a forgotten enumerator,
+/// so that this list is always complete.
 template <class Enum, auto word_of>
 inline constexpr auto enumerators_of = [] {
   constexpr std::size_t count = [] {
@@ -23,14 +23,14 @@ inline constexpr auto enumerators_of = [] {
   return enumerators;
 }();
 
-/// Words of a file for the values of an enumeration. Reader and printer share one table.
+/// Words that stand for the values of an enumeration in files. Reader and printer share one table.
 template <class Enum, std::size_t count>
 struct Words {
   std::array<std::string_view, count> texts;
   std::array<Enum, count> values;
 };
 
-/// The words that `to_string` has for every value of an enumeration.
+/// Words of all values of an enumeration, by its function `to_string`.
 template <class Enum>
 constexpr auto words_of() {
   constexpr auto word = [](Enum value) { return to_string(value); };

@@ -5,8 +5,8 @@
 
 namespace rubsweep::model {
 
-/// Casing of one stop, free to move in x and y on an isotropic mount. A stop without one is rigid and has no
-/// state.
+/// Casing of one stop, free to move in x and y on an isotropic mount. A stop without a Casing is rigid and
+/// adds no state.
 struct Casing {
   double mass_kg = required;
   double stiffness_n_per_m = required;  ///< mount stiffness, the same in x and y

@@ -8,13 +8,13 @@
 namespace rubsweep::model {
 
 /// Half-sine force pulse on the rotor, F(t) = force_n sin(pi t / duration_s) for 0 <= t <= duration_s.
-/// t = 0 is the instant of smallest gap at the first stop, or when the shaft has turned on by phase_deg; the
-/// pulse points at that stop's wall.
+/// t = 0 is the instant of smallest gap at the first stop, or the instant at which the shaft has turned on by
+/// phase_deg from there. By default the pulse points at that stop's wall.
 struct Kick {
   double force_n = required;
   double duration_s = required;
   std::optional<double> angle_deg;  ///< direction, from +x towards +y; empty: towards the first stop's wall
-  /// Along the shaft of a rotor kit; empty: at the first stop.
+  /// Position of the force along the shaft of a rotor kit; empty: at the first stop.
   std::optional<double> position_m = std::nullopt;
   std::optional<double> phase_deg = std::nullopt;  ///< empty: 0
 

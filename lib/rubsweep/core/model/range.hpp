@@ -23,7 +23,7 @@ bool contains(const Range& range, double value);
 /// Allowed values, in words that finish "allowed: ", e.g. "a number > 0" or "a number >= 0 and <= 1".
 std::string describe(const Range& range);
 
-/// Marks a number that has no default and must be given. A signalling NaN, so that using it is loud.
+/// Marks a number that has no default and must be given. A signalling NaN, so that using it raises an error.
 inline constexpr double required = std::numeric_limits<double>::signaling_NaN();
 
 }  // namespace rubsweep::model

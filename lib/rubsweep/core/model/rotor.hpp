@@ -12,9 +12,9 @@ struct JeffcottRotor {
   double mass_kg = required;
   double natural_frequency_hz = required;  ///< undamped, sqrt(k/m)/(2 pi)
   double damping_ratio = required;         ///< c / (2 sqrt(k m)); 0 and values above 1 are allowed
-  /// The same of the damping that turns with the shaft, in its material and its joints: with c_r = this
-  /// 2 sqrt(k m) it forces -c_r (z' - i w z). Above the speed sqrt(k/m) (1 + damping_ratio / this) the shaft
-  /// whirls up by itself.
+  /// Ratio of the damping that rotates with the shaft (in its material and joints), as for damping_ratio: the
+  /// force is -c_r (z' - i w z) with c_r = 2 sqrt(k m) times this ratio. Above the speed sqrt(k/m) (1 +
+  /// damping_ratio / this ratio) the shaft is unstable and starts to whirl by itself.
   double rotating_damping_ratio = 0;
 
   static void visit_fields(auto& self, auto&& visit) {

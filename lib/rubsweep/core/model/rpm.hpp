@@ -2,7 +2,7 @@
 
 namespace rubsweep::model {
 
-/// Revolutions per minute of one turn per second.
+/// Revolutions per minute in one revolution per second.
 inline constexpr double rpm_per_hz = 60;
 
 }  // namespace rubsweep::model

@@ -8,8 +8,8 @@
 
 namespace rubsweep::model {
 
-/// Position and velocity of a body. A number that is not given stays as on the quiet whirl, or as at rest
-/// where that reaches a wall.
+/// Position and velocity of a body. A number that is not given keeps its value on the quiet whirl, or at rest
+/// if the quiet whirl reaches a wall.
 struct BodyState {
   std::optional<double> x_m{}, y_m{};  ///< displacement from the unloaded position
   std::optional<double> vx_m_per_s{}, vy_m_per_s{};
@@ -25,16 +25,16 @@ struct BodyState {
   }
 };
 
-/// The state in which runs begin, t = 0 being the instant of smallest gap at the first stop.
+/// State in which a run begins; t = 0 is the instant of smallest gap at the first stop.
 struct Start {
   BodyState rotor{};
   std::vector<std::optional<BodyState>> casings{};  ///< casings of the stops; missing: none given
-  /// Everything stands where no force has moved it, whatever is given above. The mark of the shaft is along
-  /// +x at t = 0, and all forces act from then on.
+  /// True: the structure is at rest in its unloaded position, whatever is given above. The mark of the shaft
+  /// points along +x at t = 0, and all forces act from then on.
   bool at_rest = false;
 };
 
-/// Whether there is a start, and it is the one at rest.
+/// Whether a start is given and it is the one at rest.
 inline bool begins_at_rest(const std::optional<Start>& start) { return start && start->at_rest; }
 
 }  // namespace rubsweep::model

@@ -14,7 +14,7 @@
 namespace rubsweep::response {
 namespace {
 
-/// A hundredth of `separation`: the solver's noise must not part the states.
+/// Largest tolerance, a hundredth of `separation`, so that the solver's noise does not separate the states.
 constexpr double largest_tolerance_of_an_exponent = 1e-7;
 
 void look_for_comb(const motion::Record& record, const motion::ResponseOptions& options,
@@ -34,7 +34,7 @@ void look_for_comb(const motion::Record& record, const motion::ResponseOptions& 
       spectrum::largest_comb_line(record.displacement_m(), options.samples_per_revolution, comb->spacing);
 }
 
-/// Measures how long chaos lasts that `followed` is a stretch of.
+/// Measures the survival of the chaos of which `followed` is a part.
 void ask_how_long_it_lasts(proof::SceneMap& map, const motion::ResponseOptions& options,
                            const Followed& followed, Verdict& verdict) {
   verdict.survival =
@@ -43,13 +43,13 @@ void ask_how_long_it_lasts(proof::SceneMap& map, const motion::ResponseOptions& 
   if (verdict.survival->escapes > 0) verdict.motion.status = motion::MotionStatus::transient_chaos;
 }
 
-/// Sections of the last window, one a turn.
+/// Sections of the last window, one per turn.
 std::span<const double> sections_of(const motion::Record& record) {
   const motion::Window window = record.window(1);
   return window.section.subspan(static_cast<std::size_t>(window.states));
 }
 
-/// Measures a motion that was followed in its own last two windows.
+/// Measures a followed motion in its own last two windows.
 void measure_again(const scene::Scene& scene, const SceneFacts& facts,
                    const integrate::run::SolverOptions& solver, const motion::ResponseOptions& options,
                    const Followed& followed, motion::Workspace& workspace, motion::Motion& motion) {

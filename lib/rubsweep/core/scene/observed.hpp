@@ -7,8 +7,7 @@
 
 namespace rubsweep::scene {
 
-/// Displacement (x, y) of the observed point per unit of each coordinate: its velocity by the velocities,
-/// too.
+/// Displacement (x, y) of the observed point per unit of each coordinate; it also maps the velocities.
 inline const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const Scene& scene) {
   return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
 }

@@ -19,16 +19,16 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// A run by one of Odeint's steppers. Located (law not smoothed): a step that crosses a mode's guard is cut
-/// there and the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper
-/// keeps its order. Dry friction's slips that come to zero, and contacts that no longer stick, end a step in
-/// the same way. `Law` is the right-hand side: Dynamics, or a law with further numbers behind its state.
+/// A run with one of Odeint's steppers. Located (law not smoothed): a step that crosses a mode's guard is cut
+/// there, and the next one starts in the new mode. Inside a step the right-hand side is smooth, so that the
+/// stepper keeps its order. A step also ends where a slip with dry friction reaches zero or a contact stops
+/// sticking. `Law` is the right-hand side: Dynamics, or a law with further numbers after its state.
 template <class Law>
 class AdaptiveRun {
   static constexpr bool smoothed = Law::smoothed;
 
  public:
-  /// `of_the_law`: arguments of the law beside the system and the width of its blend.
+  /// `of_the_law`: further arguments of the law, after the system and the smoothing width.
   template <class... OfTheLaw>
   AdaptiveRun(const scene::Scene& scene, const run::SolverOptions& options, const OfTheLaw&... of_the_law)
       : system_(run::scale<Law::coordinates>(scene)),
@@ -49,12 +49,12 @@ class AdaptiveRun {
     begin();
   }
 
-  // The dynamics refer to the system.
+  // Not copyable: the dynamics refer to the system.
   AdaptiveRun(const AdaptiveRun&) = delete;
   AdaptiveRun& operator=(const AdaptiveRun&) = delete;
 
-  /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
-  /// Moves no tangent vectors.
+  /// Integrates phases 0 to `end_phase` of the next revolution; an end before 2 pi ends the run. Moves no
+  /// tangent vectors.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = numerics::full_turn) {
     StepObserver observer(request, report);
@@ -62,7 +62,7 @@ class AdaptiveRun {
     book_.limit_steps(max_steps_);
     const long evaluations = dynamics_.rhs_calls() + max_evaluations_;
     step_.start_phase = 0;
-    // The pulses count their time from the start of the turn: they go first.
+    // Pulses come first, because they count their time from the start of the turn.
     clock_.begin_turn(book_.revolution, end_phase);
     dynamics_(step_.start, step_.start_rate, 0.0);
     while (!clock_.turn_is_over()) {
@@ -99,20 +99,20 @@ class AdaptiveRun {
       just_moved_[i] = leaves_zero(i) && law::stands(dynamics_, i, step_.start);
   }
 
-  /// Contact `i`, if its slip is zero, begins to slip.
+  /// Whether the slip of contact `i`, if it is zero, begins to grow.
   bool leaves_zero(std::size_t i) const {
     return dynamics_.touches_dry(i) && dynamics_.slips()[i] != contact::Slip::sticking &&
            !dynamics_.poised(i);
   }
 
-  /// Rate and kinematics at the start of a step, by the law now in force.
+  /// Rate and kinematics at the start of a step with the present modes.
   void look_again(double phase) {
     dynamics_(step_.start, step_.start_rate, phase);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i)
       start_kinematics_[i] = dynamics_.kinematics(i, step_.start, step_.start_rate);
   }
 
-  /// All impulses of this instant.
+  /// Applies all impulses of this instant.
   void apply_impulses(StepObserver& observer) {
     while (clock_.impulse_is_due()) run::add_impulse(clock_.take_impulse(), system_.scale, step_.start);
     dynamics_(step_.start, step_.start_rate, step_.start_phase);
@@ -133,7 +133,7 @@ class AdaptiveRun {
     clock_.change_pulses();
     const double boundary = clock_.next_boundary();
     const double wanted = size_;
-    // A remainder too small to step over is taken along.
+    // The step is extended when the rest to the boundary would be too small for a step.
     const bool limited = step_.start_phase + 1.000001 * wanted >= boundary;
     double size = limited ? boundary - step_.start_phase : wanted;
     const double taken = size;
@@ -157,7 +157,7 @@ class AdaptiveRun {
     return run::Outcome::ok;
   }
 
-  /// Cuts the accepted step at the first mode switch in it, reports it, and makes its end the next start.
+  /// Cuts the accepted step at its first mode switch, reports it, and makes its end the next start.
   void accept(StepObserver& observer) {
     std::optional<Crossing> crossing;
     if constexpr (!smoothed) crossing = first_crossing();
@@ -187,7 +187,7 @@ class AdaptiveRun {
     method_->state_at(right_hand_side_, step_, phase, probe_);
     step_.end = probe_;
     step_.end_phase = phase;
-    // The force is continuous across the switch of a mode: this rate holds on both sides of it.
+    // The force is continuous at a mode switch, so that this rate holds on both sides of it.
     dynamics_(step_.end, step_.end_rate, phase);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
       end_kinematics_[i] = dynamics_.kinematics(i, step_.end, step_.end_rate);
@@ -220,12 +220,12 @@ class AdaptiveRun {
     }
     if (!switched) return;
     method_->restart();
-    // Contact and flight need steps of different size: continues with the last size in this mode.
+    // Contact and flight need different step sizes: continues with the latest size used in this mode.
     remembered_sizes_[before] = size_;
     if (const double remembered = remembered_sizes_[joint_mode()]; remembered > 0) size_ = remembered;
   }
 
-  /// The friction of a contact that begins rises from zero.
+  /// Settles the slip at a new contact, whose friction starts from zero.
   void touch_down(std::size_t i) {
     law::take_slip_of_state(dynamics_, i, step_.end);
     if (dynamics_.slips()[i] == contact::Slip::sticking) stop_slip(i);
@@ -247,7 +247,7 @@ class AdaptiveRun {
     }
   }
 
-  /// The slip of contact `i` is zero: with its friction the rate jumps.
+  /// Settles contact `i` when its slip is zero; the rate jumps together with its friction.
   void stop_slip(std::size_t i) {
     probe_rate_ = step_.end_rate;
     law::settle_slips(dynamics_, step_.end, step_.end_rate, step_.end_phase,
@@ -264,7 +264,7 @@ class AdaptiveRun {
     look_at_end();
   }
 
-  /// Kinematics at the end of a step, by the rate now in force.
+  /// Kinematics at the end of a step with the present rate.
   void look_at_end() {
     for (std::size_t j = 0; j < system_.contacts.size(); ++j)
       end_kinematics_[j] = dynamics_.kinematics(j, step_.end, step_.end_rate);
@@ -294,15 +294,15 @@ class AdaptiveRun {
   Law dynamics_;
   LawOfSteps<Law> right_hand_side_{dynamics_};
   std::unique_ptr<StepMethod> method_;
-  run::TurnClock clock_;  ///< in radians
+  run::TurnClock clock_;  ///< clock in radians
   run::TurnBook book_;
-  long max_steps_, max_evaluations_;  ///< of a turn
+  long max_steps_, max_evaluations_;  ///< limits of a turn
   Step step_;
   State probe_, probe_rate_;
   double size_ = 0;                       ///< next step to try, in radians of rotation
-  std::vector<double> remembered_sizes_;  ///< per joint mode of the first four contacts; 0: none yet
+  std::vector<double> remembered_sizes_;  ///< for each joint mode of the first four contacts; 0: none yet
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
-  /// A slip that starts at zero and leaves it, per contact.
+  /// Whether the slip of each contact starts from zero and grows.
   std::vector<bool> just_moved_;
 };
 

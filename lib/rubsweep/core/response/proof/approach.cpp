@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// sum of (A^k)^T Q A^k over all k >= 0, for A with multipliers inside the unit circle.
+/// Sum of (A^k)^T Q A^k over all k >= 0, for A with eigenvalues inside the unit circle.
 std::optional<MatrixXd> sum_of_powers(MatrixXd a, MatrixXd q) {
   constexpr int most_doublings = 40;
   for (int i = 0; i < most_doublings; ++i) {
@@ -26,12 +26,12 @@ std::optional<MatrixXd> sum_of_powers(MatrixXd a, MatrixXd q) {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Largest projection onto the contacts, as a share of the eigenvector's length, that counts as unseen. More
-/// than rounding would harm only the ball, whose tubes count everything.
+/// Largest projection onto the contacts, relative to the eigenvector's length, that counts as zero. An error
+/// above rounding would only make the ball smaller, because its tubes include everything.
 constexpr double unseen = 1e-8;
-constexpr double slow_from = 0.5;  ///< share of a disturbance left after a turn
+constexpr double slow_from = 0.5;  ///< least share of a slow disturbance left after a turn
 
-/// A basis of the eigenvectors that are slow and that no contact sees.
+/// Basis of the slow eigenvectors that no contact senses.
 MatrixXd slow_directions(const MatrixXd& monodromy, double turns, const MatrixXd& seen) {
   const numerics::dense::Eigenvectors all = numerics::dense::eigenvectors(monodromy);
   MatrixXd basis(monodromy.rows(), 0);
@@ -49,7 +49,7 @@ MatrixXd slow_directions(const MatrixXd& monodromy, double turns, const MatrixXd
   return basis;
 }
 
-/// Orthonormal columns: the first are across the columns of `basis`, the last ones span them.
+/// Orthonormal columns: the last ones span the columns of `basis`, the first ones its orthogonal complement.
 MatrixXd across_and_along(const MatrixXd& basis) {
   const Index along = basis.cols(), size = basis.rows();
   const MatrixXd whole = numerics::dense::orthonormal_columns(basis, size);
@@ -77,8 +77,8 @@ VectorXd off(std::span<const double> section, const StableOrbit& orbit, std::siz
          orbit.sections[turn];
 }
 
-/// Follows until `near(turn of the orbit, offset, size)`, with the size that `size_of(offset, turn of the
-/// orbit)` gives, for `most_turns(first size, size)` turns at most.
+/// Follows a transient until `near(turn of the orbit, offset, size)`, where size = `size_of(offset, turn of
+/// the orbit)`, for at most `most_turns(first size, size)` turns.
 template <class SizeOf, class Near, class MostTurns>
 bool follow(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
             const SizeOf& size_of, const Near& near, const MostTurns& most_turns) {

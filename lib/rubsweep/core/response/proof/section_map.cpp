@@ -11,7 +11,7 @@
 namespace rubsweep::response::proof {
 namespace {
 
-/// Differences of this width: their own error (its square) and that of a solver at 1e-11 both stay near 1e-6.
+/// Width of differences: both their own error (its square) and that of a solver at 1e-11 are then near 1e-6.
 constexpr double difference_step = 1e-5;
 
 }  // namespace
@@ -42,7 +42,7 @@ bool SceneMap::advance(std::span<double> section) {
   return true;
 }
 
-/// The exact solver goes on counting after a restart, a stepper begins anew.
+/// The exact solver continues its count after a restart; a stepper starts from zero.
 void SceneMap::spend() {
   const double before = std::exchange(work_, integrate::run::work(report_.effort));
   budget_->spend(exact_ ? work_ - before : work_);
