@@ -12,20 +12,21 @@ namespace rubsweep::config::keys {
 
 struct Key;
 
-/// Where a key may stand: beside the key `selector` with one of these words, or where that is left out and
-/// `fallback` says so.
+/// Condition for a key: the key `selector` of the same map has one of `words`, or it is left out and
+/// `without_selector` says that its default is one of them.
 struct Condition {
   std::string selector;
-  std::vector<std::string> words;  ///< empty: anywhere
-  bool without_selector = false;   ///< the selector has a default, which is one of the words
+  std::vector<std::string> words;  ///< words of the selector; empty: the key may stand anywhere
+  bool without_selector = false;   ///< true: the selector has a default, which is one of the words
 };
 
-/// Keys that exclude those of the other ways: `required` are given together, `optional` may be beside them.
+/// Keys that are given together: all of `required`, and any of `optional`. They exclude the keys of the other
+/// ways.
 struct Way {
   std::vector<std::string> required, optional;
 };
 
-/// Ways of which one is taken, or where `may_be_none`, none.
+/// Alternative ways to give a quantity. Exactly one is taken, or none where `may_be_none` holds.
 struct Choice {
   std::vector<Way> ways;
   bool may_be_none = false;

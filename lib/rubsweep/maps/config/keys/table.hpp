@@ -16,7 +16,7 @@
 
 namespace rubsweep::config::keys {
 
-/// Values that may stand at a key, by what the struct's own list says of it.
+/// Form of the values that a key may have, from its entry in the struct's list of fields.
 inline Form form_of(const model::Range& range) { return number(range); }
 inline Form form_of(const model::IntegerRange& range) {
   return range.even ? even_integer(range.low, range.high) : integer(range.low, range.high);
@@ -32,7 +32,7 @@ Form form_of(const Words<Enum, count>& words) {
   return word({words.texts.begin(), words.texts.end()});
 }
 
-/// Default as it is written; empty: there is none.
+/// Default value as text; empty where there is no default.
 std::string written(double value, const model::Range& allowed);
 inline std::string written(const auto&, const auto&) { return ""; }
 inline std::string written(std::signed_integral auto value, const model::IntegerRange&) {
@@ -46,7 +46,7 @@ std::string written(Enum value, const Words<Enum, count>& words) {
   return "";
 }
 
-/// Keys of a map, gathered from the list that reader and printer go by. A double that is NaN has no default.
+/// Keys of a map, gathered from the list of fields that reader and printer use. A NaN double has no default.
 class Table {
  public:
   template <class Field, class Allowed>
@@ -58,7 +58,7 @@ class Table {
     if (!entry.required) entry.fallback = key.without.empty() ? written(member, allowed) : key.without;
   }
 
-  /// A map that must be given; `visit` is called with its table.
+  /// Adds a map that must be given; `visit` is called with the table of its keys.
   template <class Visit>
   void map(std::string_view name, std::string_view meaning, Visit&& visit) {
     Table inner;
