@@ -28,7 +28,7 @@ class Rows {
   std::size_t line() const { return line_; }                             ///< line number, from 1
   bool is_empty() const;                                                 ///< true: all cells are empty
 
-  bool is_number(std::size_t column) const;  ///< true for a number with either decimal sign; false for an empty cell
+  bool is_number(std::size_t column) const;  ///< true for a number in either notation; an empty cell is none
   std::size_t place_of(std::size_t column) const;  ///< byte at which a cell begins in its line, from 1
   /// Number in a cell; NaN for an empty cell. Throws Fault where the cell holds no number.
   double number(std::size_t column);
