@@ -27,9 +27,8 @@ std::string read_config_bytes(const std::filesystem::path& file);
 
 /// Value that results when `over` is written over `base`, both found at `path`:
 /// - Two maps are merged key by key. A key of `over` removes alternative keys of `base` (see
-/// drop_alternatives),
-///   and a key of `over` without a value removes the same key of `base`. Maps with a different key `kind` are
-///   not merged: `over` stands alone.
+///   drop_alternatives), and a key of `over` without a value removes the same key of `base`. Maps with a
+///   different key `kind` are not merged: `over` stands alone.
 /// - Anything else, lists included, replaces the value of `base`.
 /// Keys that stay keep their places, and the merged map has the place of `over`. Repeated keys in either map
 /// are a problem.
