@@ -47,7 +47,7 @@ class ProbeReader {
   double length_m_, speed_hz_;
   std::size_t states_;
   long turn_ = 0, count_ = 0;
-  std::vector<double> readings_m_;  ///< readings of all probes, one time after the other
+  std::vector<double> readings_m_;  ///< readings of all probes at t = 0, then at the next time, ...
 };
 
 /// Numbers of two probes that measure the motion at one place in two directions.

@@ -37,7 +37,7 @@ bool stands(const Law& law, std::size_t i, const State& state) {
 void enter(Law& law, const State& state) {
   for (std::size_t i = 0; i < law.modes().size(); ++i) {
     const auto& c = law.system().contacts[i];
-    law.modes()[i] = contact::Mode::sprung;  // an open annular stop measures the gap by its square
+    law.modes()[i] = contact::Mode::sprung;  // if open, an annular stop's gap would be a difference of squares
     const contact::Kinematics k = law.kinematics(i, state, state);
     law.modes()[i] = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
     law.slips()[i] = law.slip(i, state) >= 0 ? contact::Slip::forward : contact::Slip::backward;

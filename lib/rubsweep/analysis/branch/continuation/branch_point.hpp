@@ -66,7 +66,7 @@ enum class EventKind {
   fold,             ///< the branch turns back in the parameter: a multiplier passes +1
   period_doubling,  ///< a multiplier passes -1
   neimark_sacker,   ///< a pair of complex multipliers leaves or enters the unit circle: a torus
-  branch_point,  ///< a multiplier passes +1 and the parameter does not turn: a symmetry breaks, or branches cross
+  branch_point,  ///< a multiplier passes +1 while the parameter goes on: a symmetry breaks, or branches cross
   period_halving,  ///< the branch joins the branch of half its period, and runs back shifted by half a period
   graze,           ///< a hit or a pair of changes of contact mode appears or disappears
   sequence,        ///< any other change of the sequence of contact modes

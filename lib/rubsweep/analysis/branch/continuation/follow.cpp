@@ -137,7 +137,7 @@ std::optional<BranchPoint> orbit_from(const orbits::OrbitProblem& problem, const
 
 BranchPoint turned_about(BranchPoint point) {
   point.tangent = -point.tangent;
-  point.branching = -point.branching;  // the tangent is the last row of the determinant
+  point.branching = -point.branching;  // the reversed tangent is a row of this determinant
   if (point.slopes) point.slopes = {-point.slopes->unit, -point.slopes->doubling, -point.slopes->torus};
   return point;
 }

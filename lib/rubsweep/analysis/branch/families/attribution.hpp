@@ -60,7 +60,7 @@ enum class CheckResult {
   reached,        ///< inside: the kick leads to the family's orbit
   stays,          ///< inside: without a kick, the machine started on the family's orbit settles on it
   another_orbit,  ///< outside: the label is that of another orbit, which also exists inside
-  ends_as_well,   ///< outside: the label is that of another orbit, which ends on the way in
+  ends_as_well,   ///< outside: the label is that of another orbit, which also ends on the way in
   // The results below are contradictions.
   leaves,        ///< inside: the machine started on the orbit settles on something else
   same_orbit,    ///< outside: the other family's orbit, followed inside, is this same orbit

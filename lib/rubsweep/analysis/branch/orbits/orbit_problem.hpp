@@ -70,7 +70,7 @@ using OrbitMap =
 struct OrbitProblem {
   OrbitMap returns;
   OrbitMap
-      half_returns;  ///< map over half the period; empty unless that is a whole number of turns, or the orbit an oval
+      half_returns;  ///< map over half the period; only for an even number of whole turns, or for an oval
   /// Facts of the orbit from `state`; empty where it cannot be followed. May be left out; contacts and
   /// shorter periods are then unknown.
   std::function<std::optional<OrbitFacts>(double parameter, const Eigen::VectorXd& state)> facts;

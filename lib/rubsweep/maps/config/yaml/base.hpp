@@ -38,7 +38,7 @@ Node merged(Node base, Node over, std::string_view path, Diagnostics& diagnostic
 inline constexpr std::string_view base_key = "base";
 
 /// Limits that keep any number of bases within small time and memory.
-inline constexpr int max_base_files = 100;       ///< counts a file as often as it is read
+inline constexpr int max_base_files = 100;       ///< file reads for one configuration, repeated ones included
 inline constexpr int max_base_generations = 16;  ///< length of a chain of bases: a base of a base of ...
 
 /// Replaces every map of `root`, itself included, that has the key `base`: the map is written over the
