@@ -33,7 +33,8 @@ struct HandedState {
 
 /// Settled motion of a run, long enough to be drawn.
 struct SettledMotion {
-  /// For a periodic motion one point per turn of its period, for a rotor at rest one point, else two windows.
+  /// One point per turn of the period for a periodic motion, one point for a rotor at rest, else two windows
+  /// of points.
   std::vector<SectionPoint> section;
   response::spectrum::FullSpectrum spectrum;  ///< spectrum over the same window as in a map
   HandedState end;                            ///< state at the end of the recorded motion

@@ -111,7 +111,7 @@ ModeShape shape_of(const FreeRotor& rotor, const FollowedMode& at, int number) {
   Eigen::Index place_x = 0, place_y = 0;
   const double largest_x = shape.x.cwiseAbs().maxCoeff(&place_x),
                largest_y = shape.y.cwiseAbs().maxCoeff(&place_y);
-  // On a circular orbit both are equal up to rounding; x is then taken.
+  // On a circular orbit the largest x and y are equal up to rounding, and x is taken.
   const std::complex<double> largest =
       largest_x >= (1 - 1e-6) * largest_y ? shape.x(place_x) : shape.y(place_y);
   if (largest != 0.0) {

@@ -95,8 +95,8 @@ Eigen::VectorXd residual(const Samples& x, const Parameters& p,
   return r;
 }
 
-/// Angular frequency per sample of the largest spectral line of the signal without its mean. Zeros for three
-/// times the length of the signal make the frequency grid four times finer.
+/// Angular frequency per sample of the largest spectral line of the signal without its mean. Zeros are
+/// appended, three times as many as samples, so that the frequency grid is four times finer.
 double strongest_frequency(const Samples& x) {
   const auto length = static_cast<std::size_t>(4 * x.size());
   std::vector<std::complex<double>> padded(length);

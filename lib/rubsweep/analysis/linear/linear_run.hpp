@@ -7,9 +7,9 @@
 
 namespace rubsweep::linear {
 
-/// Forces of a linear run. The response to all rotating forces is Re(A e^{i phi}) with a phasor A that
-/// changes with the speed. `in_phase` gives Re(A e^{i phi}), and `quarter_behind` Im(A e^{i phi}), because
-/// forces a quarter turn behind cause the response of a quarter turn earlier.
+/// Forces of a linear run. The response to all rotating forces is Re(A e^{i phi}), where the phasor A changes
+/// with the speed. Two runs give A: `in_phase` gives the real part of A e^{i phi}, and `quarter_behind`, with
+/// all forces a quarter turn behind, gives its imaginary part.
 enum class Driven {
   by_all,          ///< also weight, kick, faulty bearings and forces at twice the shaft's frequency
   in_phase,        ///< only unbalance and bow

@@ -57,8 +57,8 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
   return free;
 }
 
-constexpr double same_root = 1e-7;    ///< share of a root's size: rounding of a double root, below real gaps
-constexpr double least_whirl = 1e-7;  ///< share of a root's size: rounding of a double overdamped root
+constexpr double same_root = 1e-7;    ///< roots closer than this share of their size count as equal
+constexpr double least_whirl = 1e-7;  ///< roots with a smaller share of imaginary part do not whirl
 
 bool whirls(Complex root) { return root.imag() > least_whirl * std::abs(root); }
 

@@ -52,12 +52,12 @@ double assurance(const WhirlMode& a, const WhirlMode& b);
 /// = 0 of a rotor in all of its coordinates.
 class WhirlProblem {
  public:
-  /// Finds regions of the complex plane that contain whirl of at most `up_to_hz`, whatever its damping, the
-  /// two slowest whirls, and everything that grows. All roots are computed at all `speeds_hz` if that takes
-  /// about a second. Otherwise it is done at some of these, including the first and the last. At the
-  /// remaining speeds whirl of at most `up_to_hz` is sought among rates up to a thousand times larger. Faster
-  /// whirl that is one of the two slowest, and growth at rates above four times `up_to_hz`, may be missed
-  /// there. Throws SolverError where an iteration does not converge.
+  /// Finds regions of the complex plane that contain all wanted roots: whirl of at most `up_to_hz`, whatever
+  /// its damping, the two slowest whirls, and everything that grows. If it takes no more than about a second,
+  /// all roots are computed at all `speeds_hz`, else only at some of them, including the first and the last.
+  /// At the remaining speeds whirl of at most `up_to_hz` is sought among rates up to a thousand times larger.
+  /// Faster whirl that is one of the two slowest, and growth at rates above four times `up_to_hz`, may be
+  /// missed there. Throws SolverError where an iteration does not converge.
   WhirlProblem(const FreeRotor& rotor, std::span<const double> speeds_hz, double up_to_hz);
 
   /// Whirl modes at a speed, the slowest first; overdamped modes have no whirl and are left out. If roots

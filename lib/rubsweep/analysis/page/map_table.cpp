@@ -40,8 +40,8 @@ void require_class(const batch::CsvReader& file, std::size_t column) {
       fmt::format("{}:{}: '{}' is no class of a motion", file.path().string(), file.place().line, word));
 }
 
-/// For each column, whether it is one of numbers: all cells are numbers or empty, and not all are empty.
-/// Throws IoError where a column of numbers in every map contains anything else.
+/// For each column, whether it is a column of numbers: its cells are numbers or empty, and not all are empty.
+/// Throws IoError where a column that has numbers in every map contains anything else.
 std::vector<bool> columns_of_numbers(const std::filesystem::path& path) {
   batch::CsvReader file(path);
   const auto& names = file.header();

@@ -33,8 +33,9 @@ inline constexpr double drawing_tolerance = 1.0 / 400;
 /// Highest order of the spectral lines that are kept, and smallest amplitude as a share of the largest line.
 inline constexpr double highest_order = 12, smallest_line = 1e-3;
 
-/// Appends `values` as levels: the smallest value and the width of one level as two floats. For each value
-/// then follows its level minus the level before, modulo 65536, in two bytes, in byte planes.
+/// Appends `values` as levels. First come the smallest value and the width of one level, as two floats. Then
+/// each value follows as the difference between its level and the previous one, modulo 65536, in two bytes.
+/// The differences are stored in byte planes.
 void append_levels(std::string& bytes, std::span<const double> values);
 
 /// Bytes of one settled motion for the page; numbers begin with their lowest byte:

@@ -73,17 +73,17 @@ struct ProbePeriod {
   double allowed_share = 0;  ///< largest unexplained share with which readings count as explained
 };
 
-/// Fits lines at the orders k / n, |k / n| up to 8 and below half the sampling rate, by least squares, for n
-/// = 1, 2, ... `max_order`, to the last readings of `turns` turns. A fit explains the readings if it leaves
-/// at most a thousandth of their energy without 0X, plus 1.5 times the energy of the noise. This is ten times
-/// what two windows of a map may leave, because vibration above half the sampling rate is folded to orders
-/// without a line. If both motions repeat, probes cannot distinguish a rotor that rubs from one that does
-/// not.
+/// Finds the smallest period n, up to `max_order` turns, that explains the last readings of `turns` turns.
+/// For each n, lines at the orders k / n, |k / n| up to 8 and below half the sampling rate, are fitted by
+/// least squares. A fit explains the readings if it leaves at most a thousandth of their energy without 0X,
+/// plus 1.5 times the energy of the noise. This is ten times what two windows of a map may leave, because
+/// vibration above half the sampling rate is folded to orders without a line. If both motions repeat, probes
+/// cannot distinguish a rotor that rubs from one that does not.
 ProbePeriod find_period(const std::vector<std::complex<double>>& displacement_m, double sample_s,
                         double speed_hz, double noise_m, int turns, int max_order);
 
-/// Full spectrum of the last readings. It covers the largest nearly whole number of periods, each of `period`
-/// turns, within the second half of `turns` turns.
+/// Full spectrum of the last readings. Its window is nearly a whole number of periods, each of `period`
+/// turns, as long as fits into the second half of `turns` turns.
 response::spectrum::FullSpectrum probe_spectrum(const std::vector<std::complex<double>>& displacement_m,
                                                 double sample_s, double speed_hz, int turns, int period,
                                                 response::spectrum::SpectrumWorkspace& workspace);

@@ -21,8 +21,7 @@ std::string trace_summary(const Trace& trace, const TraceWindow& window, double 
 std::vector<response::spectrum::SpectralLine> largest_lines(const response::spectrum::FullSpectrum& spectrum,
                                                             std::size_t count, double clearance_m);
 
-/// One line on the period that a pair of probes finds in the same run. `angle_deg` in `probes` has all
-/// probes.
+/// One line on the period that a pair of probes finds. `probes` must have all probes of the run.
 std::string probe_summary(const ProbePeriod& period, const ProbePair& pair, const Probes& probes,
                           const model::ShownLengths& shown = {});
 

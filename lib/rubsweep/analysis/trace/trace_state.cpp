@@ -37,7 +37,7 @@ bool stands(const Law& law, std::size_t i, const State& state) {
 void enter(Law& law, const State& state) {
   for (std::size_t i = 0; i < law.modes().size(); ++i) {
     const auto& c = law.system().contacts[i];
-    law.modes()[i] = contact::Mode::sprung;  // if open, an annular stop's gap would be a difference of squares
+    law.modes()[i] = contact::Mode::sprung;  // open, an annular stop's gap would be a difference of squares
     const contact::Kinematics k = law.kinematics(i, state, state);
     law.modes()[i] = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
     law.slips()[i] = law.slip(i, state) >= 0 ? contact::Slip::forward : contact::Slip::backward;
@@ -200,7 +200,7 @@ StateReader::StopMotion StateReader::stop_motion(std::size_t index, const TraceS
   return {normal.dot(distance_m) - contact.clearance_m, normal.dot(rate), tangent.dot(rate)};
 }
 
-/// With a smoothed law dry friction reverses as tanh of slip / (smoothing width x shaft speed).
+/// Friction force. A smoothed law lets dry friction follow tanh(slip / (smoothing width x shaft speed)).
 double StateReader::friction_n(const scene::Contact& contact, double slip_m_per_s, double spring_n,
                                double dry_n) const {
   const contact::FrictionTerms terms = contact::friction_terms(contact.friction);

@@ -33,9 +33,9 @@ class DryForces {
 };
 
 /// Energy of a vibration at one instant, and the power of everything that changes it. Between two instants
-/// without an impulse kinetic + elastic + contact grows by the integral of the four powers. The energy is
-/// that of the coordinates, without the rotation of the shaft. The friction power is therefore the drive's
-/// power minus the heat at the sliding surfaces.
+/// without an impulse the sum kinetic + elastic + contact grows by the integral of the four powers. The
+/// rotation of the shaft is not included. The friction power is therefore the power of the drive minus the
+/// heat at the sliding surfaces.
 struct Energy {
   double kinetic_j = 0;          ///< v M v / 2
   double elastic_j = 0;          ///< q K q / 2 of rotor, supports and casings; weight counts as a force

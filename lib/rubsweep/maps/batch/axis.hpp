@@ -18,9 +18,9 @@ namespace rubsweep::batch {
 /// integer number of steps ends at `to`, and where the three numbers together need more than 15 digits.
 std::optional<std::int64_t> whole_steps(double from, double to, double step);
 
-/// Two values on the sequence of steps from `from` between which `to` lies, the one nearer to `from` first.
-/// Used to advise a user whose steps miss `to`. Empty where the three numbers together need more than 15
-/// digits.
+/// Two neighbouring values of the sequence `from`, `from` +- `step`, ... between which `to` lies, the nearer
+/// one to `from` first. Used to advise a user whose steps miss `to`. Empty where the three numbers together
+/// need more than 15 digits.
 std::optional<std::pair<double, double>> steps_beside(double from, double to, double step);
 
 /// Values from `from` to `to`, both included, at distances of `step`. Each is the double nearest to its

@@ -10,7 +10,7 @@
 namespace rubsweep::batch {
 
 enum class LockMode {
-  exclusive,  ///< nobody else may hold the lock
+  exclusive,  ///< no other process may hold the lock
   shared      ///< others may share it
 };
 
@@ -25,8 +25,9 @@ enum class Patience {
 class FileLock {
  public:
   /// Throws LockedError "PATH is held by HOLDER", and IoError where the file cannot be created. `purpose` is
-  /// written to the file for others who find the lock taken. In a directory where nobody else may remove it,
-  /// the file of a dead owner stays and still names that owner.
+  /// written to the file, for other processes that find the lock taken. The file of a dead process may belong
+  /// to another user in a directory where only that user may remove it. Such a file is locked, but still
+  /// names its old owner.
   FileLock(std::filesystem::path path, LockMode mode, const std::string& purpose,
            Patience patience = Patience::none);
   ~FileLock();  ///< removes the file, unless others share the lock or the file was replaced

@@ -42,10 +42,10 @@ std::size_t parallel_run(std::size_t count, int threads,
 /// Cells that one worker computes before it asks for more.
 using Chunk = std::vector<std::size_t>;
 
-/// Gives cells in chunks to workers on any thread. The size of a chunk follows from the time of the worker's
-/// last chunk, so that the next takes about `chunk_time` and the cost of asking is small. The cells of a
-/// chunk come from all over the list: then chunks are similar although neighbours are, and the first results
-/// represent all. Chunks shrink near the end, so that no worker has a large one while the others are idle.
+/// Gives cells in chunks to workers on any thread. The size of a chunk is chosen to take about `chunk_time`,
+/// judged by the worker's last chunk, so that the cost of asking is small. The cells of a chunk come from all
+/// over the list: then chunks are similar, whatever their neighbours are, and the first results represent the
+/// whole map. Chunks shrink near the end, so that no worker has a large one while the others are idle.
 class ChunkQueue {
  public:
   using Clock = std::chrono::steady_clock;

@@ -34,7 +34,7 @@ std::string with_page_sum(std::string_view page);
 enum class PageSum {
   right,
   wrong,
-  none  ///< a version of the program without checksums wrote the page, or something else did
+  none  ///< no checksum: an old version of the program, or another program, wrote the page
 };
 
 /// Compares a page with its checksum. Line ends CR LF count as LF.

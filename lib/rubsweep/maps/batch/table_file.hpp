@@ -61,7 +61,7 @@ class DamagedTable : public IoError {
 
 enum class TableSum {
   right,
-  none  ///< a version of the program without checksums wrote the table, or something else did
+  none  ///< no checksum: an old version of the program, or another program, wrote the table
 };
 
 /// Compares a table with its checksum. Throws DamagedTable where they do not agree, or where a table that

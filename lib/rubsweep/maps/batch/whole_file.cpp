@@ -52,8 +52,8 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path) {
   return temporary += fmt::format("{}{}-{}", mark, host.data(), ::getpid());
 }
 
-/// Size of a file in bytes, 0 for a device. Throws where it is unknown: taken for an empty file, the file
-/// would be truncated.
+/// Size of a file in bytes, 0 for a device. Throws where the size is unknown: such a file must not count as
+/// empty, as it would then be truncated.
 off_t size_of(int descriptor, const std::filesystem::path& path) {
   struct stat facts {};
   if (::fstat(descriptor, &facts) != 0) throw_io_error("look at", path, errno);

@@ -18,8 +18,9 @@ namespace rubsweep::config {
 std::string print_config(const RunConfig& config,
                          machine::MatrixPrint matrices = machine::MatrixPrint::inside);
 
-/// Everything that decides the numbers of a map, nothing else: without captions and `output`, and with every
-/// axis as its values in SI units, so that equal studies give equal bytes however their files were written.
+/// Study as YAML with everything that decides the numbers of a map, but without captions and `output`. Axes
+/// are printed by their values in SI units, so that equal studies give equal bytes however their files were
+/// written.
 std::string print_study(const sweep::Study& study);
 
 /// Names of all files that exported_matrices may return.

@@ -166,7 +166,7 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
   if (diagnostics.count() == 0) vary_keys({root, "", diagnostics}, config.study);
   diagnostics.throw_if_any();
   config.questions = unit_questions({root, "", diagnostics}, &config.study.machine);
-  // After a question about units all further questions would follow from the same slip.
+  // After a question about units other oddities follow from the same slip, and are not asked about.
   if (config.questions.empty()) config.questions = plan_questions({root, "", diagnostics}, config.study);
   return config;
 }

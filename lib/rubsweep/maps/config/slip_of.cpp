@@ -27,7 +27,7 @@ enum class Scale {
   one,
   frequency_hz,      ///< the lowest natural frequency
   frequency_rpm,     ///< the same frequency in revolutions per minute
-  period_s,          ///< period of that frequency
+  period_s,          ///< period of the lowest natural frequency
   clearance,         ///< clearance of the stop
   clearance_g_mm,    ///< unbalance in g mm whose eccentricity is the clearance
   contact_radius,    ///< radius of the stop

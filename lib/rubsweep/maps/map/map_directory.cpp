@@ -147,8 +147,8 @@ void MapDirectory::lock_share(const std::string& program) {
   }
 }
 
-/// Refuses files in the way that are not regular: writing would fail at the end, or reading a pipe would wait
-/// forever.
+/// Refuses existing files with our names that are not regular: writing them would fail, and reading a pipe
+/// would wait forever.
 void MapDirectory::refuse_what_is_no_file() const {
   std::vector<fs::path> ours = journals();
   ours.push_back(partial());

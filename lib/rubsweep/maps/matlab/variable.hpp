@@ -20,7 +20,7 @@ struct Variable {
   std::vector<std::size_t> dims{};  ///< dimensions: at least two; empty for an object
   /// Real numbers, column by column; for a sparse matrix with its zeros. Empty where they were not wanted.
   std::vector<double> values{};
-  std::vector<Variable> fields{};  ///< fields of a structure; for an array of structures, of the first
+  std::vector<Variable> fields{};  ///< fields of a structure, or of the first of an array of them
 
   bool is_real_matrix() const { return kind == Kind::numbers && !complex && dims.size() == 2; }
 };

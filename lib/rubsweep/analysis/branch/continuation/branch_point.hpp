@@ -106,7 +106,7 @@ constexpr std::string_view to_string(Ending ending) { return enumerator_word(end
 /// One half of a branch, from its start in one direction.
 struct HalfBranch {
   std::vector<BranchPoint> points;  ///< points from the start on
-  std::vector<BranchEvent> events;  ///< events in the order in which they are met
+  std::vector<BranchEvent> events;  ///< events in the order in which they occur
   Ending ending = Ending::left_range;
 };
 

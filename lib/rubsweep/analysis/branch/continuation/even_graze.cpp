@@ -161,8 +161,8 @@ class EvenGrazeSearch {
     return point;
   }
 
-  /// Orbit behind the corner, along the tangent there: that of the map at a state completely on the other
-  /// side.
+  /// Finds an orbit behind the corner along the tangent there. That tangent follows from the monodromy matrix
+  /// at a state that lies completely on the other side of the graze.
   std::optional<BranchPoint> beyond_by_tangent(const Position& corner) const {
     BranchPoint there = here_;
     there.parameter = parameter_of(problem_, corner);
@@ -202,7 +202,8 @@ class EvenGrazeSearch {
     return std::nullopt;
   }
 
-  /// Takes the facts at the graze itself. Its contact state is that of the orbit behind it.
+  /// Takes the facts at the graze itself. Whether the orbit touches there is taken from the orbit behind the
+  /// graze.
   void take_facts(const std::optional<BranchPoint>& beyond, BranchPoint& point) const {
     if (auto facts = problem_.facts(point.parameter, point.state)) point.facts = std::move(*facts);
     if (beyond) {

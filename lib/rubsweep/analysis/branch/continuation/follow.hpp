@@ -25,7 +25,7 @@ struct FollowOptions {
 std::optional<BranchPoint> orbit_from(const orbits::OrbitProblem& problem, const Eigen::VectorXd& state,
                                       double parameter);
 
-/// The same orbit with the tangent of the branch reversed.
+/// Reverses the tangent of a point.
 BranchPoint turned_about(BranchPoint point);
 
 /// Follows the branch from `start` along its tangent by pseudo-arclength continuation with adaptive steps.

@@ -16,7 +16,7 @@ namespace {
 using contact::Mode;
 using integrate::run::ModeSwitch;
 
-constexpr double near_zero = 0.5;  ///< largest value of a dip, as a share of the value at the end nearer to zero
+constexpr double near_zero = 0.5;  ///< largest dip, as a share of the value at the end nearer to zero
 
 /// Cubic a + b t + c t^2 + d t^3 for 0 <= t <= 1.
 struct Cubic {

@@ -11,9 +11,9 @@ namespace rubsweep::branch::continuation {
 /// Test functions of the events at these multipliers.
 MultiplierTests tests_of_multipliers(const Eigen::VectorXcd& multipliers);
 
-/// Slopes of the test functions per unit of arclength, by a difference along the tangent. The neighbouring
-/// orbits lie on it up to terms of second order, so that none of them need be computed. Zero where the map
-/// cannot be evaluated there.
+/// Slopes of the test functions per unit of arclength, by a difference along the tangent. The tangent
+/// contains the neighbouring orbits up to terms of second order, so that none of these need be computed. Zero
+/// where the map cannot be evaluated there.
 MultiplierTests multiplier_slopes(const orbits::OrbitProblem& problem, const BranchPoint& point);
 
 /// Values and slopes of a smooth function at both ends of a step. Slopes are per unit of length.
@@ -27,7 +27,8 @@ struct StepEnds {
 /// or below. Empty where there is no such place.
 std::optional<double> dip_of_cubic(const StepEnds& ends, double length);
 
-/// Such a place for a function given by its values at the ends and its mean over the step, by a quadratic.
+/// Place in the sense of dip_of_cubic() for a function that is known by its values at the ends and its mean
+/// over the step. Uses a quadratic.
 std::optional<double> dip_of_quadratic(double begin, double end, double mean);
 
 /// Margins of an orbit against a change of its sequence of contact modes: the distance of every approach, and

@@ -59,9 +59,9 @@ Eigen::VectorXd next_step(const orbits::OrbitProblem& problem, const BranchPoint
 double rounding_of_parameter(const orbits::OrbitProblem& problem, const BranchPoint& point);
 
 /// Completes a converged orbit: its tangent on the side of `direction`, its multipliers and their counts. The
-/// derivative by the parameter is computed at two step sizes. If these disagree, as beside a graze between
-/// them, smaller steps are tried, and the pair with the best agreement is used. False where the tangent
-/// cannot be determined or the map cannot be differentiated.
+/// derivative by the parameter is computed at two step sizes. These disagree where a step crosses a graze;
+/// smaller steps are then tried, and the pair with the best agreement is used. False where the tangent cannot
+/// be determined or the map cannot be differentiated.
 bool complete(const orbits::OrbitProblem& problem, const Eigen::VectorXd& direction, BranchPoint& point);
 
 /// Completes an orbit that Newton's iteration found, with its facts and arclength; empty where that fails.

@@ -111,7 +111,8 @@ struct Enclosure {
   double low = 0, high = 0;
 };
 
-/// Interval around the root of a test function; empty unless it has opposite signs at the ends of the
+/// Interval around the root of a test function; empty unless the function has opposite signs at the segment's
+/// ends.
 /// segment.
 template <class Segment, class Value>
 std::optional<Enclosure> root_on(const Segment& segment, const Value& value) {

@@ -33,8 +33,9 @@ struct Condition {
   Critical critical;
 };
 
-/// Condition that `sign` (1 or -1) is a multiplier. `value` is the smallest singular value of M - sign with
-/// its left and right vectors, which is smooth up to its sign. Empty where `along` is empty.
+/// Condition that `sign` (1 or -1) is a multiplier. `value` is the smallest singular value of M - sign, with
+/// left and right singular vectors. Apart from its sign `value` is a smooth function. Empty where `along`
+/// returns nothing.
 std::optional<Condition> singular_condition(const MonodromyJet& jet, double sign);
 
 /// Condition of a torus: the pair of multipliers whose product is nearest to 1 has the product 1. It stays

@@ -19,8 +19,8 @@ constexpr numerics::NewtonLimits newton_limits{.iterations = 12, .free_iteration
 constexpr double closed = 1e-13;  ///< last correction, relative to the size of the position
 /// Tolerances where rounding allows no better, for the parameters and for all coordinates.
 constexpr double nearly_closed = 1e-11, nearly_closed_state = 1e-6;
-/// Difference steps as shares of those of extend(). The smaller ones serve orbits so close to a graze that
-/// the usual ones would cross it.
+/// Difference steps, as shares of the usual ones in extend(). The smaller share is for orbits so close to a
+/// graze that the usual steps would cross it.
 constexpr std::array steps_of_differences{1.0, 0.01};
 constexpr double least_condition = 1e-15;
 

@@ -55,7 +55,7 @@ struct Meeting {
 /// One half of a curve, from its start in one direction.
 struct HalfCurve {
   std::vector<CurvePoint> points;  ///< points from the start on
-  std::vector<Meeting> events;     ///< meetings in the order in which they are met
+  std::vector<Meeting> events;     ///< meetings in the order in which they occur
   continuation::Ending ending = continuation::Ending::left_range;
 };
 
@@ -103,7 +103,7 @@ inline const continuation::Position& position_of(const ExtendedSystem&, const Cu
 continuation::Position nearest_image(const ExtendedSystem& system, continuation::Position position,
                                      const CurvePoint& near);
 
-/// The same point with the tangent of its curve reversed.
+/// Reverses the tangent of a point.
 CurvePoint turned_about(CurvePoint point);
 
 }  // namespace rubsweep::branch::curves

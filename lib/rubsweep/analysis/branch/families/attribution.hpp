@@ -39,8 +39,9 @@ constexpr std::string_view to_string(Attribution attribution) { return enumerato
 struct MapEdge {
   std::size_t first = 0, second = 0;
   Attribution attribution = Attribution::unresolved;
-  /// Event at which a motion ceases; for `unresolved` the reason or empty. For `basin` empty if both motions
-  /// exist in both cells, or `one_motion` if this is known of only one of them, and the other may cease.
+  /// Event at which a motion ceases. For `unresolved` the reason, or empty. For `basin` empty if both motions
+  /// exist in both cells, or `one_motion` if this is known of only one motion, while the other may have
+  /// ceased.
   std::string_view kind;
 };
 

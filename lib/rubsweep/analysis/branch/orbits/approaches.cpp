@@ -64,8 +64,8 @@ class ApproachSearch {
   }
 
  private:
-  /// Sets the modes at the start: for a contact that changes its mode the one before its first change, else
-  /// the mode that follows from the state.
+  /// Sets the modes at the start. A contact that changes its mode starts in the mode before its first change,
+  /// any other contact in the mode that follows from the state.
   void enter_first_modes() {
     changed_.assign(guards_.size(), false);
     auto& modes = dynamics_.modes();

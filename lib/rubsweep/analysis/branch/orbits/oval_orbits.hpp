@@ -14,12 +14,13 @@ namespace rubsweep::branch::orbits {
 /// without their pulses. In the fixed frame they are ovals. Their period is unknown, and every shift along
 /// such an orbit is again a solution. A state is therefore taken where the observed point is farthest from
 /// the axis: 2n scaled numbers in the rotating frame, followed by the time of one loop in turns of the shaft.
-/// Its image is the state at the maximum nearest to that time, and the actual time. Orbits are fixed points.
-/// Their multipliers are those of the orbit without the trivial one, and two zeros for the shift and the
-/// time. `loops`: number of loops in the period, such as 2 for orbits of twice the period; the time is then
-/// the mean of the loops. An oval of one loop may itself join a branch of half its time, where the maximum
-/// half a loop later becomes equal: facts have it as a second section. Scenes without rotational symmetry are
-/// infeasible. The caller sets range and scale of the parameter. The solver's tolerance is 1e-11.
+/// The map takes a state to the maximum of the distance nearest to that time, and replaces the time by the
+/// actual one. Orbits are its fixed points. Their multipliers are those of the orbit without the trivial
+/// multiplier, and two zeros for the shift and the time. `loops`: number of loops in the period, such as 2
+/// for orbits of twice the period; the time is then the mean of the loops. The two halves of a single loop
+/// may become equal along a branch. To detect this, the facts have the maximum half a loop later as a second
+/// section. Scenes without rotational symmetry are infeasible. The caller sets range and scale of the
+/// parameter. The solver's tolerance is 1e-11.
 OrbitProblem oval_orbits(SceneFamily family, int loops, const integrate::run::SolverOptions& solver);
 
 /// State with which `orbit_from` finds the oval through `point` (2n scaled numbers in the rotating frame)

@@ -70,8 +70,9 @@ class SectionGuards {
   SectionGuards(const SectionGuards&) = delete;
   SectionGuards& operator=(const SectionGuards&) = delete;
 
-  /// Guard at phase 0 and state `section` (2n scaled numbers). Its contact is in the mode `from` of the
-  /// guard, the others in the modes that follow from the state. Empty where that mode has no such guard.
+  /// Guard at phase 0 and state `section` (2n scaled numbers). The contact of `guard` is in the mode
+  /// guard.from, the others in the modes that follow from the state. Empty where the mode guard.from has no
+  /// such guard.
   std::optional<GuardMotion> at(std::span<const double> section, const ArmedGuard& guard);
 
  private:

@@ -13,9 +13,9 @@
 
 namespace rubsweep::branch::orbits {
 
-/// State, for `oval_orbits`, of the oval on which a rotationally symmetric scene settles without its pulses.
-/// `section` is the scaled state at the start of a turn, which is the same in the rotating frame. Empty where
-/// it settles on no closed orbit of the rotating frame within `options.max_revolutions` turns.
+/// Oval on which a rotationally symmetric scene settles without its pulses, as a state for `oval_orbits`.
+/// `section` is the scaled state at the start of a turn, where fixed and rotating frame coincide. Empty where
+/// the scene reaches no closed orbit of the rotating frame within `options.max_revolutions` turns.
 std::optional<Eigen::VectorXd> oval_from(const scene::Scene& scene, const Eigen::VectorXd& section,
                                          const integrate::run::SolverOptions& solver,
                                          const response::motion::ResponseOptions& options,

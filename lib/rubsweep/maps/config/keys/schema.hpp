@@ -9,8 +9,8 @@ namespace rubsweep::config::keys {
 
 /// JSON Schema (draft 7) of a configuration of this form, for an editor that completes, explains and checks.
 /// The reader refuses everything that the schema refuses, and more: a schema cannot state rules over several
-/// numbers. A map that has a base need not be complete. Neither need maps inside it, except those in lists,
-/// and a key in them may be without a value.
+/// numbers. A map that has a base may lack required keys, and its keys may be without a value. The same holds
+/// for maps inside it, except those in lists.
 std::string schema_of(const Form& root, std::string_view title);
 
 }  // namespace rubsweep::config::keys

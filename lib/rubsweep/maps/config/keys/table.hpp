@@ -116,7 +116,7 @@ struct KeysOf<std::variant<Structs...>> {
   std::vector<std::vector<Key>> ways{keys_of<Structs>()...};
 };
 
-/// The keys of several parts, one behind the other.
+/// Joins the lists of keys of several parts.
 std::vector<Key> joined(std::vector<std::vector<Key>> parts);
 
 }  // namespace rubsweep::config::keys

@@ -79,7 +79,7 @@ RossElement element_of(const yaml::Value& value, const std::string& name) {
   return {std::move(type), underscore == std::string::npos ? "" : name.substr(underscore + 1), name, value};
 }
 
-/// Whether an element acts along the axis alone, where nothing couples with bending.
+/// Whether an element acts only along the axis. Motion along the axis does not couple with bending.
 bool is_thrust_bearing(const RossElement& element) {
   return yaml::entry(element.value.node, "kzz") != nullptr &&
          yaml::entry(element.value.node, "kxx") == nullptr;
@@ -100,8 +100,8 @@ RossSettings read_ross_settings(const yaml::Value& file) {
     if (name == "ross_version") settings.whirl_tables = read_version(value) >= first_with_whirl_tables;
     if (name != "parameters") continue;
     yaml::Section parameters(value);
-    // Speeds that only plots use, and a damping ratio that matters only beside those of modes, which are
-    // refused.
+    // Ignored are speeds that only plots use, and the default damping ratio of modes: damping ratios of modes
+    // are refused.
     for (const std::string_view ignored : {"min_w", "max_w", "rated_w", "tag", "default_damping_ratio"})
       parameters.find(ignored);
     read_damping(parameters, settings);

@@ -32,7 +32,7 @@ void read_one(yaml::Section& section, std::string_view own_key, double& own, std
 /// first two.
 constexpr std::array<std::string_view, 4> rotor_kinds{"jeffcott", "rotor_kit", "ross", "matrices"};
 
-/// Keys of `rotor` beside kind: jeffcott.
+/// Keys of `rotor` for kind: jeffcott, except `kind`.
 model::JeffcottRotor read_jeffcott(yaml::Section& section) {
   model::JeffcottRotor rotor;
   std::optional<double> stiffness, damping;

@@ -11,7 +11,7 @@
 
 namespace rubsweep::config::machine {
 
-/// The keys of `rotor` beside kind: rotor_kit.
+/// Reads the keys of `rotor` for kind: rotor_kit.
 model::RotorKit read_rotor_kit(yaml::Section& section);
 /// Reads the keys of a kit that no file of another tool has. Call it when the shaft is known.
 void read_kit_rest(yaml::Section& section, model::RotorKit& kit);

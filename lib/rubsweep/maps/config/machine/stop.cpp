@@ -123,7 +123,8 @@ model::NormalLaw read_law(const yaml::Value& value) {
   return law;
 }
 
-/// Reads keys of linear contacts that stand beside a law of another kind, whose secant becomes the stiffness.
+/// Reads keys of a linear contact beside another force law, whose secant stiffness becomes the stiffness of
+/// the stop.
 void fit_to_law(yaml::Section& section, model::Stop& stop) {
   for (const std::string_view name :
        {stiffness_key, model::name_of<model::NominalRestitution>(),

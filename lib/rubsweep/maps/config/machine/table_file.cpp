@@ -35,8 +35,8 @@ struct Line {
   table::Fault fault(std::string wrong, std::string allowed) const {
     return {number, 1, std::move(wrong), std::move(allowed)};
   }
-  /// Flag of units at a place of this line: true for the units from which ANSYS converts, also where it is
-  /// left out.
+  /// Flag of units at a place of this line: true where ANSYS converts from US customary units or rpm, and
+  /// where the flag is left out.
   bool flag(std::size_t place) const {
     if (place < cells.size() && cells[place] != "0" && cells[place] != "1")
       throw fault(fmt::format("'{}' is no flag of units", cells[place]), "0 or 1");

@@ -39,7 +39,7 @@ struct AxisValues {
 /// and are divided by `units_per_si` before the axis is spaced.
 AxisValues read_axis(const yaml::Value& value, const model::Range& range, double units_per_si = 1);
 
-/// Keys of such an axis: those of its map with their exclusions, and the form that may also be a number.
+/// Keys of an axis as a map, and form of an axis, which may also be a number.
 std::vector<keys::Key> spaced_keys(const model::Range& range);
 keys::Form axis_form(const model::Range& range);
 
@@ -59,7 +59,7 @@ std::vector<sweep::KeyAxis> read_key_axes(yaml::Section& sweep);
 /// Reads keys, factors and values of one axis from a section that may have other keys, too.
 sweep::KeyAxis read_key_axis(yaml::Section& section);
 
-/// Keys of an axis over keys beside its values, and how they exclude each other.
+/// Keys of an axis over keys, without those of its values, and how they exclude each other.
 std::vector<keys::Key> key_axis_keys();
 std::vector<keys::Choice> key_axis_choices();
 

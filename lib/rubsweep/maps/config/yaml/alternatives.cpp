@@ -79,7 +79,8 @@ void drop_entry(Node& map, std::size_t index) {
 }
 
 void drop_alternatives(Node& map, std::string_view written) {
-  // `static` is a key of two laws. Beside other keys of a curve it excludes only `stribeck`.
+  // `static` belongs to two friction laws. Beside other keys of a Stribeck curve it excludes only the key
+  // `stribeck`.
   const bool of_a_curve = written != curve[0] && holds(holding, written) &&
                           std::ranges::any_of(map.keys, [](const Node::Key& key) {
                             return holds(Keys(curve).subspan(1), key.text);
