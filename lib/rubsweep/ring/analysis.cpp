@@ -69,7 +69,8 @@ double opening_rate(const NormalForm& form, std::size_t k, double speed) {
   return frequency_and_slope[k + 1].second - frequency_and_slope[k].second;
 }
 
-/// Speed at which that derivative is zero; empty unless it changes from negative to positive in the bracket.
+/// Speed at which the gap between the frequencies k and k + 1 is smallest; empty unless its derivative
+/// changes from negative to positive between `low` and `high`.
 std::optional<double> closest_approach(const NormalForm& form, std::size_t k, double low, double high) {
   const auto rate = [&](double speed) { return opening_rate(form, k, speed); };
   const double at_low = rate(low), at_high = rate(high);

@@ -12,7 +12,7 @@ namespace rubsweep::ring {
 struct Change {
   double speed_rad_per_s = 0;
   Signature before, after;
-  std::complex<double> root;  ///< 1/s; root with Im >= 0 that crosses or becomes double
+  std::complex<double> root;  ///< root that crosses or becomes double, in 1/s, with Im >= 0
   int evaluations = 0;        ///< number of computed spectra
 };
 

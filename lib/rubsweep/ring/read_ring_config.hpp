@@ -39,7 +39,8 @@ RingConfig read_ring_config(const std::filesystem::path& file, const std::vector
 /// All keys of a configuration of `ringstab`.
 keys::Form ring_form();
 
-/// Does the same for a text; `name` stands for the file in messages. Throws ConfigError.
+/// Reads a configuration of `ringstab` from a text; `name` stands for the file in messages. Throws
+/// ConfigError.
 RingConfig read_ring_config_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides);
 

@@ -35,7 +35,8 @@ Track track_modes(const System& system, const NormalForm& form, std::span<const 
 /// two curves have veered, the name of the shape is added: "ring backward (moves as load 0 flexural)".
 std::string describe_mode(const Track& track, const TrackPoint& point, std::size_t index);
 
-/// Does the same for the eigenvalue nearest to `value` at the tracked speed nearest to `speed_rad_per_s`.
+/// Name, as by describe_mode(), for the eigenvalue nearest to `value` at the tracked speed nearest to
+/// `speed_rad_per_s`.
 std::string describe_mode_near(const Track& track, double speed_rad_per_s, std::complex<double> value);
 
 }  // namespace rubsweep::ring

@@ -13,7 +13,7 @@
 
 namespace rubsweep::linear {
 
-/// Rotor of a machine without stops, casings and torsion, which bends in x and y.
+/// Rotor of a machine in bending in x and y, without stops, casings and torsion.
 struct FreeRotor {
   structure::FullSystem full;  ///< kit with all coordinates of its finite elements, without reduction
   /// Skew n x n matrix: i q^H spin q is the mass-weighted sum of squares of the forward whirl minus that of

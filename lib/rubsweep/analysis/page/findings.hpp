@@ -17,7 +17,7 @@ inline constexpr std::string_view not_computed = "not computed";
 struct PaintedTable {
   MapTable map;
   std::vector<std::size_t> computed;  ///< cells that the map itself has, ascending
-  std::vector<int> labels;            ///< labels of these cells; sweep::unknown_label for all others
+  std::vector<int> labels;            ///< labels of the computed cells; sweep::unknown_label for all others
 };
 
 /// Adds a row for every cell of `grid` that `map` does not have. Such a row has its place, class and order of

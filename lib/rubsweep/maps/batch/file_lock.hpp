@@ -20,8 +20,8 @@ enum class Patience {
 };
 
 /// Lock that a process holds during the life of this object. The system releases it however the process ends.
-/// The lock is on a file that names the holder; if nobody holds it (the process was killed), the file means
-/// nothing.
+/// The lock is on a file that names the holder. If the holder was killed, its file stays, but is no longer
+/// locked.
 class FileLock {
  public:
   /// Throws LockedError "PATH is held by HOLDER", and IoError where the file cannot be created. `purpose` is

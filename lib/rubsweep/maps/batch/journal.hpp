@@ -18,7 +18,7 @@ namespace rubsweep::batch {
 /// digests and cells may be mixed.
 struct JournalHeader {
   std::string study_digest;       ///< digest of everything that decides the results
-  std::string program_digest;     ///< digest of the code that computes them
+  std::string program_digest;     ///< digest of the code that computes the results
   std::size_t cells = 0;          ///< cells of the whole grid; records have cells 0 ... cells - 1
   std::string study;              ///< study as lines of text, to name differences
   std::size_t damaged_lines = 0;  ///< damaged lines that were not needed
@@ -40,9 +40,9 @@ struct JournalRecord {
   std::uint64_t offset;   ///< place of the text in the file
 };
 
-/// Reads the header above the records. Damage is ignored where the rest suffices. Not needed are the first
-/// line, the study if its digest is good, the digest (then left empty) if the study is good, and the line
-/// above the records. Throws DamagedJournal where more is damaged, or IoError.
+/// Reads the header above the records. Damage to one of its parts is ignored where the rest suffices: the
+/// first line, the line above the records, the study where its digest is good, or the digest (then left
+/// empty) where the study is good. Throws DamagedJournal where more is damaged, or IoError.
 JournalHeader read_journal_header(const std::filesystem::path& path);
 
 /// Calls `on_record` with every undamaged record, in the order of the file, and returns the number of damaged

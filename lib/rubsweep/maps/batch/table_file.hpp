@@ -109,7 +109,7 @@ void write_result_files(const ResultFiles& files, std::span<const std::string_vi
 /// processes left. Throws IoError.
 void remove_result_files(std::span<const std::string_view> names, const std::filesystem::path& directory);
 
-/// Head for a growing table of such results, which therefore has no checksum.
+/// Head of a table of `source` that still grows and therefore has no checksum.
 std::string growing_table_head(const ResultSource& source);
 
 /// Line for a terminal, "files     DIRECTORY: NAME NAME", with its line end.

@@ -40,16 +40,16 @@ struct RunConfig {
 /// cannot be read.
 RunConfig read_run_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// Does the same for a text. `name` stands for the file in messages, and bases are relative to it. Throws
-/// ConfigError.
+/// Reads a configuration from a text. `name` stands for the file in messages, and bases are relative to it.
+/// Throws ConfigError.
 RunConfig read_run_config_text(std::string_view text, const std::string& name,
                                const std::vector<std::string>& overrides);
 
 /// All keys of a configuration of `rubsweep`.
 keys::Form run_form();
 
-/// Reads only the machine of such a text and skips the checks for likely slips of units, which would prepare
-/// the machine several times. Meant for many machines that vary one configuration. Throws ConfigError.
+/// Reads only the machine of a configuration, from a text. Skips the checks for likely slips of units, which
+/// would prepare the machine several times: meant for many variants of one configuration. Throws ConfigError.
 model::Machine read_machine_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides);
 

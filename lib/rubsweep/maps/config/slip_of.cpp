@@ -26,7 +26,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 enum class Scale {
   one,
   frequency_hz,      ///< the lowest natural frequency
-  frequency_rpm,     ///< the same frequency in revolutions per minute
+  frequency_rpm,     ///< lowest natural frequency in revolutions per minute
   period_s,          ///< period of the lowest natural frequency
   clearance,         ///< clearance of the stop
   clearance_g_mm,    ///< unbalance in g mm whose eccentricity is the clearance

@@ -42,7 +42,7 @@ yaml::Node document_of(const sweep::Study& study) {
   return *std::move(document);
 }
 
-/// The study with these keys changed; problems with them are reported at `place`.
+/// Study with the numbers of `keys` written over it; problems with them are reported at `place`.
 sweep::Study read_varied(yaml::Node document, std::span<const sweep::KeyValue> keys,
                          const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
   const std::size_t problems = diagnostics.count();

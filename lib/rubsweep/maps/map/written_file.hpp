@@ -36,7 +36,8 @@ struct CheckedPage {
 };
 CheckedPage check_page_file(const std::filesystem::path& page, bool of_map);
 
-/// Whether the cases kept by a diagnosis are undamaged, by their first line; empty where the file holds none.
+/// Whether the file of cases that a diagnosis kept is undamaged, as its first line tells; empty for any other
+/// file.
 std::optional<bool> are_cases_whole(const std::filesystem::path& file);
 
 /// Verdict on the recordings that the table of labels names.

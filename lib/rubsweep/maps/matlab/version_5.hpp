@@ -20,8 +20,8 @@ struct NamedVector {
   std::span<const double> values;
 };
 
-/// Bytes of a compressed file of version 5 with these columns. `words` are the text of its head, at most 116
-/// bytes.
+/// Bytes of a compressed MATLAB file of version 5 with these vectors. `words` are the text of its head, at
+/// most 116 bytes.
 std::string version_5_file(std::string_view words, std::span<const NamedVector> columns);
 
 /// First `count` bytes of data packed by zlib, or all of them if there are fewer. Throws FileError where the

@@ -14,7 +14,7 @@ namespace rubsweep::report {
 /// that its own friction force drives backward is distinguished from an oval that the unbalance drives, and a
 /// forward circle from a backward one.
 std::string motion_name(const sweep::Row& row);
-/// Name of the motion in a line of map.csv, as above.
+/// Name of the motion in a line of map.csv, as motion_name gives it for a row.
 std::string motion_name(std::string_view map_line);
 
 /// Kind of the motion in a line of map.csv. Throws IoError where the line has none.

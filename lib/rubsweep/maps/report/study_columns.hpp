@@ -23,7 +23,7 @@ std::vector<StudyColumn> all_study_columns();
 /// Columns of all_study_columns that a map of this study has.
 std::vector<StudyColumn> study_columns(const sweep::Study& study);
 
-/// Descriptions of all these columns, for --help; lines end with '\n'.
+/// Descriptions of all columns that only some studies have, for --help; lines end with '\n'.
 std::string describe_study_columns();
 
 /// Last columns of a map, which repeat its speeds and unbalances in the units of the configuration:
@@ -31,17 +31,17 @@ std::string describe_study_columns();
 /// the numbers in the SI columns. Journals hold no such columns, so that studies that differ only by units
 /// can use each other's cells.
 
-/// Names of these columns, each with a comma before it; empty where all axes are written in SI units.
+/// Names of the unit columns, each with a comma before it; empty where all axes are written in SI units.
 std::string unit_header(const sweep::Grid& grid);
 
-/// Cells of these columns for a row, or for a line of map.csv, each with a comma before it.
+/// Cells of the unit columns for a row, or for a line of map.csv, each with a comma before it.
 std::string unit_cells(const sweep::Row& row, const sweep::Grid& grid);
 std::string unit_cells(std::string_view map_line, const sweep::Grid& grid);
 
-/// Header of map.csv without these columns, whichever of them it has.
+/// Header of map.csv without unit columns, whichever of them it has.
 std::string_view without_unit_columns(std::string_view header);
 
-/// Descriptions of all these columns, for --help; lines end with '\n'.
+/// Descriptions of all unit columns, for --help; lines end with '\n'.
 std::string describe_unit_columns();
 
 }  // namespace rubsweep::report

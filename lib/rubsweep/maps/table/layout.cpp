@@ -63,8 +63,8 @@ char separator_of(const std::vector<Line>& lines) {
   return best;
 }
 
-/// Finds the number of cells of a row, and which columns hold numbers. In the vote for the row length a line
-/// counts by its count of numbers, and in the vote for a column by the square of that: a few rows outweigh a
+/// Finds the number of cells of a row, and which columns hold numbers. Lines vote: for the row length a line
+/// has as many votes as numbers, for the kind of a column the square of that. A few long rows thus outweigh a
 /// head of keys and values.
 void judge_columns(const std::vector<Line>& lines, Layout& layout) {
   std::map<std::size_t, std::ptrdiff_t> weight_of_count;

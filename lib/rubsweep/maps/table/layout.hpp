@@ -14,7 +14,7 @@ struct Column {
   Heading heading;            ///< heading; empty name where the table has none
   std::size_t column = 1;     ///< byte in the line at which the name begins, from 1
   bool is_text = false;       ///< true: cells hold words, such as a comment or a status
-  std::size_t text_line = 0;  ///< line of one cell with a word
+  std::size_t text_line = 0;  ///< line of the first cell that holds a word
 };
 
 /// Layout of a table, found from its first lines.

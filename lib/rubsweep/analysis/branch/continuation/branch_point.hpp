@@ -49,7 +49,7 @@ struct BranchPoint {
   Eigen::VectorXd state;
   Eigen::VectorXd tangent;  ///< unit vector along the branch in the coordinates above; parameter last
   Eigen::MatrixXd monodromy;
-  Eigen::VectorXcd multipliers;  ///< largest modulus first
+  Eigen::VectorXcd multipliers;  ///< multipliers of the orbit, the largest modulus first
   int unstable = 0;              ///< number of multipliers outside the unit circle
   double branching = 0;  ///< determinant of the bordered derivative, which changes sign at branch points
   double slope_difference = 0;  ///< relative difference of the parameter derivatives at two step sizes
@@ -81,7 +81,7 @@ struct BranchEvent {
   double parameter_error =
       0;               ///< half-width of the interval that encloses the root, in units of the parameter
   std::string detail;  ///< graze: contact, and what appears or disappears with growing arclength
-  std::optional<orbits::SequenceChange> change = {};  ///< change at a graze
+  std::optional<orbits::SequenceChange> change = {};  ///< graze: change of the contact sequence
 };
 
 /// Reason why a branch ends.

@@ -16,9 +16,9 @@ struct PointAndTangent {
   const Eigen::VectorXd& tangent;
 };
 
-/// Guess for the curve between two points, near the plane at the distance s along the tangent of `from`, by
-/// the cubic through both points and tangents. Its distance differs from s by as much as the tangents turn.
-/// `length`: length of the segment along the first tangent.
+/// Guess for the point of a curve at the distance s along the tangent of `from`, by the cubic through both
+/// points and tangents. The guess lies only nearly at the distance s, as the tangents turn. `length`: length
+/// of the segment along the first tangent.
 inline Eigen::VectorXd hermite_guess(const PointAndTangent& from, const PointAndTangent& to, double length,
                                      double s) {
   const double t = s / length, u = 1 - t;

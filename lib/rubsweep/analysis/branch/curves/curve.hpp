@@ -41,7 +41,7 @@ enum class MeetingKind {
   graze_flip,            ///< a grazing orbit has a multiplier -1
   graze_torus,           ///< a grazing orbit has a complex pair on the unit circle
   double_graze,          ///< two grazes at once
-  degenerate_graze,      ///< the grazing guard's second derivative is zero: it does not turn back
+  degenerate_graze,      ///< the grazing guard has a zero second derivative: it does not turn back
 };
 
 constexpr std::string_view to_string(MeetingKind kind) { return enumerator_word(kind); }

@@ -53,7 +53,7 @@ struct Families {
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
                      const std::atomic<bool>& stop, FamilyRecords& records);
 
-/// Families of `proven` as above, without earlier records.
+/// Follows all families of the cells `proven`, without records of an earlier run.
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
                      const std::atomic<bool>& stop);
 

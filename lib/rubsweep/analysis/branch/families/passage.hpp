@@ -24,8 +24,8 @@ struct CellOrbit {
 /// Result of following a stable orbit from its cell straight to a neighbour.
 struct Passage {
   std::optional<CellOrbit> arrived;  ///< orbit in the neighbour, if it exists and is stable all the way
-  std::string_view kind;             ///< else the reason of its end: word of an EventKind or an Ending
-  double parameter = 0;              ///< and the place of its end, as the value of the varied axis
+  std::string_view kind;             ///< what ends it otherwise: the word of an EventKind or an Ending
+  double parameter = 0;              ///< value of the varied axis at that end
 };
 
 /// Stable orbit on which a cell settles; empty where there is none.

@@ -29,7 +29,7 @@ class FamilyJournal {
   /// Removes the journal after the results were written.
   void remove();
 
-  /// Does the same as LineLog::refresh.
+  /// Syncs the journal to the disk where that is due (LineLog::refresh).
   void refresh();
 
   /// Unlocks the directory, for a process that ends at once. Waits for a line that is being written; no other

@@ -42,7 +42,7 @@ double penetration_at(const scene::Scene& scene, const Eigen::VectorXd& state, i
 struct SampledOrbit {
   Eigen::MatrixXd states;
   double step_rad = 0;
-  bool closes = true;  ///< true: one step behind the last state comes the first one
+  bool closes = true;  ///< true: the first state follows the last one by one step
 };
 
 /// Approaches of an orbit: places where a guard comes nearest to zero and turns back. In flight this is the

@@ -8,8 +8,8 @@ namespace rubsweep::branch::orbits {
 /// Header ",multiplier_1_re,...,floquet_modulus" for the two largest multipliers and the largest modulus.
 std::string multiplier_columns();
 
-/// Cells of these columns, empty where there are fewer than two multipliers. `multipliers`: at least one, the
-/// largest modulus first.
+/// Cells for multiplier_columns(), empty where there are fewer than two multipliers. `multipliers`: at least
+/// one, the largest modulus first.
 std::string multiplier_cells(const Eigen::VectorXcd& multipliers);
 
 /// Eigenvalues of a monodromy matrix, the largest modulus first; in a complex pair the positive imaginary

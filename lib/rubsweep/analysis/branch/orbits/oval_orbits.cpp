@@ -122,7 +122,7 @@ class OvalOrbits {
     for (int loops = 0; loops < loops_; ++loops) {
       VectorXd section = state;
       if (loops > 0 && advance(loops, parameter, section, nullptr) != Evaluation::ok) return std::nullopt;
-      section(state.size() - 1) = state(state.size() - 1);  // mean of loops of different length
+      section(state.size() - 1) = state(state.size() - 1);  // loop time: the mean of all loops
       facts.sections.push_back(section);
     }
     const Eigen::Index n = state.size() - 1;

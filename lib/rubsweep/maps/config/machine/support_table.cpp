@@ -171,7 +171,7 @@ std::string_view ending_of(std::string_view unit) {
 /// Key of a column of a table of supports: "Kxx [N/mm]" is kxx_n_per_mm, "Speed (rpm)" speed_rpm.
 ColumnKey key_of_support(const table::Heading& heading) {
   if (const std::size_t slash = heading.name.rfind('/'); slash != std::string::npos) {
-    // "Speed / rpm", "K_xx / (N/m)"
+    // Headings such as "Speed / rpm" or "K_xx / (N/m)".
     const std::size_t parted = heading.name.find('/');
     const std::string behind = heading.name.substr(parted + 1);
     if (heading.unit.empty() == (slash + 1 == heading.name.size())) return {};

@@ -149,7 +149,7 @@ class Resolver {
     if (node.kind == Node::Kind::map) return true;
     const std::string found = node.kind == Node::Kind::null ? "the file is empty" : describe(node);
     const SourcePosition top{
-        -1, 1, 1, node.place.file};  // in an empty file a place after the last line is of no use
+        -1, 1, 1, node.place.file};  // in an empty file a place after the last line would be of no use
     diagnostics_.add(node.kind == Node::Kind::null ? top : node.place, path, found + " and no base", "a map");
     return false;
   }

@@ -21,8 +21,8 @@ struct FileBytes {
 FileBytes read_bytes(const std::filesystem::path& file,
                      batch::InputKind kind = batch::InputKind::regular_file);
 
-/// Does the same for a file that the command line names. This may be one that the shell opened and passed on,
-/// as <(...) does. Throws IoError where the file cannot be read.
+/// Bytes of a configuration file that the command line names. It may be a file that the shell opened and
+/// passed on, as <(...) does. Throws IoError where the file cannot be read.
 std::string read_config_bytes(const std::filesystem::path& file);
 
 /// Value that results when `over` is written over `base`, both found at `path`:
