@@ -20,8 +20,8 @@ struct CriticalSpeed {
 };
 
 /// All closed forms below that hold for this system. Each has the nearest numerical speed of the same kind
-/// within 1e-6 of it: a speed of singular K for divergence, else one of `changes`, which belong to the system
-/// with its friction.
+/// within 1e-6 of it. For divergence this is a speed of singular K, else one of `changes`, which belong to
+/// the system with its friction.
 std::vector<CriticalSpeed> critical_speeds(const System& system, const std::vector<Change>& changes);
 
 /// All speeds (rad/s, ascending, with multiplicity) at which K0 - Omega^2 K2 is singular, so that a root

@@ -69,9 +69,9 @@ std::vector<int> first_modes(const Spectrum& spectrum) {
   return mode;
 }
 
-/// Name of an eigenvector by its shape, independent of its curve: the load that has more kinetic energy than
-/// the ring, else the direction in which the wave on the ring travels in the fixed frame, or "ring" for a
-/// real root.
+/// Name of an eigenvector by its shape, independent of its curve. This is the load that has more kinetic
+/// energy than the ring, else the direction in which the wave on the ring travels in the fixed frame. For a
+/// real root it is "ring".
 std::string shape_name(const std::vector<std::string>& names, int nodal_diameters, double speed_rad_per_s,
                        std::complex<double> value, const Eigen::VectorXcd& vector) {
   const auto shape = vector.head(vector.size() / 2);

@@ -19,9 +19,9 @@ struct RampResonance {
 /// a fast ramp, where the response lags. `plot` has amplitude and phase at points of a speed that changes at
 /// the constant rate `rate_hz_per_s`, not 0. The fit uses the part whose amplitude is above a quarter of the
 /// largest value. Besides the unbalance it allows for a bow, for earlier free vibration, and for other modes
-/// without resonance. Empty with fewer than 16 points in the part, where the speed turns back, or where no
-/// mode of 0 < damping ratio < 1 fits best at a speed inside the part. See docs/method/fits.md, "Resonance of
-/// a ramp".
+/// without resonance. Empty with fewer than 16 points in the part, and where the speed turns back. Empty also
+/// where no mode of 0 < damping ratio < 1 fits best at a speed inside the part. See docs/method/fits.md,
+/// "Resonance of a ramp".
 std::optional<RampResonance> fit_ramp_resonance(std::span<const BodePoint> plot, double rate_hz_per_s);
 
 }  // namespace rubsweep::linear

@@ -32,8 +32,8 @@ std::size_t recorded_cells(const sweep::Grid& grid, const MapTable& map, std::si
 /// Page of the finished map `map` of `study`, with the lines of boundaries.csv if `directory` has that file
 /// for this map. Cells that a refined map did not compute are painted. `on_cell` is called after each
 /// recorded cell. Empty if `stop` became true before the end. Throws IoError where the map does not have one
-/// row for each cell of the study, or boundaries.csv has an error, and ConfigError where more than two axes
-/// have several values.
+/// row for each cell of the study, or boundaries.csv has an error. Throws ConfigError where more than two
+/// axes have several values.
 std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
                                        const std::filesystem::path& directory, const PageOptions& options,
                                        const std::function<void()>& on_cell, const std::atomic<bool>& stop);

@@ -92,8 +92,8 @@ class StateReader {
   TraceState read(std::span<const double> scaled, double turns) const;
   /// Reads only positions and velocities, which is faster than forces and energies.
   TraceState read_motion(std::span<const double> scaled) const;
-  /// Takes note of a change of contact mode that precedes the next state to be read: the damping of a curved
-  /// law may depend on the speed at which contact began.
+  /// Takes note of a change of contact mode before the next state is read. The damping of a curved law may
+  /// depend on the speed at which contact began.
   void pass(const integrate::run::ModeSwitch& change);
 
  private:

@@ -15,8 +15,8 @@ struct LabelGrid {
   int at(std::size_t column, std::size_t row) const { return labels[row * columns + column]; }
 };
 
-/// Basin entropy (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan 2016), a measure of how mixed basins
-/// are: the mean over boxes of sum p log(1 / p), where p is the share of a label in the box.
+/// Basin entropy, a measure of how mixed basins are (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan
+/// 2016). It is the mean over boxes of sum p log(1 / p), where p is the share of a label in the box.
 struct BasinEntropy {
   double all = 0;       ///< mean over all boxes
   double boundary = 0;  ///< mean over boxes with more than one label; above log 2 the boundary is fractal

@@ -71,8 +71,8 @@ std::string progress_line(std::size_t done, std::size_t total, double elapsed_s,
 /// `waited_s` s without a finished cell adds the same time again. Empty where nothing was measured.
 std::optional<double> time_left_s(const CellsLeft& cells, double elapsed_s, double waited_s);
 
-/// Number of `cells` that are run first to predict the total time: a few for each thread, but at most a
-/// sixteenth of all, so that the prediction comes soon. 0 where there are too few cells.
+/// Number of `cells` that are run first to predict the total time: a few for each thread. At most a sixteenth
+/// of all, so that the prediction comes soon, and 0 where there are too few cells.
 std::size_t pilot_count(std::size_t cells, std::size_t threads);
 
 /// Prediction such as "about 0:12:30 by 32 cells spread over the map", if these took `elapsed_s` s and `left`

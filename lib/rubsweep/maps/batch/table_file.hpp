@@ -100,8 +100,8 @@ struct ResultSource {
 
 /// Replaces the files `names` of a directory, all that a run may leave there, by those of a new run. A file
 /// of `names` without a text is removed. A directory never mixes two runs, even after a crash or a loss of
-/// power: all new files are on the disk before the first old one is removed, and all old ones are removed
-/// before the first new one gets its name. Throws IoError.
+/// power. First all new files are written to the disk under temporary names, then all old ones are removed,
+/// and only then do the new files get their names. Throws IoError.
 void write_result_files(const ResultFiles& files, std::span<const std::string_view> names,
                         const std::filesystem::path& directory, const ResultSource& source);
 

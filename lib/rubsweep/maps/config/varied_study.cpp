@@ -30,8 +30,8 @@ yaml::Node document_of(const sweep::Study& study) {
   sweep::Study plain = study;
   plain.threshold.reset();
   plain.basin.reset();
-  // Largest speed, as it may be too large for a varied rotor, and smallest, as it gives the longest run for a
-  // kick.
+  // The smallest and the largest speed suffice for the checks. The largest may be too fast for a varied
+  // rotor, and the smallest has the longest run, which limits the kick.
   const auto [slowest, fastest] = std::ranges::minmax(study.grid.speed_hz);
   plain.grid = {.speed_hz = slowest < fastest ? std::vector{slowest, fastest} : std::vector{fastest},
                 .measure = study.grid.measure,

@@ -79,7 +79,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
     finished_map_ = read_finished_map(program, map(), config.study, warn_over_clearances_);
     if (refined_) finished_map_->cells = header_.cells;  // only the map knows how many it needs
     refuse_map_of_another(*finished_map_, map(), header_);
-    // The process that wrote the map may have been killed before it removed them.
+    // The process that wrote the map may have been killed before it removed its journals.
     if (!part_) remove_journals();
   }
   batch::write_whole_file(directory_ / "config.yaml", config::print_config(config));

@@ -83,7 +83,7 @@ std::string basins(const Row& row) {
   return text;
 }
 
-/// Share of all attractors that rub, together.
+/// Sum of the shares of all attractors that rub.
 std::string rub_probability(const Row& row) {
   if (!row.basins) return "";
   double share = 0;

@@ -16,8 +16,9 @@ struct Workers {
 
 /// Memory and disk space of a sweep, rounded up.
 struct Footprint {
-  /// Memory of each process: the last two windows of the cell of each thread, and the flows that each thread
-  /// keeps for machines it has met (`integrate/exact/mode_cache`), which are one per speed for a rotor kit.
+  /// Memory of each process. It contains the last two windows of the cell of each thread, and the flows that
+  /// a thread keeps for machines it has met (`integrate/exact/mode_cache`), one machine per speed for a rotor
+  /// kit.
   std::size_t memory_bytes = 0;
   std::size_t disk_bytes = 0;  ///< disk space in bytes: journals, map.partial.csv and in the end map.csv
 };

@@ -31,11 +31,11 @@ std::string why_torsion_is_idle(const scene::PreparedMachine& prepared, double s
 /// (response::proof::RestProof::vibration_grows).
 inline constexpr const char* unstable_rotor = "unstable_rotor";
 
-/// One line for people on the speeds of the study at which the quiet motion is unstable: a free vibration of
-/// the rotor without its stops grows (structure::grows), for example by cross-coupled bearings or rotating
-/// damping. Empty where none grows. Checks at most 400 speeds, and 16 machines along axes over keys, spread
-/// evenly. `prepared` is the prepared study.machine. Throws ConfigError where the full matrices of a kit
-/// disagree at the first, a middle or the last speed, or where the growth is fastest.
+/// One line for people on the speeds of the study at which the quiet motion is unstable, because a free
+/// vibration of the rotor without its stops grows (structure::grows). Causes are cross-coupled bearings or
+/// rotating damping. Empty where none grows. Checks at most 400 speeds, and 16 machines along axes over keys,
+/// spread evenly. `prepared` is the prepared study.machine. Throws ConfigError where the full matrices of a
+/// kit disagree at the first, a middle or the last speed, or where the growth is fastest.
 std::string where_rotor_is_unstable(const Study& study, const scene::PreparedMachine& prepared);
 
 }  // namespace rubsweep::sweep

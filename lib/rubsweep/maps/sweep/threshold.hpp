@@ -37,9 +37,9 @@ struct Threshold {
   std::size_t failed = 0;              ///< number of runs that failed: they count as no rub
 };
 
-/// Scans and bisects. Bisection of a change ends when its two sides differ by at most the tolerance times the
-/// larger absolute value of them, or times a thousandth of the scanned range where that is larger, as near
-/// zero.
+/// Scans and bisects. Bisection ends when both sides of a change differ by at most the tolerance times the
+/// larger absolute value. Near zero, where it is larger, the tolerance times a thousandth of the scanned
+/// range is taken.
 Threshold find_threshold(const ThresholdScan& scan, const std::function<Probe(double)>& probe);
 
 }  // namespace rubsweep::sweep

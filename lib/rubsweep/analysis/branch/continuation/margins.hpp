@@ -23,8 +23,8 @@ struct StepEnds {
 };
 
 /// Place in the step, as a share of its `length` > 0, at which a function may have two more roots than its
-/// signs at the ends show. It is a minimum of |f|, f being the cubic through `ends`, with at most half the
-/// value of the end nearer to zero. Empty where there is no such place.
+/// signs at the ends show. If the function begins positive, it is the local minimum of the cubic through
+/// `ends`. Empty unless the value there is below half the value at the end nearer to zero.
 std::optional<double> dip_of_cubic(const StepEnds& ends, double length);
 
 /// Place in the sense of dip_of_cubic() for a function that is known by its values at the ends and its mean

@@ -103,9 +103,9 @@ continuation::HalfBranch follow_the_way(const Way& way, const continuation::Bran
   return continuation::follow(way.problem, way.to > way.from ? start : turned_about(start), options);
 }
 
-/// Second attempt with another scale, in which the way between the cells has length 1, and not the whole
-/// axis. With the larger scale, turns of the branch behind a graze may be too small to be found, below 1e-9
-/// of the range.
+/// Second attempt with another scale of the parameter: the way between the cells has length 1, not the whole
+/// axis. With the first scale, turns of the branch behind a graze may be too small to be found, below 1e-9 of
+/// the axis.
 continuation::HalfBranch follow_patiently(Way way, const CellOrbit& orbit, continuation::HalfBranch first) {
   continuation::FollowOptions options = options_of_a_passage();
   options.most_points = patient_points;

@@ -23,9 +23,9 @@ namespace rubsweep::branch::orbits {
 /// parameter. The solver's tolerance is 1e-11.
 OrbitProblem oval_orbits(SceneFamily family, int loops, const integrate::run::SolverOptions& solver);
 
-/// State with which `orbit_from` finds the oval through `point` (2n scaled numbers in the rotating frame)
-/// with the period `period_rad` of shaft rotation: its point farthest from the axis, and its time. Empty
-/// where the solver cannot follow it.
+/// Start state for finding, by `orbit_from`, the oval through `point` (2n scaled numbers in the rotating
+/// frame). The oval has the period `period_rad` of shaft rotation. The result is its point farthest from the
+/// axis, followed by its time. Empty where the solver cannot follow it.
 std::optional<Eigen::VectorXd> oval_state(const scene::Scene& scene,
                                           const integrate::run::SolverOptions& solver,
                                           const Eigen::VectorXd& point, double period_rad);

@@ -169,8 +169,8 @@ void spread(yaml::Section& section, Columns& columns, std::size_t count) {
   }
 }
 
-/// Refuses a table over the whirl frequency, and returns whether it did: a motion that is not synchronous
-/// needs the coefficients at its own frequency, not at that of the shaft.
+/// Refuses a table over the whirl frequency, and returns whether it did. A motion that is not synchronous
+/// would need the coefficients at its own frequency, not at that of the shaft.
 bool refuse_whirl_table(yaml::Section& section) {
   const auto frequency = given(section, "frequency");
   if (!frequency || frequency->node.items.size() < 2) return false;

@@ -68,8 +68,8 @@ class TreeCopy {
   int file_;
 };
 
-/// Place of the first key with too many parts, or of the first bracket nested too deeply. toml++ would make a
-/// table of each part and destroy the nested tables recursively, so that a long key would overflow the stack.
+/// Place of the first key with too many parts, or of the first bracket nested too deeply. For a long key,
+/// toml++ would make one table inside another for each part, and overflow the stack when it destroys them.
 /// Strings and comments are skipped.
 std::optional<SourcePosition> too_deep(std::string_view text, int file) {
   std::size_t parts = 1, brackets = 0, line_begin = 0;

@@ -15,12 +15,13 @@ std::size_t utf8_length(std::string_view text);
 /// True for the bytes 0x00 to 0x1f and 0x7f.
 bool is_control(char byte);
 
-/// Whether a terminal or a page does not show a UTF-8 character as it is: a control character of ASCII or
-/// Latin-1, a separator of lines or paragraphs, or a character that turns the direction of writing.
+/// Whether a terminal or a page does not show a UTF-8 character as it is. Such characters are control
+/// characters of ASCII or Latin-1, separators of lines or paragraphs, and those that turn the direction of
+/// writing.
 bool is_hidden(std::string_view character);
 
-/// Offset of the first character that looks like a blank or is invisible, but that YAML does not accept as a
-/// blank: a no-break space, typographic spaces, a byte order mark inside the text. Empty where there is none.
+/// Offset of the first character that looks like a blank or is invisible, but is no blank to YAML: a no-break
+/// space, a typographic space, a byte order mark inside the text. Empty where there is none.
 std::optional<std::size_t> find_foreign_blank(std::string_view text);
 
 /// Name of the first character of a text: "a no-break space (U+00A0)".
@@ -54,9 +55,10 @@ std::string printable(std::string_view text);
 /// message that cannot be written is dropped silently.
 void say(const std::string& text);
 
-/// Name out of `names` that `word` most probably means: the shortest one that only adds a unit to `word`
-/// ("mass" -> "mass_kg"), else the one with the smallest edit distance (insert, delete, replace: 1 each), and
-/// the first listed if several are equal. Empty where no name is within a third of its own length.
+/// Name out of `names` that `word` most probably means. This is the shortest name that only adds a unit to
+/// `word` ("mass" -> "mass_kg"), else the name with the smallest edit distance (insert, delete, replace: 1
+/// each). The first listed wins if several are equal. Empty where no name is within a third of its own
+/// length.
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> names);
 
 enum class NumberError {
