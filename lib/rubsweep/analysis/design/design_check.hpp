@@ -42,7 +42,7 @@ struct ClearanceMargin {
   std::size_t stop = 0;
   std::optional<double> position_m;  ///< place along the shaft; empty for a Jeffcott rotor
   double speed_hz = 0;               ///< speed at which the margin is smallest
-  double major_axis_m = 0;           ///< full length of the axis at that speed
+  double major_axis_m = 0;           ///< full length of the major axis at that speed
   double diametral_clearance_m =
       0;              ///< twice the smallest gap at the rotor's mean position; 0: it rests on the wall
   double margin = 0;  ///< 1 - major axis / (allowed share of the clearance); < 0: too little clearance
@@ -89,7 +89,7 @@ struct ResponseCurve {
 /// Results of a design check. Lengths of major axes are diameters.
 struct DesignCheck {
   SpeedRange operating;
-  SpeedRange whole;              ///< from near standstill, or the begin of the tables, to the upper end
+  SpeedRange whole;              ///< range from near standstill, or the begin of the tables, to the upper end
   double eccentricity_m = 0;     ///< eccentricity before scaling
   double vibration_limit_m = 0;  ///< peak to peak
   std::vector<ProbeResponse> probes;

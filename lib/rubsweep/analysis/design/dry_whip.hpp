@@ -17,7 +17,7 @@ namespace rubsweep::design {
 /// < 0 means that the rotor whirls backward without friction.
 std::optional<double> friction_of_dry_whip(std::complex<double> receptance_m_per_n, double stiffness_n_per_m);
 
-/// Dry whip of an annular stop that needs the least friction.
+/// Dry whip with the least friction in an annular stop.
 struct DryWhip {
   double least_friction = 0;  ///< no dry whip with less friction
   double whirl_hz = 0;        ///< frequency of the backward whirl, > 0

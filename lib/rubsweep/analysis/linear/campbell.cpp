@@ -13,7 +13,7 @@ namespace rubsweep::linear {
 namespace {
 
 constexpr double sure = 0.9;      ///< smallest assurance criterion that leaves no doubt
-constexpr double alike = 0.3;     ///< smallest one with which a mode continues an earlier one
+constexpr double alike = 0.3;     ///< smallest assurance of a mode that continues an earlier one
 constexpr int most_halvings = 8;  ///< limit on halvings of a step of the speed
 
 using Curve = std::vector<FollowedMode>;

@@ -37,7 +37,8 @@ int samples_in(double duration_s, double sample_s) {
   return static_cast<int>(std::floor(duration_s / sample_s)) + 1;
 }
 
-/// Whether each sensor measures a signal. One across the motion has only rounding, or less than the noise.
+/// Whether each sensor measures a signal. A sensor across the motion reads only rounding, or less than the
+/// noise.
 std::vector<bool> sees_something(const Eigen::MatrixXd& signal, double noise_m) {
   const double floor_m = std::max(noise_m, 1e-9 * signal.cwiseAbs().maxCoeff());
   std::vector<bool> sees;

@@ -16,7 +16,7 @@ namespace rubsweep::page {
 struct KnownMotion {
   std::string_view motion_class;  ///< class as map.csv writes it
   std::optional<int> order;       ///< order of a periodic motion
-  long revolutions = 0;           ///< number after which the motion was classified
+  long revolutions = 0;           ///< number of revolutions before the classification
   bool proven = false;            ///< true: proven by multipliers, possibly before the run had settled
   std::optional<double> hertz_force_n{};  ///< force of the last secants of Hertz' contacts
 };

@@ -128,7 +128,7 @@ Outcome run_ramp(const scene::Scene& scene, const RampForces& forces, double tur
   StretchReader reader(scene, samples);
   integrate::run::TurnReport report;
   for (long number = 0; static_cast<double>(number) < turns; ++number) {
-    constexpr double nothing = 1e-9;  // share of a turn; rounding at the end of the ramp
+    constexpr double nothing = 1e-9;  // share of a turn that counts as rounding at the ramp's end
     const double rest = std::min(1.0, turns - static_cast<double>(number));
     if (rest < nothing) break;
     const Outcome outcome = run.advance(request, report, 2 * pi * rest);

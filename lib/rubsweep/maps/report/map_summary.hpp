@@ -42,8 +42,8 @@ class MapSummary {
   /// limit, and, where no cell rubs, the reason.
   std::string text() const;
 
-  /// One line on cells that move too far for a linear shaft, and another one where no rotor moves so far,
-  /// which asks whether the unbalance is right. Empty where there are no such cells.
+  /// One line on cells that move too far for a linear shaft. Above 100 clearances a second line asks whether
+  /// the unbalance is right. Empty where there are no such cells.
   std::string warning() const;
 
  private:

@@ -38,8 +38,8 @@ struct Threshold {
 };
 
 /// Scans and bisects. Bisection ends when both sides of a change differ by at most the tolerance times the
-/// larger absolute value. Near zero, where it is larger, the tolerance times a thousandth of the scanned
-/// range is taken.
+/// larger absolute value. If it is larger, as near zero, the tolerance times a thousandth of the scanned
+/// range is used instead.
 Threshold find_threshold(const ThresholdScan& scan, const std::function<Probe(double)>& probe);
 
 }  // namespace rubsweep::sweep

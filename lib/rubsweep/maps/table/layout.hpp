@@ -33,10 +33,10 @@ std::string_view take_line(std::string_view& text);
 /// Whether a line is blank or begins with # or %.
 bool is_comment(std::string_view line);
 
-/// Finds the layout of a table of numbers in UTF-8. Most lines of numbers have the same number of cells: the
-/// rows begin at the first such line. Lines of units may stand above. Names are in the nearest line above
-/// that has a different name for each column and no numbers or units. Where no other line has names, a
-/// comment may. Throws Fault for a text without numbers.
+/// Finds the layout of a table of numbers in UTF-8. The length of a row is that of most lines of numbers, and
+/// the rows begin at the first line of this length. Lines of units may stand above. Names are in the nearest
+/// line above that has a different name for each column and no numbers or units, or in a comment if there is
+/// no such line. Throws Fault for a text without numbers.
 Layout layout_of(std::string_view text);
 
 /// Finds the layout of a table by a line of names of which `is_name` knows some. The table begins with this

@@ -27,7 +27,7 @@ struct Margin {
   };
   Kind kind = Kind::approach;
   int contact = 0;
-  contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< change of mode at its begin
+  contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< first change of the stretch
   double phase_rad = 0;
   double value = 0;  ///< >= 0
   double slope = 0;  ///< slope per unit of arclength
@@ -53,7 +53,7 @@ struct BranchPoint {
   int unstable = 0;              ///< number of multipliers outside the unit circle
   double branching = 0;  ///< determinant of the bordered derivative, which changes sign at branch points
   double slope_difference = 0;  ///< relative difference of the parameter derivatives at two step sizes
-  double difference_step = usual_difference_step;  ///< step size of that derivative
+  double difference_step = usual_difference_step;  ///< step size of the derivative by the parameter
   std::optional<MultiplierTests> slopes;           ///< slopes per unit of arclength, if they were needed
   std::optional<std::vector<Margin>> margins;      ///< margins, if they were needed
   orbits::OrbitFacts facts;

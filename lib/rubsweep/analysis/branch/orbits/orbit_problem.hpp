@@ -22,7 +22,7 @@ enum class Evaluation {
 struct EvenContact {
   int contact = 0;
   double penetration = 0;  ///< middle of the penetration's range, scaled; < 0: gap
-  double spread = 0;       ///< width of that range, caused by rounding or a slightly eccentric stop
+  double spread = 0;       ///< width of the penetration's range, from rounding or a slightly eccentric stop
   contact::Mode touching = contact::Mode::sprung;  ///< mode that follows the open mode when contact begins
 };
 

@@ -11,7 +11,7 @@ namespace rubsweep::config::machine {
 /// tag.
 struct RossElement {
   std::string type;  ///< part of the key before the first underscore, without 6DoF
-  std::string tag;   ///< part of the key after it; may have blanks and underscores
+  std::string tag;   ///< rest of the key; may have blanks and underscores
   std::string name;  ///< whole key
   yaml::Value value;
 };
