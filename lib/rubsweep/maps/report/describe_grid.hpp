@@ -10,8 +10,8 @@
 
 namespace rubsweep::report {
 
-/// Throws ConfigError where more axes of a map have several values than `in`, "a report" or "a picture", can
-/// show. That is two if one of the axes is over a key.
+/// Throws ConfigError where an axis is over a key and more than two axes of the map have several values,
+/// since `in`, "a report" or "a picture", can show only two.
 void require_plane(const sweep::Grid& grid, std::string_view in);
 
 /// Phrase that says how small an island a refined map surely finds (sweep::island_bound).

@@ -77,7 +77,7 @@ bool best_difference(const orbits::OrbitProblem& problem, BranchPoint& point, Ve
   for (const double side : {usual_difference_step, -usual_difference_step}) {
     if (one_sided_difference(problem, point.state, point.parameter, side, wide) &&
         one_sided_difference(problem, point.state, point.parameter, side / 2, narrow))
-      take(finest_difference_step, 1);  // eliminates their error, which is linear in the step
+      take(finest_difference_step, 1);  // cancels the error, which is linear in the step
   }
   return true;
 }

@@ -15,8 +15,8 @@ using Eigen::VectorXd;
 /// Steps of central differences, in the coordinates. The step along the state is larger, as it also serves
 /// third derivatives.
 constexpr double usual_parameter_step = 1e-6, usual_state_step = 1e-5;
-/// Distance, as a share of the length scale, by which an orbit must miss the guard to count as a graze. On
-/// the other side rounding would enter the derivative as a square root.
+/// Distance, as a share of the length scale, by which an orbit misses the guard and counts as a graze. An
+/// orbit beyond the guard is avoided: the square root of rounding errors would enter its derivative.
 constexpr double miss = 4e-12;
 /// Smallest divisor in Newton's iteration at a branch point.
 constexpr double least_cubic = 1e-3;
@@ -129,9 +129,9 @@ class Extender {
     append(extended, condition->value, row);
   }
 
-  /// Replaces an equation at a branch point. The equation that the orbit closes along `left` vanishes there
-  /// to first order. Instead the second derivative along `right` must be zero, as symmetry requires. Only the
-  /// derivative of this condition along `right` matters.
+  /// Replaces one equation at a branch point, as the closing error of the orbit along `left` vanishes there
+  /// to first order. The new equation says that the second derivative along `right` is zero, which symmetry
+  /// requires. Only its derivative along `right` matters.
   void drop_open_equation(Extended& extended) const {
     Critical& critical = extended.critical;
     const VectorXd& left = critical.left;
@@ -139,8 +139,9 @@ class Extender {
     extended.residual += left * (critical.quadratic - critical.open_defect);
     const Eigen::RowVectorXd open = left.transpose() * extended.jacobian;
     Eigen::RowVectorXd bent = Eigen::RowVectorXd::Zero(n_ + extra_);
-    // This derivative vanishes where symmetry breaking changes between supercritical and subcritical, and the
-    // matrix would become singular. Another value leaves the direction of the curve unchanged.
+    // This derivative vanishes where symmetry breaking changes between supercritical and subcritical. The
+    // matrix would then be singular, so that a larger number is used, which does not change the direction of
+    // the curve.
     const double slope = std::copysign(std::max(std::abs(critical.cubic), least_cubic), critical.cubic);
     bent.head(n_) = root_of(n_) * slope * critical.right.transpose();
     extended.jacobian += left * (bent - open);

@@ -66,8 +66,8 @@ class Table {
     add(name, map_of(inner.take()), meaning, "0.1.0").required = true;
   }
 
-  /// The keys that `visit` adds stand only where the key `selector`, which has a default and was added
-  /// before, has one of these words.
+  /// Adds keys by `visit` that are allowed only where the key `selector` has one of these words. `selector`
+  /// must have a default and must have been added before.
   template <class Visit>
   void beside(std::string_view selector, std::initializer_list<std::string> words, bool, Visit&& visit) {
     const std::size_t first = keys_.size();
