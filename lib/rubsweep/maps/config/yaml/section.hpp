@@ -33,8 +33,8 @@ class Section {
   /// Like find, but a missing key is a problem.
   std::optional<Value> require(std::string_view name, std::string_view allowed);
 
-  /// Adds a problem unless exactly one of these keys is given. If several are given, each of them is reported
-  /// at its place. Does not make them known.
+  /// Adds a problem unless exactly one of these keys is given. If several are given, the problem names the
+  /// place of each. Does not make them known.
   void require_exactly_one(std::span<const std::string_view> names);
   void require_exactly_one(std::initializer_list<std::string_view> names) {
     require_exactly_one(std::span(names.begin(), names.size()));
