@@ -17,7 +17,7 @@
 namespace rubsweep::design {
 namespace {
 
-/// Twice the gap that the mean position leaves at a stop, not below 0.
+/// Twice the gap at a stop for the mean position of the rotor; at least 0.
 double diametral_clearance_m(const scene::PreparedMachine& prepared, std::size_t stop,
                              const WatchedPlace& place, const scene::QuietMotion& motion) {
   const model::Stop& described = prepared.machine.stops[stop];
@@ -34,7 +34,7 @@ linear::Campbell modes_over(const SpeedRange& range, const model::Machine& machi
                           batch::evenly_spaced(range.from_hz, range.to_hz, campbell_speeds), 2 * range.to_hz);
 }
 
-/// The speeds of a range, its ends among them.
+/// Speeds within a range, with both ends of the range added.
 std::vector<double> within(const SpeedRange& range, const std::vector<double>& speeds_hz) {
   std::vector<double> inside{range.from_hz};
   for (const double speed_hz : speeds_hz)
@@ -55,7 +55,7 @@ std::vector<ProbeResponse> probe_responses(const scene::PreparedMachine& prepare
   return probes;
 }
 
-/// The worst of some speeds of the operating range.
+/// Smallest whip margin over some speeds of the operating range.
 WhipMargin whip_margin(const scene::PreparedMachine& prepared, std::size_t stop,
                        const SpeedRange& operating) {
   const model::Stop& described = prepared.machine.stops[stop];
@@ -86,7 +86,7 @@ std::vector<ResponseCurve> curves_over(const scene::PreparedMachine& prepared, d
   return curves;
 }
 
-/// Why no kicks can be tried; empty: they can.
+/// Reason why kicks cannot be tried; empty if they can.
 std::string why_no_kicks(const sweep::Study& study, const DesignQuestions& questions) {
   if (questions.kick_speeds == 0) return "not asked for";
   if (!study.machine.kick) return "the configuration has no kick";

@@ -24,7 +24,7 @@ std::string at(const std::optional<double>& position_m) {
   return position_m ? fmt::format(" at {:.4g} m", *position_m) : "";
 }
 
-/// Lengths on the page.
+/// Prints lengths of the page in their units.
 class Lengths {
  public:
   explicit Lengths(const model::ShownLengths& shown) : shown_(shown) {}
@@ -36,7 +36,8 @@ class Lengths {
   model::ShownLengths shown_;
 };
 
-/// The response of a rotor that grows does not last: that it keeps a limit means nothing.
+/// Verdict for a limit. While a free vibration grows the steady response does not last, so that a kept limit
+/// means nothing.
 std::string_view if_lasting(bool met, const linear::GrowthAt& growth) {
   return met && growth.growth_per_s > 0 ? "of a motion that does not last" : verdict(met);
 }
@@ -130,7 +131,7 @@ std::string kick_lines(const DesignCheck& check) {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// One line of the page, as numbers.
+/// One line of the page in numbers.
 struct Line {
   std::string_view check;
   std::string place;
@@ -153,7 +154,7 @@ std::string stop_name(std::size_t stop) { return fmt::format("stop {}", stop); }
 
 std::string design_check_csv(const DesignCheck& check) {
   std::string text = "check,place,position_m,speed_hz,value,limit,unit,margin,verdict\n";
-  // The response of a rotor that grows does not last: what it would keep is no verdict.
+  // While a free vibration grows the steady response does not last, and a kept limit is no verdict.
   const auto if_lasting = [](bool met, const linear::GrowthAt& growth) {
     return !met || growth.growth_per_s == 0 ? std::optional(met) : std::nullopt;
   };

@@ -1,5 +1,5 @@
-# cmake -DASSETS=NAME=FILE+FILE,NAME=FILE... -DOUTPUT=FILE.cpp -P embed.cmake: writes the definitions that assets.hpp
-# declares. Files of one name are put together in their order.
+# cmake -DASSETS=NAME=FILE+FILE,NAME=FILE... -DOUTPUT=FILE.cpp -P embed.cmake: writes the definitions for
+# assets.hpp. Several files of one name are joined in the order given.
 string(REPLACE "," ";" assets "${ASSETS}")
 set(source "#include \"rubsweep/analysis/page/assets.hpp\"\n\nnamespace rubsweep::page {\n")
 foreach(asset IN LISTS assets)

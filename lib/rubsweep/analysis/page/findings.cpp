@@ -17,16 +17,17 @@
 namespace rubsweep::page {
 namespace {
 
-/// A column of an axis of the grid, and its text at each value of the axis.
+/// One column of an axis of the grid, with its number in the table at each value of the axis.
 struct AxisColumn {
   std::string name;
   std::vector<double> values;
-  std::size_t stride = 1;  ///< cells from one place to the next
+  std::size_t stride = 1;  ///< distance in cell numbers between neighbouring values
 
   std::size_t place_in(std::size_t cell) const { return cell / stride % values.size(); }
 };
 
-/// Speed, unbalance, and the keys of every axis; the first column of an axis tells its place.
+/// Columns of each axis: speed, unbalance, and the axes over keys. The first column of an axis identifies its
+/// value.
 std::vector<std::vector<AxisColumn>> axes_of(const sweep::Grid& grid) {
   std::vector<std::vector<AxisColumn>> axes{{{"speed_hz", grid.speed_hz, 1}}};
   std::size_t stride = grid.speed_hz.size();
@@ -48,7 +49,7 @@ std::vector<std::vector<AxisColumn>> axes_of(const sweep::Grid& grid) {
 std::size_t cell_of(const MapTable& map, std::size_t row, const std::vector<std::vector<AxisColumn>>& axes) {
   std::size_t cell = 0;
   for (const auto& columns : axes) {
-    // A factor of 0 tells nothing of the place.
+    // A column whose factor is 0 is constant and does not identify the value.
     const auto telling = std::ranges::find_if(columns, [](const AxisColumn& column) {
       return column.values.size() == 1 || column.values[0] != column.values[1];
     });
@@ -104,7 +105,7 @@ class Words {
     return "from " + model::speed_range_text(speed(*low), speed(*high), 4);
   }
 
-  /// "subharmonic 1/3", "quasi-periodic"
+  /// Name of the motion of a row, such as "subharmonic 1/3" or "quasi-periodic".
   std::string motion(std::size_t row) const {
     std::string name(map_.word("class", row));
     std::replace(name.begin(), name.end(), '_', '-');
@@ -118,7 +119,7 @@ class Words {
   std::vector<std::string> keys_;
 };
 
-/// Words take an s, keys of the configuration stay as they are.
+/// Plural of a word. Keys of the configuration stay unchanged.
 std::string plural(const std::string& name) {
   return name.find_first_of("._") == std::string::npos ? name + "s" : "values of " + name;
 }
@@ -146,7 +147,7 @@ std::string size_of(const MapTable& map, const sweep::Grid& grid) {
   return fmt::format("{} cells: {}, {}{}.", map.rows, speed, unbalance, keys);
 }
 
-/// The row with the largest number of a column among `rows`; empty where none has one.
+/// Row out of `rows` with the largest number in a column; empty where no row has a number there.
 std::optional<std::size_t> largest(const MapTable& map, const Rows& rows, std::string_view column) {
   std::optional<std::size_t> best;
   for (const std::size_t row : rows) {
@@ -256,7 +257,7 @@ std::vector<std::string> findings(const MapTable& map, const sweep::Grid& grid) 
   std::vector<std::string> said{size_of(map, grid)};
   const auto rubs = [&](std::size_t row) {
     const std::string_view motion = map.word("class", row);
-    // Painted cells have no measures: their class decides.
+    // Painted cells have no measures, so that their class decides.
     if (map.word("status", row) == not_computed) {
       const auto motion_class = response::motion::motion_class_of(motion);
       return motion_class && *motion_class != MotionClass::unsettled && row_of(*motion_class).rubs;

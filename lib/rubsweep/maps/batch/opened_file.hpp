@@ -9,8 +9,8 @@
 
 namespace rubsweep::batch {
 
-/// "cannot ACTION PATH: the system's reason" for the error number `error`. Throws IoError; bad_alloc where
-/// the system had no memory left.
+/// Throws IoError "cannot ACTION PATH: the system's reason" for the error number `error`, or bad_alloc where
+/// the system was out of memory.
 [[noreturn]] void throw_io_error(std::string_view action, const std::filesystem::path& path, int error);
 
 /// Owns one open file.
@@ -25,62 +25,62 @@ class Descriptor {
 
   int get() const { return value_; }
 
-  /// The caller closes it from now on.
+  /// Gives up the file; the caller must close it.
   int release();
 
  private:
   int value_;
 };
 
-/// Opens with the flags of open(2); a new file may be read and written by all whom the mask allows. Throws
-/// IoError "cannot ACTION KNOWN_AS: ..."; with O_NOFOLLOW also for a symbolic link.
+/// Opens a file with the flags of open(2). A new file gets the permissions that the umask allows. Throws
+/// IoError "cannot ACTION KNOWN_AS: ...", with O_NOFOLLOW also for a symbolic link.
 Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action,
                      const std::filesystem::path& known_as);
 inline Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action) {
   return open_file(path, flags, action, path);
 }
 
-/// Whether the open file is still the one that has the name `path`.
+/// Whether `path` is still a name of the open file.
 bool is_file_at(int descriptor, const std::filesystem::path& path);
 
-/// For files of ours that are written under names which others could guess. Throws IoError "cannot ACTION
-/// PATH: it is a symbolic link" where it is one, whether or not there is something behind it.
+/// Throws IoError "cannot ACTION PATH: it is a symbolic link" where `path` is one, even if it leads nowhere.
+/// Protects files whose names others could guess.
 void refuse_link(std::string_view action, const std::filesystem::path& path);
 
 /// Writes everything; returns 0 or the system's error number.
 int write_all(int descriptor, std::string_view text);
 
 /// Waits until the names in a directory are on the disk, after files were renamed, created or removed there.
-/// Without it a loss of power may undo any of that, in any order. A file system that cannot do so is left
-/// alone. Throws IoError.
+/// Without this a loss of power may undo any of these changes, in any order. Does nothing on a file system
+/// that cannot sync. Throws IoError.
 void sync_directory(const std::filesystem::path& directory);
 
-/// Creates a directory and those above it where they are missing, on the disk as well. Throws IoError.
+/// Creates a directory and missing ones above it, and syncs them to the disk. Throws IoError.
 void make_directory(const std::filesystem::path& directory);
 
-/// Kinds of files that may be read. Nobody can tell how long a pipe or a device would keep its reader
-/// waiting, so that a name must lead to a regular file; only a file that the caller of the program opened and
-/// passed on, as /dev/stdin or /dev/fd/63, may be of any kind, where the command line names it.
+/// Kinds of files that may be read. A pipe or a device could keep its reader waiting forever, so that a name
+/// must lead to a regular file. With `also_passed_on` any file is allowed that the caller of the program
+/// opened, such as /dev/stdin or /dev/fd/63.
 enum class InputKind { regular_file, also_passed_on };
 
-/// An open file, or why there is none.
+/// An open file, or the reason why it could not be opened.
 struct Input {
   Descriptor descriptor;
-  std::string problem;  ///< "No such file or directory", "it is not a regular file"; empty: it is open
+  std::string problem;  ///< such as "No such file or directory"; empty: it is open
 };
 
-/// Opens a file for reading, without ever waiting for somebody to write it.
+/// Opens a file for reading. Never waits for a writer.
 Input find_input(const std::filesystem::path& path, InputKind kind = InputKind::regular_file);
 
-/// The same. Throws IoError "cannot read PATH: ...".
+/// Opens a file for reading, as find_input does. Throws IoError "cannot read PATH: ...".
 Descriptor open_input(const std::filesystem::path& path);
 
 using InputStream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// The same as a stream. Throws IoError.
+/// Opens a file for reading as a stream. Throws IoError.
 InputStream open_input_stream(const std::filesystem::path& path);
 
-/// As read_line wants it.
+/// Buffer for read_line.
 struct LineBuffer {
   char* text = nullptr;
   std::size_t capacity = 0;
@@ -90,14 +90,13 @@ struct LineBuffer {
   LineBuffer& operator=(const LineBuffer&) = delete;
 };
 
-/// The next line of a stream with its end, which the last one may lack; an empty view where nothing follows.
-/// It is good until the next call; `text` and `capacity` are as getline(3) wants them. Throws IoError with
-/// the name of the file; bad_alloc for a line that does not fit into memory, which must not pass for the end
-/// of the file.
+/// Next line of a stream, with its line end, which the last line may lack; empty at the end. The view is
+/// valid until the next call. `text` and `capacity` are as in getline(3). Throws IoError with the name of the
+/// file, and bad_alloc for a line that does not fit into memory: it must not look like the end of the file.
 std::string_view read_line(std::FILE* stream, const std::filesystem::path& path, char*& text,
                            std::size_t& capacity);
 
-/// All bytes of a file. Throws IoError.
+/// Reads all bytes of a file. Throws IoError.
 std::string read_input(const std::filesystem::path& path);
 
 /// Appends at most `most` bytes of an open file to `text`; returns 0 or the system's error number.

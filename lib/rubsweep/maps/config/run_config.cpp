@@ -31,7 +31,7 @@ constexpr std::string_view root_form = "a map with rotor, stops, sweep, output";
 
 RunConfig read_sections(const yaml::Value& root) {
   yaml::Section section(root, root_form);
-  section.find(yaml::base_key);  // resolved before; still a name that a misspelt key may mean
+  section.find(yaml::base_key);  // resolved before, but a known key that a misspelt one may resemble
   RunConfig config;
   config.study = study::read_study(section);
   if (const auto value = section.require("output", "a map")) read_run_output(*value, config);
@@ -49,7 +49,8 @@ const model::JeffcottRotor* jeffcott(const sweep::Study& study) {
   return std::get_if<model::JeffcottRotor>(&study.machine.rotor);
 }
 
-/// Speeds are often given as multiples of the natural frequency, and that as a critical speed in rpm.
+/// Unit in which slow speeds were probably given: multiples of the natural frequency, or Hz beside a natural
+/// frequency in rpm.
 std::string_view unit_of_slow_speeds(double fastest_hz, double natural_hz) {
   if (fastest_hz >= 0.5 && fastest_hz <= 20) return " (multiples of it?)";
   const double by_minute = natural_hz / model::rpm_per_hz;
@@ -118,14 +119,14 @@ void add_restitutions(const sweep::Study& study, std::vector<Question>& question
          fmt::format("{} is nominal, and an impact returns {:.2g} of its speed: this law returns at least {} "
                      "(restitution_delivered?)",
                      nominal->value, contact::delivered_restitution(ratio), least)});
-    return;  // the first of equal questions
+    return;  // only the first of equal questions
   }
 }
 
-/// Questions about a study whose numbers are plausible each by itself and odd together, as unit_questions
-/// asks: all speeds far below the natural frequency of a Jeffcott rotor, a kick that no cell takes because
-/// each begins in contact, a rotor that sags onto a stop, a nominal restitution that no impact delivers.
-/// `root` is the configuration that `study` was read from without a problem.
+/// Questions about numbers that are plausible each alone but odd together: all speeds far below the natural
+/// frequency of a Jeffcott rotor, a kick that no cell uses because each begins in contact, a rotor that sags
+/// onto a stop, a nominal restitution that no impact reaches. `root` is the configuration that `study` was
+/// read from without a problem. Each question has the form that unit_questions describes.
 std::vector<std::string> plan_questions(const yaml::Value& root, const sweep::Study& study) {
   std::vector<Question> asked;
   for (auto& question : {slow_speeds(root.node, study), idle_kick(study), sag_onto_stop(study)}) {
@@ -134,7 +135,7 @@ std::vector<std::string> plan_questions(const yaml::Value& root, const sweep::St
   add_restitutions(study, asked);
   std::vector<std::string> questions;
   for (const auto& [key, text] : asked) {
-    // A value that a cell or an axis gives stands nowhere.
+    // A value that comes from a default or an axis has no place in the file.
     if (const yaml::Node* node = find_node(root.node, key))
       questions.push_back(fmt::format("{}: {}: {}", root.diagnostics.describe(node->place), key, text));
   }
@@ -171,7 +172,7 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
   if (diagnostics.count() == 0) vary_keys({root, "", diagnostics}, config.study);
   diagnostics.throw_if_any();
   config.questions = unit_questions({root, "", diagnostics}, &config.study.machine);
-  // A number in another unit makes all the rest odd.
+  // After a question about units other oddities follow from the same slip, and are not asked about.
   if (config.questions.empty()) config.questions = plan_questions({root, "", diagnostics}, config.study);
   return config;
 }

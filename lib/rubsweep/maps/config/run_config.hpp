@@ -17,11 +17,11 @@ namespace rubsweep::config {
 struct RunConfig {
   sweep::Study study;
   std::filesystem::path output_directory;
-  double warn_over_clearances = 10;  ///< cells whose rotor moves farther are counted and warned of
+  double warn_over_clearances = 10;  ///< cells with larger deflections are counted in a warning
   batch::Captions captions{};
   std::vector<std::string> questions{};  ///< questions about likely slips of units (see unit_slips.hpp)
 
-  /// Keys of `output` beside the directory.
+  /// Visits the keys of `output` except the directory.
   static void visit_fields(auto& self, auto&& visit) {
     visit("warn_over_clearances", self.warn_over_clearances,
           model::newer_key(model::positive,
@@ -29,29 +29,27 @@ struct RunConfig {
   }
 };
 
-/// Reads a configuration, after the `key.path=value` strings of `overrides` (see override.hpp) replaced
-/// values of it, and after it was written over the bases that it names (see base.hpp). Every key is checked
-/// for name, type, range and meaning; what may be left out gets its default.
+/// Reads a configuration, merged with the bases that it names (see base.hpp), after the `key.path=value`
+/// strings of `overrides` (see override.hpp) replaced values. Name, type, range and meaning of every key are
+/// checked, and optional keys that are left out get their defaults.
 ///
-/// Throws ConfigError whose text holds every problem found, one a line, in the order of the files (bases
-/// before those that name them), then of the overrides: `file:line:column: path.to.key: what is wrong,
-/// allowed: what is allowed`, where
-/// `--set path.to.key=value` stands in place of `file:line:column` for what an override wrote. A file that is
-/// not YAML at all, or a base that cannot be had, is the only problem. Throws IoError when the file cannot be
-/// read.
+/// Throws ConfigError with every problem found, one a line, in the order of the files (a base before the file
+/// that names it), then of the overrides: `file:line:column: path.to.key: what is wrong, allowed: what is
+/// allowed`. A problem of an override begins with `--set path.to.key=value` in place of `file:line:column`. A
+/// file that is not YAML, or a base that cannot be read, is reported alone. Throws IoError where the file
+/// cannot be read.
 RunConfig read_run_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// The same for a text; `name` replaces the file in messages, and bases are relative to it. Throws
-/// ConfigError.
+/// Reads a configuration from a text. `name` stands for the file in messages, and bases are relative to it.
+/// Throws ConfigError.
 RunConfig read_run_config_text(std::string_view text, const std::string& name,
                                const std::vector<std::string>& overrides);
 
-/// All keys of such a configuration.
+/// All keys of a configuration of `rubsweep`.
 keys::Form run_form();
 
-/// The machine alone of such a text, without what is refused or asked as a likely slip of units, which would
-/// prepare the machine several times: for many machines of one configuration that was read. Throws
-/// ConfigError.
+/// Reads only the machine of a configuration, from a text. Skips the checks for likely slips of units, which
+/// would prepare the machine several times: meant for many variants of one configuration. Throws ConfigError.
 model::Machine read_machine_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides);
 

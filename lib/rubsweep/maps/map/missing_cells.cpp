@@ -20,11 +20,11 @@
 namespace rubsweep::map {
 namespace {
 
-/// Time until the journals of other shards are read again.
+/// Time between two readings of the journals of other shards.
 constexpr std::chrono::milliseconds shard_patience{500};
 
-/// Shards that were begun with one command are not there at one instant, and the first may have no more to do
-/// before the last has begun.
+/// Least time that a shard without work waits for others: shards started by one command do not begin at the
+/// same instant.
 constexpr std::chrono::seconds beginners_patience{5};
 
 }  // namespace
@@ -70,14 +70,14 @@ MissingCells::MissingCells(const ComputeOptions& options, const sweep::Study& st
       program_(options.program),
       stop_(options.stop ? *options.stop : never_),
       log_(directory, options.progress) {
-  // Which cells a refinement wants is not known beforehand.
+  // The cells that a refined map needs are not known beforehand.
   if (study.grid.refinement) return;
   const std::size_t speeds = study.grid.speed_hz.size();
   log_.progress().expect({speeds, sweep::cell_count(study.grid) / speeds, directory.missing()});
 }
 
-/// Computes round after round of the cells that the refinement of those before needs. Shards at work at the
-/// same time wait for each other's.
+/// Computes the cells of a refined map in rounds: each needs the labels of the one before. Shards at work at
+/// the same time wait for each other's cells.
 bool MissingCells::run_refined() {
   RefinedCells known(study_.grid);
   bool alone = false;
@@ -94,7 +94,7 @@ bool MissingCells::run_refined() {
       alone = false;
       std::this_thread::sleep_for(shard_patience);
     } else if (!wanted.empty() && !alone) {
-      alone = true;  // reads once more: others may have written before they left
+      alone = true;  // reads once more, as others may have written before they ended
     } else {
       left_to_others_ = wanted.size();
       break;
@@ -108,7 +108,7 @@ bool MissingCells::run_refined() {
   return true;
 }
 
-/// A few cells from all over the map tell how long it will take.
+/// Computes a few cells spread over the map first, to predict the total time.
 void MissingCells::run_pilots(std::vector<std::size_t>& cells, std::size_t pilots_wanted,
                               const std::string& hint) {
   const auto pilots = sweep::take_pilot_cells(cells, pilots_wanted);
@@ -134,7 +134,7 @@ bool MissingCells::run() {
   const int threads = batch::thread_count(threads_);
   std::vector<std::size_t> cells = directory_.missing();
   const std::size_t pilots_wanted = batch::pilot_count(cells.size(), static_cast<std::size_t>(threads));
-  // Only where somebody is there to read it.
+  // Pilots run only where somebody can read the prediction.
   if (say_progress(report::describe_footprint(study_, prepared, {threads})) && pilots_wanted > 0)
     run_pilots(cells, pilots_wanted, report::describe_many_modes(prepared));
   run_cells(cells);

@@ -12,7 +12,8 @@
 namespace rubsweep::matlab {
 namespace {
 
-/// Unpacks until the end, or until there are more than `most` bytes; `ended` says which.
+/// Unpacks until the end, or until there are more than `most` bytes; `ended` tells whether the end was
+/// reached.
 std::string unpack(std::string_view packed, std::size_t most, bool& ended) {
   struct Stream : z_stream {
     Stream() : z_stream{} {
@@ -46,10 +47,10 @@ std::string unpack(std::string_view packed, std::size_t most, bool& ended) {
 
 constexpr std::uint32_t matrix_type = 14, compressed_type = 15;
 
-/// Classes of arrays.
+/// Codes for the classes of arrays.
 constexpr std::uint32_t structure_class = 2, sparse_class = 5, last_number_class = 15, opaque_class = 17;
 
-/// A tag and the bytes that it announces.
+/// Data element: a tag, and the bytes whose type and size the tag gives.
 struct Element {
   std::uint32_t type = 0;
   Bytes data;
@@ -57,7 +58,7 @@ struct Element {
 
 Element take_element(Bytes& in) {
   const auto tag = in.number<std::uint32_t>();
-  if (const std::uint32_t size = tag >> 16; size > 0) {  // four bytes at most, in the tag itself
+  if (const std::uint32_t size = tag >> 16; size > 0) {  // small element of up to four bytes inside the tag
     if (size > 4) throw FileError{"is damaged: an element of another size than it can have"};
     return {tag & 0xffff, Bytes(in.take(4).substr(0, size), in.swapped())};
   }
@@ -106,7 +107,7 @@ void read_fields(Bytes& in, Variable& variable, const Wanted& wanted) {
   }
 }
 
-/// An array from its flags on.
+/// Reads an array, beginning with its flags.
 Variable read_array(Bytes in, const Wanted& wanted, bool in_structure) {
   const std::vector<double> flags = all_numbers(take_element(in));
   if (flags.empty()) throw FileError{"is damaged: an array without flags"};
@@ -152,7 +153,7 @@ std::vector<Variable> read_version_5(Bytes bytes, const Wanted& wanted) {
     std::string unpacked;
     if (element.type == compressed_type) {
       const std::string_view packed = element.data.take(element.data.left());
-      // libmatio says some bytes too few.
+      // libmatio writes a size that is a few bytes too small.
       constexpr std::size_t tag_bytes = 8, slack = 64;
       const std::string begin = inflate_begin(packed, tag_bytes);
       Bytes tag(begin, bytes.swapped());

@@ -16,7 +16,7 @@ void* open_library() {
   return library;
 }
 
-/// File, object or type of HDF5, all of which it counts by numbers.
+/// Owns a file, object or type of HDF5, each of which has a numeric identifier.
 class Handle {
  public:
   Handle(const Hdf5Library& library, hid_t id) : library_(library), id_(id) {
@@ -39,7 +39,7 @@ class Reader {
   std::vector<Variable> read_group(hid_t group, bool in_structure) {
     std::vector<Variable> variables;
     for (const std::string& name : names_in(group)) {
-      if (name.starts_with('#')) continue;  // cells and objects of MATLAB
+      if (name.starts_with('#')) continue;  // groups in which MATLAB keeps the contents of cells and objects
       const Handle object = open(group, name);
       const H5I_type_t type = h5_.H5Iget_type(object);
       Variable variable{.name = name};
@@ -80,7 +80,7 @@ class Reader {
     return names;
   }
 
-  /// An object that the group itself holds.
+  /// Opens an object that is in the group itself, not a link.
   Handle open(hid_t group, const std::string& name) const {
     H5L_info_t facts{};
     require(h5_.H5Lget_info(group, name.c_str(), &facts, H5P_DEFAULT) >= 0, name);
@@ -105,7 +105,7 @@ class Reader {
     return h5_.H5Aread(attribute, type, word.data()) >= 0 && word.starts_with("char");
   }
 
-  /// Sizes in MATLAB's order, the reverse of HDF5's.
+  /// Dimensions in MATLAB's order, the reverse of HDF5's.
   std::vector<std::size_t> dims_of(hid_t dataset) const {
     const Handle space{h5_, h5_.H5Dget_space(dataset)};
     const int rank = h5_.H5Sget_simple_extent_ndims(space);
@@ -140,7 +140,7 @@ class Reader {
     if (!variable.complex && wanted_(variable)) variable.values = numbers_of(dataset, variable);
   }
 
-  /// A group of values, their rows, and which of them each column begins with.
+  /// Reads a sparse matrix: a group of values, their rows, and the index of the first value of each column.
   void read_sparse(hid_t group, Variable& variable) const {
     std::uint64_t rows = 0;
     const Handle attribute{h5_, h5_.H5Aopen(group, "MATLAB_sparse", H5P_DEFAULT)};
@@ -148,7 +148,7 @@ class Reader {
     require(h5_.H5Tget_size(type) == sizeof rows && h5_.H5Aread(attribute, type, &rows) >= 0, variable.name);
     const auto part = [&](const char* name) {
       if (h5_.H5Lexists(group, name, H5P_DEFAULT) <= 0)
-        return std::vector<double>();  // a matrix of zeros has none
+        return std::vector<double>();  // a matrix of zeros has no such data set
       const Handle dataset = open(group, name);
       require(h5_.H5Iget_type(dataset) == H5I_DATASET, variable.name);
       const Handle kind{h5_, h5_.H5Dget_type(dataset)};
@@ -173,7 +173,7 @@ class Reader {
 void* Hdf5Library::symbol(const char* name) {
   void* const library = open_library();
   void* found = library == nullptr ? nullptr : dlsym(library, name);
-  // In a program that is linked with the same library, its numbers are those of the program.
+  // In a program that is linked with the same library, the variables are the program's own copies.
   if (found != nullptr && dlsym(RTLD_DEFAULT, "H5open") == dlsym(library, "H5open"))
     found = dlsym(RTLD_DEFAULT, name);
   if (found == nullptr)
@@ -205,7 +205,7 @@ std::vector<Variable> read_version_73(std::string_view bytes, const Wanted& want
   if (library.H5Pset_fapl_core(access, step, 0) < 0 ||
       library.H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()) < 0)
     throw FileError{"cannot be read by HDF5"};
-  // HDF5 reads what is in memory, and refuses the name of a file that there is.
+  // HDF5 reads the bytes in memory, but it needs a file name that does not exist.
   const Handle file{library, library.H5Fopen("/dev/null/matlab", 0, access)};
   return Reader(library, wanted).read_group(file, false);
 }

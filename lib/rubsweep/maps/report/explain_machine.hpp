@@ -6,8 +6,8 @@
 
 namespace rubsweep::report {
 
-/// Explanation of a run of `machine` for a terminal: its model, the omissions and their reasons. `speed_hz`
-/// is the speed at which slip and friction saturation are stated, the lowest of a sweep.
+/// Explanation of `machine` for a terminal: the model, and what it leaves out and why. Slip and saturation of
+/// friction are stated at `speed_hz`, the lowest speed of a sweep.
 std::string explain_machine(const model::Machine& machine, double speed_hz);
 
 }  // namespace rubsweep::report

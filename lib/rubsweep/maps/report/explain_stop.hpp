@@ -8,8 +8,8 @@
 
 namespace rubsweep::report {
 
-/// Lines about one stop for `--explain`: its geometry, force law, friction and casing. `cell` is of the speed
-/// at which slip and friction saturation are stated.
+/// Lines for `--explain` on one stop: geometry, force law, friction and casing. Slip and saturation of
+/// friction are stated at the speed of `cell`.
 std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Cell& cell, std::size_t stop);
 
 }  // namespace rubsweep::report

@@ -11,7 +11,7 @@
 namespace rubsweep::table {
 namespace {
 
-/// In small letters, as plain_unit writes them.
+/// Known units, in the spelling of plain_unit and in small letters.
 constexpr std::array<std::string_view, 66> units{
     "s",      "ms",    "us",    "sec",   "secs",   "second",  "seconds", "min",    "h",       "m",     "mm",
     "um",     "nm",    "cm",    "in",    "inch",   "mil",     "mils",    "micron", "microns", "v",     "mv",
@@ -34,7 +34,8 @@ std::string_view trimmed(std::string_view cell) {
   return cell;
 }
 
-/// A unit in brackets belongs to the cell before it; blanks inside of brackets and quotes part nothing.
+/// Splits a line at blanks. A unit in brackets belongs to the cell before it, and blanks inside brackets and
+/// quotes do not separate.
 std::vector<std::string_view> cells_between_blanks(std::string_view line) {
   constexpr std::string_view blanks = " \t\r", opening = "([\"", closing = ")]\"";
   std::vector<std::string_view> cells;
@@ -68,7 +69,7 @@ std::optional<double> whole_number(std::string_view digits) {
   return value;
 }
 
-/// Parts between the signs `mark`, as numbers; the last one may have decimals.
+/// Numbers of the parts between the signs `mark`; the last number may have decimals.
 std::optional<std::vector<double>> numbers_between(std::string_view text, char mark,
                                                    const NumberStyle* decimals) {
   std::vector<double> numbers;
@@ -84,7 +85,7 @@ std::optional<std::vector<double>> numbers_between(std::string_view text, char m
   }
 }
 
-/// Seconds from 1970 to the begin of a day.
+/// Seconds from the begin of 1970 to the begin of a day.
 std::optional<double> day_in(std::string_view date) {
   using namespace std::chrono;
   auto parts = numbers_between(date, '-', nullptr);
@@ -104,7 +105,7 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
   if (separator == ' ') return cells_between_blanks(line);
   while (true) {
-    // A separator inside of quotes parts nothing; quotes that do not end are part of the text.
+    // A separator inside quotes does not count. A quote without its end is part of the text.
     const std::size_t begin = line.find_first_not_of(" \t\r");
     const bool quoted = begin != std::string_view::npos && line[begin] == '"';
     const std::size_t closed = quoted ? line.find('"', begin + 1) : std::string_view::npos;
@@ -119,7 +120,7 @@ std::optional<double> number_in(std::string_view cell, const NumberStyle& style)
   if (cell.empty() || cell == "NaN" || cell == "nan") return std::numeric_limits<double>::quiet_NaN();
   std::string point(cell);
   if (style.decimal_comma) {
-    if (cell.find('.') != std::string_view::npos) return std::nullopt;  // dots between thousands
+    if (cell.find('.') != std::string_view::npos) return std::nullopt;  // dots that separate thousands
     if (const std::size_t comma = point.find(','); comma != std::string::npos) point[comma] = '.';
   }
   if (const std::size_t exponent = point.find_first_of("Dd");

@@ -7,7 +7,7 @@
 namespace rubsweep::table {
 namespace {
 
-/// Lines that the layout is judged by.
+/// Number of lines at the begin from which the layout is found.
 constexpr std::size_t most_lines = 1000;
 constexpr std::array<char, 4> separators{'\t', ';', ',', ' '};
 
@@ -16,7 +16,7 @@ struct Line {
   std::size_t number = 0, offset = 0;
 };
 
-/// The first lines that are not blank.
+/// First lines of a text without the blank ones.
 std::vector<Line> first_lines(std::string_view text) {
   std::vector<Line> lines;
   const char* begin = text.data();
@@ -24,7 +24,7 @@ std::vector<Line> first_lines(std::string_view text) {
     const auto offset = static_cast<std::size_t>(text.data() - begin);
     const std::string_view line = take_line(text);
     if (line.starts_with("***End_of_Header***"))
-      lines.clear();  // lines of LabVIEW's head: the table comes behind it
+      lines.clear();  // lines above belong to LabVIEW's head, and the table comes below
     else if (line.find_first_not_of(" \t") != std::string_view::npos)
       lines.push_back({line, number, offset});
   }
@@ -46,8 +46,8 @@ std::vector<bool> numbers_in(const std::vector<std::string_view>& cells, char se
   return numbers;
 }
 
-/// The separator that most lines have two numbers by; a comma may also be that of decimals. Blanks stand in
-/// words, too: they part the cells where most lines have numbers by them.
+/// Separator by which most lines have at least two numbers. A comma may also be a decimal sign. Since words
+/// contain blanks, a blank is the separator only if it gives numbers in more than half of the lines.
 char separator_of(const std::vector<Line>& lines) {
   char best = '\t';
   long most = 0;
@@ -63,8 +63,9 @@ char separator_of(const std::vector<Line>& lines) {
   return best;
 }
 
-/// Cells of a row, and which of its columns hold numbers; lines count by the square of how many numbers they
-/// have, so that a head of keys and values is outdone by few rows.
+/// Finds the number of cells of a row, and which columns hold numbers. Lines vote: for the row length a line
+/// has as many votes as numbers, for the kind of a column the square of that. A few long rows thus outweigh a
+/// head of keys and values.
 void judge_columns(const std::vector<Line>& lines, Layout& layout) {
   std::map<std::size_t, std::ptrdiff_t> weight_of_count;
   const auto for_rows = [&](auto&& take) {
@@ -98,7 +99,7 @@ void judge_columns(const std::vector<Line>& lines, Layout& layout) {
   }
 }
 
-/// Whether a line is a row of numbers, at least half of which are there.
+/// Whether a line is a row of numbers. Up to half of the numbers may be missing.
 bool is_row(const Line& line, const Layout& layout) {
   const auto cells = cells_of(line.text, layout.separator);
   if (cells.size() < layout.fewest_cells) return false;
@@ -118,8 +119,8 @@ bool is_unit_row(const std::vector<std::string_view>& cells) {
          std::ranges::all_of(cells, [](auto cell) { return cell.empty() || is_unit(cell); });
 }
 
-/// Whether cells name the columns: the first one may be a number of the row, without a name, and where no
-/// line is left in which all differ, some may be the same, which whoever asks for them is told.
+/// Whether cells are names of the columns. The first cell may be empty, above a column of row numbers.
+/// `all_differ` = false accepts repeated names, for a table that has no line with all names different.
 bool are_names(const std::vector<std::string_view>& cells, const Layout& layout, bool all_differ = true) {
   if (cells.size() < layout.fewest_cells) return false;
   std::size_t once = 0, named = 0;
@@ -137,7 +138,7 @@ bool are_names(const std::vector<std::string_view>& cells, const Layout& layout,
 void set_names(Layout& layout, const Line& line, std::string_view text) {
   const auto cells = cells_of(text, layout.separator);
   layout.names_line = line.number;
-  // Columns behind the numbers that have a name, and cells in some rows alone.
+  // Columns behind the numbers, which have a name but cells only in some rows.
   for (std::size_t i = layout.columns.size(); i < cells.size(); ++i)
     layout.columns.push_back({.heading = {}, .is_text = true});
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -158,7 +159,7 @@ std::string_view uncommented(std::string_view line) {
   return line.substr(std::min(line.find_first_not_of(" \t#%"), line.size()));
 }
 
-/// A row of numbers above the others would be left out.
+/// Refuses a row of numbers above the table, which would otherwise be lost.
 void refuse_other_rows(const Layout& layout, const std::vector<Line>& above) {
   for (const Line& line : above) {
     if (line.number < layout.names_line || is_comment(line.text)) continue;
@@ -171,7 +172,7 @@ void refuse_other_rows(const Layout& layout, const std::vector<Line>& above) {
   }
 }
 
-/// Names and units from the lines above the numbers.
+/// Takes names and units from the lines above the numbers.
 void find_names(Layout& layout, const std::vector<Line>& above) {
   std::vector<std::string_view> units;
   const Line* names = nullptr;
@@ -184,7 +185,7 @@ void find_names(Layout& layout, const std::vector<Line>& above) {
       } else if (are_names(cells, layout, all_differ)) {
         names = &*line;
       } else if (!all_differ) {
-        break;  // the line above the numbers alone
+        break;  // here only the line directly above the numbers counts
       }
     }
   }
@@ -264,7 +265,7 @@ Layout layout_of(std::string_view text, const std::function<bool(const Heading&)
   layout.columns.resize(cells_of(uncommented(lines[names].text), layout.separator).size());
   set_names(layout, lines[names], uncommented(lines[names].text));
   if (names > 0) {
-    // A unit under a name, among names with their units behind them.
+    // Names with units behind them may stand one line above, so that a name here may be missing.
     const auto above = cells_of(lines[names - 1].text, layout.separator);
     for (std::size_t i = 0; i < std::min(above.size(), layout.columns.size()); ++i)
       if (layout.columns[i].heading.name.empty()) layout.columns[i].heading.name = heading_of(above[i]).name;

@@ -42,13 +42,13 @@ std::string of_utf16(std::string_view bytes, bool large_end_first) {
     const auto first = static_cast<unsigned char>(bytes[i]),
                second = static_cast<unsigned char>(bytes[i + 1]);
     const std::uint32_t letter = large_end_first ? 256u * first + second : 256u * second + first;
-    // A half of a pair stands for a sign that no number, name or unit has.
+    // A character outside the basic plane, written as two halves, occurs in no number, name or unit.
     append(text, letter >= 0xd800 && letter <= 0xdfff ? '?' : letter);
   }
   return text;
 }
 
-/// Whether commas may part thousands: groups of three digits behind the first one, which is shorter.
+/// Whether the commas of a cell may separate thousands: all groups but the first have three digits.
 bool may_part_thousands(std::string_view cell) {
   if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
   cell = cell.substr(0, cell.find('.'));
@@ -59,7 +59,7 @@ bool may_part_thousands(std::string_view cell) {
   return cell.find_first_not_of("0123456789,") == std::string_view::npos;
 }
 
-/// A cell fit for a message.
+/// Cell in quotes, made safe for a message.
 std::string quoted(std::string_view cell) {
   std::string text(cell.substr(0, 40));
   std::ranges::replace_if(

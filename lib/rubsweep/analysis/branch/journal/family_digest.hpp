@@ -2,7 +2,7 @@
 
 namespace rubsweep::branch::journal {
 
-/// The map_digest and the compiled libraries that families of orbits depend on besides, as one SHA-1.
+/// SHA-1 of map_digest and of the other compiled libraries on which families of orbits depend.
 extern const char* const family_digest;
 
 }  // namespace rubsweep::branch::journal

@@ -42,7 +42,7 @@ constexpr std::array<std::string_view, 5> spaced{"from", "to", "count", "scale",
 constexpr std::array<std::string_view, 2> counted{"count", "scale"};
 constexpr std::array<std::string_view, 1> stepped{"step"};
 
-/// Alternative spellings, each by the keys that belong to it; at most four, the empty ones do not count.
+/// Alternative spellings. Each is a set of keys, and at most four exclude each other; empty sets are ignored.
 constexpr std::array<std::array<Keys, 4>, 15> alternatives{{
     {stribeck, curve, holding, one_way},
     {stiffness, hertz},
@@ -79,7 +79,8 @@ void drop_entry(Node& map, std::size_t index) {
 }
 
 void drop_alternatives(Node& map, std::string_view written) {
-  // Beside other keys of a curve `static` is one of them alone.
+  // `static` belongs to two friction laws. Beside other keys of a Stribeck curve it excludes only the key
+  // `stribeck`.
   const bool of_a_curve = written != curve[0] && holds(holding, written) &&
                           std::ranges::any_of(map.keys, [](const Node::Key& key) {
                             return holds(Keys(curve).subspan(1), key.text);
