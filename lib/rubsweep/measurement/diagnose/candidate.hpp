@@ -39,9 +39,9 @@ enum class Unknown : std::size_t {
   kick_phase,              ///< angle of the shaft at the kick, degrees
   second_clearance_ratio,  ///< two_sides: clearance of the second stop / clearance of the first
   offset_ratio,            ///< annular_offset: offset / clearance
-  stop_angle,  ///< degrees from +x; 0 where the machine without its stop is isotropic
-  position,    ///< place of the stops along the shaft of a rotor kit, m
-  kit          ///< place in KnownKit::likely, as a share of its length
+  stop_angle,              ///< degrees from +x; 0 where the machine without its stop is isotropic
+  position,                ///< place of the stops along the shaft of a rotor kit, m
+  kit                      ///< place in KnownKit::likely, as a share of its length
 };
 inline constexpr std::size_t unknown_count = 16;
 

@@ -23,7 +23,7 @@ struct DiagnosisOptions {
   int most_rounds = 3;              ///< rounds of draws near cases that resemble the recording
   int draws_per_round = 800;        ///< draws per round, for all candidates together
   bool with_standard_error = true;  ///< computes standard errors where the probabilities still change
-  double least_change = 0.03;  ///< change of a probability that calls for another round
+  double least_change = 0.03;       ///< change of a probability that calls for another round
 };
 
 /// Result of a diagnosis with everything it is based on.
