@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#on other processors they do nothing
+#if defined(__SSE2__)  // on other processors they do nothing
 namespace rubsweep::numerics {
 namespace {
 
