@@ -31,7 +31,7 @@ model::Machine machine() {
   stop.geometry =
       model::OneSideGeometry{.angle_deg = 90};  // a flat wall above the rotor; +x points right, +y up
   stop.clearance_m = 1e-3;
-  stop.stiffness_n_per_m = 2e6;                            // of the contact itself, not of its support
+  stop.stiffness_n_per_m = 2e6;                            // contact alone, without its support
   stop.damping = model::NominalRestitution{.value = 0.7};  // defines the damper of the contact
   stop.contact_radius_m = 0.0375;                          // surface speed = radius x angular speed
   stop.friction = model::StribeckFriction{.gamma = {0, 0, 0, 0.1, 100, 0}};  // mu = 0.1 tanh(100 s/m * slip)

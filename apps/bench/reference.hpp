@@ -13,7 +13,7 @@ namespace rubsweep::bench {
 /// the structure is small enough. Else it comes from the exact solver, and its distances from two other
 /// solvers in double estimate its error.
 struct Reference {
-  std::vector<double> section;  ///< in the scaling of TurnReport::section
+  std::vector<double> section;  ///< scaled like TurnReport::section
   bool long_double = false;
   double long_double_error =
       0;  ///< change of the long double section at 100 times its tolerance, plus rounding to double

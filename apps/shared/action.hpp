@@ -13,7 +13,7 @@ enum class Action { run, check, explain, print_config, help, version };
 
 /// Arguments common to all programs that read a configuration file.
 struct StudyArguments {
-  Action action = Action::run;  ///< with help and version, nothing else is filled in
+  Action action = Action::run;  ///< help and version leave all other members unset
   std::filesystem::path config;
   std::optional<std::filesystem::path> output;
   std::vector<std::string> overrides;  ///< `key.path=value` from every --set

@@ -10,7 +10,7 @@ namespace rubsweep::apps {
 
 /// Arguments common to all programs that read a recording.
 struct RecordingArguments {
-  Action action = Action::run;  ///< with help and version, nothing else is filled in
+  Action action = Action::run;  ///< help and version leave all other members unset
   bool quiet = false;
   std::filesystem::path recording = {};
   std::filesystem::path instrument = {};  ///< --instrument, else the recording's name with the ending .yaml

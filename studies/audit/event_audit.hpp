@@ -31,7 +31,7 @@ struct EventAudit {
   long stuck = 0, stuck_together = 0;
   integrate::run::Outcome outcome = integrate::run::Outcome::ok;  ///< outcome of the last turn
   bool exact_failed = false, other_failed = false;                ///< a solver did not finish a turn
-  std::optional<EventDifference> difference;                      ///< where the exact solver is wrong
+  std::optional<EventDifference> difference;                      ///< first error of the exact solver
   /// Turns in which the solvers differ and the reference shows that rkf78 is wrong.
   long other_wrong = 0;
 };

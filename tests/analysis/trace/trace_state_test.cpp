@@ -86,7 +86,7 @@ TEST(TraceStateReader, SmoothedLawDiffersAtTheCornersOnly) {
     return reader.read(scaled(state, rotor), 0).stops[0].normal_force_n;
   };
   EXPECT_EQ(force_at(sharp, 0), 0);
-  EXPECT_NEAR(force_at(soft, 0), rotor.stiffness_n_per_m * 1e-6 / 8, 1e-9);  // the smoothed law is a parabola
+  EXPECT_NEAR(force_at(soft, 0), rotor.stiffness_n_per_m * 1e-6 / 8, 1e-9);  // smoothed: a parabola near 0
   EXPECT_NEAR(force_at(soft, 1e-4), force_at(sharp, 1e-4), 1e-9);
   EXPECT_EQ(force_at(soft, -1e-4), 0);
 }

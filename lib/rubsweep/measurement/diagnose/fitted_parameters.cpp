@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Quantile of the normal distribution: 95 % of it lie within so many standard deviations of the mean.
+/// Half width of the central 95 % interval of a normal distribution, in standard deviations.
 constexpr double deviations_of_95 = 1.959963984540054;
 
 [[noreturn]] void fail(const batch::CsvReader& rows, const std::string& what) {

@@ -49,10 +49,10 @@ std::optional<LastingMotion> motion_without_contact(const model::Machine& machin
 
 inline constexpr int samples_per_revolution = 128;
 
-/// Limits of the turns between the verdict on a motion and its recording; within them the free vibration
-/// decays to 1e-5. It still decays at the verdict and may be ten times the quiet whirl, so that a thousandth
-/// of it would appear as a line of its own. Motions that touch a stop wait for `most_turns_touching` at most,
-/// because contacts damp them, too.
+/// Limits for the number of turns between the verdict on a motion and its recording; between these limits it
+/// is the number after which the free vibration has decayed to 1e-5. At the verdict this vibration may be ten
+/// times the quiet whirl, and a thousandth of it would appear as a line of its own in a recording. Motions
+/// that touch a stop wait for `most_turns_touching` at most, because contacts damp them, too.
 inline constexpr int fewest_turns_after_verdict = 40, most_turns_after_verdict = 2000,
                      most_turns_touching = 150;
 

@@ -24,8 +24,8 @@ struct Probe {
 struct Keyphasor {
   std::string column;
   Mark mark = Mark::dark;
-  std::optional<double> threshold{};  ///< in the column's unit; empty: middle_threshold
-  double hysteresis = 0;              ///< in the column's unit, >= 0
+  std::optional<double> threshold{};  ///< threshold in the column's unit; empty: middle_threshold
+  double hysteresis = 0;              ///< hysteresis in the column's unit, >= 0
 };
 
 /// Interval at slow speed, in the recording's time, in which the probes see the shaft's run-out but no

@@ -66,7 +66,7 @@ ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, cons
 /// error is a polynomial of `degree` over the recording, as flexible as the curve through the marks. Empty:
 /// the angles are exact.
 struct AngleDoubt {
-  std::vector<double> low_turns{}, high_turns{};  ///< <= 0 and >= 0
+  std::vector<double> low_turns{}, high_turns{};  ///< low <= 0, high >= 0
   int degree = 0;
 };
 

@@ -45,7 +45,7 @@ struct SlowModulation {
   int period = 1;                ///< period in turns, whose lines are corrected
   double most_order = 0;         ///< largest order of these lines
   double most_modulation = 0.1;  ///< largest modulation, as a share of the motion
-  std::ptrdiff_t repeats = 1;    ///< variations that repeat after so many periods are kept
+  std::ptrdiff_t repeats = 1;    ///< variations that repeat after this number of periods stay
   bool in_phase = false;         ///< corrects amplitudes only, not a line's drifting phase
 };
 

@@ -198,7 +198,7 @@ Ramp ramp_of(const std::vector<OrderPoint>& points) {
           .largest_error = numerics::largest_distance(line, t_s, speed_hz) / change_hz};
 }
 
-/// Text about the largest 1X in one direction and, where the speed changes evenly, about the resonance behind
+/// Text about the largest 1X in one direction and, where the speed changes evenly, about the mode that causes
 /// it.
 std::string run_text(const std::vector<OrderPoint>& points, bool y, const model::ShownLengths& shown,
                      std::string& measures) {

@@ -32,7 +32,7 @@ ScopeTables tables_of(const recording::Recording& recording, const Verdict& verd
                       const std::vector<double>& orders, const model::ShownLengths& shown = {});
 
 /// Tables for a run-up or coast-down (speed_changes), whose motion does not repeat: 1X and, where the speed
-/// changes evenly, the resonance behind it (linear::fit_ramp_resonance). Needs at least history_turns turns.
+/// changes evenly, the mode that causes it (linear::fit_ramp_resonance). Needs at least history_turns turns.
 ScopeTables tables_of_run(const recording::Recording& recording, const std::vector<double>& orders,
                           const model::ShownLengths& shown = {});
 

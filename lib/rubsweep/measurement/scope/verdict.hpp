@@ -25,7 +25,7 @@ std::string_view to_string(MeasuredClass value);
 
 /// One line of a motion that repeats.
 struct MeasuredLine {
-  double order = 0;                      ///< in multiples of the shaft speed, negative for backward whirl
+  double order = 0;                      ///< multiple of the shaft speed, negative for backward whirl
   std::complex<double> amplitude_m = 0;  ///< A of A e^{i order phi}; phi = 0 at the mark
   double uncertainty_m = 0;              ///< standard, of each component: noise and error of the method
 };
@@ -66,7 +66,7 @@ struct Verdict {
   /// Root mean square of the slow modulation of whole orders that exceeds the limit; it belongs to no period.
   double refused_modulation_m = 0;
   double beside_m = 0;  ///< largest line outside the period
-  double seen_m = 0;    ///< smallest amplitude of such a line that exceeds the noise
+  double seen_m = 0;    ///< smallest line outside the period that exceeds the noise
   std::vector<std::complex<double>>
       orbit_m{};                      ///< mean period about its centre; without a period, the last turns
   std::vector<MeasuredLine> lines{};  ///< lines of that orbit, |order| <= most_order, ascending

@@ -106,7 +106,7 @@ std::optional<double> room_of_period(std::span<const Complex> samples, std::size
   for (const DiscreteLine& line : lines) {
     const double off = std::abs(line.order - static_cast<double>(nearest(line)) / period);
     if (nearest(line) % period == 0 || off > bin) continue;
-    // Smaller lines beside it are sidebands of a modulated line.
+    // Smaller lines near the same multiple are sidebands of a modulated line.
     if (std::ranges::any_of(lines, [&](const DiscreteLine& larger) {
           return nearest(larger) == nearest(line) && larger.amplitude_m > line.amplitude_m;
         }))

@@ -207,7 +207,7 @@ TEST_F(EvenGrazeOf, ACasingThatWhirlsAsWell) {
 
 /// A ring slightly off centre: the quiet circle of radius A begins to touch where A = 1 - offset. It touches
 /// in a single impact, or everywhere at once if the offset is smaller than the resolution of orbits. The
-/// error bound must include the former place as well.
+/// error bound must also include the place where A = 1 - offset.
 TEST_F(EvenGrazeOf, ARingJustOffTheCentre) {
   for (const double offset : {1e-12, 1e-10, 5e-9, 1e-7, 1e-5, 1e-3}) {
     const Rotor rotor{.zeta = 0.1, .unbalance = 0.35, .ring = 0.3, .offset = offset};

@@ -135,7 +135,7 @@ TEST_P(StartAdaptiveEveryStepper, SingleElasticShock) {
   const double seconds = 1 / (2 * pi);
   EXPECT_EQ(turn.switches[0].from, contact::Mode::sprung);                   // in contact from the start
   EXPECT_NEAR(turn.switches[0].phase_rad * seconds, pi / in_contact, 1e-9);  // 0.03126 s
-  EXPECT_NEAR(turn.switches[1].phase_rad * seconds, pi / in_contact + pi / in_flight, 1e-9);  // back again
+  EXPECT_NEAR(turn.switches[1].phase_rad * seconds, pi / in_contact + pi / in_flight, 1e-9);  // next touch
 }
 
 TEST_P(StartAdaptiveEveryStepper, SamplingDoesNotChangeTheRun) {

@@ -30,7 +30,7 @@ class HannEnergy {
   int turns() const { return turns_; }
   double operator[](int k) const { return k < first_ || k > last_ ? 0 : share_[index(k)]; }
 
-  /// Energy of the lines within so many bins of an order.
+  /// Energy of the lines within `bins` bins of an order.
   double near(double order, int bins) const;
 
  private:
@@ -39,7 +39,7 @@ class HannEnergy {
   std::vector<double> share_;
 };
 
-/// Whether a line is more than so many bins apart from all multiples of the shaft speed, 0X included.
+/// Whether line k is more than `bins` bins away from every multiple of the shaft speed, including 0X.
 bool between_multiples(const HannEnergy& energy, int k, int bins);
 
 /// Number of the strongest line more than two bins away from the multiples of the shaft speed and from

@@ -38,7 +38,7 @@ double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, dou
   return low < high ? decades({low, high}) / decades(ratios) : 0;
 }
 
-/// Smallest probability of a candidate: a forest of so many cases cannot tell a smaller one from zero.
+/// Smallest probability of a candidate: with this number of cases a forest cannot tell less from zero.
 constexpr double least_probability = 1e-3;
 
 /// Raises probabilities to a power and normalises them.
