@@ -14,7 +14,7 @@ namespace rubsweep::apps {
 struct PlaceArguments {
   std::optional<double> speed_hz = {};
   std::optional<scene::Unbalance> unbalance = {};
-  std::optional<double> unbalance_g_mm = {};  ///< replaces the two above; the rotor's mass converts it
+  std::optional<double> unbalance_g_mm = {};  ///< unbalance in g mm instead, divided by the mass later
 
   bool by_minutes = false;  ///< the speed was given in rpm
 

@@ -65,8 +65,8 @@ recording::AngleDoubt doubt(double room, int degree) {
   return {std::vector<double>(turns + 1, -room), std::vector<double>(turns + 1, room), degree};
 }
 
-/// Largest difference without an eighth of a turn at both ends, where samples from one period away, with
-/// another angular error, are used.
+/// Largest difference of the samples. An eighth of a turn at both ends is left out, because the samples there
+/// come from one period away and have another angular error.
 double largest_difference(const std::vector<Complex>& a, const std::vector<Complex>& b) {
   double largest = 0;
   for (std::size_t k = samples / 8; k + samples / 8 < a.size(); ++k)

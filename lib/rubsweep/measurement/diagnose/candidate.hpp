@@ -54,8 +54,8 @@ struct UnknownRow {
   model::Range range;    ///< values that a machine may have
   Spread usual;          ///< range where a file gives none
   bool logarithmic;      ///< whether intervals from a file are uniform in the logarithm
-  bool of_file = true;   ///< may stand in a file; false: the machine or the recording fixes it
-  bool of_kit = false;   ///< only a rotor kit has it, a Jeffcott rotor does not
+  bool of_file = true;   ///< whether a file may give this number; else machine or recording do
+  bool of_kit = false;   ///< whether only rotor kits have this number
 };
 const std::array<UnknownRow, unknown_count>& unknown_rows();
 
@@ -64,7 +64,7 @@ struct Candidate {
   std::string name;
   Cause cause = Cause::no_rub;
   std::array<Spread, unknown_count> spreads{};
-  Spread clearance_m{};  ///< clearance of the first stop; empty in usual candidates, the study gives it
+  Spread clearance_m{};  ///< clearance of the first stop; usual candidates get the one of the study
   std::optional<Spread> position_m{};  ///< range along the shaft of a rotor kit; empty: all allowed places
 };
 
