@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every file that a run may leave.
+/// All files that a run may write.
 constexpr std::array<std::string_view, 8> file_names{"turns.csv",    "orbit.csv",     "lines.csv",
                                                      "bode.csv",     "waterfall.csv", "measures.csv",
                                                      "compared.csv", "simulated.csv"};
@@ -54,7 +54,7 @@ int look(const RubscopeArguments& arguments) {
   end_on_interrupts("nothing was written");
   const fs::path& file = arguments.recording;
   const auto& compared = arguments.compared;
-  // Read before anything is computed.
+  // The configuration is read first, so that its errors appear before anything is computed.
   const auto config = compared
                           ? std::optional(config::read_cell_config(compared->config, compared->overrides))
                           : std::nullopt;

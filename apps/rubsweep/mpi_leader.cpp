@@ -35,7 +35,8 @@ MpiLeader::MpiLeader(MapJob& job, int ranks)
   const sweep::Grid& grid = job.config.study.grid;
   const std::size_t cells = job.directory->missing().size(), speeds = grid.speed_hz.size();
   log_.progress().expect({speeds, sweep::cell_count(grid) / speeds, job.directory->missing()});
-  // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
+  // The first cells are spread over the whole map, to forecast the computing time for a reader of the
+  // progress.
   if (log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks})))
     pilots_ = batch::pilot_count(cells, static_cast<std::size_t>(threads) * static_cast<std::size_t>(ranks));
 }
@@ -62,7 +63,7 @@ std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
       log_.refresh();
     }
   } catch (...) {
-    give_up();  // or the destructor would wait for all cells
+    give_up();  // without this the destructor would wait for all cells
     throw;
   }
   own.join();

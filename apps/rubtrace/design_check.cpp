@@ -29,11 +29,11 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Every file that a design check may leave.
+/// All files that a design check may write.
 constexpr std::array<std::string_view, 5> check_file_names{
     "config.yaml", "design_check.csv", "unbalance_response.csv", "lock_speeds.csv", "kicks.csv"};
 
-/// Speeds at which a rotor that is unstable without its stops is looked for.
+/// Number of speeds at which the rotor's stability without stops is checked.
 constexpr int premise_speeds = 121;
 
 design::DesignQuestions questions_of(const RubtraceArguments& arguments, const sweep::Study& study) {

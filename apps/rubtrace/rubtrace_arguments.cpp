@@ -127,12 +127,12 @@ std::optional<long> count_of(const po::variables_map& given, const char* name) {
   return value;
 }
 
-/// Whether the sensors are to look at a trace, too.
+/// Whether a trace includes readings of the sensors.
 bool asks_for_probes(const po::variables_map& given) {
   return !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
 }
 
-/// The check of a design, and what belongs to it alone.
+/// Reads the arguments of the design check, and of that alone.
 void read_design_check(const po::variables_map& given, RubtraceArguments& arguments) {
   const bool in_hz = given.count("operating-hz") != 0, in_rpm = given.count("operating-rpm") != 0;
   if (given.count("design-check") == 0) {
@@ -157,7 +157,7 @@ void read_design_check(const po::variables_map& given, RubtraceArguments& argume
   arguments.design_check = std::move(check);
 }
 
-/// Throws UsageError where an option is given that belongs to something else than the experiment asked for.
+/// Throws UsageError where an option does not belong to the chosen experiment.
 void refuse_options_of_others(const po::variables_map& given, const RubtraceArguments& arguments) {
   const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
   if (!sampled && !given["duration-s"].defaulted())
@@ -167,7 +167,7 @@ void refuse_options_of_others(const po::variables_map& given, const RubtraceArgu
     throw UsageError("--sample-s and --noise-m belong to a trace, --free-response or --run-up without stops");
 }
 
-/// The experiments without contact; false when a trace is wanted.
+/// Reads the experiments without contact; returns false where a trace is wanted.
 bool read_experiment(const po::variables_map& given, RubtraceArguments& arguments) {
   arguments.free_response = given.count("free-response") != 0;
   if (given.count("run-up") != 0) arguments.run_up = ramp_of(given["run-up"].as<std::string>());
@@ -226,7 +226,7 @@ RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
   arguments.place = read_place(given);
   arguments.shown = shown_lengths_of(given);
   if (read_experiment(given, arguments)) return arguments;
-  // Without a cell they are about the whole sweep.
+  // --check and --explain without a cell apply to the whole sweep.
   const bool names_cell = arguments.place.speed_hz || arguments.place.has_unbalance();
   if (arguments.action != Action::run && !names_cell) return arguments;
   if (!arguments.place.speed_hz) throw UsageError("the shaft speed is needed: --speed-hz S or --speed-rpm N");

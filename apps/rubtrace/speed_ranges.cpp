@@ -13,7 +13,7 @@
 namespace rubsweep::apps {
 namespace {
 
-/// The finite numbers between the colons of a text; empty where one is none.
+/// The finite numbers between the colons of a text; empty where one of them is invalid.
 std::optional<std::vector<double>> numbers_between_colons(const std::string& text) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {

@@ -1,5 +1,5 @@
-// Contacts whose law is not linear, against closed forms of an impact and against equations that are written
-// out here again, in long double, without anything of the library but the numbers of a scene.
+// Contacts with nonlinear laws, compared with closed forms of an impact and with a second implementation of
+// the equations in long double. The latter shares only the numbers of a scene with the library.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ run::SolverOptions tight() {
   return options;
 }
 
-/// A mass of 2 kg that flies at 1 mm/s times `speed` into a wall 1 mm away, one revolution a second.
+/// A mass of 2 kg that moves at `speed` mm/s towards a wall 1 mm away; one revolution per second.
 scene::Scene flight(const model::Stop& stop, double speed) {
   scene::Scene scene = test::one_mass_scene(2, 0, 0, 2 * std::numbers::pi, 1e-3);
   scene.contacts.push_back(test::wall_across_x(1, 1e-3, 1, 0));
@@ -106,7 +106,7 @@ TEST(CurvedContact, HertzImpactLastsAsLongAsHertzSays) {
   }
 }
 
-/// Root of the first integral by halving: (1 + e) x = ln((1 + x) / (1 - e x)).
+/// Root of the first integral by bisection: (1 + e) x = ln((1 + x) / (1 - e x)).
 double restitution_by_halving(double x) {
   Real low = 0, high = std::min<Real>(1, 1 / Real(x) * (1 - 1e-18L));
   for (int k = 0; k < 200; ++k) {
@@ -146,7 +146,8 @@ TEST(CurvedContact, AFixedSpeedOfApproachDeliversAtThatSpeedAlone) {
   EXPECT_GT(impact(flight(stop, 0.1)).restitution, 0.85);
 }
 
-/// A rotor of 1 kg on springs, weight and a turning force, a casing of 0.3 kg behind the first stop.
+/// A rotor of 1 kg on springs, with weight and a rotating force, and a casing of 0.3 kg behind the first
+/// stop.
 scene::Scene rotor_and_casing(const std::vector<scene::Contact>& contacts, double force_n) {
   scene::Scene scene = test::one_mass_scene(1, 0, 0, 0.02, 1e-3);
   auto& system = scene.structure;
@@ -212,7 +213,7 @@ TEST(CurvedContact, OnlyTheSteppersKnowIt) {
   EXPECT_THROW(start(scene, options, modes), ConfigError);
 }
 
-/// Elastic force of a stop, written again.
+/// Elastic force of a stop, implemented independently.
 Real spring(const model::Stop& stop, Real p) {
   const model::NormalLaw& law = stop.law;
   if (p <= 0) return 0;
@@ -230,7 +231,7 @@ Real spring(const model::Stop& stop, Real p) {
     }
     return force;
   }
-  // Hermite's cubics with slopes by Fritsch and Butland; three points.
+  // Cubic Hermite polynomials through three points, with slopes by Fritsch and Butland.
   const auto& x = law.penetration_m;
   const auto& y = law.force_n;
   const Real h0 = Real(x[1]) - x[0], h1 = Real(x[2]) - x[1], d0 = (Real(y[1]) - y[0]) / h0,
@@ -250,13 +251,13 @@ Real spring(const model::Stop& stop, Real p) {
 
 using Numbers = std::array<Real, 8>;
 
-/// The scene of `rotor_and_casing` again, in SI units and long double, by the classical Runge-Kutta method in
-/// steps that shorten where a contact begins or ends.
+/// The scene of `rotor_and_casing` in SI units and long double, integrated by the classical Runge-Kutta
+/// method. Steps are shortened where a contact begins or ends.
 struct Reference {
   const scene::Scene& scene;
   std::vector<model::Stop> stops;
-  std::vector<Real> x{};      ///< c v0 of each stop
-  std::vector<Real> speed{};  ///< speed of the present approach
+  std::vector<Real> x{};      ///< damping factor c of each stop times approach speed v0
+  std::vector<Real> speed{};  ///< speed of the present approach, per stop
   Numbers state{};
   Real longest = 1;
 
@@ -321,7 +322,7 @@ struct Reference {
     return z;
   }
 
-  /// One step, shortened to the first instant at which a contact begins, ends or no longer presses.
+  /// One step, at most up to the first instant at which a contact begins, ends or loses its force.
   Real advance(Real t, Real most) {
     const Real w = scene.speed_rad_per_s;
     Real h = most;
@@ -329,7 +330,7 @@ struct Reference {
       const Seen m = seen(i, state);
       if (m.p <= 0) continue;
       h = std::min(h, std::clamp(m.p / (100 * std::abs(m.v)), 1e-7L / w, longest / (4 * w)));
-      // A damper that was set by a graze is stiff.
+      // A damper whose factor was set by a grazing approach is stiff.
       h = std::min(h, speed[i] * Real(0.03L) / (20 * x[i] * spring(stops[i], m.p) + 1e-9L));
     }
     h = std::min(h, longest / w);
@@ -461,7 +462,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return largest;
 }
 
-/// Largest difference after `turns` turns over the growth of a small disturbance.
+/// Largest difference after `turns` turns, divided by the growth of a small disturbance.
 double error_of(unsigned seed, int turns, int& hits) {
   const RandomMachine machine(seed);
   exact::modes::ModeCache modes;
@@ -480,7 +481,7 @@ double error_of(unsigned seed, int turns, int& hits) {
   return distance(turn.section, expected) / std::max(1.0, growth);
 }
 
-/// RUBSWEEP_CURVED_MACHINES=N for more of them and three turns: half a minute each.
+/// RUBSWEEP_CURVED_MACHINES=N tests N machines over three turns: half a minute each.
 TEST(CurvedContact, RandomMachinesMoveAsTheirEquationsSay) {
   const char* wanted = std::getenv("RUBSWEEP_CURVED_MACHINES");
   const unsigned machines = wanted != nullptr ? unsigned(std::atoi(wanted)) : 2;

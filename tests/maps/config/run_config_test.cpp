@@ -148,7 +148,7 @@ TEST(RunConfigRead, ReportsAllProblemsOfAFileAtOnce) {
       "gravity_m_per_s2, sweep, study, solver, response, output, title, author, note");
 }
 
-/// One to four random edits: a byte changed, inserted or removed, a stretch doubled or removed.
+/// The text after one to four random edits: a byte changed, inserted or removed, a part doubled or removed.
 std::string mutated(std::string text, std::mt19937_64& random) {
   static const std::string likely = "\n\n  :-,[]{}&*!|>'\"%#?0123456789.eE~\t\r";
   const std::size_t edits = 1 + random() % 4;
@@ -204,18 +204,18 @@ void for_each_choice(const keys::Form& form, const std::function<void(const keys
   for (const keys::Key& key : form.keys) for_each_choice(key.form, see);
 }
 
-/// Whether files that say it in two ways over a base are refused, with these keys of their own.
+/// Whether files with two alternatives over a base are refused, which holds for choices with these keys.
 bool is_refused_over_a_base(const keys::Choice& choice) {
   static const std::set<std::string> keys{"geometry", "mode", "table",          "at_housing",
                                           "bearing",  "node", "speed_rad_per_s"};
   return std::ranges::any_of(choice.ways, [](const keys::Way& way) {
-    const bool column = way.required.size() == 1 && way.required[0].size() == 3;  // kxx and others of a table
+    const bool column = way.required.size() == 1 && way.required[0].size() == 3;  // kxx and other columns
     return column ||
            std::ranges::any_of(way.required, [](const std::string& key) { return keys.contains(key); });
   });
 }
 
-/// A law or a measure that is forgotten in yaml/alternatives is found here.
+/// This test fails for a law or a measure missing in yaml/alternatives.
 TEST(RunConfigReadForm, AKeyWrittenOverAMapTakesBackTheOtherWays) {
   int choices = 0;
   for_each_choice(run_form(), [&](const keys::Choice& choice) {

@@ -15,11 +15,12 @@ TEST(ExplainMachine, MovingCasing) {
   EXPECT_TRUE(
       says(text, "rotor: Jeffcott, moves in x and y (2 coordinates), 0.8 kg, 30 Hz, damping ratio 0.02\n"));
   EXPECT_TRUE(says(text, "stop 0 (kicked): one side at 90 degrees, clearance 0.001 m\n"));
-  // sqrt(5e5 / 0.05) / (2 pi) Hz; pi sqrt(0.8 * 0.05 / 0.85 / 2e6) s.
+  // Casing frequency sqrt(5e5 / 0.05) / (2 pi) Hz; contact half-period pi sqrt(0.8 * 0.05 / 0.85 / 2e6) s.
   EXPECT_TRUE(says(text,
                    "casing: moves in x and y (2 coordinates), 0.05 kg, 503.3 Hz, damping ratio 0.1; contact "
                    "half-period 0.482 ms\n"));
-  // Nominal 0.7: |ln 0.7| / sqrt(pi^2 + ln^2 0.7) = 0.11282, of which the clamp returns 0.736.
+  // Nominal restitution 0.7: damping ratio |ln 0.7| / sqrt(pi^2 + ln^2 0.7) = 0.11282, with which the clamped
+  // law gives 0.736.
   EXPECT_TRUE(says(text, "clamped ElastoGap, 2000000 N/m, 69.2161 N s/m"));
   EXPECT_TRUE(says(text, "(damping ratio 0.1128; a free impact returns 0.736"));
   EXPECT_TRUE(says(text, "kick: half-sine, 200 N for 0.005 s\n"));

@@ -24,10 +24,10 @@ TEST(ExplainStop, AContactThatIsFasterThanTheModesAreChosenForIsSaid) {
 
 TEST(ExplainStop, FrictionSaturatedOrNotAtTheStatedSpeed) {
   model::Machine machine = scene::one_side_machine();
-  // 0.0375 m at 2 pi 45 rad/s are 10.603 m/s.
+  // Surface speed: 0.0375 m times 2 pi 45 rad/s is 10.603 m/s.
   EXPECT_TRUE(says(explained(machine, 45),
                    "friction: Stribeck, 0.1 at the surface speed 10.6 m/s of the lowest speed (saturated"));
-  // tanh(100 * 0.0375 * 2 pi * 0.1) is not yet 1.
+  // tanh(100 * 0.0375 * 2 pi * 0.1) is still below 1.
   EXPECT_TRUE(says(explained(machine, 0.1), "(depends on the slip)"));
   machine.stops[0].friction = model::ConstantFriction{0.25};
   EXPECT_TRUE(says(explained(machine, 45),
@@ -60,7 +60,7 @@ TEST(ExplainStop, ACurvedLawAndWhatItsDampingReturns) {
   law.approach_speed_m_per_s = 0.2;
   const std::string text = explained(machine, 45);
   EXPECT_TRUE(says(text, "  force law: 300000000 N/m^1.5 p^1.5; secant at a twentieth of the clearance "));
-  // 3 (1 - 0.7) / 2.
+  // Damping factor 3 (1 - 0.7) / 2.
   EXPECT_TRUE(
       says(text, "  contact damping: hunt_crossley with restitution 0.7, 1 + 0.45 p' / v0, v0 0.2 m/s\n"));
   EXPECT_FALSE(says(text, "the motion goes by how each contact began"));

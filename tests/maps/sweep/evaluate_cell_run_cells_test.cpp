@@ -15,10 +15,10 @@
 namespace rubsweep::sweep {
 namespace {
 
-/// Rows as map.csv would hold them, by cell.
+/// Lines of map.csv by cell.
 using Lines = std::map<std::size_t, std::string>;
 
-/// Nine cells of several classes: rest, contact, initial contact.
+/// A study of nine cells with several classes: rest, contact, initial contact.
 Study mixed_study() { return one_side_study({50, 75, 105}, {0, 0.4, 1.2}); }
 
 std::vector<std::size_t> all_cells(const Study& study) {
@@ -27,7 +27,7 @@ std::vector<std::size_t> all_cells(const Study& study) {
   return cells;
 }
 
-/// Each cell alone.
+/// Lines from evaluating each cell alone.
 Lines expected_lines(const Study& study, const std::vector<std::size_t>& cells) {
   Lines lines;
   for (const std::size_t cell : cells) {
@@ -37,7 +37,7 @@ Lines expected_lines(const Study& study, const std::vector<std::size_t>& cells) 
   return lines;
 }
 
-/// Lines that run_cells hands on; a cell that comes twice is a failure.
+/// Lines that run_cells returns; a cell returned twice is a failure.
 Lines run(const Study& study, const std::vector<std::size_t>& cells, int threads) {
   Lines lines;
   const std::size_t finished = run_cells(

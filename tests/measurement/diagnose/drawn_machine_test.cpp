@@ -33,7 +33,7 @@ TEST(DrawnMachine, EveryCauseGivesAMachineThatIsAllowed) {
 TEST(DrawnMachine, KickGivesTheRotorTheSpeedThatItsRatioSays) {
   const Point values = middle_of(Cause::one_side);
   const model::Machine machine = drawn_machine(Cause::one_side, values, 1e-4, fixed);
-  // Impulse of a half sine by its area.
+  // Impulse of the half sine by numerical integration.
   double impulse = 0;
   constexpr int steps = 10000;
   for (int k = 0; k < steps; ++k)

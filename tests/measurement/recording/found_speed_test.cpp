@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// 1X of 60, 2X of 10 and a line of another order, by two probes about gaps.
+/// Readings of two probes with a gap voltage: 1X of 60, 2X of 10, and a line of another order.
 std::vector<std::vector<double>> readings(double speed_hz, double rate_hz, double turns, double other_order,
                                           double other, double noise, unsigned seed) {
   std::mt19937_64 random(seed);

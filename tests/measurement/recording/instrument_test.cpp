@@ -71,7 +71,7 @@ TEST(InstrumentRead, WrongOnesAreNamedWithTheirPlace) {
             std::string::npos);
   EXPECT_NE(fault(clock + probe + "  - {column: Y, angle_deg: 230}\n").find("look along one line"),
             std::string::npos);
-  EXPECT_EQ(fault(probe + "speed_hz: 70\n"), "none");  // a WAV file says its own rate
+  EXPECT_EQ(fault(probe + "speed_hz: 70\n"), "none");  // a WAV file contains its sampling rate
   EXPECT_NE(fault(clock + probe + "run_out: {from_s: 1, to_s: 2}\n").find("with keyphasor"),
             std::string::npos);
   EXPECT_NE(fault(probe + "time: t\nkeyphasor: {column: K}\nrun_out: {from_s: 1, subtract: x}\n")

@@ -143,7 +143,7 @@ TEST_P(RecordingFileMatlabFile, VectorsAndColumnsBecomeChannels) {
   Mat_Close(file);
   const Channels table = read(file_);
   ASSERT_EQ(table.channels.size(), 4u);
-  // Version 7.3 keeps its variables in the order of the alphabet.
+  // Version 7.3 stores its variables in alphabetical order.
   const auto channel = [&](const char* name) {
     return *std::ranges::find(table.channels, std::string(name), &Channel::name);
   };
@@ -209,7 +209,7 @@ std::string fault(const char* file, std::string_view bytes) {
 
 TEST(RecordingFile, TheFirstBytesSayWhatItIs) {
   EXPECT_EQ(read_recording_file("any.txt", "a,b\n1,2\n3,4\n").channels.size(), 2u);
-  // No such files: who is asked to open them says so.
+  // These files do not exist; the reader chosen by the first bytes reports that.
   EXPECT_NE(fault("/nowhere/a.csv", "RIFF....WAVE").find("allowed: a WAV file"), std::string::npos);
   EXPECT_NE(fault("/nowhere/a.dat", "MATLAB 5.0 MAT-file").find("MATLAB file"), std::string::npos);
   EXPECT_NE(fault("/nowhere/a.mat", "\x89HDF\r\n").find("a.mat: is HDF5 without MATLAB's head, allowed: "),
@@ -217,7 +217,7 @@ TEST(RecordingFile, TheFirstBytesSayWhatItIs) {
   EXPECT_NE(fault("/nowhere/a.mat", "old").find("MATLAB file"), std::string::npos);
 }
 
-/// A table that a program wrote is a recording as long as it is as that program left it.
+/// A table of our programs can be a recording, but only if it was not changed.
 TEST(RecordingFile, ATableWithAWrongSumIsRefused) {
   const std::string head = "# rubtrace 1\n# digest x\n# format 1\n",
                     rows = "t_s,sensor_0_m\n0,1e-6\n1,2e-6\n";
@@ -234,7 +234,7 @@ std::string write_text(const std::filesystem::path& file, const std::string& tex
   return text;
 }
 
-/// One probe at 90 degrees at 1 kHz, of a shaft that turns 25 times a second.
+/// Text of a recording by one probe at 90 degrees at 1 kHz, with a shaft speed of 25 Hz.
 std::string vibration() {
   std::string text = "x [um]\n";
   for (int k = 0; k < 1000; ++k)

@@ -13,8 +13,8 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// An ellipse at 40 rev/s and 4 kHz that probes at 45 and 135 degrees see in mV (8 mV/um), on a gap voltage;
-/// a keyway every turn.
+/// An elliptic motion at 40 Hz, read at 4 kHz by probes at 45 and 135 degrees in mV (8 mV/um) with a gap
+/// voltage, and a keyway in every turn.
 Channels ellipse() {
   Channels channels;
   channels.channels = {{"t", "ms", {}}, {"A", "mV", {}}, {"B", "mV", {}}, {"KP", "V", {}}};
@@ -47,7 +47,7 @@ TEST(Recording, IsTheMotionAtEqualAngles) {
   EXPECT_NEAR(recording.sampling_rate_hz, 4000, 1e-6);
   EXPECT_EQ(recording.findings, std::vector<std::string>{});
   ASSERT_EQ(recording.turns(), 38);
-  // The edge stands half a sample before the first reading of the keyway: half a per cent of a turn.
+  // The edge lies half a sample before the first reading of the keyway: 0.5 % of a turn.
   const double early = -0.005;
   const Complex gap = -9000 / 8e6 * Complex(0, std::sqrt(2.0));
   for (std::size_t k = 0; k < recording.displacement_m.size(); ++k) {
@@ -62,7 +62,7 @@ TEST(Recording, CountsFromTheReadingsAtRest) {
   Instrument instrument = two_probes;
   const Recording as_read = make_recording(ellipse(), instrument, "f.csv");
   EXPECT_FALSE(as_read.from_rest);
-  // 8 mV/um: the rotor rests 25 um towards the first probe and 50 um off the second one.
+  // At 8 mV/um the rotor rests 25 um closer to the first probe and 50 um away from the second one.
   instrument.probes[0].rest = -8800;
   instrument.probes[1].rest = -9400;
   const Recording from_rest = make_recording(ellipse(), instrument, "f.csv");
@@ -108,7 +108,7 @@ TEST(Recording, NamesWhatIsWrong) {
   EXPECT_EQ(recording.findings, (std::vector<std::string>{
                                     "'A' has gaps: 1 readings are missing, the first one in line 703",
                                     "'A' is clipped above", "'B' is dead: it reads one value all the time"}));
-  // Turn 7 holds reading 700; what comes after it is longer than what comes before.
+  // Turn 7 contains reading 700; the part after it is longer than the part before.
   EXPECT_EQ(recording.turns(), 31);
 }
 
@@ -153,7 +153,7 @@ TEST(Recording, RefusesWhatCannotBeUsed) {
 
 constexpr int samples = 32;
 
-/// Gap, run-out of order 1 with a scratch of order 3, and a vibration of order 1.
+/// A gap, run-out of order 1 with a scratch of order 3, and a vibration of order 1.
 std::vector<Complex> motion(int turns, Complex vibration) {
   std::vector<Complex> z;
   for (int k = 0; k < turns * samples; ++k) {

@@ -15,7 +15,7 @@ struct Unit {
   double size;
 };
 
-/// The micro sign and the Greek letter look alike.
+/// The last two units are the micro sign and the Greek letter mu, which look alike.
 constexpr std::array<Unit, 7> times{
     {{"", 1}, {"s", 1}, {"sec", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"\u00b5s", 1e-6}, {"\u03bcs", 1e-6}}};
 constexpr std::array<Unit, 6> lengths{

@@ -21,8 +21,8 @@ using std::numbers::pi;
 constexpr int steps_of_a_turn = 4, smoothed_turns = 4;
 constexpr double fewest_turns_searched = 12, looked_at = 0.4;
 
-/// Readings times e^{-i 2 pi f t}, under Hann windows of four turns, every quarter of a turn. Missing
-/// readings count as the mean.
+/// Readings times e^{-i 2 pi f t}, averaged under Hann windows of four turns, one value every quarter turn.
+/// Missing readings are replaced by the mean.
 std::vector<Complex> shifted_down(const std::vector<double>& readings, double readings_per_turn) {
   double mean = 0, count = 0;
   for (const double value : readings) {
@@ -93,7 +93,7 @@ std::optional<FoundSpeed> speed_near(const std::vector<std::vector<double>>& pro
   FoundSpeed found{.largest_hz = given_hz * (1 + largest_place)};
   if (weights > 0) {
     found.speed_hz = given_hz * (1 + sum / weights);
-    // Other lines move both probes alike: two know no more than the better one.
+    // Lines other than 1X disturb both probes alike, so two probes are as accurate as the better one.
     found.uncertainty_hz = given_hz / std::sqrt(most_weight);
   }
   return found;

@@ -20,7 +20,7 @@ using rubsweep::recording::RunOut;
 constexpr std::string_view root_form = "a map with probes, keyphasor or speed_hz, time or sampling_rate_hz";
 constexpr Words<Mark, 2> marks{{"dark", "bright"}, {Mark::dark, Mark::bright}};
 
-/// Least angle between two probes, in degrees, as of a simulated pair.
+/// Smallest angle between two probes, in degrees; the same as for a simulated pair.
 constexpr double least_angle_deg = 10;
 
 void read_column(yaml::Section& section, std::string_view name, std::string& column) {

@@ -25,7 +25,7 @@ namespace {
 using matlab::Variable;
 using table::Fault;
 
-/// Seconds since the first stamp; stamps without a date begin again at midnight.
+/// Changes time stamps to seconds since the first one; stamps without a date may pass midnight.
 void count_from_first(std::vector<double>& stamps_s) {
   constexpr double day_s = 86400;
   const double first_s = stamps_s.front();
@@ -38,7 +38,7 @@ void count_from_first(std::vector<double>& stamps_s) {
   }
 }
 
-/// Cells of the line of a LabVIEW head that begins with `key`; empty where there is none.
+/// Cells of the line that begins with `key` in a LabVIEW header; empty where there is none.
 std::vector<std::string_view> labview_line(std::string_view text, char separator, std::string_view key) {
   while (!text.empty()) {
     const auto cells = table::cells_of(table::take_line(text), separator);
@@ -48,8 +48,8 @@ std::vector<std::string_view> labview_line(std::string_view text, char separator
   return {};
 }
 
-/// Units and sampling rate that the head of a LabVIEW measurement says. Throws Fault for what is no one
-/// table.
+/// Reads units and sampling rate from the header of a LabVIEW measurement. Throws Fault for a file that is
+/// not a single table.
 void read_labview_head(std::string_view text, const table::Layout& layout, Channels& table) {
   std::size_t sections = 0, line = 0;
   for (std::string_view rest = text; !rest.empty();) {
@@ -111,7 +111,7 @@ Channels read_text(std::string_view text) {
   return table;
 }
 
-/// Most channels of one matrix: a picture has more.
+/// Largest number of channels in a matrix; a picture has more.
 constexpr std::size_t most_channels = 256;
 
 std::string why_left_out(const Variable& variable, bool in_structure) {
@@ -154,8 +154,7 @@ struct Close {
 
 constexpr sf_count_t frames_at_once = 4096;
 
-/// Size that the header says, by the first chunk of a RIFF file; empty where it leaves that open, as a stream
-/// does.
+/// File size according to the header of a RIFF file; empty where the header leaves it open, as streams do.
 std::optional<std::uintmax_t> said_bytes(const std::filesystem::path& file) {
   std::array<unsigned char, 8> head{};
   std::ifstream stream(file, std::ios::binary);
@@ -207,7 +206,7 @@ Channels read_matlab_file(std::string_view bytes, const std::string& name) {
 Channels read_recording_file(const std::filesystem::path& file, std::string_view bytes) {
   const bool sound = bytes.starts_with("RIFF") || bytes.starts_with("RIFX") || bytes.starts_with("RF64");
   if (sound) return read_sound_file(file);
-  // MATLAB's own HDF5 begins with its words, and not with the mark of HDF5.
+  // MATLAB's own HDF5 files begin with a text instead of the HDF5 signature.
   if (bytes.starts_with("\x89HDF"))
     throw ConfigError(file.string() +
                       ": is HDF5 without MATLAB's head, allowed: a MATLAB file of version 4, 5 or 7.3, which "
@@ -216,10 +215,10 @@ Channels read_recording_file(const std::filesystem::path& file, std::string_view
     throw ConfigError(file.string() +
                       ": is a file of LabVIEW's TDMS, allowed: its signals as a table of text, "
                       "which LabVIEW, DIAdem and nptdms export");
-  // Version 4 has no words at its begin, only its ending tells it.
+  // Version 4 has no such text; only the file ending tells it.
   if (bytes.starts_with("MATLAB ") || file.extension() == ".mat")
     return read_matlab_file(bytes, file.string());
-  batch::check_table_text(bytes, file);  // a table that a program of ours wrote may be a recording, too
+  batch::check_table_text(bytes, file);  // a table written by one of our programs may be a recording, too
   return read_delimited_text(bytes, file.string());
 }
 

@@ -12,16 +12,16 @@
 namespace rubsweep::recording {
 namespace {
 
-/// Most that an instant may be off its place, in steps: instruments write times with few digits.
+/// Largest deviation of an instant from even spacing, in steps: instruments write times with few digits.
 constexpr double largest_jitter = 0.5;
 
-/// File and row, for messages.
+/// File and row, as they appear in messages.
 std::string place_of(const Channels& channels, std::size_t row, const std::string& name) {
   return channels.line.empty() ? fmt::format("{}: {}", name, channels.place_of(row))
                                : fmt::format("{}:{}", name, channels.line[row]);
 }
 
-/// Median of the steps.
+/// Median step between neighbouring times.
 double usual_step(const std::vector<double>& times) {
   std::vector<double> steps;
   for (std::size_t k = 1; k < times.size(); ++k) steps.push_back(times[k] - times[k - 1]);
@@ -105,11 +105,11 @@ std::optional<Channels> stretch_without_jump(const Channels& channels, const Ins
   if (!instrument.time) return std::nullopt;
   const Channel& time = find_channel(channels, *instrument.time, name);
   const double unit_s = seconds_per(time.unit, time.name, name), usual = usual_step(time.values);
-  std::vector<std::size_t> begins{0};  // of stretches, and the end of the last one
+  std::vector<std::size_t> begins{0};  // beginnings of the stretches, and the end of the last one
   for (std::size_t k = 1; k < time.values.size(); ++k) {
     const double step = time.values[k] - time.values[k - 1];
     if (!(usual > 0) || step <= (1 - largest_jitter) * usual)
-      return std::nullopt;  // no clock: clock_of says where
+      return std::nullopt;  // no valid clock: clock_of reports where
     if (step >= (1 + largest_jitter) * usual) begins.push_back(k);
   }
   const std::size_t jumps = begins.size() - 1;

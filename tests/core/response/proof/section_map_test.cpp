@@ -18,7 +18,7 @@
 namespace rubsweep::response::proof {
 namespace {
 
-/// Section of the rotor after so many turns.
+/// Section of the rotor after some turns.
 std::vector<double> section_after(const scene::Scene& scene, int turns,
                                   const integrate::run::SolverOptions& solver) {
   const integrate::run::Cursor cursor = integrate::adaptive::start_adaptive(scene, solver);
@@ -27,7 +27,7 @@ std::vector<double> section_after(const scene::Scene& scene, int turns,
   return turn.section;
 }
 
-/// Every turn is paid, by solvers that count from the start and by such that count from a restart.
+/// Every turn counts against the budget, for solvers that count from the start or from a restart.
 TEST(SectionMapScene, EndsWithItsBudget) {
   const auto cell = test::cell_of({});
   integrate::exact::modes::ModeCache modes;
@@ -67,7 +67,7 @@ TEST(SectionMapScene, HasNoMemoryAndNoPulse) {
   const auto cell = test::cell_of({});
   integrate::exact::modes::ModeCache modes;
   SceneMap map(cell.scene, {}, modes);
-  // The quiet motion stays on its circle: nothing kicks it.
+  // The quiet motion stays on its circle, because nothing kicks it.
   const auto quiet = integrate::run::scaled_initial_state(cell.scene);
   auto section = quiet;
   ASSERT_TRUE(map(section));
@@ -96,9 +96,8 @@ TEST(SectionMapScene, SaysWhenTheSolverFailsAndRefusesOtherSections) {
 }
 
 TEST(SectionMapScene, ExponentOfTheHalfSubharmonicIsTheDecayOfItsTangentialMotion) {
-  // Under a wall at 90 degrees x is a linear oscillator that the normal motion drives and that drives
-  // nothing: it decays by zeta omega0 T per turn, slower than anything else in this orbit. At every
-  // tolerance.
+  // Along a wall at 90 degrees, x is a linear oscillator that the normal motion drives, without feedback. It
+  // decays by zeta omega0 T per turn, slower than everything else in this orbit, for every tolerance.
   const test::OneSideRotor rotor;
   const auto cell = test::cell_of(rotor);
   const double expected =

@@ -9,7 +9,7 @@
 namespace rubsweep::config::yaml {
 namespace {
 
-/// Keys left of {stribeck, kinetic, from, other} after `written` is about to be written over them.
+/// Remaining keys of {stribeck, kinetic, from, other} when `written` is about to be written over them.
 std::string left_after(std::string_view written) {
   Node map{Node::Kind::map, SourcePosition{}};
   for (const char* key : {"stribeck", "kinetic", "from", "other"}) {
