@@ -137,7 +137,7 @@ def text_lines(checks, config):
     for number, row in enumerate([None, *checks[:MOST_ROWS]]):
         cells = ("check", "where", "speed", "margin", "") if row is None else check_cells(row, config)
         colour = "#AA3311" if row is not None and row["verdict"] == "not_met" else "black"
-        for column, cell in zip((0.565, 0.655, 0.725, 0.865, 0.94), cells):
+        for column, cell in zip((0.53, 0.61, 0.73, 0.868, 0.94), cells):
             yield (f"set label '{cell}' at screen {column}, {0.405 - 0.0245 * number:.4f} left noenhanced "
                    f"font '{':Bold' if row is None else ''},17' textcolor rgb '{colour}'")
 

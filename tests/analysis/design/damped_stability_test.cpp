@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <vector>
 
 #include "core/scene/kit_machine.hpp"
 
@@ -23,7 +25,7 @@ TEST(DampedStability, CrossCouplingIsPowerBySpeedAndSizes) {
 TEST(DampedStability, OfADiscIsItsClosedForm) {
   const linear::FreeRotor disc = linear::free_rotor(scene::one_side_machine());
   const double zeta = 0.02, w = 2 * pi * 30, mass_kg = 0.8, threshold = 2 * zeta * mass_kg * w * w;
-  const auto free = first_forward(disc, 100, 200);
+  const auto free = first_forward(disc, std::vector{100.0}, 200);
   ASSERT_TRUE(free);
   EXPECT_NEAR(free->decrement, 2 * pi * zeta / std::sqrt(1 - zeta * zeta), 1e-9);
   EXPECT_NEAR(free->frequency_hz, 30 * std::sqrt(1 - zeta * zeta), 1e-9);
@@ -34,9 +36,9 @@ TEST(DampedStability, OfADiscIsItsClosedForm) {
   const std::complex<double> rate = (-c + std::sqrt(c * c - 4 * mass_kg * k)) / (2 * mass_kg);
   const std::complex<double> forward =
       rate.imag() > 0 ? rate : (-c - std::sqrt(c * c - 4 * mass_kg * k)) / (2 * mass_kg);
-  EXPECT_NEAR(first_forward(disc, 100, 200, 0, coupling)->decrement,
+  EXPECT_NEAR(first_forward(disc, std::vector{100.0}, 200, 0, coupling)->decrement,
               -2 * pi * forward.real() / forward.imag(), 1e-9);
-  EXPECT_LT(first_forward(disc, 100, 200, 0, 1.01 * threshold)->decrement, 0);
+  EXPECT_LT(first_forward(disc, std::vector{100.0}, 200, 0, 1.01 * threshold)->decrement, 0);
 }
 
 TEST(DampedStability, WhirlThatGrowsByItselfHasNoThreshold) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "rubsweep/analysis/linear/whirl_modes.hpp"
@@ -28,10 +29,11 @@ struct Decrement {
   double decrement = 0;  ///< 2 pi times damping ratio / sqrt(1 - ratio^2); negative: it grows
 };
 
-/// `coupling_n_per_m` at the place number `place` of the rotor drives it forward: kxy = coupling, kyx =
-/// -coupling. Empty where no whirl below `up_to_hz` is forward. Supports by tables must reach the speed.
-std::optional<Decrement> first_forward(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz,
-                                       Eigen::Index place = 0, double coupling_n_per_m = 0);
+/// The least decrement at some speeds, ascending. `coupling_n_per_m` at the place number `place` of the rotor
+/// drives it forward: kxy = coupling, kyx = -coupling. Empty where no whirl below `up_to_hz` is forward.
+/// Supports by tables must reach the speeds.
+std::optional<Decrement> first_forward(const linear::FreeRotor& rotor, std::span<const double> speeds_hz,
+                                       double up_to_hz, Eigen::Index place = 0, double coupling_n_per_m = 0);
 
 /// Coupling at which the first forward whirl neither decays nor grows; 0 where it grows without any, empty
 /// where none up to 1e12 N/m makes it grow.

@@ -244,8 +244,8 @@ DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine
     if (check.operating.contains(lock.speed_hz)) check.locks.push_back(lock);
   add_trip_clearances(prepared, check);
   std::ranges::move(lateral_terms(prepared, {check.operating, check.whole, check.eccentricity_m, check.scale,
-                                             check.vibration_limit_m, check.whole_growth.growth_per_s > 0,
-                                             questions.stages}),
+                                             check.vibration_limit_m, modes.critical_speeds,
+                                             check.whole_growth.growth_per_s > 0, questions.stages}),
                     std::back_inserter(check.lateral));
   try_kicks(study, prepared, questions, check);
   return check;

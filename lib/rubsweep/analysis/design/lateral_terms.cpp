@@ -66,12 +66,16 @@ void add_resonance(const Resonance& peak, const SpeedRange& operating, const std
   terms.push_back(std::move(term));
 }
 
-std::vector<double> speeds_over(const SpeedRange& range, const model::Machine& machine) {
-  constexpr int campbell_speeds = 51;
-  const linear::Campbell modes =
-      linear::campbell(linear::free_rotor(machine),
-                       batch::evenly_spaced(range.from_hz, range.to_hz, campbell_speeds), range.to_hz);
-  return response_speeds(range, modes.critical_speeds);
+/// Speeds of the response: those of the whole range, and beyond it up to the last one.
+std::vector<double> speeds_up_to(double to_hz, const model::Machine& machine, const LateralQuestions& asked) {
+  constexpr int campbell_speeds = 11;
+  std::vector<linear::CriticalSpeed> critical = asked.critical_speeds;
+  if (to_hz > asked.whole.to_hz) {
+    const linear::Campbell beyond = linear::campbell(
+        linear::free_rotor(machine), batch::evenly_spaced(asked.whole.to_hz, to_hz, campbell_speeds), to_hz);
+    critical.insert(critical.end(), beyond.critical_speeds.begin(), beyond.critical_speeds.end());
+  }
+  return response_speeds({asked.whole.from_hz, to_hz}, critical);
 }
 
 /// Largest of a quantity over the operating range.
@@ -90,7 +94,7 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
   Responses responses(rotor, cases);
   const double highest_hz = response_up_to * asked.whole.to_hz,
                to_hz = within_tables_hz(prepared.machine, highest_hz);
-  const std::vector<double> speeds_hz = speeds_over({asked.whole.from_hz, to_hz}, prepared.machine);
+  const std::vector<double> speeds_hz = speeds_up_to(to_hz, prepared.machine, asked);
   const std::vector<WatchedPlace> probes = probe_places(prepared);
   for (std::size_t number = 0; number < cases.size(); ++number) {
     for (std::size_t k = 0; k < probes.size(); ++k) {
@@ -176,7 +180,8 @@ void add_stability(const WholeRotor& rotor, const model::Machine& machine, const
                     [](const model::Support& one) { return one.name.find("Seal") != one.name.npos; });
     const linear::FreeRotor level_one = linear::free_rotor(bare);
     terms.push_back({"cross_coupling", "", position_m, speed_hz, coupling, {}, "N/m"});
-    Term first = decrement_term("level_1", first_forward(level_one, speed_hz, up_to_hz, midspan, coupling));
+    Term first = decrement_term("level_1",
+                                first_forward(level_one, std::vector{speed_hz}, up_to_hz, midspan, coupling));
     first.position_m = position_m;
     terms.push_back(no_verdict_if_failed(std::move(first)));
     if (const auto threshold = threshold_n_per_m(level_one, speed_hz, up_to_hz, midspan)) {
@@ -185,12 +190,9 @@ void add_stability(const WholeRotor& rotor, const model::Machine& machine, const
                                             least_threshold_ratio, "1", margin, margin >= 0}));
     }
   }
-  std::optional<Decrement> least;
-  for (const double hz :
-       batch::evenly_spaced(asked.operating.from_hz, asked.operating.to_hz, decrement_speeds)) {
-    const auto found = first_forward(rotor.rotor(), hz, up_to_hz, midspan, coupling);
-    if (found && (!least || found->decrement < least->decrement)) least = found;
-  }
+  const std::vector<double> speeds_hz =
+      batch::evenly_spaced(asked.operating.from_hz, asked.operating.to_hz, decrement_speeds);
+  const auto least = first_forward(rotor.rotor(), speeds_hz, up_to_hz, midspan, coupling);
   terms.push_back(decrement_term("level_2", least));
 }
 

@@ -30,6 +30,7 @@ struct LateralQuestions {
   double eccentricity_m = 0;  ///< of the case `configured`
   double scale = 1;           ///< of the unbalance for the bearing forces
   double vibration_limit_m = 0;
+  std::vector<linear::CriticalSpeed> critical_speeds = {};  ///< within `whole`
   bool grows = false;                        ///< true: a response does not last, so that it keeps no limit
   std::optional<std::vector<Stage>> stages;  ///< empty: not said; none: the rotor does no work
 };
