@@ -185,7 +185,8 @@ Eigen::VectorXcd all_rates_per_s(const SpeedMatrices& matrices, double unit_per_
   return Eigen::Map<const Eigen::VectorXcd>(rates.data(), static_cast<Index>(rates.size()));
 }
 
-bool follow_free_mode(const SpeedMatrices& matrices, Complex& rate_per_s, Eigen::VectorXcd& shape) {
+bool follow_free_mode(const SpeedMatrices& matrices, Complex& rate_per_s, Eigen::VectorXcd& shape,
+                      double precision) {
   constexpr int most_steps = 12;
   for (int step = 0; step < most_steps; ++step) {
     const Eigen::VectorXcd next =
@@ -194,7 +195,7 @@ bool follow_free_mode(const SpeedMatrices& matrices, Complex& rate_per_s, Eigen:
     if (!next.allFinite() || !std::isfinite(std::abs(change))) return step > 0;  // singular: this is the rate
     rate_per_s -= change;
     shape = next.normalized();
-    if (std::abs(change) <= 4 * epsilon * std::abs(rate_per_s)) return true;
+    if (std::abs(change) <= precision * std::abs(rate_per_s)) return true;
   }
   return false;
 }

@@ -29,10 +29,10 @@ FreeModes free_modes(const SpeedMatrices& matrices, const RateDisc& disc);
 /// matrices, because it uses the full space.
 Eigen::VectorXcd all_rates_per_s(const SpeedMatrices& matrices, double unit_per_s);
 
-/// Follows a vibration to other matrices by Newton's method, from `rate_per_s` and `shape`, which are
-/// replaced. False where it does not converge.
+/// The vibration next to `rate_per_s` and `shape` at other matrices, by Newton's method: shape and rate are
+/// replaced. False where it does not converge: the rate still moves by more than `precision` of itself.
 bool follow_free_mode(const SpeedMatrices& matrices, std::complex<double>& rate_per_s,
-                      Eigen::VectorXcd& shape);
+                      Eigen::VectorXcd& shape, double precision = 8.9e-16);
 
 /// Error of a vibration's rate, per second, caused by rounding the numbers of these matrices.
 double rate_rounding_per_s(const SpeedMatrices& matrices, std::complex<double> rate_per_s,
