@@ -16,7 +16,8 @@ using SectionMap = std::function<bool(std::span<double> state)>;
 
 /// One revolution of a scene as a map of its scaled section (as TurnReport::section): from phase 0 to phase
 /// 0, the pulses left out. Every call starts afresh, so that the map has no memory: equal sections give equal
-/// sections to the last bit, near ones go through nearly the same steps.
+/// sections to the last bit, near ones go through nearly the same steps. Where a contact is damped by how it
+/// began to touch, a section that touches is not made: it would not decide the turn after it.
 class SceneMap {
  public:
   /// Where there is a `budget`, revolutions are paid from it and fail once it is used up. It outlives the
@@ -29,7 +30,7 @@ class SceneMap {
 
   /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes its image under the
   /// derivative of the new section by the old: from the exact solver where the turn has closed forms, of
-  /// Taylor pieces to `accuracy`, else by central differences.
+  /// Taylor pieces and beside curved laws to `accuracy`, else by central differences.
   bool carry(std::span<double> section, Eigen::MatrixXd& disturbances,
              double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 
@@ -61,6 +62,7 @@ class SceneMap {
   integrate::run::TurnRequest request_;
   integrate::run::TurnReport report_;
   std::vector<double> before_;
+  bool moves_tangents_, remembers_;
 };
 
 /// The scene without its pulses.
