@@ -41,9 +41,11 @@ enum class Unknown : std::size_t {
   offset_ratio,            ///< annular_offset: offset / clearance
   stop_angle,  ///< degrees from +x; 0 where the machine looks the same from all directions without the stop
   position,    ///< place of the stops along the shaft of a rotor kit, m
-  kit          ///< place in KnownKit::likely, as a share of them
+  kit,         ///< place in KnownKit::likely, as a share of them
+  exponent     ///< of the penetration in the force of the contact, which is as stiff at a twentieth of the
+               ///< clearance
 };
-inline constexpr std::size_t unknown_count = 16;
+inline constexpr std::size_t unknown_count = 17;
 
 /// A number for every unknown: its values, or places in the unit interval where its Spread has them.
 using Point = std::array<double, unknown_count>;

@@ -103,18 +103,64 @@ TEST(StepTangents, WatchingDoesNotMoveTheRotor) {
   asked.tangent_vectors.setIdentity(8, 3);
   run::TurnReport a, b;
   int moved = 0;
+  bool began_touching = false;
   for (int k = 0; k < 20; ++k) {
     ASSERT_EQ(plain.advance({}, a), run::Outcome::ok);
     ASSERT_EQ(watched.advance(asked, b), run::Outcome::ok);
     EXPECT_EQ(a.section, b.section);
     EXPECT_EQ(a.tangent_vectors.get(), nullptr);
     // A section in contact does not say how it began, and no vectors are better than wrong ones.
-    if (b.touching_at_end) {
+    if (began_touching) {
       EXPECT_EQ(b.tangent_vectors.get(), nullptr);
     }
+    began_touching = b.touching_at_end;
     moved += b.tangent_vectors.get() != nullptr;
   }
   EXPECT_GT(moved, 3);
+}
+
+/// A vector that goes on from turn to turn takes the change of the damping along, also where turns begin in
+/// contact.
+TEST(StepTangents, GoOnInAContactThatRemembersHowItBegan) {
+  scene::Contact wall = linear_contact(contact::FlatWall{{0, 1}}, model::ConstantFriction{0.1}, 8);
+  wall.clearance_m = 3e-4;
+  give_law(power_stop(1e6, 1.5, ImpactDamping::hunt_crossley, 0.4), wall);
+  int touching = 0;
+  for (const double angle_deg : {0.0, 90.0, 180.0}) {
+    wall.wall = contact::FlatWall{contact::direction(angle_deg)};
+    const scene::Scene scene = rotor_and_casing({wall}, 60);
+    exact::modes::ModeCache modes;
+    const std::vector<double> from(8, 0.01);
+    const Eigen::VectorXd way = Eigen::VectorXd::LinSpaced(8, -1, 1);
+    constexpr int turns = 6;
+    const auto end_of = [&](double by) {
+      std::vector<double> section = from;
+      for (std::size_t i = 0; i < 8; ++i) section[i] += by * way(Eigen::Index(i));
+      const run::Run run = start(scene, tight(), modes);
+      run.restart(section);
+      run::TurnReport turn;
+      for (int k = 0; k < turns; ++k) EXPECT_EQ(run.advance({}, turn), run::Outcome::ok);
+      return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(turn.section.data(), 8));
+    };
+    const run::Run run = start(scene, tight(), modes);
+    run.restart(from);
+    run::TurnRequest asked;
+    asked.tangent_vectors = way;
+    run::TurnReport turn;
+    double length = 1;
+    for (int k = 0; k < turns; ++k) {
+      ASSERT_EQ(run.advance(asked, turn), run::Outcome::ok);
+      ASSERT_NE(turn.tangent_vectors.get(), nullptr) << angle_deg << " " << k;
+      const double norm = turn.tangent_vectors.get()->norm();
+      asked.tangent_vectors = *turn.tangent_vectors.get() / norm;
+      length *= norm;
+      touching += turn.touching_at_end;
+    }
+    constexpr double by = 1e-6;
+    const Eigen::VectorXd expected = (end_of(by) - end_of(-by)) / (2 * by);
+    EXPECT_LT((length * asked.tangent_vectors - expected).norm(), 1e-4 * expected.norm()) << angle_deg;
+  }
+  EXPECT_GT(touching, 2);
 }
 
 /// Largest difference of the change of a section by one disturbance of the start, over its size; negative

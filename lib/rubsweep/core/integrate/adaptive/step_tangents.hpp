@@ -41,9 +41,11 @@ class StepTangents final : public RightHandSide {
   /// Evaluations of the right-hand side that took as long since the start of the run.
   long work() const { return work_; }
 
-  /// A turn begins at `state`. None are moved where a contact that was damped by an impact still touches.
+  /// A turn begins at `state`. Where a contact still touches that is damped by its own impact, a vector is
+  /// moved alone that goes on from the turn before, at any length: the change of that damping goes with it.
   void begin(const run::TurnRequest& request, double tolerance, const State& state) {
-    count_ = moves_ && !any_remembers() ? request.tangent_vectors.cols() : 0;
+    const double length = any_remembers() ? length_of_last(request.tangent_vectors) : 0;
+    count_ = moves_ && (length > 0 || !any_remembers()) ? request.tangent_vectors.cols() : 0;
     if (count_ == 0) return;
     const double wanted = std::max(request.tangent_accuracy, tolerance);
     if (!method_ || tolerance_ != wanted) {
@@ -55,6 +57,7 @@ class StepTangents final : public RightHandSide {
       numbers->assign(size, 0.0);
     at_ = at_rate_ = state;
     changes() = request.tangent_vectors;
+    if (length > 0) vectors().bottomRows(rows() - states()) = length * last_.tail(rows() - states());
     keep_sticking(state);
   }
 
@@ -122,7 +125,10 @@ class StepTangents final : public RightHandSide {
 
   /// The turn is over.
   void finish(run::TurnReport& report) {
-    if (any() && !any_remembers()) report.tangent_vectors.fill(states(), count_) = changes();
+    last_.resize(0);
+    if (!any()) return;
+    report.tangent_vectors.fill(states(), count_) = changes();
+    if (count_ == 1) last_ = vectors().col(0);
   }
 
   void operator()(const State& x, State& rate, double phase) override {
@@ -167,6 +173,15 @@ class StepTangents final : public RightHandSide {
     return std::ranges::any_of(remembering_,
                                [&](std::size_t i) { return law_.modes()[i] != contact::Mode::open; });
   }
+  /// The multiple of the vector at the end of the turn before that this is; 0 where it is another one.
+  double length_of_last(const Eigen::MatrixXd& asked) const {
+    constexpr double rounding = 1e-12;
+    if (asked.cols() != 1 || last_.size() == 0) return 0;
+    const auto before = last_.head(states());
+    const double length = asked.norm() / before.norm();
+    return (asked - length * before).norm() <= rounding * asked.norm() ? length : 0;
+  }
+
   /// No vectors are better than wrong ones.
   void give_up() { count_ = 0; }
 
@@ -213,7 +228,7 @@ class StepTangents final : public RightHandSide {
   const Step* step_ = nullptr;
   State at_, at_rate_;  ///< of the motion
   typename Law::Matrix by_u_, by_v_;
-  Eigen::VectorXd push_;
+  Eigen::VectorXd push_, last_;  ///< last_: the only vector at the end of the turn before; else empty
   Eigen::RowVectorXd release_gradient_;
   double release_rate_ = 0;
   long work_ = 0;

@@ -39,18 +39,20 @@ bool SceneMap::advance(std::span<double> section) {
                                   section.size()));
   }
   if (budget_ && budget_->used_up()) return false;
-  run_.restart(section);
+  const bool goes_on = keeps_memory_ && std::ranges::equal(section, report_.section);
+  if (!goes_on) run_.restart(section);
   const integrate::run::Outcome outcome = run_.advance(request_, report_);
-  if (budget_) spend();
-  if (outcome != integrate::run::Outcome::ok || (remembers_ && report_.touching_at_end)) return false;
+  if (budget_) spend(exact_ || goes_on);
+  if (outcome != integrate::run::Outcome::ok || (remembers_ && !keeps_memory_ && report_.touching_at_end))
+    return false;
   std::ranges::copy(report_.section, section.begin());
   return true;
 }
 
 /// The exact solver goes on counting after a restart, a stepper begins anew.
-void SceneMap::spend() {
+void SceneMap::spend(bool counts_on) {
   const double before = std::exchange(work_, integrate::run::work(report_.effort));
-  budget_->spend(exact_ ? work_ - before : work_);
+  budget_->spend(counts_on ? work_ - before : work_);
 }
 
 bool SceneMap::operator()(std::span<double> section) {

@@ -39,6 +39,14 @@ class SceneMap {
   bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved,
                      double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 
+  /// From here on a turn that begins where the one before it ended is its continuation. Then contacts that
+  /// are damped by how they began to touch go on, and sections may touch.
+  void keep_memory() { keeps_memory_ = remembers_; }
+  /// Whether a section that touches does not decide the turn after it.
+  bool remembers() const { return remembers_; }
+  /// Some contact was touching at the end of the revolution made last.
+  bool touching_at_end() const { return report_.touching_at_end; }
+
   /// The exact solver makes the turns, as far as they have closed forms.
   bool exact() const { return exact_; }
 
@@ -52,7 +60,8 @@ class SceneMap {
 
  private:
   bool advance(std::span<double> section);
-  void spend();
+  /// `counts_on`: the solver counts its work from before the turn.
+  void spend(bool counts_on);
 
   std::size_t states_;
   bool exact_;
@@ -62,7 +71,7 @@ class SceneMap {
   integrate::run::TurnRequest request_;
   integrate::run::TurnReport report_;
   std::vector<double> before_;
-  bool moves_tangents_, remembers_;
+  bool moves_tangents_, remembers_, keeps_memory_ = false;
 };
 
 /// The scene without its pulses.
