@@ -49,6 +49,22 @@ TEST(LabelledRecording, RecordingsOfAMachineShareItsNumbersAndNotTheirOwn) {
   EXPECT_NE(value_of(a.values, Unknown::whirl_ratio), value_of(b.values, Unknown::whirl_ratio));
 }
 
+TEST(LabelledRecording, AnExponentChangesNoOtherNumberOfItsMachine) {
+  DataStudy study = small_study();
+  const MachineDraw of_spring = draw_machine(study, 1);
+  spread_of(study.candidates[1], Unknown::exponent) = {1, 1.5, false};
+  const MachineDraw drawn = draw_machine(study, 1);
+  EXPECT_EQ(drawn.unit, of_spring.unit);
+  EXPECT_EQ(drawn.gain, of_spring.gain);
+  const double exponent = value_of(values_at(study.candidates[1], drawn.unit), Unknown::exponent);
+  EXPECT_GT(exponent, 1);
+  EXPECT_LT(exponent, 1.5);
+  response::motion::Workspace workspace;
+  const LabelledRecording recording = make_recording(study, 2, workspace);
+  EXPECT_EQ(value_of(recording.values, Unknown::exponent), exponent);
+  EXPECT_LE(recording.penetration_ratio, study.rub.penetration_ratio);
+}
+
 TEST(LabelledRecording, NumbersStayInTheirRanges) {
   response::motion::Workspace workspace;
   const DataStudy study = small_study();

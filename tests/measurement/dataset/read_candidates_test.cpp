@@ -25,16 +25,19 @@ std::string read(const std::string& text, std::vector<diagnose::Candidate>& cand
 
 TEST(ReadCandidates, WordHasTheUsualRangesAndMapItsOwn) {
   std::vector<diagnose::Candidate> candidates;
-  ASSERT_EQ(read("candidates:\n  - no_rub\n  - {kind: one_side, name: pin, restitution: 0.8,\n"
-                 "     clearance_m: [1.0e-4, 2.0e-4], stiffness_n_per_m: [1.0e6, 1.0e7]}\n",
-                 candidates),
-            "none");
+  ASSERT_EQ(
+      read("candidates:\n  - no_rub\n  - {kind: one_side, name: pin, restitution: 0.8,\n"
+           "     clearance_m: [1.0e-4, 2.0e-4], stiffness_n_per_m: [1.0e6, 1.0e7], exponent: [1, 1.5]}\n",
+           candidates),
+      "none");
   ASSERT_EQ(candidates.size(), 2u);
   EXPECT_EQ(candidates[0].cause, Cause::no_rub);
   EXPECT_EQ(candidates[1].name, "pin");
   EXPECT_EQ(spread_of(candidates[1], Unknown::restitution).low, 0.8);
   EXPECT_EQ(candidates[1].clearance_m.high, 2e-4);
   EXPECT_TRUE(spread_of(candidates[1], Unknown::stiffness).logarithmic);
+  EXPECT_EQ(spread_of(candidates[1], Unknown::exponent).high, 1.5);
+  EXPECT_EQ(spread_of(candidates[0], Unknown::exponent).high, 1);
   EXPECT_EQ(spread_of(candidates[1], Unknown::kick_ratio).high,
             spread_of(diagnose::usual_candidate(Cause::one_side), Unknown::kick_ratio).high);
 }

@@ -69,6 +69,15 @@ void measure_again(const scene::Scene& scene, const SceneFacts& facts,
     look_for_comb(*record, options, workspace, motion);
 }
 
+/// Makes turns until one ends in the air, from where a motion can be followed whose contacts remember how
+/// they began.
+bool goes_on_in_the_air(proof::SceneMap& map, std::vector<double>& section, int most_turns) {
+  map.keep_memory();
+  for (int turn = 0; turn < most_turns; ++turn)
+    if (!map(section) || !map.touching_at_end()) return !map.touching_at_end();
+  return false;
+}
+
 void follow_on(const scene::Scene& scene, const SceneFacts& facts, integrate::run::SolverOptions solver,
                const motion::ResponseOptions& options, const motion::Record& record,
                std::span<const double> section, motion::Workspace& workspace,
@@ -76,8 +85,10 @@ void follow_on(const scene::Scene& scene, const SceneFacts& facts, integrate::ru
   motion::Motion& motion = verdict.motion;
   solver.relative_tolerance = std::min(solver.relative_tolerance, largest_tolerance_of_an_exponent);
   proof::SceneMap map(scene, solver, workspace.modes, &budget);
+  std::vector<double> start(section.begin(), section.end());
+  if (map.remembers() && !goes_on_in_the_air(map, start, options.window_revolutions)) return;
   const Aperiodic found = classify_aperiodic(
-      tangent_growth(map), [&map] { return map.touched(); }, {section.begin(), section.end()},
+      tangent_growth(map), [&map] { return map.touched(); }, start,
       static_cast<std::size_t>(options.max_revolutions), scene::observed(scene), options.window_revolutions,
       workspace.spectrum);
   motion.motion_class = found.motion_class;
@@ -159,6 +170,7 @@ Verdict verdict_of(const scene::Scene& scene, const SceneFacts& facts,
     motion.motion_class = motion::MotionClass::chaotic;
     motion.exponent = chaos;
     proof::SceneMap map(scene, solver, workspace.modes, &budget);
+    map.keep_memory();
     ask_how_long_it_lasts(map, options, watch.motion(), verdict);
   } else {
     follow_on(scene, facts, solver, options, record, section, workspace, budget, verdict);

@@ -67,8 +67,8 @@ std::string explain_law(const model::Stop& stop) {
                       contact::restitution_of_factor(curve.factor()));
   if (curve.remembers())
     text +=
-        "    the motion goes by how each contact began: no proof of a period, no exponent, two windows "
-        "decide\n";
+        "    the motion goes by how each contact began: no proof of a period where one touches "
+        "at phase 0 of a turn\n";
   return text;
 }
 

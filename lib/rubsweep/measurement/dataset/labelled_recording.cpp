@@ -86,7 +86,8 @@ MachineDraw draw_machine(const DataStudy& study, std::size_t machine) {
   diagnose::RandomStream random(study.seed, machine, Purpose::of_machine);
   MachineDraw drawn;
   for (const diagnose::UnknownRow& row : diagnose::unknown_rows())
-    if (!row.of_kit) drawn.unit[static_cast<std::size_t>(row.unknown)] = random.uniform();
+    if (!row.of_kit && row.unknown != Unknown::exponent)
+      drawn.unit[static_cast<std::size_t>(row.unknown)] = random.uniform();
   drawn.clearance_m = value_at(study.candidates[candidate_of(study, machine)].clearance_m, random.uniform());
   drawn.stop_angle_deg = 360 * random.uniform();
   drawn.mark_turns = random.uniform();
@@ -96,6 +97,8 @@ MachineDraw draw_machine(const DataStudy& study, std::size_t machine) {
                                                                        : "test";
   for (int probe = 0; probe < study.measurement.probes; ++probe)
     drawn.gain.push_back(1 + study.measurement.gain_error * random.normal());
+  // The last number of the stream, so that sets of springs stay what they were.
+  drawn.unit[static_cast<std::size_t>(Unknown::exponent)] = random.uniform();
   return drawn;
 }
 

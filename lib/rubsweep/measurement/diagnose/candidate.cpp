@@ -1,6 +1,7 @@
 #include "rubsweep/measurement/diagnose/candidate.hpp"
 
 #include "rubsweep/core/enumerator_word.hpp"
+#include "rubsweep/core/model/normal_law.hpp"
 
 namespace rubsweep::diagnose {
 
@@ -31,6 +32,8 @@ const std::array<UnknownRow, unknown_count>& unknown_rows() {
       {Unknown::stop_angle, "stop_angle_deg", model::any_finite, {}, false, false, true},
       {Unknown::position, "position_m", model::not_negative, {}, false, false, true},
       {Unknown::kit, "kit", model::any_finite, {}, false, false, true},
+      // A spring, for which closed forms know the motion; others take many times the time.
+      {Unknown::exponent, "exponent", model::NormalLaw::exponent_range, {1, 1, false}, false},
   }};
   return rows;
 }

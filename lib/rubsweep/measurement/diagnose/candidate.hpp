@@ -39,11 +39,13 @@ enum class Unknown : std::size_t {
   kick_phase,              ///< angle of the shaft at the kick, degrees
   second_clearance_ratio,  ///< two_sides: clearance of the second stop / clearance of the first
   offset_ratio,            ///< annular_offset: offset / clearance
-  stop_angle,              ///< degrees from +x; 0 where the machine without its stop is isotropic
-  position,                ///< place of the stops along the shaft of a rotor kit, m
-  kit                      ///< place in KnownKit::likely, as a share of its length
+  stop_angle,  ///< degrees from +x; 0 where the machine looks the same from all directions without the stop
+  position,    ///< place of the stops along the shaft of a rotor kit, m
+  kit,         ///< place in KnownKit::likely, as a share of them
+  exponent     ///< of the penetration in the force of the contact, which is as stiff at a twentieth of the
+               ///< clearance
 };
-inline constexpr std::size_t unknown_count = 16;
+inline constexpr std::size_t unknown_count = 17;
 
 /// One number per unknown: its value, or the place in [0, 1] that its Spread maps to the value.
 using Point = std::array<double, unknown_count>;

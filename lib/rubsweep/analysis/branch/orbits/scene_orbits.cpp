@@ -150,8 +150,9 @@ class SceneOrbits {
     if (!scene) return nullptr;
     if (!integrate::run::same_every_turn(*scene))
       throw ConfigError(
-          "impulses that are not the same in every revolution, or contacts damped by the approach speed of "
-          "each impact, have no orbits to follow, allowed: law.approach_speed_m_per_s");
+          "impulses that are not the same in every revolution have no orbits to follow, allowed: a whole "
+          "number "
+          "of impulses in a revolution");
     SceneAt& made = recent_.emplace(parameter, *scene, solver_, modes_);
     recent_.trim();
     return &made;

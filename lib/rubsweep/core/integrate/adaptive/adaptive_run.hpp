@@ -4,11 +4,13 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "rubsweep/core/integrate/adaptive/event_search.hpp"
 #include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
 #include "rubsweep/core/integrate/adaptive/step_observer.hpp"
+#include "rubsweep/core/integrate/adaptive/step_tangents.hpp"
 #include "rubsweep/core/integrate/law/dynamics.hpp"
 #include "rubsweep/core/integrate/law/settle_slips.hpp"
 #include "rubsweep/core/integrate/run/options.hpp"
@@ -37,6 +39,7 @@ class AdaptiveRun {
         clock_(run::TurnClock::in_radians(scene, system_.scale)),
         max_steps_(options.max_steps_per_revolution),
         max_evaluations_(run::most_evaluations_of_a_turn(options)),
+        tolerance_(options.relative_tolerance),
         start_kinematics_(system_.contacts.size()),
         end_kinematics_(system_.contacts.size()),
         just_moved_(system_.contacts.size(), false) {
@@ -53,8 +56,8 @@ class AdaptiveRun {
   AdaptiveRun(const AdaptiveRun&) = delete;
   AdaptiveRun& operator=(const AdaptiveRun&) = delete;
 
-  /// Integrates phases 0 to `end_phase` of the next revolution; an end before 2 pi ends the run. Moves no
-  /// tangent vectors.
+  /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
+  /// Moves tangent vectors beside contacts whose law is not linear alone.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = numerics::full_turn) {
     StepObserver observer(request, report);
@@ -65,6 +68,7 @@ class AdaptiveRun {
     // Pulses come first, because they count their time from the start of the turn.
     clock_.begin_turn(book_.revolution, end_phase);
     dynamics_(step_.start, step_.start_rate, 0.0);
+    if constexpr (has_step_tangents<Law>) tangents_.begin(request, tolerance_, step_.start);
     while (!clock_.turn_is_over()) {
       if (!book_.may_step() || dynamics_.rhs_calls() >= evaluations)
         return finish(report, run::Outcome::step_limit);
@@ -75,6 +79,7 @@ class AdaptiveRun {
     }
     report.section.assign(step_.start.begin(), step_.start.end());
     book_.end_turn(StepObserver::touching(step_.start, dynamics_), report);
+    if constexpr (has_step_tangents<Law>) tangents_.finish(report);
     return finish(report, run::Outcome::ok);
   }
 
@@ -125,6 +130,7 @@ class AdaptiveRun {
           observer.report());
     }
     enter_slips(step_.start_phase);
+    to_tangents([this](auto& vectors) { vectors.keep_sticking(step_.start); });
     look_again(step_.start_phase);
     method_->restart();
   }
@@ -167,6 +173,7 @@ class AdaptiveRun {
     };
     const double end_phase = crossing ? crossing->phase : step_.end_phase;
     observer.sample(step_.start_phase, step_.start, end_phase, state_at);
+    to_tangents([&](auto& vectors) { vectors.follow(*method_, right_hand_side_, step_, end_phase); });
     if (crossing) cut_step(end_phase);
     observer.watch(step_, dynamics_, start_kinematics_, end_kinematics_);
     if constexpr (!smoothed) switch_modes(crossing, observer);
@@ -210,7 +217,7 @@ class AdaptiveRun {
       mode = dynamics_.mode_after(i, mode, end_kinematics_[i]);
       if (mode == from) continue;
       switched = true;
-      if (from == contact::Mode::open) dynamics_.begin_impact(i, end_kinematics_[i].closing_speed);
+      if (from == contact::Mode::open) begin_impact(i);
       book_.note_switch({step_.end_phase, static_cast<int>(i), from, mode, dynamics_.impact_damping(i)},
                         observer.report());
       if (mode == contact::Mode::open && dynamics_.any_poised())
@@ -225,7 +232,12 @@ class AdaptiveRun {
     if (const double remembered = remembered_sizes_[joint_mode()]; remembered > 0) size_ = remembered;
   }
 
-  /// Settles the slip at a new contact, whose friction starts from zero.
+  void begin_impact(std::size_t i) {
+    dynamics_.begin_impact(i, end_kinematics_[i].closing_speed);
+    to_tangents([&](auto& vectors) { vectors.begin_impact(i, step_.end, step_.end_rate); });
+  }
+
+  /// The friction of a contact that begins rises from zero.
   void touch_down(std::size_t i) {
     law::take_slip_of_state(dynamics_, i, step_.end);
     if (dynamics_.slips()[i] == contact::Slip::sticking) stop_slip(i);
@@ -235,12 +247,18 @@ class AdaptiveRun {
     ++book_.effort.switches;
     if (crossing.event == Crossing::Event::release) {
       const std::size_t i = crossing.contact;
+      const bool jumps = dynamics_.jumps(i);
+      to_tangents([&](auto& vectors) {
+        if (jumps) vectors.see_release(i, crossing.slip, step_.end, step_.end_rate, step_.end_phase);
+      });
       const bool others = law::let_go(dynamics_, i, crossing.slip, step_.end, probe_rate_, step_.end_phase);
       for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
         if (j == i || (others && law::stands(dynamics_, j, step_.end))) just_moved_[j] = leaves_zero(j);
       }
-      if (!dynamics_.jumps(i)) return;
+      if (!jumps) return;
+      probe_rate_ = step_.end_rate;
       dynamics_(step_.end, step_.end_rate, step_.end_phase);
+      to_tangents([&](auto& vectors) { vectors.cross_release(probe_rate_, step_.end_rate); });
       look_at_end();
     } else {
       stop_slip(crossing.contact);
@@ -257,6 +275,7 @@ class AdaptiveRun {
         just_moved_[j] = leaves_zero(j);
     }
     dynamics_(step_.end, step_.end_rate, step_.end_phase);
+    to_tangents([&](auto& vectors) { vectors.cross_stop(i, step_.end, probe_rate_, step_.end_rate); });
     if constexpr (requires { dynamics_.changes(step_.end); }) {
       law::cross_slip(dynamics_, i, step_.end, probe_rate_, step_.end_rate, dynamics_.changes(step_.end));
       dynamics_(step_.end, step_.end_rate, step_.end_phase);
@@ -286,17 +305,32 @@ class AdaptiveRun {
   run::Outcome finish(run::TurnReport& report, run::Outcome outcome) const {
     report.effort = book_.effort;
     report.effort.rhs_calls = dynamics_.rhs_calls();
+    if constexpr (has_step_tangents<Law>) report.effort.rhs_calls += tangents_.work();
     report.effort.implicit_steps = method_->implicit_steps();
     return outcome;
   }
 
+  struct NoTangents {
+    explicit NoTangents(const Law&) {}
+  };
+
+  /// Has the tangent vectors of this turn, where there are any, taken across something.
+  template <class Act>
+  void to_tangents(const Act& act) {
+    if constexpr (has_step_tangents<Law>) {
+      if (tangents_.any()) act(tangents_);
+    }
+  }
+
   run::ScaledSystem<Law::coordinates> system_;
   Law dynamics_;
+  std::conditional_t<has_step_tangents<Law>, StepTangents<Law>, NoTangents> tangents_{dynamics_};
   LawOfSteps<Law> right_hand_side_{dynamics_};
   std::unique_ptr<StepMethod> method_;
   run::TurnClock clock_;  ///< clock in radians
   run::TurnBook book_;
-  long max_steps_, max_evaluations_;  ///< limits of a turn
+  long max_steps_, max_evaluations_;  ///< of a turn
+  double tolerance_;
   Step step_;
   State probe_, probe_rate_;
   double size_ = 0;                       ///< next step to try, in radians of rotation

@@ -51,10 +51,12 @@ void Impulses::begin_turn(long revolution) {
 }
 
 bool same_every_turn(const scene::Scene& scene) {
-  return std::ranges::all_of(
-             scene.impulses,
-             [](const auto& train) { return train.multiple == std::floor(train.multiple); }) &&
-         std::ranges::none_of(scene.contacts, [](const auto& c) { return c.law && c.law->remembers(); });
+  return std::ranges::all_of(scene.impulses,
+                             [](const auto& train) { return train.multiple == std::floor(train.multiple); });
+}
+
+bool remembers_impacts(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.contacts, [](const auto& c) { return c.law && c.law->remembers(); });
 }
 
 }  // namespace rubsweep::integrate::run

@@ -58,8 +58,10 @@ class Impulses {
   std::size_t next_ = 0;
 };
 
-/// Whether a section determines all later revolutions: every revolution has its impulses at the same phases,
-/// and no contact force depends on the speed at first touch.
+/// True when every revolution gets its impulses at the same phases.
 bool same_every_turn(const scene::Scene& scene);
+
+/// Whether a contact is damped by how fast it began to touch, which a section that touches does not say.
+bool remembers_impacts(const scene::Scene& scene);
 
 }  // namespace rubsweep::integrate::run

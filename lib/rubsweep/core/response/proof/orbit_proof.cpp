@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "rubsweep/core/contact/wall.hpp"
+#include "rubsweep/core/integrate/run/impulses.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/response/motion/record.hpp"
 #include "rubsweep/core/response/proof/approach.hpp"
@@ -69,13 +70,15 @@ OrbitProof::OrbitProof(const scene::Scene& scene, const integrate::run::SolverOp
       options_(options),
       workspace_(workspace),
       budget_(budget),
-      search_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 2 * options.max_order) {
+      search_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 2 * options.max_order),
+      remembers_(integrate::run::remembers_impacts(scene_)) {
   solver_.relative_tolerance = std::min(solver.relative_tolerance, tolerance_of_a_proof);
 }
 
 std::optional<motion::ProvenMotion> OrbitProof::look(const integrate::run::TurnReport& turn) {
   if (budget_.used_up()) return std::nullopt;
   search_.add(turn.section, turn.touched);
+  if (remembers_ && turn.touching_at_end) return std::nullopt;
   const auto order = search_.candidate();
   if (!order) return std::nullopt;
   auto proven = prove(turn.section, *order);

@@ -47,6 +47,7 @@ class OrbitProof {
   integrate::run::WorkBudget& budget_;
   PeriodSearch search_;
   std::optional<SceneMap> map_, run_map_;
+  bool remembers_;  ///< integrate::run::remembers_impacts: a section that touches starts no proof
 };
 
 /// The scene with equal stops merged: contacts of one point of the rotor with the same wall at the same

@@ -14,9 +14,10 @@ namespace rubsweep::response::proof {
 /// One iteration of a map, in place. False: it could not be computed, and the state is undefined.
 using SectionMap = std::function<bool(std::span<double> state)>;
 
-/// One revolution of a scene as a map of its scaled section (as TurnReport::section), from phase 0 to phase
-/// 0, without the pulses. Every call starts anew, so that the map has no memory: equal sections give bitwise
-/// equal sections, and neighbouring sections take nearly the same steps.
+/// One revolution of a scene as a map of its scaled section (as TurnReport::section): from phase 0 to phase
+/// 0, the pulses left out. Every call starts afresh, so that the map has no memory: equal sections give equal
+/// sections to the last bit, near ones go through nearly the same steps. Where a contact is damped by how it
+/// began to touch, a section that touches is not made: it would not decide the turn after it.
 class SceneMap {
  public:
   /// If there is a `budget`, it pays for the revolutions, which fail once it is used up. It must outlive the
@@ -27,9 +28,9 @@ class SceneMap {
   /// Replaces `section`, 2n numbers, by the section one revolution later. False when the solver fails.
   bool operator()(std::span<double> section);
 
-  /// Moves `section` by one revolution, and multiplies each column of `disturbances` (2n rows, at most 2n
-  /// columns) by the derivative of the new section by the old one. The derivative is exact where the turn has
-  /// closed forms, accurate to `accuracy` by Taylor pieces, or else by central differences.
+  /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes its image under the
+  /// derivative of the new section by the old: from the exact solver where the turn has closed forms, of
+  /// Taylor pieces and beside curved laws to `accuracy`, else by central differences.
   bool carry(std::span<double> section, Eigen::MatrixXd& disturbances,
              double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 
@@ -38,7 +39,15 @@ class SceneMap {
   bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved,
                      double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 
-  /// Whether the exact solver makes the turns that have closed forms.
+  /// From here on a turn that begins where the one before it ended is its continuation. Then contacts that
+  /// are damped by how they began to touch go on, and sections may touch.
+  void keep_memory() { keeps_memory_ = remembers_; }
+  /// Whether a section that touches does not decide the turn after it.
+  bool remembers() const { return remembers_; }
+  /// Some contact was touching at the end of the revolution made last.
+  bool touching_at_end() const { return report_.touching_at_end; }
+
+  /// The exact solver makes the turns, as far as they have closed forms.
   bool exact() const { return exact_; }
 
   /// Whether all revolutions so far had closed forms.
@@ -51,7 +60,8 @@ class SceneMap {
 
  private:
   bool advance(std::span<double> section);
-  void spend();
+  /// `counts_on`: the solver counts its work from before the turn.
+  void spend(bool counts_on);
 
   std::size_t states_;
   bool exact_;
@@ -61,6 +71,7 @@ class SceneMap {
   integrate::run::TurnRequest request_;
   integrate::run::TurnReport report_;
   std::vector<double> before_;
+  bool moves_tangents_, remembers_, keeps_memory_ = false;
 };
 
 /// The scene without its pulses.
