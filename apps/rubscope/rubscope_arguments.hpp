@@ -26,6 +26,7 @@ struct RubscopeArguments : RecordingArguments {
   std::optional<ComparedCell> compared = {};
   model::ShownLengths shown = {};  ///< lengths in the printed text
   std::optional<Figure> figure = {};
+  bool columns = false;  ///< list what the recording holds, and do nothing else
 };
 
 /// Throws UsageError (program.hpp).

@@ -46,6 +46,7 @@ struct Hdf5Library {
   RUBSWEEP_HDF5(H5Dget_create_plist);
   RUBSWEEP_HDF5(H5Dget_storage_size);
   RUBSWEEP_HDF5(H5Dread);
+  RUBSWEEP_HDF5(H5Rdereference2);
   RUBSWEEP_HDF5(H5Sget_simple_extent_ndims);
   RUBSWEEP_HDF5(H5Sget_simple_extent_dims);
   // Numbers that HDF5's own macros look up in the library.

@@ -57,7 +57,8 @@ struct ShaftTurns {
   int degree = 0;                ///< degree of the curve through the marks
 };
 
-/// Turns by the marks of the keyphasor, or by the speed of the description where there is none. Adds what is
+/// Turns by the marks of the keyphasor, or where there is none by the column of the speed or that of the
+/// description. Adds what is
 /// wrong with the marks to `findings`. Throws ConfigError, `name` of the file first.
 ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, const SampleClock& clock,
                     const std::string& name, std::vector<std::string>& findings);
