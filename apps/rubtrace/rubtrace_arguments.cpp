@@ -102,6 +102,10 @@ po::options_description visible_options() {
       "operating-rpm", po::value<std::string>()->value_name("FROM:TO"), "the same in revolutions per minute")(
       "kick-speeds", po::value<long>()->value_name("N")->default_value(11),
       "of --design-check: evenly spaced speeds at which kicks are tried, beside the lock speeds; 0: none")(
+      "stage", po::value<std::vector<std::string>>()->value_name("STAGE"),
+      "of --design-check, for each stage: impeller:KW:DENSITY_RATIO:DIAMETER_MM:WIDTH_MM or "
+      "blades:KW:DIAMETER_MM:HEIGHT_MM, whose power drives cross-coupling; none: the rotor does no work")(
+      "require-pass", "of --design-check: exit code 4 where the answer is not pass")(
       "duration-s", po::value<double>()->value_name("T")->default_value(2), "length of the free response")(
       "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
       "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
@@ -137,6 +141,8 @@ void read_design_check(const po::variables_map& given, RubtraceArguments& argume
   const bool in_hz = given.count("operating-hz") != 0, in_rpm = given.count("operating-rpm") != 0;
   if (given.count("design-check") == 0) {
     if (in_hz || in_rpm) throw UsageError("--operating-hz and --operating-rpm belong to --design-check");
+    for (const char* name : {"stage", "require-pass"})
+      if (given.count(name) != 0) throw UsageError(fmt::format("--{} belongs to --design-check", name));
     for (const char* name : {"kick-speeds", "threads"})
       if (!given[name].defaulted()) throw UsageError(fmt::format("--{} belongs to --design-check", name));
     return;
@@ -154,6 +160,8 @@ void read_design_check(const po::variables_map& given, RubtraceArguments& argume
     throw UsageError(fmt::format("--kick-speeds: allowed: a number from 0 to {}", most_kick_speeds));
   check.kick_speeds = static_cast<int>(kick_speeds);
   check.threads = threads_of(given);
+  if (given.count("stage") != 0) check.stages = stages_of(given["stage"].as<std::vector<std::string>>());
+  check.require_pass = given.count("require-pass") != 0;
   arguments.design_check = std::move(check);
 }
 

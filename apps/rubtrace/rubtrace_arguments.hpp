@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rubsweep/core/model/length_text.hpp"
 #include "shared/action.hpp"
@@ -17,6 +18,8 @@ struct DesignCheckArguments {
   std::string operating_option = {};                 ///< option that gave the operating range
   int kick_speeds = 11;
   int threads = 0;
+  std::optional<std::vector<design::Stage>> stages = {};  ///< see design::LateralQuestions
+  bool require_pass = false;  ///< another answer than "pass" ends with exit code 4
 };
 
 struct RubtraceArguments : StudyArguments {

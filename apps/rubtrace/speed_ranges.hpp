@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "rubsweep/analysis/design/damped_stability.hpp"
 #include "rubsweep/analysis/design/unbalance_response.hpp"
 #include "rubsweep/analysis/ramp/ramp_run.hpp"
 
@@ -21,5 +23,8 @@ CampbellSpeeds campbell_speeds_of(const std::string& text);
 
 /// Reads FROM:TO of `option`, of which there are `per_hz` in 1 Hz. Throws UsageError.
 design::SpeedRange operating_range_of(const char* option, const std::string& text, double per_hz);
+
+/// Reads the values of --stage: impellers, blades, or "none" alone, which gives no stage. Throws UsageError.
+std::vector<design::Stage> stages_of(const std::vector<std::string>& texts);
 
 }  // namespace rubsweep::apps

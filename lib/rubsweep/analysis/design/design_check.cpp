@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <variant>
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
@@ -112,6 +116,34 @@ void try_kicks(const sweep::Study& study, const scene::PreparedMachine& prepared
                                 kicked_speeds(questions, check.locks), questions.threads, never);
 }
 
+/// Clearances from the maximum continuous speed to trip speed, or to where the tables end.
+void add_trip_clearances(const scene::PreparedMachine& prepared, DesignCheck& check) {
+  constexpr int speeds = 26;
+  const double trip_hz = trip_speed * check.whole.to_hz, to_hz = within_tables_hz(prepared.machine, trip_hz);
+  if (to_hz > check.whole.to_hz) {
+    const std::vector<double> beyond = batch::evenly_spaced(check.whole.to_hz, to_hz, speeds);
+    for (const ClearanceMargin& one :
+         clearance_margins(prepared, check.scale * check.eccentricity_m, beyond)) {
+      Term term{"clearance_to_trip",
+                "stop " + std::to_string(one.stop),
+                one.position_m,
+                one.speed_hz,
+                one.major_axis_m,
+                clearance_share * one.diametral_clearance_m,
+                "m"};
+      if (std::isfinite(one.margin)) term.margin = one.margin;
+      if (one.margin < 0 || check.whole_growth.growth_per_s == 0) term.met = one.margin >= 0;
+      check.lateral.push_back(std::move(term));
+    }
+  }
+  if (to_hz < trip_hz) {
+    Term term{"clearance_to_trip", "", {}, trip_hz};
+    term.not_told = "tables of supports end at " + model::speed_text(to_hz, 5) + ", the trip speed is " +
+                    model::speed_text(trip_hz, 5);
+    check.lateral.push_back(std::move(term));
+  }
+}
+
 }  // namespace
 
 double vibration_limit_m(double max_continuous_hz) {
@@ -210,6 +242,11 @@ DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine
   }
   for (const linear::LockSpeed& lock : linear::lock_speeds(modes))
     if (check.operating.contains(lock.speed_hz)) check.locks.push_back(lock);
+  add_trip_clearances(prepared, check);
+  std::ranges::move(lateral_terms(prepared, {check.operating, check.whole, check.eccentricity_m, check.scale,
+                                             check.vibration_limit_m, check.whole_growth.growth_per_s > 0,
+                                             questions.stages}),
+                    std::back_inserter(check.lateral));
   try_kicks(study, prepared, questions, check);
   return check;
 }

@@ -8,6 +8,7 @@
 
 #include "rubsweep/analysis/design/dry_whip.hpp"
 #include "rubsweep/analysis/design/kick_threshold.hpp"
+#include "rubsweep/analysis/design/lateral_terms.hpp"
 #include "rubsweep/analysis/design/unbalance_response.hpp"
 #include "rubsweep/analysis/linear/campbell.hpp"
 #include "rubsweep/analysis/linear/campbell_tables.hpp"
@@ -59,6 +60,7 @@ struct DesignQuestions {
   std::optional<double> eccentricity_m;  ///< unbalance before it is scaled; empty: analysis_eccentricity_m
   int kick_speeds = 11;  ///< evenly spaced ones, beside the lock speeds; 0: no kicks are tried
   int threads = 1;       ///< number of threads as in batch::parallel_run
+  std::optional<std::vector<Stage>> stages = {};  ///< see LateralQuestions
 };
 
 /// Largest response of one probe within the operating range, before it is scaled.
@@ -102,6 +104,7 @@ struct DesignCheck {
   std::vector<KickThreshold> kicks;      ///< ascending by speed
   std::string no_kicks;                  ///< why there are none; else empty
   std::vector<ResponseCurve> curves;     ///< probes first, then stops
+  std::vector<Term> lateral;             ///< clearances up to trip speed, then lateral_terms
 
   /// The probe that moves most.
   const ProbeResponse& worst_probe() const;

@@ -7,17 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "rubsweep/maps/table/unit.hpp"
+
 namespace rubsweep::table {
 namespace {
-
-/// In small letters, as plain_unit writes them.
-constexpr std::array<std::string_view, 66> units{
-    "s",      "ms",    "us",    "sec",   "secs",   "second",  "seconds", "min",    "h",       "m",     "mm",
-    "um",     "nm",    "cm",    "in",    "inch",   "mil",     "mils",    "micron", "microns", "v",     "mv",
-    "volt",   "volts", "a",     "ma",    "hz",     "khz",     "rpm",     "1/min",  "rev/min", "r/min", "min1",
-    "u/min",  "rev/s", "rad/s", "n",     "kn",     "n/m",     "n/mm",    "n/um",   "kn/m",    "kn/mm", "mn/m",
-    "lbf/in", "lb/in", "ns/m",  "ns/mm", "kns/m",  "lbfs/in", "lbs/in",  "kg",     "kg/s",    "m/s",   "mm/s",
-    "in/s",   "m/s2",  "g",     "deg",   "\u00b0", "rad",     "\u00b0c", "%",      "pa",      "bar",   "fs"};
 
 bool is_bracketed(std::string_view cell) {
   return cell.size() > 2 &&
@@ -125,7 +118,7 @@ std::string plain_unit(std::string_view unit) {
 
 bool is_unit(std::string_view cell) {
   if (is_bracketed(cell) || cell == "-") return true;
-  return std::ranges::find(units, in_small_letters(plain_unit(cell))) != units.end();
+  return unit_of(cell).has_value();
 }
 
 std::string printable(std::string_view text) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rubsweep/maps/table/cell.hpp"
+#include "rubsweep/maps/table/unit.hpp"
 
 namespace rubsweep::table {
 namespace {
@@ -29,12 +30,12 @@ std::string plain_key(std::string_view cell) {
 }
 
 /// A number and the words behind it.
-struct Quantity {
+struct Amount {
   double number = 0;
   std::string unit{};
 };
 
-std::optional<Quantity> quantity_in(std::string_view cell) {
+std::optional<Amount> quantity_in(std::string_view cell) {
   if (const std::size_t colon = cell.rfind(':'); colon != std::string_view::npos)
     cell.remove_prefix(colon + 1);
   const std::size_t begin = cell.find_first_not_of(' ');
@@ -45,7 +46,7 @@ std::optional<Quantity> quantity_in(std::string_view cell) {
     for (const bool comma : {false, true}) {
       const auto number = number_in(cell.substr(0, end), {';', comma});
       if (!number || !std::isfinite(*number)) continue;
-      Quantity found{*number, in_small_letters(plain_unit(cell.substr(end)))};
+      Amount found{*number, plain_unit(cell.substr(end))};
       return found;
     }
   }
@@ -54,8 +55,9 @@ std::optional<Quantity> quantity_in(std::string_view cell) {
 
 std::optional<double> frequency_in(std::string_view cell) {
   const auto quantity = quantity_in(cell);
-  if (!quantity || (quantity->unit != "hz" && quantity->unit != "khz")) return std::nullopt;
-  return quantity->number * (quantity->unit == "khz" ? 1e3 : 1);
+  const bool frequency =
+      quantity && in_small_letters(quantity->unit).ends_with("hz") && unit_of(quantity->unit);
+  return frequency ? std::optional(quantity->number * unit_of(quantity->unit)->in_si) : std::nullopt;
 }
 
 /// All rates that a line says, of which `below` is the next one.
@@ -100,13 +102,13 @@ std::optional<double> rate_of(std::string_view key, std::string_view value) {
              step = std::ranges::find(steps, plain) != steps.end();
   const auto quantity = rate || step ? quantity_in(value) : std::nullopt;
   if (!quantity || !(quantity->number > 0)) return std::nullopt;
-  const std::string unit =
-      quantity->unit.empty() ? in_small_letters(plain_unit(heading_of(key).unit)) : quantity->unit;
-  double size = 1;
-  if (unit == "khz" || unit == "ms" || unit == "ks/s") size = rate ? 1e3 : 1e-3;
-  if (unit == "mhz" || unit == "us") size = rate ? 1e6 : 1e-6;
-  if (unit == "ns") size = 1e-9;
-  return rate ? quantity->number * size : 1 / (quantity->number * size);
+  const std::string unit = quantity->unit.empty() ? plain_unit(heading_of(key).unit) : quantity->unit;
+  if (unit.empty()) return rate ? quantity->number : 1 / quantity->number;
+  const auto known = unit_of(unit);
+  const bool fits =
+      known && (rate ? in_small_letters(unit).ends_with("hz") : known->quantity == Quantity::time);
+  if (!fits) return std::nullopt;
+  return rate ? quantity->number * known->in_si : 1 / (quantity->number * known->in_si);
 }
 
 std::optional<double> sampling_rate_in(std::string_view text, const Layout& layout) {

@@ -3,38 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/table/cell.hpp"
+#include "rubsweep/maps/table/unit.hpp"
 #include "rubsweep/measurement/recording/found_speed.hpp"
 #include "rubsweep/measurement/recording/shaft_turns.hpp"
 
 namespace rubsweep::recording {
 namespace {
 
-struct SpeedUnit {
-  std::string_view name;
-  double turns_per_s;
-};
-
-constexpr std::array<SpeedUnit, 8> speed_units{{{"hz", 1},
-                                                {"rev/s", 1},
-                                                {"rpm", 1.0 / 60},
-                                                {"1/min", 1.0 / 60},
-                                                {"min1", 1.0 / 60},
-                                                {"u/min", 1.0 / 60},
-                                                {"rev/min", 1.0 / 60},
-                                                {"rad/s", 0.5 / std::numbers::pi}}};
-
 /// Speeds in turns per second, with gaps bridged by a straight line.
 std::vector<double> speeds_of(const Channel& channel, const SpeedColumn& speed, const std::string& name) {
   const std::string unit = speed.unit.value_or(channel.unit);
-  const auto known =
-      std::ranges::find(speed_units, table::in_small_letters(table::plain_unit(unit)), &SpeedUnit::name);
-  if (known == speed_units.end())
+  const auto known = table::unit_of(unit);
+  if (!known || known->quantity != table::Quantity::turning)
     throw ConfigError(
         fmt::format("{}: '{}': {}, allowed: Hz, rpm, rad/s", name, channel.name,
                     unit.empty() ? "has no unit" : fmt::format("the unit '{}' is none of a speed", unit)));
@@ -55,7 +38,7 @@ std::vector<double> speeds_of(const Channel& channel, const SpeedColumn& speed, 
   if (last == speeds.size())
     throw ConfigError(fmt::format("{}: '{}' has no number, allowed: speeds", name, channel.name));
   std::fill(speeds.begin() + static_cast<std::ptrdiff_t>(last), speeds.end(), speeds[last]);
-  for (double& one : speeds) one *= known->turns_per_s * speed.factor;
+  for (double& one : speeds) one *= known->in_si * speed.factor;
   return speeds;
 }
 
