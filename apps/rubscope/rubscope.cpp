@@ -9,9 +9,11 @@
 
 #include "rubscope_arguments.hpp"
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/measurement/recording/column_list.hpp"
 #include "rubsweep/measurement/recording/recording_file.hpp"
 #include "rubsweep/measurement/scope/comparison.hpp"
 #include "rubsweep/measurement/scope/scope_tables.hpp"
@@ -96,8 +98,15 @@ int look(const RubscopeArguments& arguments) {
   return done;
 }
 
+int list_columns(const fs::path& file) {
+  const recording::Channels channels = recording::read_recording_file(file, batch::read_input(file));
+  print_text(recording::column_list(channels, file.string()));
+  return done;
+}
+
 int perform(const RubscopeArguments& arguments) {
   if (answered("rubscope", arguments.action, rubscope_help)) return done;
+  if (arguments.columns) return list_columns(arguments.recording);
   return look(arguments);
 }
 

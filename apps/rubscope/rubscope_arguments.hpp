@@ -26,6 +26,7 @@ struct RubscopeArguments : RecordingArguments {
   std::optional<ComparedCell> compared = {};
   model::ShownLengths shown = {};  ///< unit of lengths in the printed text
   std::optional<Figure> figure = {};
+  bool columns = false;  ///< list what the recording holds, and do nothing else
 };
 
 /// Reads the command line. Throws UsageError (program.hpp).

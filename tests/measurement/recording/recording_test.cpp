@@ -87,6 +87,37 @@ TEST(Recording, ASpeedStandsInForTheKeyphasorAndARateForTimes) {
   EXPECT_EQ(recording.displacement_m.front().imag(), 0);
 }
 
+/// A wheel of five teeth: one of them passes unseen in one turn, and noise makes another pulse.
+TEST(Recording, PulsesAreCountedToTurns) {
+  Channels channels = ellipse();
+  std::vector<double>& wheel = channels.channels[3].values;
+  for (std::size_t k = 0; k < wheel.size(); ++k) wheel[k] = k % 20 < 4 ? -14.0 : -6.0;
+  for (std::size_t k = 1220; k < 1230; ++k) wheel[k] = -6;
+  wheel[1711] = wheel[1712] = -14;
+  Instrument instrument = two_probes;
+  instrument.keyphasor->pulses_per_turn = 5;
+  const Recording counted = make_recording(channels, instrument, "f.csv");
+  EXPECT_NEAR(counted.mean_speed_hz(), 40, 1e-6);
+  ASSERT_EQ(counted.findings.size(), 3u);
+  EXPECT_NE(counted.findings[0].find("has no mark in 1 steps"), std::string::npos) << counted.findings[0];
+  EXPECT_NE(counted.findings[1].find("has 1 marks too many"), std::string::npos) << counted.findings[1];
+  const auto& turns = counted.turn_begin_s;
+  for (std::size_t k = 1; k < turns.size(); ++k) EXPECT_NEAR(turns[k] - turns[k - 1], 0.025, 1e-4) << k;
+}
+
+TEST(Recording, AColumnOfTheSpeedStandsInForTheKeyphasor) {
+  Channels channels = ellipse();
+  channels.channels[3] = {"n", "rpm", std::vector<double>(4000, 2401)};
+  Instrument instrument = two_probes;
+  instrument.keyphasor.reset();
+  instrument.speed = SpeedColumn{.column = "n"};
+  const Recording recording = make_recording(channels, instrument, "f.csv");
+  EXPECT_NEAR(recording.mean_speed_hz(), 40, 1e-3);
+  ASSERT_EQ(recording.findings.size(), 1u);
+  EXPECT_NE(recording.findings[0].find("times that of its column"), std::string::npos);
+  EXPECT_GT(recording.angle_doubt.degree, 0);
+}
+
 TEST(Recording, AStretchOfIt) {
   Instrument instrument = two_probes;
   instrument.from_s = 0.2;

@@ -12,7 +12,7 @@ inline constexpr std::size_t most_numbers = std::size_t{1} << 26;
 
 /// One variable of a MATLAB file.
 struct Variable {
-  enum class Kind { numbers, structure, other };  ///< other: text, cells, objects, functions
+  enum class Kind { numbers, structure, other };  ///< structure: also cells; other: text, objects, functions
 
   std::string name{};
   Kind kind = Kind::other;
@@ -20,12 +20,23 @@ struct Variable {
   std::vector<std::size_t> dims{};  ///< dimensions: at least two; empty for an object
   /// Real numbers, column by column; for a sparse matrix with its zeros. Empty where they were not wanted.
   std::vector<double> values{};
-  std::vector<Variable> fields{};  ///< fields of a structure, or of the first of an array of them
+  /// Fields of a structure, by field_name, or cells, by cell_name; none of one that lies too deep.
+  std::vector<Variable> fields{};
 
   bool is_real_matrix() const { return kind == Kind::numbers && !complex && dims.size() == 2; }
 };
 
-/// Whether the numbers of a variable, whose other members are already set, are to be read.
+/// Structures and cells in others that are read.
+inline constexpr int most_depth = 8;
+
+/// "FIELD" of the first one of an array of structures, "(2).FIELD" of the second.
+inline std::string field_name(const std::string& field, std::size_t one) {
+  return one == 1 ? field : '(' + std::to_string(one) + ")." + field;
+}
+
+inline std::string cell_name(std::size_t one) { return '{' + std::to_string(one) + '}'; }
+
+/// Whether the numbers of a variable, of which all else is known, are to be read.
 using Wanted = std::function<bool(const Variable&)>;
 
 /// Problem of a file, and what would be allowed.

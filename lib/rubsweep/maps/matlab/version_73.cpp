@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "rubsweep/maps/matlab/bytes.hpp"
@@ -36,28 +37,67 @@ class Reader {
  public:
   Reader(const Hdf5Library& library, const Wanted& wanted) : h5_(library), wanted_(wanted) {}
 
-  std::vector<Variable> read_group(hid_t group, bool in_structure) {
+  std::vector<Variable> read_group(hid_t group, int depth) {
     std::vector<Variable> variables;
     for (const std::string& name : names_in(group)) {
-      if (name.starts_with('#')) continue;  // groups in which MATLAB keeps the contents of cells and objects
+      if (name.starts_with('#')) continue;  // what cells and objects of MATLAB refer to
       const Handle object = open(group, name);
-      const H5I_type_t type = h5_.H5Iget_type(object);
-      Variable variable{.name = name};
-      if (type == H5I_GROUP && has(object, "MATLAB_sparse")) {
-        read_sparse(object, variable);
-      } else if (type == H5I_GROUP) {
-        variable.kind = Variable::Kind::structure;
-        variable.dims = {1, 1};
-        if (!in_structure) variable.fields = read_group(object, true);
-      } else if (type == H5I_DATASET) {
-        read_dataset(object, variable);
+      if (depth > 0 && refers(object) && !is_class(object, "cell")) {  // a field of an array of structures
+        std::size_t place = 0;
+        for (Variable& one : referred(object, depth)) {
+          one.name = field_name(name, ++place);
+          variables.push_back(std::move(one));
+        }
+      } else {
+        variables.push_back(read_object(object, name, depth));
       }
-      variables.push_back(std::move(variable));
     }
     return variables;
   }
 
  private:
+  Variable read_object(hid_t object, const std::string& name, int depth) {
+    constexpr std::size_t most_variables = 100000;
+    if (++variables_ > most_variables) throw FileError{"holds more than 100000 variables", "fewer"};
+    Variable variable{.name = name};
+    const H5I_type_t type = h5_.H5Iget_type(object);
+    if (type == H5I_GROUP && has(object, "MATLAB_sparse")) {
+      read_sparse(object, variable);
+    } else if (type == H5I_GROUP) {
+      variable.kind = Variable::Kind::structure;
+      variable.dims = {1, 1};
+      if (depth < most_depth) variable.fields = read_group(object, depth + 1);
+    } else if (type == H5I_DATASET && refers(object) && is_class(object, "cell")) {
+      variable.kind = Variable::Kind::structure;
+      variable.dims = dims_of(object);
+      if (depth < most_depth) variable.fields = referred(object, depth);
+    } else if (type == H5I_DATASET) {
+      read_dataset(object, variable);
+    }
+    return variable;
+  }
+
+  bool refers(hid_t object) const {
+    if (h5_.H5Iget_type(object) != H5I_DATASET) return false;
+    const Handle type{h5_, h5_.H5Dget_type(object)};
+    return h5_.H5Tget_class(type) == H5T_REFERENCE && h5_.H5Tget_size(type) == sizeof(hobj_ref_t);
+  }
+
+  /// Objects that a dataset of references refers to, each named as a cell.
+  std::vector<Variable> referred(hid_t dataset, int depth) {
+    const Handle type{h5_, h5_.H5Dget_type(dataset)};
+    std::vector<hobj_ref_t> references(count_of({.name = "a cell", .dims = dims_of(dataset)}));
+    if (references.empty()) return {};
+    require_own_numbers(dataset, "a cell");
+    require(h5_.H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, references.data()) >= 0, "a cell");
+    std::vector<Variable> variables;
+    for (std::size_t k = 0; k < references.size(); ++k) {
+      const Handle object{h5_, h5_.H5Rdereference2(dataset, H5P_DEFAULT, H5R_OBJECT, &references[k])};
+      variables.push_back(read_object(object, cell_name(k + 1), depth + 1));
+    }
+    return variables;
+  }
+
   void require(bool sound, const std::string& name) const {
     if (!sound) throw FileError{"is damaged: '" + name + "' cannot be read"};
   }
@@ -93,7 +133,7 @@ class Reader {
 
   bool has(hid_t object, const char* attribute) const { return h5_.H5Aexists(object, attribute) > 0; }
 
-  bool is_text(hid_t object) const {
+  bool is_class(hid_t object, std::string_view name) const {
     if (!has(object, "MATLAB_class")) return false;
     const Handle attribute{h5_, h5_.H5Aopen(object, "MATLAB_class", H5P_DEFAULT)};
     const Handle type{h5_, h5_.H5Aget_type(attribute)};
@@ -102,7 +142,7 @@ class Reader {
     if (h5_.H5Tget_class(type) != H5T_STRING || h5_.H5Tis_variable_str(type) != 0 || size > longest)
       return false;
     std::string word(size, '\0');
-    return h5_.H5Aread(attribute, type, word.data()) >= 0 && word.starts_with("char");
+    return h5_.H5Aread(attribute, type, word.data()) >= 0 && word.starts_with(name);
   }
 
   /// Dimensions in MATLAB's order, the reverse of HDF5's.
@@ -117,14 +157,18 @@ class Reader {
     return dims;
   }
 
+  void require_own_numbers(hid_t dataset, const std::string& name) const {
+    const Handle made{h5_, h5_.H5Dget_create_plist(dataset)};
+    if (h5_.H5Pget_external_count(made) != 0 || h5_.H5Pget_layout(made) == H5D_VIRTUAL)
+      throw FileError{"leads elsewhere: the numbers of '" + name + "' are in another file",
+                      "a file that holds its variables itself"};
+    require(h5_.H5Dget_storage_size(dataset) > 0, name);
+  }
+
   std::vector<double> numbers_of(hid_t dataset, const Variable& head) const {
     std::vector<double> values(count_of(head));
     if (values.empty()) return values;
-    const Handle made{h5_, h5_.H5Dget_create_plist(dataset)};
-    if (h5_.H5Pget_external_count(made) != 0 || h5_.H5Pget_layout(made) == H5D_VIRTUAL)
-      throw FileError{"leads elsewhere: the numbers of '" + head.name + "' are in another file",
-                      "a file that holds its variables itself"};
-    require(h5_.H5Dget_storage_size(dataset) > 0, head.name);
+    require_own_numbers(dataset, head.name);
     require(h5_.H5Dread(dataset, h5_.doubles, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, head.name);
     return values;
   }
@@ -135,7 +179,7 @@ class Reader {
     variable.dims = dims_of(dataset);
     variable.complex = kind == H5T_COMPOUND;
     const bool numbers = kind == H5T_INTEGER || kind == H5T_FLOAT || kind == H5T_COMPOUND;
-    if (!numbers || has(dataset, "MATLAB_empty") || is_text(dataset)) return;
+    if (!numbers || has(dataset, "MATLAB_empty") || is_class(dataset, "char")) return;
     variable.kind = Variable::Kind::numbers;
     if (!variable.complex && wanted_(variable)) variable.values = numbers_of(dataset, variable);
   }
@@ -166,6 +210,7 @@ class Reader {
 
   const Hdf5Library& h5_;
   const Wanted& wanted_;
+  std::size_t variables_ = 0;
 };
 
 }  // namespace
@@ -207,7 +252,7 @@ std::vector<Variable> read_version_73(std::string_view bytes, const Wanted& want
     throw FileError{"cannot be read by HDF5"};
   // HDF5 reads the bytes in memory, but it needs a file name that does not exist.
   const Handle file{library, library.H5Fopen("/dev/null/matlab", 0, access)};
-  return Reader(library, wanted).read_group(file, false);
+  return Reader(library, wanted).read_group(file, 0);
 }
 
 }  // namespace rubsweep::matlab

@@ -46,6 +46,7 @@ struct Hdf5Library {
   RUBSWEEP_HDF5(H5Dget_create_plist);
   RUBSWEEP_HDF5(H5Dget_storage_size);
   RUBSWEEP_HDF5(H5Dread);
+  RUBSWEEP_HDF5(H5Rdereference2);
   RUBSWEEP_HDF5(H5Sget_simple_extent_ndims);
   RUBSWEEP_HDF5(H5Sget_simple_extent_dims);
   // Identifiers to which HDF5's own macros refer.

@@ -20,19 +20,18 @@ struct Fault {
   std::string wrong, allowed;
 };
 
-/// Cells of a line, without blanks and quotes around them. For the separator ' ' any number of blanks
-/// separates.
+/// Most cells of a line: more are no table of signals.
+inline constexpr std::size_t most_cells = std::size_t{1} << 16;
+
+/// The cells of a line, at most one more than most_cells, without blanks and quotes about them; of the
+/// separator ' ' any blanks part them.
 std::vector<std::string_view> cells_of(std::string_view line, char separator);
 
 /// Number in a cell; NaN for an empty cell or the text NaN; empty for any other text, infinity included.
 /// Exponents have an e, or a d and a sign as in Fortran.
 std::optional<double> number_in(std::string_view cell, const NumberStyle& style);
 
-/// Time of a time stamp in s: since midnight, or since an epoch where a date (year-month-day or
-/// day.month.year) and a blank or T come first. Empty where the cell is no time stamp.
-std::optional<double> time_stamp_in(std::string_view cell, const NumberStyle& style);
-
-/// Heading of a column.
+/// Words of a table above a column.
 struct Heading {
   std::string name{}, unit{};  ///< name and unit, the unit without brackets
 };
@@ -47,7 +46,10 @@ std::string plain_unit(std::string_view unit);
 /// Whether a cell holds only a unit: a known one, or anything in brackets.
 bool is_unit(std::string_view cell);
 
-/// Text in small letters. Only ASCII letters change.
+/// A text of a file fit for names and messages: control characters become question marks.
+std::string printable(std::string_view text);
+
+/// Letters of ASCII alone change.
 std::string in_small_letters(std::string_view text);
 
 }  // namespace rubsweep::table

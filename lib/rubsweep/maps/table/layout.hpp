@@ -11,10 +11,12 @@ namespace rubsweep::table {
 
 /// A column of a table.
 struct Column {
-  Heading heading;            ///< heading; empty name where the table has none
-  std::size_t column = 1;     ///< byte in the line at which the name begins, from 1
-  bool is_text = false;       ///< true: cells hold words, such as a comment or a status
-  std::size_t text_line = 0;  ///< line of the first cell that holds a word
+  Heading heading;            ///< heading, without a name where the table says none
+  std::size_t column = 1;     ///< byte of its name in its line, from 1
+  bool is_text = false;       ///< true: cells are words and no numbers: a comment, a status
+  std::size_t text_line = 0;  ///< line of one such cell
+  bool is_stamp = false;      ///< true: cells are time stamps
+  bool is_empty = false;      ///< true: none of the first lines has a cell there
 };
 
 /// Layout of a table, found from its first lines.
@@ -22,9 +24,10 @@ struct Layout {
   char separator = ',';
   std::vector<Column> columns;
   std::size_t names_line = 0;      ///< line number from 1; 0: the table has no names
-  std::size_t numbers_offset = 0;  ///< offset of the first row of numbers, in bytes
-  std::size_t numbers_line = 1;    ///< line of the first row of numbers, from 1
-  std::size_t fewest_cells = 1;    ///< least number of cells in a row: up to the last column of numbers
+  std::size_t numbers_offset = 0;  ///< place of the first number
+  std::size_t numbers_line = 1;    ///< line of the first numbers, from 1
+  std::size_t fewest_cells = 1;    ///< least length of a row: up to its last column of numbers
+  bool head_beside = false;        ///< keys and values stand beside the first rows
 };
 
 /// Takes the next line off a text; a line ends with LF, CR LF or CR.
@@ -33,10 +36,11 @@ std::string_view take_line(std::string_view& text);
 /// Whether a line is blank or begins with # or %.
 bool is_comment(std::string_view line);
 
-/// Finds the layout of a table of numbers in UTF-8. The length of a row is that of most lines of numbers, and
-/// the rows begin at the first line of this length. Lines of units may stand above. Names are in the nearest
-/// line above that has a different name for each column and no numbers or units, or in a comment if there is
-/// no such line. Throws Fault for a text without numbers.
+/// Layout of a table of numbers in UTF-8. Numbers begin in the first line with the layout that most lines of
+/// numbers have. Lines of units may stand above. Names are the nearest line above with one different name for
+/// each column, which is no number and no unit, or above units one that counts the columns; a comment serves
+/// where there is no other line. A head may also stand beside the first rows. Throws Fault for a text without
+/// numbers.
 Layout layout_of(std::string_view text);
 
 /// Finds the layout of a table by a line of names of which `is_name` knows some. The table begins with this

@@ -9,9 +9,9 @@
 
 namespace rubsweep::table {
 
-/// Text of a file as UTF-8 without a byte order mark. The file may be UTF-8, UTF-16 with a mark, or else
-/// Latin-1, in which spreadsheets of Windows write the sign for micro. Throws Fault for bytes that are no
-/// text.
+/// Text of a file in UTF-8 without its byte order mark: UTF-8, UTF-16 with a mark or where every other byte
+/// of the begin is zero, or Latin-1 where it is no UTF-8, as spreadsheets of Windows write the sign for
+/// micro. Throws Fault for bytes that are no text.
 std::string utf8_of(std::string_view bytes);
 
 /// Reads the rows of a table one after the other, without comments and blank lines. Decimals have a point or,
@@ -23,6 +23,8 @@ class Rows {
   /// Goes to the next row; false at the end. Throws Fault for a row with too few cells, or with more cells
   /// than columns.
   bool next();
+  /// The same, but lines of words and nothing else are passed over.
+  bool next_reading();
 
   const std::vector<std::string_view>& cells() const { return cells_; }  ///< at least fewest_cells of them
   std::size_t line() const { return line_; }                             ///< line number, from 1
@@ -32,14 +34,20 @@ class Rows {
   std::size_t place_of(std::size_t column) const;  ///< byte at which a cell begins in its line, from 1
   /// Number in a cell; NaN for an empty cell. Throws Fault where the cell holds no number.
   double number(std::size_t column);
-  /// Seconds of the time stamp in the first cell. Throws Fault where the cell holds none.
-  double time_stamp();
-  bool begins_with_stamp() const;
-  /// Problem of a cell, with its place.
+  /// The same, and NaN for a word that instruments put in the place of a reading out of their range.
+  double reading(std::size_t column);
+  /// Seconds of the time stamp in a cell. Throws Fault where it is none.
+  double time_stamp(std::size_t column);
+  const std::vector<std::size_t>& notes() const { return notes_; }  ///< lines of words that were passed over
+  /// Place of a cell, and what is wrong with it.
   Fault fault(std::size_t column, const std::string& wrong, const std::string& allowed) const;
 
  private:
-  /// Records which decimal sign is used.
+  /// Reads the cells of the next line that counts; false where there is none.
+  bool read_line();
+  bool fits() const;
+  [[noreturn]] void refuse_count() const;
+  /// Takes note of how decimals are written.
   void look_at(std::string_view cell, std::size_t column);
 
   const Layout& layout_;
@@ -47,6 +55,7 @@ class Rows {
   NumberStyle style_;
   std::size_t next_line_, line_ = 0, first_line_ = 0, point_line_ = 0;
   std::vector<std::string_view> cells_;
+  std::vector<std::size_t> notes_;
 };
 
 }  // namespace rubsweep::table

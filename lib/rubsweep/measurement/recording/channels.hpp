@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -13,8 +15,13 @@ namespace rubsweep::recording {
 /// One column of an instrument's file.
 struct Channel {
   std::string name;            ///< name without its unit
-  std::string unit;            ///< unit as written, without brackets; empty: no unit
-  std::vector<double> values;  ///< NaN marks a gap: an empty cell, or one that says NaN
+  std::string unit;            ///< unit as written, without brackets; empty: none
+  std::vector<double> values;  ///< NaN where a cell is empty or says NaN: a gap
+  std::size_t number = 0;      ///< column of a text from 1; 0: the place among the channels counts
+
+  bool is_empty() const {
+    return std::ranges::all_of(values, [](double value) { return std::isnan(value); });
+  }
 };
 
 /// Columns of one file: one or more, all of the same length of at least two values.
@@ -27,6 +34,7 @@ struct Channels {
     std::string name, why;
   };
   std::vector<LeftOut> left_out{};
+  std::vector<std::string> notes{};  ///< what was passed over, sentences without a full stop
 
   std::size_t rows() const { return channels.front().values.size(); }
   /// List of what was left out, such as " ('a' holds text, 'b' is complex)", about one line long at most.

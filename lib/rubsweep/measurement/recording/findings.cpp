@@ -97,6 +97,18 @@ bool is_cut_at(std::span<const double> readings, double value, double step, bool
   return false;
 }
 
+/// Root mean square by which marks are off the cubic through two neighbours on either side, in intervals.
+double off_neighbours(std::span<const double> marks_s) {
+  double squares = 0, count = 0;
+  for (std::size_t k = 2; k + 2 < marks_s.size(); ++k) {
+    const double between = (4 * (marks_s[k - 1] + marks_s[k + 1]) - marks_s[k - 2] - marks_s[k + 2]) / 6;
+    const double interval = (marks_s[k + 1] - marks_s[k - 1]) / 2;
+    squares += (marks_s[k] - between) * (marks_s[k] - between) / (interval * interval);
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
 }  // namespace
 
 void add_findings(const Channel& channel, const Channels& table, std::optional<double> full_scale,
@@ -144,15 +156,29 @@ void add_wild_findings(const WildReadings& wild, const Channel& channel, const C
                                             : ": so many that none of them is replaced"));
 }
 
-void add_mark_findings(const TurnMarks& marks, const std::string& column,
+void add_mark_findings(const TurnMarks& marks, const Keyphasor& keyphasor,
                        std::vector<std::string>& findings) {
-  if (marks.filled > 0)
+  const std::string& column = keyphasor.column;
+  const bool pulses = keyphasor.pulses_per_turn > 1;
+  const char* const step = pulses ? "step" : "turn";
+  if (marks.filled > 0) {
+    constexpr double tiny = 1e-6;
+    const double off = off_neighbours(marks.t_s);
     findings.push_back(fmt::format(
-        "'{}' has no mark in {} turns: they are taken to be like those beside them", column, marks.filled));
+        "'{}' has no mark in {} {}s: they are taken to be like those beside them{}", column, marks.filled,
+        step,
+        off > tiny ? fmt::format(", whose marks follow from their neighbours to {:.2g} of a {}", off, step)
+                   : ""));
+  }
   if (marks.dropped > 0)
     findings.push_back(
         fmt::format("'{}' has {} marks too many, which are left out: a hysteresis would keep them away",
                     column, marks.dropped));
+  if (pulses)
+    findings.push_back(fmt::format(
+        "'{}' has {} pulses a turn, and turns begin with the first one: phases are those of no other "
+        "recording",
+        column, keyphasor.pulses_per_turn));
 }
 
 void add_speed_findings(std::span<const double> turn_begin_s, double sampling_rate_hz,

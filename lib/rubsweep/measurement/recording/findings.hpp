@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rubsweep/measurement/recording/channels.hpp"
+#include "rubsweep/measurement/recording/instrument.hpp"
 #include "rubsweep/measurement/recording/probe_faults.hpp"
 #include "rubsweep/measurement/recording/turn_marks.hpp"
 
@@ -22,8 +23,10 @@ void add_findings(const Channel& channel, const Channels& table, std::optional<d
 void add_wild_findings(const WildReadings& wild, const Channel& channel, const Channels& table,
                        std::vector<std::string>& findings);
 
-/// Adds the faults of a keyphasor's marks: missing and surplus ones.
-void add_mark_findings(const TurnMarks& marks, const std::string& column, std::vector<std::string>& findings);
+/// Adds what is wrong with the marks of a keyphasor: missing ones, with how well those that are there follow
+/// from their neighbours, and ones too many; and that of many pulses in a turn none is the shaft's own.
+void add_mark_findings(const TurnMarks& marks, const Keyphasor& keyphasor,
+                       std::vector<std::string>& findings);
 
 /// Adds the faults of the turns: one that differs from the turn before by more than 1 % in length, and a
 /// sampling rate below twenty readings per turn, at which orders above the tenth may be aliased.

@@ -11,14 +11,16 @@ inline constexpr double most_speed_error = 0.02;
 
 /// Speed of a shaft without a mark, estimated from the probes.
 struct FoundSpeed {
-  double speed_hz = 0, uncertainty_hz = 0;  ///< the uncertainty is a standard one
-  double largest_hz = 0;                    ///< frequency of the largest line within 40 % of the given speed
+  double speed_hz = 0, uncertainty_hz = 0;  ///< standard
+  double largest_hz = 0;      ///< frequency of the largest line within two fifths of the given speed
+  bool by_harmonics = false;  ///< true: by the lines of order 2 and 3
 };
 
-/// Finds the largest line within most_speed_error of a given speed and within 40 % of it. The readings of
-/// each probe are shifted down by the given speed, smoothed over four turns, and their lines resolved. Empty
-/// where no line exceeds ten times the noise, or with fewer than 12 turns. speed_hz is 0 where the largest
-/// line is farther off than most_speed_error.
+/// The largest line near a speed, within most_speed_error, and within two fifths of it: of each probe the
+/// readings are shifted down by the given speed, smoothed over four turns, and their lines resolved. Where
+/// none is near enough, the lines of order 2 and 3 say the speed if they agree: one alone may be another
+/// machine's. Empty where there is no line that stands ten times out of the noise, or fewer than 12 turns.
+/// speed_hz is 0 where that line is farther off.
 std::optional<FoundSpeed> speed_near(const std::vector<std::vector<double>>& probes, double sampling_rate_hz,
                                      double given_hz);
 

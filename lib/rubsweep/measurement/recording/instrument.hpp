@@ -26,6 +26,14 @@ struct Keyphasor {
   Mark mark = Mark::dark;
   std::optional<double> threshold{};  ///< threshold in the column's unit; empty: middle_threshold
   double hysteresis = 0;              ///< hysteresis in the column's unit, >= 0
+  int pulses_per_turn = 1;            ///< marks that pass in a turn; the first one is the shaft's
+};
+
+/// A column of the shaft's speed.
+struct SpeedColumn {
+  std::string column;
+  std::optional<std::string> unit{};  ///< instead of what the file says or does not say
+  double factor = 1;                  ///< speed over that of the column
 };
 
 /// Interval at slow speed, in the recording's time, in which the probes see the shaft's run-out but no
@@ -35,8 +43,9 @@ struct RunOut {
   bool vector = false;  ///< subtracts only its 1X, not the whole waveform
 };
 
-/// Description of a recording beside its numbers. Times come from the column `time`, from the sampling rate
-/// or, where neither is given, from the file. Turns come from either the keyphasor or the speed.
+/// All that has to be known of a recording beside its numbers. Times come from the column `time`, from the
+/// sampling rate or, where neither is given, from the file; turns from the keyphasor, from the speed or from
+/// a column of the speed: one of these.
 struct Instrument {
   std::optional<std::string> time{};
   std::optional<double> sampling_rate_hz{};  ///< > 0
@@ -44,17 +53,19 @@ struct Instrument {
   std::optional<Keyphasor> keyphasor{};
   std::optional<double> from_s{}, to_s{};  ///< evaluated interval, in the recording's time
   std::optional<double> speed_hz{};        ///< > 0
-  std::optional<RunOut> run_out{};         ///< needs a keyphasor
+  std::optional<SpeedColumn> speed{};
+  std::optional<RunOut> run_out{};  ///< run-out with a keyphasor
 };
 
 }  // namespace rubsweep::recording
 
 namespace rubsweep::config::recording {
 
-/// Reads the description of a recording: probes (a list of one or two, each with column, angle_deg and
-/// optionally gain_mv_per_um, unit, range_v), and keyphasor (column, mark, threshold, hysteresis) or
-/// speed_hz. Optional are time (the name of a column) or sampling_rate_hz, from_s, to_s, and run_out (from_s,
-/// to_s, subtract). `name` stands for the file in messages. Throws ConfigError with every problem.
+/// Reads what has to be known of a recording: probes (a list of one or two, each with column, angle_deg and
+/// perhaps gain_mv_per_um, unit, range_v), keyphasor (column, mark, threshold, hysteresis, pulses_per_turn),
+/// speed_hz or speed (a column, or column and unit), time (the name of a column) or sampling_rate_hz or none
+/// of both; from_s, to_s; run_out (from_s, to_s, subtract). `name` stands for the file in messages. Throws
+/// ConfigError with every problem.
 rubsweep::recording::Instrument read_instrument_text(std::string_view text, const std::string& name);
 
 }  // namespace rubsweep::config::recording

@@ -13,6 +13,7 @@
 #include "rubsweep/measurement/recording/found_speed.hpp"
 #include "rubsweep/measurement/recording/probe_faults.hpp"
 #include "rubsweep/measurement/recording/sample_clock.hpp"
+#include "rubsweep/measurement/recording/speed_column.hpp"
 
 namespace rubsweep::recording {
 namespace {
@@ -157,19 +158,32 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
   Recording recording{.sampling_rate_hz = clock.rate_hz,
                       .plane = instrument.probes.size() == 2,
                       .from_rest = instrument.probes.front().rest.has_value()};
-  recording.findings = std::move(jumps);
+  recording.findings = all.notes;
+  recording.findings.insert(recording.findings.end(), jumps.begin(), jumps.end());
   std::vector<Readings> readings = readings_of(channels, instrument, name, recording.findings);
   Instrument known = instrument;
-  if (!instrument.keyphasor && *instrument.speed_hz <= clock.rate_hz / 2) {
+  if (instrument.speed_hz && *instrument.speed_hz <= clock.rate_hz / 2) {
     const auto looked_at = stretch_of(readings, clock, instrument.from_s, instrument.to_s);
     const double turns = static_cast<double>(looked_at[0].size()) / clock.rate_hz * *instrument.speed_hz;
     known.speed_hz =
         speed_to_take(*instrument.speed_hz, speed_near(looked_at, clock.rate_hz, *instrument.speed_hz), turns,
                       recording.findings);
   }
-  const ShaftTurns all_turns = turns_of(channels, known, clock, name, recording.findings);
-  recording.turn_begin_s = all_turns.begin_s;
-  keep_between(recording.turn_begin_s, instrument.from_s, instrument.to_s);
+  ShaftTurns all_turns = turns_of(channels, known, clock, name, recording.findings);
+  const auto turns_looked_at = [&] {
+    recording.turn_begin_s = all_turns.begin_s;
+    keep_between(recording.turn_begin_s, instrument.from_s, instrument.to_s);
+  };
+  turns_looked_at();
+  if (known.speed) {
+    std::vector<std::vector<double>> probes;
+    for (const Readings& one : readings) probes.push_back(one.values_m);
+    if (const auto factor = speed_factor(probes, clock, recording.turn_begin_s, recording.findings)) {
+      known.speed->factor = *factor;
+      all_turns = turns_of(channels, known, clock, name, recording.findings);
+      turns_looked_at();
+    }
+  }
   if (recording.turns() < fewest_turns) {
     throw ConfigError(fmt::format("{}: holds {} whole turns of the shaft, allowed: {} or more", name,
                                   std::max(recording.turns(), 0), fewest_turns));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -21,7 +22,21 @@ std::string place_of(const Channels& channels, std::size_t row, const std::strin
                                : fmt::format("{}:{}", name, channels.line[row]);
 }
 
-/// Median step between neighbouring times.
+/// "column 3", whatever its name.
+const Channel* by_number(const Channels& channels, std::string_view column) {
+  constexpr std::string_view word = "column ";
+  std::size_t number = 0;
+  if (!column.starts_with(word)) return nullptr;
+  const char* const end = column.data() + column.size();
+  if (std::from_chars(column.data() + word.size(), end, number).ptr != end) return nullptr;
+  for (std::size_t i = 0; i < channels.channels.size(); ++i) {
+    const std::size_t own = channels.channels[i].number;
+    if ((own > 0 ? own : i + 1) == number) return &channels.channels[i];
+  }
+  return nullptr;
+}
+
+/// Median of the steps.
 double usual_step(const std::vector<double>& times) {
   std::vector<double> steps;
   for (std::size_t k = 1; k < times.size(); ++k) steps.push_back(times[k] - times[k - 1]);
@@ -90,6 +105,7 @@ const Channel& find_channel(const Channels& channels, const std::string& column,
     names += (names.empty() ? "'" : ", '") + channel.name + '\'';
   }
   if (found) return *found;
+  if (const Channel* numbered = by_number(channels, column)) return *numbered;
   throw ConfigError(
       fmt::format("{}: has no column '{}'{}, allowed: {}", name, column, channels.left_out_text(), names));
 }
@@ -138,7 +154,8 @@ std::optional<Channels> stretch_without_jump(const Channels& channels, const Ins
   Channels stretch{
       .channels = {}, .sampling_rate_hz = channels.sampling_rate_hz, .left_out = channels.left_out};
   for (const Channel& one : channels.channels)
-    stretch.channels.push_back({one.name, one.unit, {one.values.begin() + first, one.values.begin() + end}});
+    stretch.channels.push_back(
+        {one.name, one.unit, {one.values.begin() + first, one.values.begin() + end}, one.number});
   if (!channels.line.empty()) stretch.line = {channels.line.begin() + first, channels.line.begin() + end};
   if (end - first < 2)
     throw ConfigError(name + ": has no two readings without a jump in time, allowed: two or more");

@@ -14,8 +14,8 @@ struct SampleClock {
   double first_s = 0, rate_hz = 0;
 };
 
-/// The column with this name. Throws ConfigError, beginning with `name` of the file, where there is none or
-/// more than one.
+/// The column of that name, or by its number: "column 3". Throws ConfigError, `name` of the file first, where
+/// there is none or more than one.
 const Channel& find_channel(const Channels& channels, const std::string& column, const std::string& name);
 
 /// Clock from the column of times, from the sampling rate in the description, or from the file's own rate.

@@ -13,6 +13,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/recording/findings.hpp"
+#include "rubsweep/measurement/recording/speed_column.hpp"
 
 namespace rubsweep::recording {
 namespace {
@@ -202,6 +203,7 @@ ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, cons
                     const std::string& name, std::vector<std::string>& findings) {
   const std::size_t count = channels.rows();
   const double last_s = clock.first_s + static_cast<double>(count - 1) / clock.rate_hz;
+  if (instrument.speed) return {.begin_s = turns_by_speed(channels, *instrument.speed, clock, name)};
   if (!instrument.keyphasor && *instrument.speed_hz > clock.rate_hz / 2)
     throw ConfigError(
         name + ": has fewer than two readings a turn at speed_hz, allowed: up to half the sampling rate");
@@ -217,10 +219,13 @@ ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, cons
     const TurnMarks marks =
         numbered_marks(mark_times_s(t_s, channel.values, keyphasor.mark, threshold, keyphasor.hysteresis),
                        1 / clock.rate_hz);
-    add_mark_findings(marks, channel.name, findings);
+    add_mark_findings(marks, keyphasor, findings);
     const double resolution_s = mark_resolution(channel.values, keyphasor.mark, threshold) / clock.rate_hz;
-    SmoothMarks smooth = smoothed_marks(marks.t_s, resolution_s);
-    return {std::move(smooth.t_s), marks.t_s, smoothing_bound * resolution_s, smooth.degree};
+    std::vector<double> begins_s;
+    for (std::size_t k = 0; k < marks.t_s.size(); k += static_cast<std::size_t>(keyphasor.pulses_per_turn))
+      begins_s.push_back(marks.t_s[k]);
+    SmoothMarks smooth = smoothed_marks(begins_s, resolution_s);
+    return {std::move(smooth.t_s), std::move(begins_s), smoothing_bound * resolution_s, smooth.degree};
   } catch (const ConfigError& error) {
     throw ConfigError(fmt::format("{}: '{}': {}", name, channel.name, error.what()));
   }

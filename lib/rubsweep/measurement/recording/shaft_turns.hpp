@@ -56,8 +56,9 @@ struct ShaftTurns {
   int degree = 0;                ///< degree of the curve through the marks
 };
 
-/// Turns from the marks of the keyphasor or, without one, from the given speed. Adds faults of the marks to
-/// `findings`. Throws ConfigError, beginning with `name` of the file.
+/// Turns by the marks of the keyphasor, or where there is none by the column of the speed or that of the
+/// description. Adds what is
+/// wrong with the marks to `findings`. Throws ConfigError, `name` of the file first.
 ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, const SampleClock& clock,
                     const std::string& name, std::vector<std::string>& findings);
 
