@@ -12,9 +12,6 @@ namespace rubsweep::numerics::dense {
 Eigen::VectorXd solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::VectorXcd solve(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 Eigen::MatrixXcd solve(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
-/// a^-1 b for a band matrix: all numbers of `a` are at most `band` places off its diagonal. Eliminates within
-/// the band, with column pivots, if the band is narrow or the matrix small; otherwise as `solve`.
-Eigen::MatrixXcd solve_banded(Eigen::MatrixXcd a, Eigen::MatrixXcd b, Eigen::Index band);
 /// a^-1 by partialPivLu.
 Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& a);
 /// Determinant by partialPivLu.
