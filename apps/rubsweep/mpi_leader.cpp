@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "mpi_messages.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/evaluate_cell.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
 
@@ -142,13 +144,16 @@ bool MpiLeader::serve() {
 }
 
 void MpiLeader::compute() {
+  const sweep::Study& study = job_.config.study;
+  std::optional<scene::PreparedMachine> prepared;
   for (batch::Chunk chunk = own_chunk(); !chunk.empty(); chunk = own_chunk()) {
+    if (!prepared) prepared = scene::prepare_machine(study.machine);
     const batch::LapTime time;
     sweep::run_cells(
-        job_.config.study, chunk, job_.arguments.threads,
+        study, *prepared, chunk, job_.arguments.threads,
         [&](std::size_t cell, const sweep::Row& row) {
           const double seconds = time.lap_s();
-          const std::string line = report::map_line(row, job_.config.study);
+          const std::string line = report::map_line(row, study);
           const std::lock_guard lock(mutex_);
           log_.add(cell, line, seconds);
           note(cell, line);

@@ -22,8 +22,8 @@
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "rubsweep/maps/sweep/footprint.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 #include "rubsweep_arguments.hpp"
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"
@@ -110,6 +110,7 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
 ExitCode work(const config::RunConfig& config, int rank, int threads) {
   const std::atomic<bool>& stop = catch_interrupts();
   std::optional<batch::Journal> journal;
+  std::optional<scene::PreparedMachine> prepared;
   std::vector<mpi::FinishedCell> finished;
   std::mutex mutex;  // guards the journal
   // A rank in the middle of a long cell cannot report any more. One that ends like this ends the job, and the
@@ -132,8 +133,9 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
     const batch::Chunk chunk = mpi::receive_chunk();
     if (chunk.empty()) break;
     if (const std::lock_guard lock(mutex); !journal) journal.emplace(map::rank_journal(config, rank));
+    if (!prepared) prepared = scene::prepare_machine(config.study.machine);
     sweep::run_cells(
-        config.study, chunk, threads,
+        config.study, *prepared, chunk, threads,
         [&](std::size_t cell, const sweep::Row& row) {
           std::string line = report::map_line(row, config.study);
           const std::lock_guard lock(mutex);

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/dense/factors.hpp"
+#include "rubsweep/core/numerics/banded_system.hpp"
 #include "rubsweep/core/structure/free_modes.hpp"
 #include "rubsweep/core/structure/seen_modes.hpp"
 
@@ -194,7 +194,7 @@ MatrixXcd FullReference::receptance(const Rotor& rotor, std::size_t line, double
   }
   // Responses are few, and forces stand wherever the shaft has unbalance: the equations are solved from the
   // left.
-  const MatrixXcd left = numerics::dense::solve_banded(
+  const MatrixXcd left = numerics::solve_banded(
       dynamic.transpose(), rotor.responses.transpose().cast<std::complex<double>>(), rotor.band);
   MatrixXcd value(rotor.responses.rows(), rotor.forces.cols());
   value.real() = left.real().transpose() * rotor.forces;

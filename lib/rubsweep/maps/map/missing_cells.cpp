@@ -7,14 +7,13 @@
 #include <cstdio>
 #include <thread>
 
-#include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/explain_rotor.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "rubsweep/maps/sweep/footprint.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
 
 namespace rubsweep::map {
@@ -121,12 +120,16 @@ void MissingCells::run_pilots(std::vector<std::size_t>& cells, std::size_t pilot
   if (!hint.empty()) say_progress(hint);
 }
 
+const scene::PreparedMachine& MissingCells::prepared() {
+  if (!prepared_) prepared_ = scene::prepare_machine(study_.machine);
+  return *prepared_;
+}
+
 bool MissingCells::run() {
   if (study_.grid.refinement) return run_refined();
-  const scene::PreparedMachine prepared = scene::prepare_machine(study_.machine);
   const double slowest_hz = *std::ranges::min_element(study_.grid.speed_hz);
-  for (std::string why : {sweep::why_torsion_is_idle(prepared, slowest_hz),
-                          sweep::why_walls_stay_untouched(study_, prepared)}) {
+  for (std::string why : {sweep::why_torsion_is_idle(prepared(), slowest_hz),
+                          sweep::why_walls_stay_untouched(study_, prepared())}) {
     if (why.empty()) continue;
     why.pop_back();
     say_progress(why);
@@ -135,8 +138,8 @@ bool MissingCells::run() {
   std::vector<std::size_t> cells = directory_.missing();
   const std::size_t pilots_wanted = batch::pilot_count(cells.size(), static_cast<std::size_t>(threads));
   // Only where somebody is there to read it.
-  if (say_progress(report::describe_footprint(study_, prepared, {threads})) && pilots_wanted > 0)
-    run_pilots(cells, pilots_wanted, report::describe_many_modes(prepared));
+  if (say_progress(report::describe_footprint(study_, prepared(), {threads})) && pilots_wanted > 0)
+    run_pilots(cells, pilots_wanted, report::describe_many_modes(prepared()));
   run_cells(cells);
   const std::lock_guard lock(mutex_);
   return all_finished();
@@ -145,7 +148,7 @@ bool MissingCells::run() {
 void MissingCells::run_cells(std::span<const std::size_t> cells) {
   const batch::LapTime time;
   sweep::run_cells(
-      study_, cells, threads_,
+      study_, prepared(), cells, threads_,
       [&](std::size_t cell, const sweep::Row& row) { write_down(cell, row, time.lap_s()); }, stop_);
 }
 

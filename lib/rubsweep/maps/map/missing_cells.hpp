@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/journal.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
@@ -85,6 +86,8 @@ class MissingCells {
   const std::string& description() const { return description_; }
 
  private:
+  /// Made once for all rounds.
+  const scene::PreparedMachine& prepared();
   bool all_finished() const { return log_.finished() == directory_.missing().size(); }
   bool run_refined();
   void run_pilots(std::vector<std::size_t>& cells, std::size_t pilots_wanted, const std::string& hint);
@@ -94,6 +97,7 @@ class MissingCells {
 
   const int threads_;
   const sweep::Study& study_;
+  std::optional<scene::PreparedMachine> prepared_;
   MapDirectory& directory_;
   const std::string program_;
   const std::atomic<bool> never_ = false;

@@ -15,7 +15,6 @@
 #include "rubsweep/core/contact/hertz_line.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/overloaded.hpp"
-#include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
 #include "rubsweep/maps/sweep/robustness.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
@@ -189,8 +188,6 @@ Probe probe_of(const Row& row) {
           row.motion_class == response::motion::MotionClass::failed, class_and_order(row)};
 }
 
-thread_local response::motion::Workspace workspace;
-thread_local Row latest;  ///< handed on by the thread that made it, before it takes another cell
 
 }  // namespace
 
@@ -248,16 +245,6 @@ Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, st
         *study.basin, [&](const std::vector<KeyValue>& drawn) { return sampled_motion(run(drawn)); });
   }
   return row;
-}
-
-std::size_t run_cells(const Study& study, std::span<const std::size_t> cells, int threads,
-                      const std::function<void(std::size_t cell, const Row&)>& on_row,
-                      const std::atomic<bool>& stop) {
-  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
-  return batch::parallel_run(
-      cells.size(), threads,
-      [&](std::size_t i) { latest = evaluate_cell(study, prepared, cells[i], workspace); },
-      [&](std::size_t i) { on_row(cells[i], latest); }, stop);
 }
 
 }  // namespace rubsweep::sweep

@@ -26,26 +26,6 @@ TEST(FactorsLu, SolvesRealAndComplexSystems) {
   EXPECT_LE((c * inverse(c) - MatrixXcd::Identity(3, 3)).norm(), 1e-13);
 }
 
-TEST(FactorsLu, ABandedMatrixIsSolvedWithinItsBand) {
-  constexpr Eigen::Index size = 40;
-  for (const Eigen::Index band : {1, 3, 6}) {
-    MatrixXcd a = MatrixXcd::Zero(size, size);
-    for (Eigen::Index row = 0; row < size; ++row) {
-      for (Eigen::Index column = 0; column < size; ++column) {
-        // Small numbers on the diagonal: without pivots no digit is left.
-        const double number = std::sin(static_cast<double>(7 * row + 3 * column * column));
-        if (std::abs(row - column) <= band)
-          a(row, column) = (row == column ? 1e-14 : 1.0) * (number + i / 3.0);
-      }
-    }
-    MatrixXcd b = MatrixXcd::Zero(size, 2);
-    b(0, 0) = 1, b(size - 1, 1) = i;
-    const MatrixXcd x = solve_banded(a, b, band);
-    EXPECT_LE((a * x - b).norm(), 1e-11 * (1 + x.norm())) << band;
-    EXPECT_LE((x - solve(a, b)).norm(), 1e-10 * x.norm()) << band;
-  }
-}
-
 TEST(FactorsLu, ASingularMatrixHasNoFiniteSolution) {
   EXPECT_FALSE(solve(MatrixXd{{1, 2}, {2, 4}}, VectorXd{{1, 1}}).allFinite());
 }

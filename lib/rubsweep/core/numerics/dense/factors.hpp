@@ -12,9 +12,6 @@ namespace rubsweep::numerics::dense {
 Eigen::VectorXd solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::VectorXcd solve(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 Eigen::MatrixXcd solve(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
-/// The same where all numbers of `a` stand at most `band` places off its diagonal: by elimination within the
-/// band if that is narrow or they are small, with pivots of the columns.
-Eigen::MatrixXcd solve_banded(Eigen::MatrixXcd a, Eigen::MatrixXcd b, Eigen::Index band);
 /// a^-1 by partialPivLu.
 Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& a);
 /// Determinant by partialPivLu.

@@ -72,7 +72,7 @@ MatrixXd inverse_of_upper(const MatrixXd& norm) {
 constexpr double farther = 4;
 constexpr int predicted_periods = 3;
 
-VectorXd off(std::span<const double> section, const StableOrbit& orbit, std::size_t turn) {
+auto off(std::span<const double> section, const StableOrbit& orbit, std::size_t turn) {
   return Eigen::Map<const VectorXd>(section.data(), static_cast<Eigen::Index>(section.size())) -
          orbit.sections[turn];
 }
@@ -83,10 +83,11 @@ template <class SizeOf, class Near, class MostTurns>
 bool follow(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
             const SizeOf& size_of, const Near& near, const MostTurns& most_turns) {
   std::vector<double> now(section.begin(), section.end());
-  const double first = size_of(off(now, orbit, 0), std::size_t{0});
+  VectorXd offset = off(now, orbit, 0);
+  const double first = size_of(offset, std::size_t{0});
   for (long k = 0;; ++k) {
     const auto at = static_cast<std::size_t>(k % orbit.order);
-    const VectorXd offset = off(now, orbit, at);
+    offset = off(now, orbit, at);
     const double size = size_of(offset, at);
     if (near(at, offset, size)) return true;
     if (!(size <= farther * first) || static_cast<double>(k) >= most_turns(first, size) ||
@@ -206,9 +207,10 @@ bool comes_near(const TurnMap& turn, std::span<const double> section, const Stab
 
 bool comes_inside(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
                   const SplitNorms& norms, const integrate::exact::tube::Parts& radii, double most_turns) {
+  VectorXd x(norms.norm.front().rows());
   const auto size_of = [&](const VectorXd& offset, std::size_t at) {
-    const integrate::exact::tube::Parts parts = parts_of(norms, at, offset);
-    return std::max(parts.fast / radii.fast, parts.slow / radii.slow);
+    x.noalias() = norms.norm[at].lazyProduct(offset);
+    return std::max(x.head(norms.fast).norm() / radii.fast, x.tail(norms.slow()).norm() / radii.slow);
   };
   const auto near = [](std::size_t, const VectorXd&, double size) { return size <= 1; };
   const auto turns = [most_turns](double, double) { return most_turns; };

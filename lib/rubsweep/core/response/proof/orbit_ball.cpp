@@ -61,6 +61,16 @@ class OrbitTubes {
     return closes ? std::optional(radii) : std::nullopt;
   }
 
+  /// Radii up to twice those of `largest` at which the ball contracts as well: a motion is inside sooner.
+  Parts between_halvings(const Parts& radii) const {
+    double times = 1, too_many = 2;
+    for (int i = 0; i < 3; ++i) {
+      const double middle = std::sqrt(times * too_many);
+      (draws_together({middle * radii.fast, middle * radii.slow}) ? times : too_many) = middle;
+    }
+    return {times * radii.fast, times * radii.slow};
+  }
+
  private:
   /// Decrease of either part below its radius by the linear map, in the norms of the tubes, not as they were
   /// made.
@@ -127,9 +137,9 @@ std::optional<Parts> split_ball_radii(const scene::Scene& scene, integrate::exac
     const auto radii = tubes.largest({1, ratio}, halvings);
     if (radii && (!best || turns_to_enter(norms, distance, *radii) < turns_to_enter(norms, distance, *best)))
       best = radii;
-    if (best && turns_to_enter(norms, distance, *best) == 0) break;
+    if (best && turns_to_enter(norms, distance, *best) == 0) return best;
   }
-  return best;
+  return best ? std::optional(tubes.between_halvings(*best)) : std::nullopt;
 }
 
 }  // namespace rubsweep::response::proof
