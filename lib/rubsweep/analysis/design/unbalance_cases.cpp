@@ -9,6 +9,7 @@
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/rpm.hpp"
 #include "rubsweep/core/model/support_path.hpp"
+#include "rubsweep/core/numerics/banded_system.hpp"
 #include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
@@ -169,7 +170,7 @@ Eigen::MatrixXcd WholeRotor::response(const Eigen::MatrixXcd& unbalance_kg_m, do
   Eigen::MatrixXcd dynamic(at.mass.rows(), at.mass.cols());
   dynamic.real() = at.stiffness - w * w * at.mass;
   dynamic.imag() = w * at.damping;
-  return numerics::dense::solve_banded(std::move(dynamic), w * w * unbalance_kg_m, band_);
+  return numerics::solve_banded(std::move(dynamic), w * w * unbalance_kg_m, band_);
 }
 
 double WholeRotor::bearing_force_n(const Bearing& bearing, const Eigen::VectorXcd& response,
