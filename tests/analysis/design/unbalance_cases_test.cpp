@@ -67,6 +67,11 @@ TEST(UnbalanceCases, AnOverhangHasItsOwnAndSealsAreNoBearings) {
   seal.position_m = 0.2;
   seal.name = "SealElement_Seal 1";
   kit.supports.push_back(seal);
+  seal.name.clear();
+  seal.stiffness_x_n_per_m = seal.stiffness_y_n_per_m = 299;
+  kit.supports.push_back(seal);
+  EXPECT_TRUE(is_seal(kit, 2) && is_seal(kit, 3));
+  EXPECT_FALSE(is_seal(kit, 0) || is_seal(kit, 1));
   const WholeRotor rotor(machine);
   ASSERT_EQ(rotor.bearings().size(), 2u);
   EXPECT_NEAR(rotor.bearings()[0].static_load_n + rotor.bearings()[1].static_load_n, 0.9 * 9.80665, 1e-5);

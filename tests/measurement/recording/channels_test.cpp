@@ -17,7 +17,9 @@ TEST(ChannelsUnit, OfTimesAndProbes) {
   EXPECT_EQ(scale_of("mil", probe({}), "f").metres_per_unit, 25.4e-6);
   EXPECT_EQ(scale_of("\u00b5m", probe({}), "f").metres_per_unit,
             scale_of("\u03bcm", probe({}), "f").metres_per_unit);
-  // 200 mV/mil equal 7.874 mV/um.
+  EXPECT_EQ(scale_of("in", probe({}), "f").metres_per_unit, 0.0254);
+  EXPECT_EQ(scale_of("mils", probe({}), "f").metres_per_unit, 25.4e-6);
+  // 200 mV/mil are 7.874 mV/um.
   EXPECT_NEAR(scale_of("V", probe(200 / 25.4), "f").metres_per_unit, 5 * 25.4e-6, 1e-15);
   EXPECT_EQ(scale_of("mV", probe(-8), "f").metres_per_unit, -0.125e-6);
   Probe said = probe({});

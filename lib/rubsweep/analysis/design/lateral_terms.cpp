@@ -147,6 +147,18 @@ Term decrement_term(std::string check, const std::optional<Decrement>& found) {
   return term;
 }
 
+/// The machine on its bearings alone; as it is where it has none.
+model::Machine without_seals(const model::Machine& machine) {
+  model::Machine bare = machine;
+  model::RotorKit* kit = model::kit_of(bare);
+  if (kit == nullptr) return bare;
+  const model::RotorKit whole = *kit;
+  kit->supports.clear();
+  for (std::size_t i = 0; i < whole.supports.size(); ++i)
+    if (whole.supports[i].at_housing || !is_seal(whole, i)) kit->supports.push_back(whole.supports[i]);
+  return kit->supports.empty() ? machine : bare;
+}
+
 /// A failed Level I asks for Level II, which decides.
 Term no_verdict_if_failed(Term term) {
   if (term.met == false) {
@@ -174,11 +186,7 @@ void add_stability(const WholeRotor& rotor, const model::Machine& machine, const
     term.not_told = "no --stage says which power drives cross-coupling, or --stage none that none does";
     terms.push_back(std::move(term));
   } else if (coupling > 0) {
-    model::Machine bare = machine;
-    if (model::RotorKit* kit = model::kit_of(bare); kit != nullptr && !rotor.bearings().empty())
-      std::erase_if(kit->supports,
-                    [](const model::Support& one) { return one.name.find("Seal") != one.name.npos; });
-    const linear::FreeRotor level_one = linear::free_rotor(bare);
+    const linear::FreeRotor level_one = linear::free_rotor(without_seals(machine));
     terms.push_back({"cross_coupling", "", position_m, speed_hz, coupling, {}, "N/m"});
     Term first = decrement_term("level_1",
                                 first_forward(level_one, std::vector{speed_hz}, up_to_hz, midspan, coupling));

@@ -9,6 +9,7 @@
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/rpm.hpp"
 #include "rubsweep/core/model/support_path.hpp"
+#include "rubsweep/core/numerics/banded_system.hpp"
 #include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
@@ -21,7 +22,9 @@ using Eigen::Index;
 
 constexpr double standard_gravity_m_per_s2 = 9.80665;
 
-bool is_seal(const model::Support& support) { return support.name.find("Seal") != std::string::npos; }
+double held_by(const model::Support& support) {
+  return std::min(support.stiffness_x_n_per_m, support.stiffness_y_n_per_m);
+}
 
 /// A vector of one plane among the coordinates of both.
 Eigen::VectorXd in_plane(const Eigen::VectorXd& of_plane, Index plane) {
@@ -35,7 +38,7 @@ void load_bearings(const structure::BeamShaft& shaft, const model::RotorKit& kit
                    std::vector<Bearing>& bearings) {
   Eigen::MatrixXd stiffness = shaft.plane_stiffness(1);
   for (std::size_t i = 0; i < kit.supports.size(); ++i) {
-    if (!is_seal(kit.supports[i])) continue;
+    if (!is_seal(kit, i)) continue;
     const Eigen::VectorXd gap = structure::support_gap(shaft, kit, i);
     stiffness -= kit.supports[i].stiffness_y_n_per_m * gap * gap.transpose();
   }
@@ -60,6 +63,15 @@ double residual_kg_m(double mass_kg, double max_continuous_hz) {
 }
 
 }  // namespace
+
+bool is_seal(const model::RotorKit& kit, std::size_t support) {
+  constexpr double holds_nothing = 0.01;
+  if (kit.supports[support].name.find("Seal") != std::string::npos) return true;
+  double stiffest = 0;
+  for (const model::Support& one : kit.supports)
+    if (!one.at_housing) stiffest = std::max(stiffest, held_by(one));
+  return held_by(kit.supports[support]) < holds_nothing * stiffest;
+}
 
 WholeRotor::WholeRotor(const model::Machine& machine)
     : machine_(machine), rotor_(linear::free_rotor(machine)) {
@@ -95,7 +107,7 @@ void WholeRotor::add_shaft(const model::RotorKit& kit) {
   if (modes.shape.cols() > 1) second_ = modes.shape.col(1)(Eigen::seqN(0, places, 2));
   for (std::size_t i = 0; i < kit.supports.size(); ++i) {
     const model::Support& support = kit.supports[i];
-    if (support.at_housing || is_seal(support)) continue;
+    if (support.at_housing || is_seal(kit, i)) continue;
     const Eigen::VectorXd gap = structure::support_gap(shaft, kit, i);
     bearings_.push_back({i, support.position_m, 0, in_plane(gap, 0), in_plane(gap, 1)});
   }
@@ -158,7 +170,7 @@ Eigen::MatrixXcd WholeRotor::response(const Eigen::MatrixXcd& unbalance_kg_m, do
   Eigen::MatrixXcd dynamic(at.mass.rows(), at.mass.cols());
   dynamic.real() = at.stiffness - w * w * at.mass;
   dynamic.imag() = w * at.damping;
-  return numerics::dense::solve_banded(std::move(dynamic), w * w * unbalance_kg_m, band_);
+  return numerics::solve_banded(std::move(dynamic), w * w * unbalance_kg_m, band_);
 }
 
 double WholeRotor::bearing_force_n(const Bearing& bearing, const Eigen::VectorXcd& response,

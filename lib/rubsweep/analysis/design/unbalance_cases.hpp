@@ -10,7 +10,11 @@
 
 namespace rubsweep::design {
 
-/// A bearing of a kit. Seals, by the names of their elements in a file of another program, are none.
+/// Whether a support holds nothing: by the name of its element in a file of another program, or because it is
+/// a hundred times softer than the stiffest bearing.
+bool is_seal(const model::RotorKit& kit, std::size_t support);
+
+/// A bearing of a kit; seals are none.
 struct Bearing {
   std::size_t support = 0;
   double position_m = 0;
