@@ -11,7 +11,8 @@ namespace rubsweep::apps {
 void want_summary();
 bool summary_is_wanted();
 
-/// Whether the line is held back at the end of a part of a program.
+/// Turns the printing of the line off (true) or on (false). `rubsweep-mpi` calls run_program more than once,
+/// and only the last call shall print the line.
 void hold_summary(bool held);
 
 /// Sets an entry of the summary's `counts`, such as "cells"; a later call with the same name replaces it.

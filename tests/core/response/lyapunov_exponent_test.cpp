@@ -247,7 +247,8 @@ TEST(LyapunovExponentOf, IsTheMeanOfEightBlocksWithTheirStudentInterval) {
 }
 
 TEST(LyapunovExponentOf, WeighsTheMiddleOfABlock) {
-  // Whole waves per block average out exactly; a fraction that a rectangular window would keep almost does.
+  // Two or more whole waves per block average out exactly. With a fraction of a wave more, the average is
+  // almost zero; a rectangular window would leave a larger rest.
   for (const double waves : {2.0, 7.0, 4.37}) {
     std::vector<double> contributions;
     for (int k = 0; k < 800; ++k) contributions.push_back(0.25 + std::sin(2 * pi * waves * k / 80));

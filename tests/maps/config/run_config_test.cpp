@@ -204,7 +204,8 @@ void for_each_choice(const keys::Form& form, const std::function<void(const keys
   for (const keys::Key& key : form.keys) for_each_choice(key.form, see);
 }
 
-/// Whether files with two alternatives over a base are refused, which holds for choices with these keys.
+/// Whether a choice has one of the keys below. A file that gives another alternative of such a choice than
+/// its base does is refused; the base's key is not dropped.
 bool is_refused_over_a_base(const keys::Choice& choice) {
   static const std::set<std::string> keys{"geometry", "mode", "table",          "at_housing",
                                           "bearing",  "node", "speed_rad_per_s"};

@@ -42,8 +42,8 @@ std::string section_csv(const Trace& trace);
 /// Changes of contact mode, with the columns t_s, stop, from, to.
 std::string events_csv(const Trace& trace);
 
-/// Columns order, frequency_hz, amplitude_m, from the most negative order upwards; a frequency has the sign
-/// of its order. An empty spectrum gives only the header.
+/// Columns `order`, `frequency_hz` and `amplitude_m`, a row for each line, from the most negative order
+/// upwards. The frequency has the sign of the order. An empty spectrum gives only the header.
 std::string spectrum_csv(const response::spectrum::FullSpectrum& spectrum, double speed_hz);
 
 }  // namespace rubsweep::trace

@@ -110,8 +110,9 @@ class FrictionBox {
     count_ = kept;
   }
 
-  /// Search direction to the common minimum of the free frictions, by a Cholesky factorisation. False where
-  /// their mobility is singular: the direction is then a null vector of it, downhill.
+  /// Sets `way` to the step from the present free frictions to their common minimum (Cholesky factorisation)
+  /// and returns true. Where the mobility of the free frictions is singular, sets `way` to a null vector of
+  /// the mobility that points downhill, and returns false.
   bool put_way(StickVector& way) const {
     StickMobility root(count_, count_);
     for (Index k = 0; k < count_; ++k) {

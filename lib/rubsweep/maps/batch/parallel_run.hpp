@@ -72,7 +72,9 @@ class ChunkQueue {
 
   std::mutex mutex_;
   std::vector<std::size_t> cells_;
-  std::size_t stride_;  ///< step in the list from a cell to the next one; meets every cell once
+  /// Distance in the list, modulo its length, between cells given out one after the other; coprime to the
+  /// length, so that every cell is given out once.
+  std::size_t stride_;
   std::size_t dealt_ = 0;
   std::vector<Last> last_;  ///< latest chunk of each worker
 };

@@ -41,7 +41,8 @@ struct BlockSums {
   Eigen::VectorXd moved, share, share_squared;
 };
 
-/// Adds the blocks of some rows. The columns of `jacobian` have length 1; `normal` is their normal matrix.
+/// Adds to `sums` the contributions of the blocks into which the rows `in_time` are divided. The columns of
+/// `jacobian` have length 1; `normal` is their normal matrix.
 void add_blocks(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& normal,
                 const Eigen::VectorXd& residuals, const RowsInTime& in_time, BlockSums& sums) {
   const Eigen::Index length = block_length(residuals, in_time), blocks = in_time.instants / length;

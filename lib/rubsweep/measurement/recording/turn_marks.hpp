@@ -11,8 +11,8 @@ enum class Mark {
   bright  ///< the signal rises above the threshold, as for a reflecting strip or a key
 };
 
-/// Threshold halfway between the 0.1 % quantiles at both ends of the signal. Throws ConfigError for a signal
-/// that does not change.
+/// Threshold halfway between the 0.1 % and the 99.9 % quantile of the finite values of the signal. Throws
+/// ConfigError for a signal that does not change.
 double middle_threshold(std::span<const double> signal);
 
 /// Instants in seconds at which the leading edge of the mark passes, interpolated linearly between samples.

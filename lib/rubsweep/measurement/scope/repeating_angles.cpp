@@ -90,8 +90,8 @@ Eigen::VectorXd lags(std::span<const Complex> periods, int turns, std::size_t pe
   return lags;
 }
 
-/// Polynomial through the lags of the last periods of `turns` turns each, evaluated at the beginnings of all
-/// turns.
+/// Least-squares polynomial of the lags, one lag for the middle of each period of `turns` turns. The last
+/// period ends with the recording. Returns the values of the polynomial at the beginnings of all turns.
 Eigen::VectorXd polynomial_through(const Eigen::VectorXd& lags, int turns, int degree, Eigen::Index begins) {
   const double half = 0.5 * static_cast<double>(lags.size()) * turns;
   const double middle = static_cast<double>(begins - 1) - half;

@@ -161,8 +161,9 @@ class EvenGrazeSearch {
     return point;
   }
 
-  /// Finds an orbit behind the corner along the tangent there. That tangent follows from the monodromy matrix
-  /// at a state that lies completely on the other side of the graze.
+  /// Finds an orbit on the other side of the corner. Newton's iteration starts from a point on the tangent of
+  /// that side. The tangent is computed at a state extrapolated to that side, where the contact is open, or
+  /// closed, all along the orbit.
   std::optional<BranchPoint> beyond_by_tangent(const Position& corner) const {
     BranchPoint there = here_;
     there.parameter = parameter_of(problem_, corner);

@@ -15,8 +15,9 @@ using Eigen::VectorXd;
 /// Steps of central differences, in the coordinates. The step along the state is larger, as it also serves
 /// third derivatives.
 constexpr double usual_parameter_step = 1e-6, usual_state_step = 1e-5;
-/// Distance, as a share of the length scale, by which an orbit misses the guard and counts as a graze. An
-/// orbit beyond the guard is avoided: the square root of rounding errors would enter its derivative.
+/// A grazing orbit is computed so that it stays short of the guard by this distance, a share of the length
+/// scale. If rounding put the orbit beyond the guard, the square root of the rounding error would enter its
+/// derivative.
 constexpr double miss = 4e-12;
 /// Smallest divisor in Newton's iteration at a branch point.
 constexpr double least_cubic = 1e-3;

@@ -13,7 +13,9 @@
 namespace rubsweep::branch::curves {
 namespace {
 
-constexpr std::size_t most_sequences = 16;  ///< limit between two points
+/// Largest number of changes of the contact sequence that are looked for between two neighbouring points of a
+/// curve.
+constexpr std::size_t most_sequences = 16;
 
 using Multipliers = Eigen::VectorXcd;
 using Complex = std::complex<double>;

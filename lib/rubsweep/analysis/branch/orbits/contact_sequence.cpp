@@ -39,7 +39,8 @@ long hits_of(Switches switches) {
   return std::ranges::count(switches, contact::Mode::open, &ModeSwitch::from);
 }
 
-/// `count` changes from index `first` on; the sequence is closed, so that the first change follows the last.
+/// Part of the closed sequence `all`: its mode changes from index `first` on, `count` in number. After the
+/// last change of `all` the first one follows, one period later.
 std::vector<ModeSwitch> stretch(const std::vector<ModeSwitch>& all, std::size_t first, std::size_t count,
                                 double period_rad) {
   std::vector<ModeSwitch> part;

@@ -111,7 +111,8 @@ struct MotionKind {
   bool settled_rub = true;
 };
 
-/// Colours are from Paul Tol's "muted" scheme for colour-blind readers, with others for rare kinds.
+/// The colours of most periodic kinds are from Paul Tol's "muted" scheme for colour-blind readers; the other
+/// kinds have colours of their own.
 inline constexpr std::array motion_kinds{
     MotionKind{"non_contact", "no contact", 0xF4F4F4, 0x2B2F36, '.', false, false},
     MotionKind{"synchronous_circle", "synchronous circle", 0x4F9BD0, 0x4F9BD0, '1'},
