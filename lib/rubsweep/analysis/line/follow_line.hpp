@@ -15,6 +15,7 @@
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/sweep/row.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
@@ -46,9 +47,7 @@ enum class Pass {
   down,  ///< the same from the last cell to the first
 };
 
-constexpr std::string_view to_string(Pass pass) {
-  return pass == Pass::kick ? "kick" : pass == Pass::up ? "up" : "down";
-}
+constexpr std::string_view to_string(Pass pass) { return enumerator_word(pass); }
 
 /// One cell: neighbours share what they have in common.
 struct LineCell {

@@ -22,8 +22,8 @@ struct PaintedTable {
 
 /// Gives every cell of `grid` a row: those of `map` as they are; any other has its place, the class and order
 /// of its block (see sweep/refinement.hpp), orbit, whirl and comb of the computed cell of that label nearest
-/// before it, the status not_computed, and nothing else. Throws IoError where a row of the map lies in no
-/// cell, or a cell that the refinement asks for has no row.
+/// before it, the status not_computed, and nothing else. `map` was read with the grid. Throws IoError where a
+/// cell that the refinement asks for has no row.
 PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid);
 
 /// Findings of a map, one sentence each, for people: size, share and extent of lasting rub, its most frequent

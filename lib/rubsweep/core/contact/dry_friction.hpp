@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "rubsweep/core/vocabulary.hpp"
+
 namespace rubsweep::contact {
 
 /// Which way a touching surface slips whose friction is dry, a set at slip zero (Filippov): +mu S while it
@@ -14,9 +16,7 @@ enum class Slip : unsigned char { forward, sticking, backward };
 /// +1, 0, -1.
 constexpr double sign_of(Slip slip) { return slip == Slip::forward ? 1 : slip == Slip::backward ? -1 : 0; }
 
-constexpr std::string_view to_string(Slip slip) {
-  return slip == Slip::forward ? "forward" : slip == Slip::backward ? "backward" : "sticking";
-}
+constexpr std::string_view to_string(Slip slip) { return enumerator_word(slip); }
 
 /// Zero band of a slip, as a share of the surface's own speed (or of one clearance a radian): rounding stays
 /// below it, and friction would stop a smaller slip within as many radians.

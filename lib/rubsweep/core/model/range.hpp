@@ -26,4 +26,12 @@ std::string describe(const Range& range);
 /// Marks a number that has no default and must be given. A signalling NaN, so that using it is loud.
 inline constexpr double required = std::numeric_limits<double>::signaling_NaN();
 
+/// No number of a machine is larger, or smaller without being 0: far wider than anything that was ever built,
+/// yet so narrow that products of several numbers stay finite and keep their digits. `contains` goes by it.
+inline constexpr double smallest_magnitude = 1e-30, largest_magnitude = 1e30;
+
+/// Allowed values, for somebody who gave `value`, which the range does not contain: as describe(range), but
+/// where the magnitude is the reason.
+std::string describe(const Range& range, double value);
+
 }  // namespace rubsweep::model

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -75,5 +76,11 @@ struct Scene {
 
   double period_s() const { return 2 * std::numbers::pi / speed_rad_per_s; }
 };
+
+/// Displacement (x, y) of the observed point per unit of each coordinate: its velocity by the velocities,
+/// too.
+inline const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const Scene& scene) {
+  return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
+}
 
 }  // namespace rubsweep::scene

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 
@@ -69,7 +69,7 @@ enum class TableSum {
 TableSum check_table(const std::filesystem::path& path);
 
 /// The same of an open file, which is at its begin before and after.
-TableSum check_table(std::FILE* stream, const std::filesystem::path& path);
+TableSum check_table(InputLines& lines, const std::filesystem::path& path);
 
 /// The same of all bytes of a file.
 TableSum check_table_text(std::string_view text, const std::filesystem::path& path);

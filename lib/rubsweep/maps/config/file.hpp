@@ -9,6 +9,7 @@
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/config/yaml/alternatives.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
@@ -20,17 +21,19 @@ namespace rubsweep::config {
 /// Parses a configuration, writes it over its bases (see base.hpp; `file` is where they are looked for from)
 /// and applies the overrides (see override.hpp), whose problems `diagnostics` collects. Throws ConfigError
 /// when the text is no YAML document or nothing at all, `form` says what may stand there, and when a base
-/// cannot be had.
+/// cannot be had. `alternatives` of its keys are taken back where one of them is written over another.
 yaml::Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
-                        const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics);
+                        const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics,
+                        const yaml::Alternatives& alternatives = {});
 
 /// Value that `read` makes of the root of a configuration. Throws ConfigError as parse_config does, and with
 /// every problem that `read` added.
 template <class Read>
 auto read_parsed(std::string_view text, const std::filesystem::path& file, std::string_view form,
-                 const std::vector<std::string>& overrides, Read read) {
+                 const std::vector<std::string>& overrides, Read read,
+                 const yaml::Alternatives& alternatives = {}) {
   yaml::Diagnostics diagnostics(file.string(), overrides);
-  const yaml::Node root = parse_config(text, file, form, overrides, diagnostics);
+  const yaml::Node root = parse_config(text, file, form, overrides, diagnostics, alternatives);
   auto value = read(yaml::Value{root, "", diagnostics});
   diagnostics.throw_if_any();
   return value;

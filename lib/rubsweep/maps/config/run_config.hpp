@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "rubsweep/core/model/machine.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"
+#include "rubsweep/maps/config/machine/printed_matrices.hpp"
+#include "rubsweep/maps/config/yaml/alternatives.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
@@ -49,10 +52,43 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
 /// All keys of such a configuration.
 keys::Form run_form();
 
+/// Keys of it that exclude each other.
+const yaml::Alternatives& run_alternatives();
+
 /// The machine alone of such a text, without what is refused or asked as a likely slip of units, which would
 /// prepare the machine several times: for many machines of one configuration that was read. Throws
 /// ConfigError.
 model::Machine read_machine_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides);
+
+/// The complete configuration as YAML, defaults included, that reads back as an equal one: axes as they were
+/// written, by ends and count and in the units of the person. Configurations that are written alike give
+/// equal bytes. What is optional and has no value of its own (kick, kick.angle_deg, contact_mass_kg) is left
+/// out. Matrices of a rotor are written as texts, or as the names of files beside the configuration. Throws
+/// ConfigError when the output directory is not UTF-8.
+std::string print_config(const RunConfig& config,
+                         machine::MatrixPrint matrices = machine::MatrixPrint::inside);
+
+/// Everything that decides the numbers of a map, nothing else: without captions and `output`, and with every
+/// axis as its values in SI units, so that equal studies give equal bytes however their files were written.
+std::string print_study(const sweep::Study& study);
+
+/// Names of all files of exported_matrices.
+inline constexpr std::string_view exported_matrix_files[]{
+    "mass.mtx",      "stiffness.mtx", "damping.mtx", "gyroscopic.mtx", "degrees_of_freedom.csv",
+    "unbalance.csv", "rotor.yaml"};
+
+/// The full finite-element model of the rotor as files by name: matrices, tables of the degrees of freedom
+/// and the unbalance, and rotor.yaml, the same configuration with them in place of the rotor kit, its results
+/// beside those of the given one. Throws ConfigError where matrices cannot say the rotor, and where an axis
+/// of the sweep or the study varies a part of it.
+std::map<std::string_view, std::string> exported_matrices(const RunConfig& config);
+
+/// Name-based UUID (version 5, SHA-1) of a text.
+std::string digest_of(std::string_view text);
+
+/// Digest of everything that decides the numbers of a map (see print_study): a name-based UUID (version 5,
+/// SHA-1). Equal studies have equal digests however their files were written.
+std::string study_digest(const sweep::Study& study);
 
 }  // namespace rubsweep::config

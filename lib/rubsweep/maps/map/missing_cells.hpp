@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -12,8 +13,9 @@
 #include "rubsweep/maps/batch/journal.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
-#include "rubsweep/maps/map/compute_map.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
+#include "rubsweep/maps/report/map_summary.hpp"
 #include "rubsweep/maps/sweep/row.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
@@ -55,6 +57,14 @@ class CellLog {
 
 /// Message of `program` after a signal: how many cells are finished, `finished` of them by this run.
 std::string interrupted_map(std::string_view program, const MapDirectory& directory, std::size_t finished);
+
+/// How the cells of a map are computed.
+struct ComputeOptions {
+  int threads = 0;                                            ///< 0: as many as the machine has cores
+  const std::atomic<bool>* stop = nullptr;                    ///< once it is true, no further cell begins
+  batch::ProgressMode progress = batch::ProgressMode::never;  ///< progress on stderr
+  std::string program = "rubsweep";                           ///< named in locks and messages
+};
 
 /// Computes the cells that a directory misses and writes each one down as it is finished. `run` works in the
 /// calling thread and in threads of its own; meanwhile one other thread may call `refresh` and `give_up`.
@@ -105,5 +115,13 @@ class MissingCells {
   std::size_t left_to_others_ = 0;
   std::string description_;
 };
+
+/// Computes the map of a configuration in `directory`, or goes on with what an earlier call left there, and
+/// returns the summary of the whole map.csv, which stands there with the configuration; empty where it was
+/// stopped: a later call computes the rest. Throws LockedError where another process is at work there,
+/// ConfigError where the cells there belong to another configuration, IoError.
+std::optional<report::MapSummary> compute(const config::RunConfig& config,
+                                          const std::filesystem::path& directory,
+                                          const ComputeOptions& options = {});
 
 }  // namespace rubsweep::map

@@ -17,8 +17,7 @@ namespace rubsweep::sweep {
 /// Whether each cell is run again with other kicks to tell how firmly it holds its class (see is_robust and
 /// robust_share).
 enum class Robustness { off, on, probability };
-inline constexpr Words<Robustness, 3> robustness_words{
-    {"off", "on", "probability"}, {Robustness::off, Robustness::on, Robustness::probability}};
+inline constexpr auto robustness_words = words_of<Robustness>();
 
 /// Kicks beside that of the configuration, for Robustness::probability.
 struct Neighbours {

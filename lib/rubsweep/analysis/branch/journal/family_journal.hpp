@@ -12,6 +12,9 @@
 
 namespace rubsweep::branch::journal {
 
+/// The map_digest and the compiled libraries that families of orbits depend on besides, as one SHA-1.
+extern const char* const family_digest;
+
 /// Directory in which families of a map are followed, while a process is at work there: families.journal
 /// holds the results so far, until the result files have them, and families.lock names the process.
 class FamilyJournal {
