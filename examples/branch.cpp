@@ -1,10 +1,10 @@
-// The branch of periodic orbits through one cell: where it folds, doubles or grazes a wall, as speed_hz
-// changes.
+// The branch of periodic orbits through one cell: where it folds, doubles its period or grazes a wall, as
+// speed_hz changes.
 //
 //     branch CONFIG SPEED_HZ UNBALANCE LOW_HZ HIGH_HZ
 //
-// The unbalance is what the sweep of the configuration has: the whirl ratio or the eccentricity in metres.
-// Orbits are followed whether they are stable or not, as rubbranch does.
+// The unbalance is given as in the configuration's sweep: as whirl ratio or as eccentricity in metres. Stable
+// and unstable orbits are followed, as rubbranch does.
 
 #include "rubsweep/branch.hpp"
 
@@ -33,7 +33,7 @@ int follow(const sweep::Study& study, double speed_hz, double value, Span span) 
     return 4;
   }
 
-  // The cell is run from its kick until its motion is known: a closed orbit, of `order` turns.
+  // The cell is run from its kick until its motion is known to be a periodic orbit of `order` turns.
   response::motion::Workspace workspace;
   const orbits::SettledStart settled = orbits::settle_on_orbit(cell, study.solver, study.response, workspace);
   if (!settled.order) {
@@ -41,7 +41,7 @@ int follow(const sweep::Study& study, double speed_hz, double value, Span span) 
     return 4;
   }
 
-  // The parameter is the speed.
+  // The parameter of the branch is the speed.
   const auto scene_at = [&](double hz) { return scene::build_cell(prepared, hz, unbalance).scene; };
   orbits::OrbitProblem problem =
       orbits::closed_orbits(settled.closing, scene_at, *settled.order, study.solver, workspace.modes);

@@ -1,10 +1,11 @@
-// Which stop a recording tells of: the files of an instrument in, probabilities and numbers of the machine
-// out.
+// Finds out which stop a recording shows: reads an instrument's files, prints probabilities and parameters of
+// the machine.
 //
 //     diagnosis RECORDING INSTRUMENT.yaml MACHINE.yaml
 //
-// RECORDING is a table, a MATLAB or a WAV file, INSTRUMENT.yaml says where its probes look, and MACHINE.yaml
-// is the configuration of the rotor. Motions of the candidates are simulated first, for about a minute.
+// RECORDING is a table, a MATLAB or a WAV file, INSTRUMENT.yaml gives the directions of its probes, and
+// MACHINE.yaml is the configuration of the rotor. Motions of the candidates are simulated first, for about a
+// minute.
 
 #include "rubsweep/diagnosis.hpp"
 
@@ -31,18 +32,18 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 int look(const std::filesystem::path& file, const std::filesystem::path& description,
          const std::filesystem::path& machine) {
-  // Turns of the shaft at equal angles, in metres, whatever the instrument wrote.
+  // The recording becomes samples in metres at equal shaft angles, whatever the instrument wrote.
   const recording::Instrument instrument =
       config::recording::read_instrument_text(bytes_of(description), description.string());
   const recording::Recording recording = recording::make_recording(
       recording::read_recording_file(file, bytes_of(file)), instrument, file.string());
 
-  // How the motion repeats, from its lines alone.
+  // The verdict tells how the motion repeats, from its spectral lines alone.
   const scope::Verdict verdict = scope::judge(recording);
   std::printf("%d turns at %.6g Hz: %s\n", recording.turns(), recording.mean_speed_hz(),
               std::string(to_string(verdict.motion)).c_str());
 
-  // Simulated motions of a machine like this one that look the same.
+  // Simulated motions of such a machine are compared with the recording.
   const std::optional<diagnose::answer::Answer> answer =
       diagnosis::diagnose_recording(recording, instrument, {.name = file.string(), .machine = machine});
   if (!answer) return 4;
@@ -61,7 +62,7 @@ int main(int count, char** arguments) {
   }
   try {
     return look(arguments[1], arguments[2], arguments[3]);
-  } catch (const std::exception& error) {  // names file, line and column, and what is allowed
+  } catch (const std::exception& error) {  // the message names file, line and column, and what is allowed
     std::fprintf(stderr, "%s\n", error.what());
     return 2;
   }

@@ -1,8 +1,8 @@
-// The map of a configuration, made in a directory as the program rubsweep makes it, and what is on it.
+// Computes the map of a configuration in a directory, like the program rubsweep, and prints what it contains.
 //
 //     map CONFIG DIRECTORY
 //
-// Ctrl-C keeps the cells that are finished; the same command computes the others.
+// Ctrl-C keeps the finished cells; the same command computes the others.
 
 #include "rubsweep/map.hpp"
 
@@ -22,7 +22,7 @@ using namespace rubsweep;
 std::atomic<bool> stop = false;
 
 int make_map(const std::filesystem::path& file, const std::filesystem::path& directory) {
-  // An override stands for `--set` of the programs: no axis has to be known to change a number.
+  // An override works like `--set` of the programs: it changes one number of the configuration.
   const config::RunConfig config = config::read_run_config(file, {"kick.force_n=250"});
   std::printf("%zu cells\n", sweep::cell_count(config.study.grid));
 
@@ -46,7 +46,7 @@ int main(int count, char** arguments) {
   std::signal(SIGINT, [](int) { stop = true; });
   try {
     return make_map(arguments[1], arguments[2]);
-  } catch (const rubsweep::ConfigError& error) {  // every problem of the file, one a line
+  } catch (const rubsweep::ConfigError& error) {  // contains every problem of the file, one per line
     std::fprintf(stderr, "%s\n", error.what());
     return 2;
   } catch (const std::exception& error) {

@@ -24,29 +24,28 @@ namespace {
 
 using namespace rubsweep;
 
-// Units are part of the names. What is not given has a default, or, where there can be none, is
-// `model::required`: then model::validate, which build_cell calls, throws a ConfigError that names the
-// number.
+// Units are part of the names. A member that is not set has a default or, where there can be none, is
+// `model::required`: then model::validate, which build_cell calls, throws a ConfigError that names it.
 model::Machine machine() {
   model::Stop stop;
   stop.geometry =
-      model::OneSideGeometry{.angle_deg = 90};  // a flat wall above the rotor: +x is right, +y is up
+      model::OneSideGeometry{.angle_deg = 90};  // a flat wall above the rotor; +x points right, +y up
   stop.clearance_m = 1e-3;
-  stop.stiffness_n_per_m = 2e6;                            // of the contact itself, not of what carries it
-  stop.damping = model::NominalRestitution{.value = 0.7};  // gives the contact its damper
-  stop.contact_radius_m = 0.0375;                          // the rotor's surface slides at radius times speed
+  stop.stiffness_n_per_m = 2e6;                            // contact alone, without its support
+  stop.damping = model::NominalRestitution{.value = 0.7};  // defines the damper of the contact
+  stop.contact_radius_m = 0.0375;                          // surface speed = radius x angular speed
   stop.friction = model::StribeckFriction{.gamma = {0, 0, 0, 0.1, 100, 0}};  // mu = 0.1 tanh(100 s/m * slip)
   stop.casing = model::Casing{.mass_kg = 0.05, .stiffness_n_per_m = 5e5, .damping_ratio = 0.1};
 
   model::Machine machine;
   machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.02};
   machine.stops = {stop};
-  machine.kick = model::Kick{.force_n = 200, .duration_s = 0.005, .angle_deg = {}};  // no angle: at the wall
+  machine.kick = model::Kick{.force_n = 200, .duration_s = 0.005, .angle_deg = {}};  // no angle: to the wall
   return machine;
 }
 
-// The motion that the rotor ended up in. The class says which kind of motion it is; the order of a periodic
-// one, after how many revolutions it repeats.
+// Text for the motion that the rotor settled on: its class and, for a periodic motion, its order, the number
+// of revolutions after which it repeats.
 std::string in_words(const response::motion::Motion& motion) {
   switch (motion.motion_class) {
     case response::motion::MotionClass::non_contact:
@@ -70,7 +69,7 @@ std::string in_words(const response::motion::Motion& motion) {
   return "nothing can be said";
 }
 
-// The evidence for it.
+// Text for the evidence that proves the motion.
 std::string_view in_words(response::motion::Proof proof) {
   switch (proof) {
     case response::motion::Proof::rest:
@@ -86,19 +85,19 @@ std::string_view in_words(response::motion::Proof proof) {
 }
 
 void print_motion(double speed_hz, double whirl_ratio) {
-  // One run: structure, contacts and forces at one speed, on the quiet whirl that has this share of the
-  // clearance.
+  // Build one run: structure, contacts and forces at one speed, starting on the quiet whirl with this share
+  // of the clearance.
   const scene::Cell cell = scene::build_cell(machine(), speed_hz, scene::WhirlRatio{whirl_ratio});
   if (!scene::can_run(cell.start)) {
     std::puts("no unbalance gives this whirl ratio at this speed");
     return;
   }
 
-  // The defaults are those of a sweep. The workspace keeps what the next run can use again; one per thread.
+  // The defaults are those of a sweep. The workspace caches data for the next run; use one per thread.
   response::motion::Workspace workspace;
   const response::SettledRun run =
       response::settle(cell, integrate::run::SolverOptions{}, response::motion::ResponseOptions{}, workspace);
-  if (run.outcome != integrate::run::Outcome::ok) {  // a run that fails is an answer, not an exception
+  if (run.outcome != integrate::run::Outcome::ok) {  // a failed run is a result, not an exception
     std::printf("the run failed: %s\n", std::string(integrate::run::to_string(run.outcome)).c_str());
     return;
   }
@@ -127,7 +126,7 @@ int main(int count, char** arguments) {
   }
   try {
     print_motion(speed_hz, whirl_ratio);
-  } catch (const std::exception& error) {  // ConfigError: a number of the machine cannot be simulated
+  } catch (const std::exception& error) {  // ConfigError: a number of the machine is not allowed
     std::fprintf(stderr, "one_cell: %s\n", error.what());
     return 2;
   }

@@ -14,7 +14,7 @@ Label label_of(const scene::Cell& cell, const integrate::run::SolverOptions& sol
   return {run.motion.motion_class, run.motion.order};
 }
 
-/// A step through `count` cells that visits all of them, about a golden section at a time.
+/// A step, near the golden ratio of `count`, that is coprime to it, so that repeated steps visit all cells.
 std::size_t stride(std::size_t count) {
   auto step = static_cast<std::size_t>(0.618 * static_cast<double>(count)) + 1;
   while (std::gcd(step, count) != 1) ++step;

@@ -43,7 +43,7 @@ Real friction_coefficient(const model::Friction& friction, Real slip) {
   return mu;
 }
 
-/// Factor of the next step's length, for a method of order 7.
+/// Factor for the length of the next step, for a method of order 7.
 Real length_factor(Real allowed_over_error) {
   return std::clamp(Real(0.9) * std::pow(allowed_over_error, Real(0.125)), Real(0.2), Real(2));
 }
@@ -127,7 +127,7 @@ Vector LongDoubleRun::force_n(const Contact& c, const State& state) const {
   return -(c.relative.transpose() * (m.normal * total + tangent * friction));
 }
 
-/// `middle`: a phase inside the step, which decides for every pulse whether it acts.
+/// `middle`: a phase inside the step, which decides whether each pulse acts.
 void LongDoubleRun::derivative(const State& state, State& slope, Real phase, Real middle) const {
   const auto q = displacements(state), v = velocities(state);
   Vector acceleration = constant_ + harmonic_cosine_ * std::cos(phase) - harmonic_sine_ * std::sin(phase) -
@@ -196,18 +196,18 @@ std::optional<Real> LongDoubleRun::length_to_zero(const Contact& c, const contac
   };
   const bool rises = rate(0) > 0, rises_at_end = rate(length) > 0;
   if (guard(c, form, end) > 0) {
-    // Where the guard falls first it may have started from zero, which is not where it ends.
+    // A guard that falls first may have started at zero; its root lies after its minimum.
     const Real bottom = !rises && rises_at_end ? root(rate, 0, length) : 0;
     return value(bottom) < 0 ? root(value, bottom, length) : 0;
   }
-  // A guard that has risen and fallen again may have been above zero in between.
+  // A guard that rises and falls again may have been positive in between.
   if (!rises || rises_at_end) return {};
   const Real top = root([&](Real part) { return -rate(part); }, 0, length);
   if (value(top) <= 0) return {};
   return root(value, 0, top);
 }
 
-/// One step, up to the first end of a contact mode in it.
+/// Makes one step, which ends at the first change of a contact mode.
 void LongDoubleRun::advance_piece(Real phase_end) {
   Real length = std::min(usual_length_, phase_end - phase_);
   State end;

@@ -9,11 +9,11 @@
 
 namespace rubsweep::bench {
 
-/// Any scene that it applies to, turn by turn in long double by a route of its own, slow and readable: what
-/// the errors of solvers in double are measured against. Runge-Kutta-Fehlberg 7(8) from Boost.Odeint inside
-/// each contact mode, the ends of modes and pulses met by a bracketing search over the length of the step.
-/// States are those of integrate::run::TurnReport::section. It takes matrices and contacts from the scene;
-/// a test beside it has one rotor from its parameters alone, and so checks the scene too.
+/// Integrates a scene turn by turn in long double with simple, slow code; errors of the solvers in double are
+/// measured against it. It uses Runge-Kutta-Fehlberg 7(8) from Boost.Odeint inside each contact mode, and
+/// locates the ends of modes and pulses by a bracketing search over the step length. States are those of
+/// integrate::run::TurnReport::section. Matrices and contacts come from the scene; a test compares one rotor
+/// computed from its parameters alone, which checks the scene, too.
 class LongDoubleRun {
  public:
   using Real = long double;
@@ -21,23 +21,23 @@ class LongDoubleRun {
   using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
   using State = std::vector<Real>;
 
-  /// False beside dry friction, torsion and impulse trains.
+  /// Whether the scene can be run: false with dry friction, torsion or impulse trains.
   static bool applies(const scene::Scene& scene);
 
-  /// Throws std::invalid_argument where it does not apply. `tolerance`: bound on the stepper's estimate of
-  /// one step's error, in sections.
+  /// Throws std::invalid_argument where `applies` is false. `tolerance`: bound on the stepper's error
+  /// estimate of one step, in units of the section.
   LongDoubleRun(const scene::Scene& scene, Real tolerance);
 
   const State& section() const { return state_; }
-  /// Puts the run at the start of turn `turn`.
+  /// Sets the state to `section` at the start of turn `turn`.
   void restart(const State& section, int turn);
-  /// Throws SolverError after more steps than anybody would wait for.
+  /// Advances by one turn. Throws SolverError where this would take an unreasonable number of steps.
   void advance_turn();
 
  private:
   struct Contact {
     scene::Contact law;
-    Matrix relative;  ///< 2 x n: to rotor - casing, in units of length
+    Matrix relative;  ///< 2 x n: from displacements to (rotor - casing) / length scale
     Eigen::Matrix<Real, 2, 1> offset;
     Real clearance, spring_n, damper_n;
     contact::Mode mode = contact::Mode::open;
@@ -58,12 +58,12 @@ class LongDoubleRun {
   Motion motion(const Contact& contact, const State& state) const;
   Vector force_n(const Contact& contact, const State& state) const;
   void derivative(const State& state, State& slope, Real phase, Real middle) const;
-  /// State after a step of `length`, and the largest entry of its error.
+  /// Computes the state after a step of `length`; returns the largest component of its error estimate.
   Real step(Real length, State& end) const;
   Real guard(const Contact& contact, const contact::GuardForm& form, const State& state) const;
   Real guard_rate(const Contact& contact, const contact::GuardForm& form, const State& state,
                   Real phase) const;
-  /// Length within (0, length] at which the guard rises to zero, where it does.
+  /// Length within (0, length] at which the guard rises to zero; empty where it does not.
   std::optional<Real> length_to_zero(const Contact& contact, const contact::GuardForm& form, Real length,
                                      const State& end) const;
   void choose_modes();
@@ -71,7 +71,7 @@ class LongDoubleRun {
 
   std::vector<Contact> contacts_;
   std::vector<Pulse> pulses_;
-  Matrix inverse_mass_, damping_, stiffness_;  ///< the last two premultiplied by the first
+  Matrix inverse_mass_, damping_, stiffness_;  ///< damping_ and stiffness_ are multiplied by inverse_mass_
   Vector harmonic_cosine_, harmonic_sine_, constant_;
   Vector second_cosine_, second_sine_;  ///< empty without a second harmonic
   Real length_m_, speed_, tolerance_;
@@ -79,8 +79,8 @@ class LongDoubleRun {
   State state_;
 };
 
-/// d (section after the turn) / d (section before it), by differences of fourth order: to about 1e-11 where
-/// no change of mode lies within 4e-6 of another.
+/// Monodromy matrix d (section after the turn) / d (section before it) by fourth-order differences. It is
+/// accurate to about 1e-11 where mode changes are more than 4e-6 apart.
 LongDoubleRun::Matrix monodromy(LongDoubleRun& run, const LongDoubleRun::State& section, int turn);
 
 }  // namespace rubsweep::bench

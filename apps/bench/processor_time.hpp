@@ -4,8 +4,8 @@
 
 namespace rubsweep::bench {
 
-/// Processor time of the calling thread in seconds, from an arbitrary zero. Time that other programs take
-/// from the processor does not count.
+/// Processor time of the calling thread in seconds, from an arbitrary zero. Time used by other programs does
+/// not count.
 inline double processor_time_s() {
   std::timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -39,7 +39,7 @@ LongDoubleRun::State long_double_section(const scene::Scene& scene, int turns, l
   return run.section();
 }
 
-/// Puts the section in long double in the place of the one in double, where there is one.
+/// Replaces the section in double by one in long double, where that can be computed.
 void use_long_double(const scene::Scene& scene, int turns, Reference& reference) {
   if (!LongDoubleRun::applies(scene) || scene.structure.coordinates() > most_long_double_coordinates) return;
   try {
@@ -53,7 +53,7 @@ void use_long_double(const scene::Scene& scene, int turns, Reference& reference)
     }
     reference.long_double = true;
   } catch (const SolverError&) {
-    // Too slow for this scene: the exact solver stays the reference.
+    // Long double is too slow for this scene: the exact solver stays the reference.
   }
 }
 
@@ -65,7 +65,7 @@ integrate::run::SolverOptions reference_options(integrate::run::SolverOptions ba
   base.stepper = integrate::run::Stepper::rkf78;
   base.contact = integrate::run::ContactHandling::located;
   base.relative_tolerance = relative_tolerance;
-  // The limit of steps that stops the variants does not hold for the reference.
+  // The reference may take more steps than the limit that stops the variants.
   base.max_steps_per_revolution =
       std::max(base.max_steps_per_revolution, integrate::run::SolverOptions{}.max_steps_per_revolution);
   return base;

@@ -9,23 +9,23 @@
 
 namespace rubsweep::bench {
 
-/// One way of computing a motion, as the tables list it.
+/// One way of computing a motion: a line of the tables.
 struct Variant {
   integrate::run::Method method = integrate::run::Method::exact;
   std::optional<integrate::run::Stepper> stepper;  ///< empty: closed forms and Taylor pieces
   integrate::run::ContactHandling contact = integrate::run::ContactHandling::located;
-  std::optional<double> relative_tolerance;  ///< empty with `stepper`
+  std::optional<double> relative_tolerance;  ///< empty where `stepper` is empty
 };
 
-/// The variants of one scene: the exact solver first, then adaptive ones, by stepper, contact handling and
-/// tolerance. The exact solver by itself is one line; where `turns` revolutions of the scene need more than
-/// closed forms, one line for every stepper and tolerance that makes the other turns follows. Nothing where
-/// it does not apply.
+/// The variants for one scene: first the exact solver, then adaptive ones, by stepper, contact handling and
+/// tolerance. The exact solver without a stepper is one variant. Where closed forms do not suffice for
+/// `turns` revolutions, one more variant follows for every stepper and tolerance that computes the other
+/// turns. No exact variant where it does not apply.
 std::vector<Variant> variants_of(const scene::Scene& scene, const integrate::run::SolverOptions& base,
                                  int turns, std::span<const integrate::run::Stepper> steppers,
                                  std::span<const double> relative_tolerances);
 
-/// Options `base` with those of the variant.
+/// The options `base` with the method, stepper and tolerance of the variant.
 integrate::run::SolverOptions options_of(const Variant& variant, integrate::run::SolverOptions base);
 
 }  // namespace rubsweep::bench

@@ -10,7 +10,7 @@
 namespace rubsweep::bench {
 namespace {
 
-/// One run of one variant; returns its processor time in seconds.
+/// Runs one variant once; returns the processor time in seconds.
 double run_once(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                 std::span<const double> reference, const WorkPrecisionOptions& options,
                 integrate::exact::modes::ModeCache& modes, Measurement& measurement) {

@@ -10,38 +10,38 @@
 
 namespace rubsweep::apps {
 
-/// A `#` line on units and signs, with its end.
+/// A line beginning with `#` about units and signs.
 std::string ring_comments();
 
-/// speed_rpm, mode, real_per_s, imaginary_rad_per_s: at every asked speed every mode; of a conjugate pair the
-/// root with the positive frequency, of a mode with two real roots both.
+/// CSV with speed_rpm, mode, real_per_s, imaginary_rad_per_s: every mode at every speed. Of a conjugate pair
+/// only the root with positive frequency is listed; a mode with two real roots has both.
 std::string eigenvalues_csv(const ring::Track& track);
 
-/// kind, speed_rpm, modes (joined by " + "), note.
+/// CSV with kind, speed_rpm, modes (joined by " + "), note.
 std::string onsets_csv(const std::vector<ring::Onset>& onsets);
 
-/// name, closed_form_rpm, numeric_rpm (empty: not found within the range of speeds).
+/// CSV with name, closed_form_rpm, numeric_rpm (empty: not found within the range of speeds).
 std::string critical_speeds_csv(const std::vector<ring::CriticalSpeed>& speeds);
 
 /// Steady state at every speed of the study.
 std::vector<ring::StaticLoad> static_loads(const ring::Study& study);
 
-/// speed_rpm, load, normal_force_n, slip_m_per_s, valid (yes or no: at this speed every load presses and
-/// slips forward).
+/// CSV with speed_rpm, load, normal_force_n, slip_m_per_s, valid (yes or no: whether every load presses and
+/// slips forward at this speed).
 std::string static_load_csv(const ring::Study& study, const std::vector<ring::StaticLoad>& loads);
 
-/// Column names of chart.csv, the first one being the parameter; without an end of line.
+/// Column names of chart.csv, beginning with the parameter; without a line end.
 std::string chart_header(const ring::ChartAxis& axis);
 
-/// The rows of one line of the chart, without the last end of line: parameter, speed_rpm, state (stable,
-/// flutter, divergence, divergence+flutter), growth_per_s and frequency_rad_per_s of the root that grows
-/// fastest, unstable_eigenvalues, status. A line that failed is one row.
+/// Rows for one line of the chart, without the last line end: parameter, speed_rpm, state (stable, flutter,
+/// divergence, divergence+flutter), growth_per_s and frequency_rad_per_s of the fastest growing root,
+/// unstable_eigenvalues, status. A line that failed has a single row.
 std::string chart_rows(const ring::Study& study, const ring::ChartLine& line);
 
-/// The lines that exist, in the order of the axis, with the header.
+/// Header and rows of the computed lines, in the order of the axis.
 std::string chart_csv(const ring::Study& study, const std::vector<std::optional<ring::ChartLine>>& lines);
 
-/// Parameter, kind, speed_rpm, note of every onset, with the header.
+/// Header, and for every onset a row with parameter, kind, speed_rpm, note.
 std::string chart_onsets_csv(const ring::Study& study,
                              const std::vector<std::optional<ring::ChartLine>>& lines);
 

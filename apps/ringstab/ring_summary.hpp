@@ -10,10 +10,11 @@
 
 namespace rubsweep::apps {
 
-/// Summary for a terminal: ranges of stability, kinds of instability, onsets, speeds in closed form.
+/// Summary for a terminal: ranges of stability, kinds of instability, onsets, and closed-form critical
+/// speeds.
 std::string ring_summary(const ring::Study& study, const ring::Analysis& analysis);
 
-/// Speeds at which the model's assumption of steady contact and slip fails, by the static state.
+/// Speeds at which the model's assumption of steady contact and slip fails, according to the static state.
 std::string validity_summary(const ring::Study& study, const std::vector<ring::StaticLoad>& loads);
 
 /// Lines of the chart that failed, and the shares of its points; empty without a chart.

@@ -32,12 +32,12 @@ namespace fs = std::filesystem;
 
 using Lines = std::vector<std::optional<ring::ChartLine>>;
 
-/// Every file that a run may leave.
+/// All files that a run may write.
 constexpr std::array<std::string_view, 7> file_names{"config.yaml",         "eigenvalues.csv", "onsets.csv",
                                                      "critical_speeds.csv", "static_load.csv", "chart.csv",
                                                      "chart_onsets.csv"};
 
-/// Computes the chart and adds its files; false when a signal came first.
+/// Computes the chart and adds its files; returns false if a signal interrupted it.
 bool chart(const RingstabArguments& arguments, const ring::Study& study, const batch::ResultSource& source,
            const fs::path& directory, batch::ResultFiles& files, Lines& lines) {
   const std::string comments = ring_comments();

@@ -21,7 +21,7 @@ using response::motion::MotionClass;
 constexpr std::array<const char*, 3> lengths{"peak_displacement_m", "amplitude_1x_forward_m",
                                              "amplitude_1x_backward_m"};
 
-/// The columns of map.csv that tell attractors apart.
+/// Reads the columns of map.csv that distinguish attractors.
 class MotionReader {
  public:
   explicit MotionReader(const batch::CsvReader& map)

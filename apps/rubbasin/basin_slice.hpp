@@ -12,13 +12,13 @@
 
 namespace rubsweep::apps {
 
-/// Two numbers of a start that a slice goes over, the others being fixed.
+/// Two numbers of the initial state that a slice varies; the others are fixed.
 struct SlicePlane {
-  std::array<std::string, 2> names;           ///< columns, with their units: x_m, vx_m_per_s, ...
-  std::array<std::vector<double>, 2> values;  ///< across (the faster one) and up, ascending
+  std::array<std::string, 2> names;           ///< column names with their units: x_m, vx_m_per_s, ...
+  std::array<std::vector<double>, 2> values;  ///< horizontally (varying fastest) and vertically, ascending
 };
 
-/// A slice of starts of one cell and where they lead, each entry for one start, row by row of the plane.
+/// Grid of initial states of one cell, with the attractor of each; row by row of the plane.
 struct BasinSlice {
   SlicePlane plane;
   sweep::Basins basins;
@@ -27,23 +27,22 @@ struct BasinSlice {
   basin::LabelGrid grid() const { return {plane.values[0].size(), plane.values[1].size(), basins.numbers}; }
 };
 
-/// Side of the boxes for the basin entropy, in starts.
+/// Side of the boxes for the basin entropy, in initial states.
 inline constexpr std::size_t entropy_box = 5;
 
-/// Tells the attractors apart to which the rows of a map lead. The cells of its grid are the starts of the
-/// plane, in its order, whatever the order of the rows. Throws IoError where a start is missing or is there
-/// twice.
+/// Determines the attractors from the rows of a map. The map's cells are the initial states of the plane, in
+/// the order of `grid`; its rows may have any order. Throws IoError where a state is missing or occurs twice.
 BasinSlice read_basin_slice(const std::filesystem::path& map, const SlicePlane& plane,
                             const sweep::Grid& grid);
 
-/// A row for each start: both numbers, `attractor` (empty: failed), `label` (class and order), `status`.
+/// One row per initial state: both numbers, `attractor` (empty: failed), `label` (class and order), `status`.
 std::string slice_csv(const BasinSlice& slice);
 
-/// A row for each attractor, the most frequent first: `attractor`, `label`, `starts`, `share`,
-/// `standard_error`, the three lengths that tell it apart, and the first start that leads to it.
+/// One row per attractor, the most frequent first: `attractor`, `label`, `starts`, `share`, `standard_error`,
+/// the three lengths that identify it, and the first initial state that leads to it.
 std::string attractors_csv(const BasinSlice& slice);
 
-/// Summary for a terminal: shares, entropies and exponent, each with its meaning.
+/// Summary for a terminal: shares, entropies and uncertainty exponent, each with its meaning.
 std::string slice_summary(const BasinSlice& slice);
 
 }  // namespace rubsweep::apps

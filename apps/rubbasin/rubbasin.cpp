@@ -41,7 +41,7 @@ Plane plane_of(const RubbasinArguments& arguments) {
   return usual_plane(config.study.machine.stops.front());
 }
 
-/// The configuration whose map is the slice: one cell, and an axis for each number of the plane.
+/// Configuration of a map that is the slice: one cell, and an axis for each number of the plane.
 config::RunConfig sliced_config(const RubbasinArguments& arguments, const Plane& plane) {
   const config::RunConfig given =
       config::read_cell_config(arguments.config, arguments.overrides, {plane[0].key, plane[1].key});
@@ -64,7 +64,8 @@ config::RunConfig sliced_config(const RubbasinArguments& arguments, const Plane&
   plain.study.basin.reset();
   plain.study.robustness = sweep::Robustness::off;
   std::vector<std::string> overrides;  // the list holds the overrides of the command line
-  // A start in the configuration stays; with any, nothing is kicked.
+  // An initial state in the configuration is kept. Without one an empty `start` is set, which replaces the
+  // kick.
   if (has_state && !given.study.machine.start) overrides.emplace_back("start={}");
   overrides.push_back(fmt::format("sweep={{speed_hz: {{values: [{}]}}, {}: {{values: [{}]}}, x: {}, y: {}}}",
                                   arguments.cell.speed_hz, to_string(given.study.grid.measure),

@@ -12,7 +12,7 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Largest number of starts across, as on an axis of a sweep.
+/// Largest number of initial states per direction, as on an axis of a sweep.
 constexpr std::size_t most_starts_across = 10'000;
 
 po::options_description visible_options() {

@@ -33,7 +33,7 @@ std::optional<StartNumber> component_of(std::string_view name) {
                      name.starts_with('v')};
 }
 
-/// "casing0.x".
+/// Reads a component of a casing's state, such as "casing0.x"; empty for any other name.
 std::optional<StartNumber> casing_component_of(std::string_view name) {
   constexpr std::string_view casing = "casing";
   const std::size_t dot = name.find('.');

@@ -49,7 +49,7 @@ std::vector<scene::Place> places_to_label(const sweep::Grid& grid, const Rubbenc
   return places;
 }
 
-/// Central cell among the labelled ones that keep rubbing, or among all where none does.
+/// Cell nearest to the centre of all labelled cells with a lasting rub, or of all cells where none rubs.
 scene::Place central_rub(const std::vector<scene::Place>& places,
                          const std::vector<bench::LabelledCell>& cells, std::size_t columns) {
   if (cells.empty()) throw ConfigError("no cell of the sweep can be kicked: nothing to measure");
@@ -66,7 +66,7 @@ scene::Place central_rub(const std::vector<scene::Place>& places,
                 })->place];
 }
 
-/// The scene of a cell to be timed. Throws ConfigError where nothing can be run.
+/// Scene of a cell to be timed. Throws ConfigError where the cell cannot run.
 scene::Scene scene_of(const sweep::Study& study, const scene::Place& place) {
   scene::Cell cell = scene::build_cell(study.machine, place.speed_hz, place.unbalance);
   if (!scene::can_run(cell.start)) {
@@ -78,10 +78,11 @@ scene::Scene scene_of(const sweep::Study& study, const scene::Place& place) {
   return std::move(cell.scene);
 }
 
-/// Turns that a proof of a stable orbit takes at least, at its own tight tolerance whatever that of the run.
+/// Least number of turns for proving a stable orbit. The proof has its own tight tolerance, whatever the
+/// run's is.
 constexpr int turns_of_a_proof = 100;
 
-/// Time of a revolution by the same stepper at its tightest tolerance, on the same cell.
+/// Time per revolution of the same stepper on the same cell at its tightest tolerance, in microseconds.
 double tightest_us(const std::vector<bench::WorkPrecisionLine>& lines, const bench::WorkPrecisionLine& line) {
   double time_us = *line.measurement.microseconds_per_revolution;
   double tolerance = line.measurement.variant.relative_tolerance.value_or(0);
@@ -96,7 +97,7 @@ double tightest_us(const std::vector<bench::WorkPrecisionLine>& lines, const ben
   return time_us;
 }
 
-/// Labels of each variant by its name: they belong to the map, not to the timed cell.
+/// Labels by variant name: they belong to the whole map, not to the timed cell.
 class Labels {
  public:
   Labels(const sweep::Study& study, const std::vector<bench::LabelledCell>& cells, double seconds)
@@ -130,7 +131,7 @@ void say(const RubbenchArguments& arguments, const std::string& text) {
   std::fflush(stdout);
 }
 
-/// The cells of the command line, or the one in the middle of the rub.
+/// The cells given on the command line, or else the cell in the centre of the rubbing ones.
 std::vector<scene::Place> places_to_time(const RubbenchArguments& arguments, const sweep::Grid& grid,
                                          const std::vector<scene::Place>& to_label,
                                          const std::vector<bench::LabelledCell>& labelled) {
@@ -142,7 +143,7 @@ std::vector<scene::Place> places_to_time(const RubbenchArguments& arguments, con
   return places;
 }
 
-/// Times every variant on one cell. Returns the sentence on the reference of the errors.
+/// Times every variant on one cell. Returns the sentence about the reference for the errors.
 std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study& study,
                          const scene::Place& place, std::vector<bench::WorkPrecisionLine>& lines) {
   const std::string name = bench::cell_name(place);
@@ -156,7 +157,8 @@ std::string measure_cell(const RubbenchArguments& arguments, const sweep::Study&
   auto measurements = bench::measure(scene, study.solver, variants, reference.section, arguments.work);
   working.reset();
   for (bench::Measurement& measurement : measurements) {
-    // Without long double they are the reference: their error is the distance of the others.
+    // Without long double the exact solver is the reference: its error is its distance from the other
+    // solvers.
     if (!reference.long_double && !measurement.variant.stepper && measurement.state_error)
       measurement.state_error = bench::uncertainty(reference);
     lines.push_back({.cell = name, .measurement = measurement, .reference = reference});

@@ -15,7 +15,7 @@ BranchFamily branch_family(const RubbranchArguments& arguments, const config::Ru
   const auto cell = std::make_shared<const WrittenCell>(arguments, config);
   BranchFamily family;
   family.start = cell->value_of(along, {});
-  cell->with({{along, family.start}});  // throws where --set may not write this number
+  cell->with({{along, family.start}});  // throws where --set may not change this number
   const branch::orbits::ParameterRange range =
       range_of(along, {arguments.from, arguments.to}, family.start, config.study.grid);
   family.low = range.low;

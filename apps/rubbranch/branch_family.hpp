@@ -8,14 +8,14 @@
 
 namespace rubsweep::apps {
 
-/// The scenes of a cell as one parameter changes.
+/// The scenes of a cell as functions of one parameter.
 struct BranchFamily {
   branch::orbits::SceneFamily scenes;
   double start = 0;          ///< value of the parameter at the cell
   double low = 0, high = 0;  ///< ends of the range
 };
 
-/// Throws ConfigError where the configuration has no such number, or where the cell is outside of the range.
+/// Throws ConfigError where the configuration has no such number, or where the cell is outside the range.
 BranchFamily branch_family(const RubbranchArguments& arguments, const config::RunConfig& config);
 
 }  // namespace rubsweep::apps

@@ -8,17 +8,17 @@
 
 namespace rubsweep::apps {
 
-/// The scenes of a cell as two parameters change: that of --along and that of --curve.
+/// The scenes of a cell as functions of two parameters, those of --along and --curve.
 struct BranchPlane {
   branch::orbits::ScenePlane scenes;
-  /// Value of the second parameter on the branch, where the first one has a value: a branch along the speed
-  /// at one whirl ratio has another eccentricity at every speed.
+  /// Value of the second parameter on the branch at a value of the first one. A branch along the speed at
+  /// constant whirl ratio, for instance, has another eccentricity at every speed.
   std::function<double(double first)> second_on_branch;
   branch::orbits::ParameterRange second;
 };
 
-/// Throws ConfigError where the configuration has no such number, where both parameters say the unbalance or
-/// are the same, and where the range does not hold the cell.
+/// Throws ConfigError where the configuration has no such number, where both parameters are an unbalance or
+/// are equal, and where the cell is outside the range.
 BranchPlane branch_plane(const RubbranchArguments& arguments, const config::RunConfig& config);
 
 }  // namespace rubsweep::apps

@@ -14,7 +14,8 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Axes over keys that the command line leaves open, and those with one value.
+/// Axes over configuration keys that the command line does not set: `open` ones have several values, `held`
+/// ones have a single value.
 struct KeyAxes {
   std::vector<const sweep::KeyAxis*> open, held;
 };
@@ -33,7 +34,7 @@ void write_keys(const sweep::KeyAxis& axis, double value, std::vector<std::strin
     overrides.push_back(at.key + "=" + batch::csv_number(at.value));
 }
 
-/// Throws unless two axes have several values.
+/// Throws unless exactly two axes have several values.
 void require_two(const sweep::Grid& grid, const KeyAxes& axes) {
   std::vector<std::string> names;
   if (grid.speed_hz.size() > 1) names.emplace_back("speed_hz");

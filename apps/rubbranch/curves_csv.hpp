@@ -8,24 +8,24 @@
 
 namespace rubsweep::apps {
 
-/// A curve and the event that it starts from.
+/// A curve and the event at which it starts.
 struct CurveFrom {
   branch::curves::Curve curve;
   std::size_t branch = 0;
-  std::size_t event = 0;  ///< row of events.csv, from 0
+  std::size_t event = 0;  ///< row in events.csv, counted from 0
 };
 
-/// `#` lines of both files: which the parameters are, and how each curve ends.
+/// Lines beginning with `#` for both files: names of the parameters, and how each curve ends.
 std::string curve_comments(const std::string& parameter, const std::string& curve_parameter,
                            const std::vector<CurveFrom>& curves);
 
-/// Header and a row for every point, curve by curve, by ascending arclength.
+/// Header, and a row for every point: curve by curve, in ascending arclength.
 std::string curves_csv(const std::vector<CurveFrom>& curves);
 
-/// Header and a row for every meeting, the same way.
+/// Header, and a row for every point where curves meet, in the same order.
 std::string meetings_csv(const std::vector<CurveFrom>& curves);
 
-/// Summary for a terminal: the extent of each curve, and its meetings.
+/// Summary for a terminal: the extent of each curve, and the points where curves meet.
 std::string curves_summary(const std::string& parameter, const std::string& curve_parameter,
                            const std::vector<CurveFrom>& curves);
 

@@ -28,7 +28,7 @@ double unbalance_of(const sweep::Grid& grid, std::size_t cell) {
   return grid.unbalance[cell / grid.speed_hz.size()];
 }
 
-/// Width of a cell, halfway to its neighbours on an axis; 0 where the axis has one value.
+/// Width of a cell between the midpoints to its neighbours on an axis; 0 where the axis has one value.
 double width_of(const std::vector<double>& axis, std::size_t i) {
   if (axis.size() < 2) return 0;
   const double below = i > 0 ? (axis[i] - axis[i - 1]) / 2 : (axis[1] - axis[0]) / 2;

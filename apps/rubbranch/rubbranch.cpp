@@ -51,7 +51,7 @@ branch::orbits::OrbitProblem problem_of(const BranchFamily& family, branch::orbi
   return problem;
 }
 
-/// Adds, for every period doubling of a branch, the branch with twice the period where one is found.
+/// Adds, for every period doubling of a branch, the branch of double period where it is found.
 void add_doubled(const BranchFamily& family, branch::orbits::Closing closing,
                  const branch::continuation::FollowOptions& options, const sweep::Study& study,
                  response::motion::Workspace& workspace,
@@ -160,7 +160,7 @@ int run(const RubbranchArguments& arguments, const config::RunConfig& config) {
   return done;
 }
 
-/// The keys of a cell on axes over keys are written into its configuration.
+/// Writes the keys of a cell on axes over keys into its configuration, and follows its branch.
 int run_on_cell(RubbranchArguments arguments) {
   config::RunConfig config = config::read_run_config(arguments.config, arguments.overrides);
   CellOnAxes placed = cell_on_axes(arguments.cell_values, config.study.grid, arguments.overrides);

@@ -41,7 +41,7 @@ po::options_description visible_options() {
   return options;
 }
 
-/// Arguments of --map, which stands in place of a configuration file.
+/// Reads the arguments of --map, which replaces the configuration file.
 RubbranchArguments map_arguments(const po::variables_map& given) {
   RubbranchArguments arguments;
   arguments.action = action_of(given);

@@ -9,23 +9,23 @@
 namespace rubsweep::apps {
 
 struct RubbranchArguments : StudyArguments {
-  std::filesystem::path map = {};  ///< a finished map, all of whose families are followed; empty: one cell is
-  int threads = 0;                 ///< number of threads for a map
-  bool fresh = false;              ///< true: forget what an interrupted call found, for a map
-  CellValues cell_values = {};     ///< values that --cell gives
-  CellArgument cell = {};          ///< their meaning on the axes of the configuration
-  std::string along = {};          ///< speed_hz, whirl_ratio, eccentricity_m or a key as --set names it
+  std::filesystem::path map = {};  ///< finished map whose families are all followed; empty: one cell
+  int threads = 0;                 ///< number of threads, for a map
+  bool fresh = false;              ///< discards results of an interrupted call, for a map
+  CellValues cell_values = {};     ///< values given by --cell
+  CellArgument cell = {};          ///< cell that these values mean on the configuration's axes
+  std::string along = {};          ///< speed_hz, whirl_ratio, eccentricity_m or a key as in --set
   std::optional<double> from = {}, to = {};
-  std::string curve = {};  ///< second parameter, named as `along`; empty: no curves in two parameters
+  std::string curve = {};  ///< second parameter, named like `along`; empty: no curves in two parameters
   std::optional<double> curve_from = {}, curve_to = {};
   bool switch_at_doublings = false;
-  int most_points = 0;  ///< limit on each side of the cell
+  int most_points = 0;  ///< largest number of points on each side of the cell
 };
 
-/// Throws UsageError (program.hpp).
+/// Reads the command line. Throws UsageError (program.hpp).
 RubbranchArguments parse_rubbranch_arguments(int argc, const char* const* argv);
 
-/// Text of --help.
+/// Text that --help prints.
 std::string rubbranch_help();
 
 }  // namespace rubsweep::apps

@@ -10,8 +10,8 @@
 
 namespace rubsweep::apps {
 
-/// A curve in the plane from every event of the branches, each curve once. Says on stderr which events have
-/// none. `first`: the range of the first parameter.
+/// Curves in the parameter plane from every event of the branches, each curve once. Events without a curve
+/// are reported on stderr. `first`: the range of the first parameter.
 std::vector<CurveFrom> curves_of(const std::vector<branch::continuation::Branch>& branches,
                                  const BranchPlane& plane, const branch::orbits::ParameterRange& first,
                                  const sweep::Study& study, int most_points,

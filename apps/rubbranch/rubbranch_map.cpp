@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Class and order, as cells are coloured.
+/// Class and order of a cell, which decide its colour in a map.
 std::string label_of(const page::MapTable& map, std::size_t cell) {
   std::string label(map.word("class", cell));
   if (const auto order = map.number("order", cell)) label += fmt::format("_{}", *order);
@@ -46,14 +46,14 @@ constexpr std::string_view oval_label = to_string(response::motion::MotionClass:
 const std::string interrupted =
     "rubbranch: interrupted; what was found is kept, the same command goes on from there\n";
 
-/// Closed orbits that are proven: periodic motions, and ovals of a rotationally symmetric machine.
+/// Whether a cell has a proven closed orbit: a periodic motion, or an oval of a rotationally symmetric
+/// machine.
 bool is_followed(const page::MapTable& map, std::size_t cell) {
   const bool closes = map.number("order", cell).has_value() || map.word("class", cell) == oval_label;
   return closes && map.word("proof", cell).starts_with("floquet");
 }
 
-/// Configuration of a map with every cell of a grid over speed and unbalance; throws ConfigError for any
-/// other.
+/// Configuration of a map over a full grid of speed and unbalance. Throws ConfigError for any other map.
 config::RunConfig config_of_map(const fs::path& directory) {
   const fs::path file = directory / "config.yaml";
   config::RunConfig config = config::read_run_config(file, {});
@@ -77,7 +77,7 @@ config::RunConfig config_of_map(const fs::path& directory) {
   return config;
 }
 
-/// Files in the directory of the output that it is made of: the map, where the output stands beside it.
+/// Files in the output directory from which the output is computed: those of the map, if it lies there.
 std::vector<std::string> sources_beside(const fs::path& output, const fs::path& directory) {
   std::error_code none;
   if (fs::equivalent(output, directory, none)) return {"map.csv"};

@@ -22,7 +22,7 @@ bool is_ratio(const std::string& parameter) {
   return parameter == to_string(sweep::UnbalanceMeasure::whirl_ratio);
 }
 
-/// An orbit does not change with how it is computed and looked at.
+/// Whether a key belongs to the machine; the other keys only say how motions are computed and evaluated.
 bool is_of_the_machine(const std::string& key) {
   const std::string first = key.substr(0, key.find('.'));
   constexpr std::array<std::string_view, 5> others{"sweep", "study", "solver", "response", "output"};
@@ -70,7 +70,8 @@ std::optional<scene::Cell> WrittenCell::with(const std::vector<Written>& all) co
   if (overrides.size() == arguments_.overrides.size())
     return scene::build_cell(*prepared_, speed_hz, unbalance);
   const auto config = config::read_run_config_text(text_, arguments_.config.string(), overrides);
-  // Prepared for all speeds as the cells without an override are: a branch has one set of coordinates.
+  // The machine is reduced for all speeds, like cells without an override: a branch needs the same
+  // coordinates everywhere.
   return scene::build_cell(scene::prepare_machine(config.study.machine), speed_hz, unbalance);
 }
 
@@ -79,7 +80,7 @@ std::optional<scene::Scene> WrittenCell::scene_with(const std::vector<Written>& 
     auto cell = with(all);
     if (!cell || !scene::can_run(cell->start)) return std::nullopt;
     return std::move(cell->scene);
-  } catch (const ConfigError&) {  // out of what a machine may have
+  } catch (const ConfigError&) {  // the machine may not have these values
     return std::nullopt;
   }
 }

@@ -14,8 +14,8 @@
 
 namespace rubsweep::apps {
 
-/// The cell of --cell with values of parameters written over it. A parameter is speed_hz, whirl_ratio,
-/// eccentricity_m, or the key of a number as --set names it.
+/// The cell of --cell with some parameters replaced. A parameter is speed_hz, whirl_ratio, eccentricity_m, or
+/// the key of a number as in --set.
 class WrittenCell {
  public:
   struct Written {
@@ -25,14 +25,15 @@ class WrittenCell {
 
   WrittenCell(const RubbranchArguments& arguments, const config::RunConfig& config);
 
-  /// Empty where a speed or an unbalance is none. Throws ConfigError where the configuration may not have the
-  /// number.
+  /// The cell with these values; empty for an invalid speed or unbalance. Throws ConfigError where the
+  /// configuration may not have a number.
   std::optional<scene::Cell> with(const std::vector<Written>& all) const;
 
-  /// Empty as well where there is no such configuration, or where the cell cannot run.
+  /// Scene of the cell; empty also where there is no such configuration or the cell cannot run.
   std::optional<scene::Scene> scene_with(const std::vector<Written>& all) const;
 
-  /// The value of `key` where `all` is written over the cell. Throws ConfigError where that is no machine.
+  /// Value of `key` in the cell with `all` replaced. Throws ConfigError where the values are not allowed for
+  /// a machine.
   double value_of(const std::string& key, const std::vector<Written>& all) const;
 
  private:
@@ -42,21 +43,21 @@ class WrittenCell {
   std::shared_ptr<const scene::PreparedMachine> prepared_;
 };
 
-/// Whether it is the key of a number.
+/// Whether a parameter is the key of a number.
 bool is_key(const std::string& parameter);
-/// Whether the parameter is an unbalance.
+/// Whether a parameter is the unbalance.
 bool is_unbalance(const std::string& parameter);
 
-/// Throws ConfigError, which names `option`, where `parameter` is a key of no number of the machine.
+/// Throws ConfigError, with the name of `option`, where `parameter` is not a number of the machine.
 void require_number(std::string_view option, const std::string& parameter, const config::RunConfig& config);
 
-/// Ends of a range on the command line, where given.
+/// Ends of a range, where the command line gives them.
 struct AskedRange {
   std::optional<double> low, high;
 };
 
-/// Range that was asked for; an end that was not given is that of the sweep or `start` if that lies beyond,
-/// of a key half of `start` or twice that. Throws UsageError where `start` is 0 and says no range.
+/// Range of a parameter. A missing end comes from the sweep, extended to `start` if necessary; for a key it
+/// is half or twice `start`. Throws UsageError where `start` is 0 and an end is missing.
 branch::orbits::ParameterRange range_of(const std::string& parameter, const AskedRange& asked, double start,
                                         const sweep::Grid& grid);
 

@@ -29,7 +29,7 @@ dataset::DataStudy read_study(const RubdataArguments& arguments) {
   return study;
 }
 
-/// Makes what is missing; false when a signal came first.
+/// Makes the missing recordings; returns false if a signal interrupted it.
 bool make_missing(const RubdataArguments& arguments, const dataset::DataStudy& study, dataset::DataSet& set) {
   const std::vector<std::size_t> missing = set.missing();
   if (missing.empty()) return true;
@@ -43,7 +43,7 @@ bool make_missing(const RubdataArguments& arguments, const dataset::DataStudy& s
         const std::lock_guard lock(one_at_a_time);
         progress.refresh();
       },
-      // A recording takes a fraction of a second; each is waited for.
+      // Recordings take a fraction of a second each, so running ones are always finished.
       [] {});
   return set.make(
       missing, arguments.threads,

@@ -12,10 +12,10 @@ struct RubdataArguments : StudyArguments {
   batch::ProgressMode progress = batch::ProgressMode::automatic;
 };
 
-/// Throws UsageError (program.hpp).
+/// Reads the command line. Throws UsageError (program.hpp).
 RubdataArguments parse_rubdata_arguments(int argc, const char* const* argv);
 
-/// Text of --help.
+/// Text that --help prints.
 std::string rubdata_help();
 
 }  // namespace rubsweep::apps

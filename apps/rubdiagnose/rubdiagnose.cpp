@@ -52,7 +52,7 @@ Input read_input(const RubdiagnoseArguments& arguments) {
   return {std::move(recorded), std::move(digest)};
 }
 
-/// Motions of the priors, kept or simulated, with the progress of these.
+/// Motions drawn from the priors: kept ones, or newly simulated ones with a progress display.
 diagnose::inference::CaseSet motions_of(const RubdiagnoseArguments& arguments,
                                         const diagnosis::RecordedProblem& recorded,
                                         diagnosis::DiagnosisEffort effort) {
@@ -75,7 +75,7 @@ diagnose::inference::CaseSet motions_of(const RubdiagnoseArguments& arguments,
   return diagnosis::simulated_motions(recorded, effort);
 }
 
-/// Empty where it was interrupted before there were motions enough for an answer.
+/// Answer of the diagnosis; empty where it was interrupted before there were enough motions.
 std::optional<diagnose::answer::Answer> answer_of(const RubdiagnoseArguments& arguments,
                                                   const diagnosis::RecordedProblem& recorded,
                                                   const std::atomic<bool>& stop) {

@@ -14,7 +14,7 @@ namespace rubsweep::apps {
 
 struct RubdiagnoseArguments : RecordingArguments {
   std::filesystem::path machine = {}, table = {};
-  std::optional<std::filesystem::path> candidates = {};  ///< empty: the usual ones
+  std::optional<std::filesystem::path> candidates = {};  ///< empty: the usual candidates
   std::uint64_t seed = 1;
   int motions = 600, rounds = 3, threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;
@@ -22,10 +22,10 @@ struct RubdiagnoseArguments : RecordingArguments {
   std::optional<Figure> figure = {};
 };
 
-/// Throws UsageError (program.hpp).
+/// Reads the command line. Throws UsageError (program.hpp).
 RubdiagnoseArguments parse_rubdiagnose_arguments(int argc, const char* const* argv);
 
-/// Text of --help.
+/// Text that --help prints.
 std::string rubdiagnose_help();
 
 }  // namespace rubsweep::apps

@@ -22,13 +22,14 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Names that are no keys, and the places where they are said otherwise.
+/// Names of parameters that are not configuration keys; other options give their values if they are not
+/// fitted.
 constexpr std::array<std::string_view, 4> own_names{fit::eccentricity_name, fit::mark_name, fit::hit_name,
                                                     fit::rate_name};
 
 bool is_key(const std::string& name) { return std::ranges::find(own_names, name) == own_names.end(); }
 
-/// Values of the parameters that are keys, as --set takes them.
+/// Values of the parameters that are configuration keys, in the form of --set.
 std::vector<std::string> overrides_of(const std::vector<fit::Parameter>& parameters,
                                       const Eigen::VectorXd& values) {
   std::vector<std::string> overrides;
@@ -49,7 +50,7 @@ bool allowed(const std::string& text, const std::string& key, double value) {
   }
 }
 
-/// The bound, drawn in towards the start until the configuration takes it.
+/// The bound, moved towards the start until the configuration accepts it.
 double drawn_in(const std::string& text, const std::string& key, double start, double bound) {
   if (allowed(text, key, bound)) return bound;
   double good = 0, bad = 1;
@@ -61,8 +62,8 @@ double drawn_in(const std::string& text, const std::string& key, double start, d
   return start + good * (bound - start);
 }
 
-/// Number under a key; of a list that has one number or equal ones, such as damping ratios of all modes, that
-/// number.
+/// Number under a key; for a list of one or several equal numbers, such as the damping ratios of all modes,
+/// this number.
 std::optional<double> start_of(const config::RunConfig& config, const std::string& key) {
   if (const auto number = config::number_at(config, key)) return number;
   const auto first = config::number_at(config, key + ".0");
@@ -81,7 +82,7 @@ double own_start(const RubfitArguments& arguments, const std::string& name) {
   return arguments.rate_hz_per_s.value_or(0);
 }
 
-/// Middle of two bounds, of one sign and a decade or more apart by their logarithms.
+/// Middle of two bounds; geometric where both are positive and more than a decade apart.
 double middle(double low, double high) {
   return low > 0 && high > 10 * low ? std::sqrt(low * high) : (low + high) / 2;
 }
@@ -138,8 +139,8 @@ std::vector<fit::MeasuredData> data_of(const RubfitArguments& arguments,
   return data;
 }
 
-/// The last machines of a fit: a step along a number that is no key, and the steps of derivatives, ask for
-/// those that others have had. For several threads.
+/// Recently prepared machines of a fit. Steps along parameters that are not keys, and difference steps of
+/// derivatives, need the same machine again. Several threads may use it.
 class LastMachines {
  public:
   std::optional<scene::PreparedMachine> find(const std::vector<std::string>& overrides) {
@@ -159,7 +160,7 @@ class LastMachines {
   numerics::RecentlyUsed<Kept> machines_{4};
 };
 
-/// The machine of a printed configuration with values of these parameters.
+/// Function that prepares the machine of a printed configuration for values of these parameters.
 auto machine_of(std::string text, std::vector<fit::Parameter> parameters,
                 std::shared_ptr<const scene::PreparedMachine> first) {
   return [text = std::move(text), parameters = std::move(parameters), first = std::move(first),

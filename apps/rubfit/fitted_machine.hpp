@@ -10,26 +10,26 @@
 
 namespace rubsweep::apps {
 
-/// A problem, and the configuration that it is about.
+/// A fit problem and the configuration that it changes.
 struct FittedMachine {
   fit::MachineFit problem;
-  std::string text;                                     ///< the configuration as it is printed
-  std::shared_ptr<const scene::PreparedMachine> first;  ///< machine of that configuration
+  std::string text;                                     ///< the configuration in printed form
+  std::shared_ptr<const scene::PreparedMachine> first;  ///< machine of the unchanged configuration
 };
 
-/// The problem that the command line asks for. A key without bounds gets a twentieth and twenty times its
-/// value, an angle half a turn to either side, drawn in to what the configuration allows. Throws UsageError
-/// for a name that is no number of the configuration and none of rubfit's own, ConfigError as the readers of
-/// data do.
+/// The fit problem of the command line. A key without bounds gets 1/20 and 20 times its value as bounds, an
+/// angle half a turn on either side; both are narrowed to what the configuration allows. Throws UsageError
+/// for a name that is neither a number of the configuration nor one of rubfit's own, ConfigError like the
+/// readers of data.
 FittedMachine fitted_machine_of(const RubfitArguments& arguments, const config::RunConfig& config);
 
-/// Takes the phases of its tables in another meaning than the one that they were read in.
+/// Changes the phases of tables from the convention in which they were read to another one.
 void take_phases_as(fit::PhaseConvention other, fit::PhaseConvention read_as, FittedMachine& fitted);
 
-/// The same with some parameters left as the configuration and the command line have them.
+/// The same problem with some parameters fixed at their values from the configuration and the command line.
 fit::MachineFit without(const FittedMachine& fitted, const std::vector<std::string>& names);
 
-/// The configuration with the values that were found, as YAML.
+/// The configuration with the fitted values, as YAML.
 std::string fitted_config(const FittedMachine& fitted, const Eigen::VectorXd& values);
 
 }  // namespace rubsweep::apps

@@ -31,11 +31,11 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Every file that a fit may leave.
+/// All files that a fit may write.
 constexpr std::array<std::string_view, 4> file_names{"config.yaml", "parameters.csv", "correlation.csv",
                                                      "fitted.csv"};
 
-/// Says on a terminal how far a fit is. How many steps it takes nobody knows: a start takes ten or so.
+/// Progress of a fit on a terminal. The number of steps is unknown in advance: a start takes about ten.
 class Steps {
  public:
   explicit Steps(bool shown) : shown_(shown && isatty(STDERR_FILENO) != 0) {}
@@ -73,7 +73,7 @@ int nothing_was_found() {
   return 128 + caught_signal();
 }
 
-/// Largest share that is left of a table whose phases mean what is said; 0 without tables.
+/// Largest residual share of the tables whose phase convention can be chosen; 0 without such tables.
 double left_of_tables(const fit::MachineFit& problem, const Eigen::VectorXd& values) {
   double most = 0;
   for (std::size_t i = 0; i < problem.data.size(); ++i)
@@ -82,8 +82,8 @@ double left_of_tables(const fit::MachineFit& problem, const Eigen::VectorXd& val
   return most;
 }
 
-/// Takes the phases of tables as what they fit, where nobody has said what they are and as `sensor` they do
-/// not. Returns the line on what they were taken as; without tables an empty one.
+/// Chooses the phase convention of tables that fits best, if none is given and `sensor` fits badly. Returns
+/// the line that reports the convention; empty without tables.
 std::string choose_phases(const RubfitArguments& arguments,
                           const std::function<fit::MachineFitResult(const fit::MachineFit&, int)>& found,
                           FittedMachine& fitted, fit::MachineFitResult& result) {
@@ -129,7 +129,7 @@ int run(const RubfitArguments& arguments) {
   const std::atomic<bool>& stop = catch_interrupts();
   fit::LeastSquaresOptions options{
       .robust_beyond = arguments.robust_beyond, .starts = arguments.starts, .stop = &stop};
-  // One model may take longer than somebody who interrupts waits.
+  // One evaluation of the model may take longer than a user waits after an interrupt.
   std::optional<Watch> watch(
       std::in_place, [] {}, [] { std::_Exit(nothing_was_found()); });
   const auto found = [&](const fit::MachineFit& asked, int starts) {
@@ -144,7 +144,7 @@ int run(const RubfitArguments& arguments) {
   fit::FitTables tables = fit::tables_of(problem, result);
   if (!arguments.without.empty() && !result.fit.stopped) {
     const fit::MachineFitResult less = found(without(fitted, arguments.without), arguments.starts);
-    // An interrupted second fit leaves the first one whole.
+    // If the second fit is interrupted, the first one is still complete.
     if (!less.fit.stopped)
       tables.summary +=
           fit::comparison_text(result, less, fmt::format("{}", fmt::join(arguments.without, ", ")));

@@ -11,7 +11,7 @@
 
 namespace rubsweep::apps {
 
-/// A number to be found: KEY, KEY=LOW:HIGH or KEY=LOW:START:HIGH.
+/// A parameter to be fitted: KEY, KEY=LOW:HIGH or KEY=LOW:START:HIGH.
 struct FittedKey {
   std::string name;
   std::optional<double> low = {}, start = {}, high = {};
@@ -24,21 +24,21 @@ struct RubfitArguments : StudyArguments {
   std::optional<double> rate_hz_per_s = {};
   double window_turns = 0;
   double eccentricity_m = 0, mark_deg = 0, hit_s = 0, from_s = 0;
-  std::optional<fit::PhaseConvention> phases{};  ///< convention of tables; empty: the one that leaves least
+  std::optional<fit::PhaseConvention> phases{};  ///< convention of tables; empty: chosen by the residual
   bool run_out = false;
   int starts = 1;
   double robust_beyond = 0;
-  std::vector<std::string> without = {};  ///< names left out of a second fit
+  std::vector<std::string> without = {};  ///< names that a second fit leaves out
   std::optional<Figure> figure = {};
 };
 
-/// As --phase has it: sensor, mark or lag.
+/// Name of a convention as in --phase: sensor, mark or lag.
 const char* name_of(fit::PhaseConvention convention);
 
-/// Throws UsageError (program.hpp).
+/// Reads the command line. Throws UsageError (program.hpp).
 RubfitArguments parse_rubfit_arguments(int argc, const char* const* argv);
 
-/// Text of --help.
+/// Text that --help prints.
 std::string rubfit_help();
 
 }  // namespace rubsweep::apps

@@ -43,7 +43,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 4> file_names{"config.yaml", "line.csv", "bifurcation.csv",
                                                      "cascade.csv"};
 
-/// The one value of an axis of the sweep where the command line gives none.
+/// The single value of an axis of the sweep, used where the command line gives none.
 double only_value(const std::vector<double>& axis, std::string_view option) {
   if (axis.size() == 1) return axis.front();
   throw UsageError(fmt::format("the sweep has {} values for it: the place of the line is needed, {}",
@@ -67,7 +67,7 @@ std::vector<double> values_of(const RublineArguments& arguments, const sweep::Gr
   return values;
 }
 
-/// The place of the cell at `value` on the line.
+/// Speed and unbalance of the cell at `value` on the line.
 scene::Place place_at(const RublineArguments& arguments, const sweep::Grid& grid,
                       const model::Machine& machine, double value) {
   scene::Place place;
@@ -92,7 +92,7 @@ scene::Place place_at(const RublineArguments& arguments, const sweep::Grid& grid
   return place;
 }
 
-/// The study with these keys in their places; where the line lies stays.
+/// The study with these keys changed; its grid stays the same.
 sweep::Study with_keys(const sweep::Study& study, const std::vector<sweep::KeyValue>& keys) {
   if (keys.empty()) return study;
   sweep::Study held = study.with_keys(keys);
@@ -100,12 +100,12 @@ sweep::Study with_keys(const sweep::Study& study, const std::vector<sweep::KeyVa
   return held;
 }
 
-/// The study of the cell at `value` of a line that runs along a key.
+/// The study of the cell at `value` on a line that varies a configuration key.
 sweep::Study study_at(const RublineArguments& arguments, const sweep::Study& study,
                       const config::LineKeys& keys, double value) {
   std::vector<sweep::KeyValue> held = keys.fixed;
   if (!keys.along.keys.empty()) {
-    // A value of the axis itself comes back to the digit, so that the cell is that of the map.
+    // A value of the axis itself is restored to the last digit, so that the cell equals the one of the map.
     const auto& own = keys.along.values;
     const auto same = std::ranges::find_if(own, [&](double place) { return keys.factor * place == value; });
     const double at = same == own.end() ? value / keys.factor : *same;
@@ -185,11 +185,11 @@ class LineRun {
   }
 
  private:
-  /// Warns for the machines at the two ends of the line, at the speeds of all cells.
+  /// Warns about the machines at both ends of the line, at the speeds of all cells.
   void warn() const {
     std::vector<double> speeds_hz;
     for (const line::LineCell& cell : cells_) speeds_hz.push_back(cell.place.speed_hz);
-    // A line along a key stays at one speed.
+    // A line along a key has the same speed everywhere.
     speeds_hz.erase(std::unique(speeds_hz.begin(), speeds_hz.end()), speeds_hz.end());
     const sweep::Study& study = *cells_.front().study;
     warn_of_premises_at("rubline", speeds_hz, study, *cells_.front().machine);
@@ -216,7 +216,7 @@ class LineRun {
     return 128 + caught_signal();
   }
 
-  /// Cells still run half a second after a signal: they are given up.
+  /// Ends the process when cells still run half a second after a signal; the finished cells are written.
   void leave() {
     const std::lock_guard lock(mutex_);
     progress_.finish();
@@ -233,7 +233,7 @@ class LineRun {
     draw_and_say(figure, picture, directory_, fmt::format("{}{}", what, where()), arguments_.quiet);
   }
 
-  /// Description of all that is constant along the line: " at 75 Hz (4500 rpm), whirl ratio 0.4".
+  /// Description of everything constant along the line: " at 75 Hz (4500 rpm), whirl ratio 0.4".
   std::string where() const {
     const scene::Place& place = cells_.front().place;
     std::string text;
@@ -255,7 +255,7 @@ class LineRun {
   const config::RunConfig& config_;
   const std::vector<line::LineCell> cells_;
   const fs::path directory_;
-  std::mutex mutex_;  ///< guards all that follows
+  std::mutex mutex_;  ///< guards all members below
   batch::Progress progress_;
   std::vector<line::LinePoint> points_;
   batch::ResultFiles files_;

@@ -54,7 +54,7 @@ std::optional<LineValues> values_of(const po::variables_map& given) {
   return values;
 }
 
-/// The quantity along the line must not have a fixed value as well.
+/// Throws where the quantity along the line also has a fixed value.
 void refuse_place_along(const RublineArguments& arguments) {
   for (const std::string_view key :
        {config::study::speed_rpm_key, config::study::unbalance_key, config::study::grade_key}) {

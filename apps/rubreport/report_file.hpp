@@ -10,9 +10,9 @@
 
 namespace rubsweep::apps {
 
-/// How report.html is made of a finished map.
+/// Options for making report.html from a finished map.
 struct ReportOptions {
-  std::filesystem::path file;  ///< where it goes
+  std::filesystem::path file;  ///< file that is written
   batch::Captions captions{};
   std::size_t most_orbits = page::usual_orbits;
   int threads = 0;
@@ -20,9 +20,9 @@ struct ReportOptions {
   bool quiet = false;
 };
 
-/// Writes the report of the map in `directory`, of `study`, and returns an exit code: 128 + signal when a
-/// signal came before it was written; then an older report is as it was. Throws ConfigError where the map is
-/// of another study, IoError.
+/// Writes the report of the map of `study` in `directory` and returns an exit code. If a signal came before
+/// the report was written, the code is 128 + signal and an older report stays unchanged. Throws ConfigError
+/// where the map belongs to another study, and IoError.
 int write_report(const std::filesystem::path& directory, const sweep::Study& study, std::string_view program,
                  const ReportOptions& options);
 

@@ -73,7 +73,7 @@ void refuse_input(const fs::path& output, const fs::path& directory) {
   }
 }
 
-/// `caller`: who says what is to be said.
+/// `caller`: name of the program in messages.
 int perform(std::string_view caller, const po::variables_map& given) {
   if (answered("rubreport", action_of(given), help)) return done;
   const auto directories = given.count("directory") ? given["directory"].as<std::vector<std::string>>()
@@ -103,7 +103,7 @@ int perform(std::string_view caller, const po::variables_map& given) {
 
 int main(int argc, char** argv) {
   using namespace rubsweep::apps;
-  // Another program that has its report written here starts this one by its own name.
+  // A program that calls this one for its report passes its own name, which then appears in messages.
   const std::string_view caller = program_invocation_short_name;
   return run_program(caller, [&] { return perform(caller, parse(argc, argv)); });
 }

@@ -9,9 +9,11 @@
 
 #include "rubscope_arguments.hpp"
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/measurement/recording/column_list.hpp"
 #include "rubsweep/measurement/recording/recording_file.hpp"
 #include "rubsweep/measurement/scope/comparison.hpp"
 #include "rubsweep/measurement/scope/scope_tables.hpp"
@@ -31,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every file that a run may leave.
+/// All files that a run may write.
 constexpr std::array<std::string_view, 8> file_names{"turns.csv",    "orbit.csv",     "lines.csv",
                                                      "bode.csv",     "waterfall.csv", "measures.csv",
                                                      "compared.csv", "simulated.csv"};
@@ -54,7 +56,7 @@ int look(const RubscopeArguments& arguments) {
   end_on_interrupts("nothing was written");
   const fs::path& file = arguments.recording;
   const auto& compared = arguments.compared;
-  // Read before anything is computed.
+  // The configuration is read first, so that its errors appear before anything is computed.
   const auto config = compared
                           ? std::optional(config::read_cell_config(compared->config, compared->overrides))
                           : std::nullopt;
@@ -96,8 +98,15 @@ int look(const RubscopeArguments& arguments) {
   return done;
 }
 
+int list_columns(const fs::path& file) {
+  const recording::Channels channels = recording::read_recording_file(file, batch::read_input(file));
+  print_text(recording::column_list(channels, file.string()));
+  return done;
+}
+
 int perform(const RubscopeArguments& arguments) {
   if (answered("rubscope", arguments.action, rubscope_help)) return done;
+  if (arguments.columns) return list_columns(arguments.recording);
   return look(arguments);
 }
 

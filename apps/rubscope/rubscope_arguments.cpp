@@ -19,8 +19,12 @@ namespace fs = std::filesystem;
 po::options_description visible_options() {
   po::options_description options("Options");
   add_instrument(options);
-  options.add_options()("orders", po::value<std::string>()->value_name("P,P,..."),
-                        "orders of the Bode plot, multiples of 1/8; 1,2 unless given")(
+  options.add_options()("columns",
+                        "list what was understood of RECORDING, without a description: columns with unit, "
+                        "range and first values, "
+                        "and what was left out")(
+      "orders", po::value<std::string>()->value_name("P,P,..."),
+      "orders of the Bode plot, multiples of 1/8; 1,2 unless given")(
       "least-line", po::value<double>()->value_name("PERCENT"),
       "smallest line that counts for a period, in per cent of the largest one; 0.5 unless given")(
       "most-modulation", po::value<double>()->value_name("PERCENT"),
@@ -85,6 +89,7 @@ std::string rubscope_help() {
       "{}\n"
       "Examples:\n"
       "  rubscope measured.csv                               (with measured.yaml beside it)\n"
+      "  rubscope export.txt --columns                       (what is in it: names, units, rate)\n"
       "  rubscope run7.wav --compare kit.yaml --cell 70,0.6\n"
       "  rubscope monday/run7.csv --instrument kit.yaml --output results/run7 --figure run7.png\n\n"
       "The file beside it, for example:\n"
@@ -110,6 +115,7 @@ RubscopeArguments parse_rubscope_arguments(int argc, const char* const* argv) {
   const po::variables_map given = read_recording_command_line(argc, argv, visible_options());
   RubscopeArguments arguments{recording_arguments(given, "rubscope RECORDING", "_scope")};
   if (arguments.action != Action::run) return arguments;
+  arguments.columns = given.count("columns") > 0;
   if (given.count("orders")) arguments.orders = orders_of(given["orders"].as<std::string>());
   set_share(given, "least-line", arguments.thresholds.least_share);
   set_share(given, "most-modulation", arguments.thresholds.most_modulation);

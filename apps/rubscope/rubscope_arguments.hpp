@@ -13,7 +13,7 @@
 
 namespace rubsweep::apps {
 
-/// A cell of a configuration that a recording is laid over.
+/// A cell of a configuration with whose motion the recording is compared.
 struct ComparedCell {
   std::filesystem::path config;
   std::vector<std::string> overrides;
@@ -21,17 +21,18 @@ struct ComparedCell {
 };
 
 struct RubscopeArguments : RecordingArguments {
-  std::vector<double> orders = {1, 2};  ///< orders of the Bode plot, multiples of 1/8
+  std::vector<double> orders = {1, 2};  ///< orders of the Bode plot: multiples of 1/8
   scope::Thresholds thresholds = {};
   std::optional<ComparedCell> compared = {};
-  model::ShownLengths shown = {};  ///< lengths in the printed text
+  model::ShownLengths shown = {};  ///< unit of lengths in the printed text
   std::optional<Figure> figure = {};
+  bool columns = false;  ///< list what the recording holds, and do nothing else
 };
 
-/// Throws UsageError (program.hpp).
+/// Reads the command line. Throws UsageError (program.hpp).
 RubscopeArguments parse_rubscope_arguments(int argc, const char* const* argv);
 
-/// Text of --help.
+/// Text that --help prints.
 std::string rubscope_help();
 
 }  // namespace rubsweep::apps

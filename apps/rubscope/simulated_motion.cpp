@@ -35,7 +35,7 @@ SimulatedMotion simulate(const config::RunConfig& config, const CellArgument& ce
   const auto orbit = page::settled_orbit(study, prepared, 0, known, workspace);
   if (!orbit) throw ConfigError("--cell: the simulated cell has no motion, allowed: a cell that runs");
   SimulatedMotion motion{.period_m = {}, .turns = orbit->turns};
-  // The last sample is the first one of the next period.
+  // The last sample repeats the first one of the next period, so it is left out.
   for (std::size_t k = 0; k + 1 < orbit->signals[0].size(); ++k)
     motion.period_m.emplace_back(orbit->signals[0][k], orbit->signals[1][k]);
   return motion;

@@ -8,13 +8,13 @@
 
 namespace rubsweep::apps {
 
-/// The settled motion of the cell to compare with: one period of it.
+/// Settled motion of the cell for the comparison: one period of it.
 struct SimulatedMotion {
   std::vector<std::complex<double>> period_m;
   int turns = 1;
 };
 
-/// Runs the cell until it has settled. Throws ConfigError where its motion does not repeat.
+/// Runs the cell until its motion has settled. Throws ConfigError where the motion does not repeat.
 SimulatedMotion simulate(const config::RunConfig& config, const CellArgument& cell);
 
 }  // namespace rubsweep::apps

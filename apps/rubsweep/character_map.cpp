@@ -15,16 +15,16 @@ namespace {
 
 constexpr std::size_t most_rows = 20, label_width = 14;
 
-/// Cells that are still to be computed.
+/// Kind of the cells that are not computed yet.
 constexpr response::motion::MotionKind unfinished{"unfinished", "unfinished", 0, 0, ' ', false, false};
 
-/// A character of the map, and its kind.
+/// A character of the map, and the kind of motion that it stands for.
 struct Sign {
   char character;
   const response::motion::MotionKind* kind;
 };
 
-/// Subharmonic motions of up to nine turns show their order.
+/// Character of a motion; subharmonic motions of up to nine turns show their order.
 Sign sign_of(std::string_view name, const response::motion::MotionKind& kind) {
   constexpr std::string_view subharmonic = "subharmonic 1/";
   if (!name.starts_with(subharmonic)) return {kind.sign, &kind};
@@ -32,7 +32,7 @@ Sign sign_of(std::string_view name, const response::motion::MotionKind& kind) {
   return {digits.size() == 1 ? digits.front() : '+', &kind};
 }
 
-/// A character on the colour of its kind, black or white, whichever can be read on it.
+/// A character on the background colour of its kind, black or white for best contrast.
 std::string shown(const Sign& sign, bool coloured) {
   if (!coloured || sign.kind == &unfinished) return std::string(1, sign.character);
   const std::uint32_t rgb = sign.kind->colour;
@@ -42,7 +42,7 @@ std::string shown(const Sign& sign, bool coloured) {
                      sign.character);
 }
 
-/// Meaning of each sign, by its character; long periods together.
+/// Meanings of the characters in use, sorted by character; all periods above nine turns share an entry.
 std::vector<std::pair<std::string, Sign>> legend_of(
     const std::vector<std::string>& names, const std::vector<const response::motion::MotionKind*>& kinds) {
   std::vector<std::pair<std::string, Sign>> legend;
@@ -62,18 +62,18 @@ std::string label_of(const sweep::WrittenAxis& axis, double si) {
   return fmt::format("{:.4g}", si * axis.units_per_si);
 }
 
-/// An end of the axis of speeds, in Hz with rpm beside it, or in the unit that it is written in.
+/// Label at an end of the speed axis: Hz and rpm, or the unit in which the axis was written.
 std::string speed_label(const sweep::WrittenAxis& axis, double speed_hz) {
   return axis.is_si() ? model::speed_text(speed_hz, 4) : label_of(axis, speed_hz) + " " + axis.unit;
 }
 
-/// No wider than the column of labels.
+/// Name of the unbalance, short enough for the column of labels.
 std::string name_of_unbalance(const sweep::Grid& grid) {
   if (grid.written_unbalance.is_si()) return std::string(to_string(grid.measure));
   return grid.written_unbalance.unit == "mm/s" ? "grade, mm/s" : "unbalance g mm";
 }
 
-/// A line that says which axes are logarithmic; empty where none is.
+/// Text line that names the logarithmic axes; empty where there are none.
 std::string scales_of(const sweep::Grid& grid) {
   const auto is_log = [](const sweep::WrittenAxis& axis) {
     return axis.spacing && axis.spacing->logarithmic;
@@ -84,7 +84,7 @@ std::string scales_of(const sweep::Grid& grid) {
   return names.empty() ? "" : fmt::format("{:>{}} logarithmic: {}\n", "", label_width, names);
 }
 
-/// The middle value of the i-th of `parts` equal parts of a range.
+/// Index of the middle value in part `i` of `parts` equal parts of a range.
 std::size_t middle_of(std::size_t i, std::size_t parts, std::size_t values) {
   return (2 * i + 1) * values / (2 * parts);
 }
@@ -164,7 +164,7 @@ std::optional<std::size_t> CharacterMap::typical_rub() const {
     return static_cast<double>(sum) / static_cast<double>(count.cells);
   };
   const auto distance = [&](std::size_t cell) {
-    // Distance in shares of the map, so that a long axis does not decide alone.
+    // Distances are relative to the size of the map, so that a long axis does not dominate.
     return std::hypot(
         (static_cast<double>(cell % speeds) - mean(count.column)) / static_cast<double>(speeds),
         (static_cast<double>(cell / speeds) - mean(count.row)) / static_cast<double>(grid_.unbalance.size()));

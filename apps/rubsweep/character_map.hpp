@@ -12,28 +12,28 @@
 
 namespace rubsweep::apps {
 
-/// A map in characters, for a terminal: one for each cell, or for the middle cell of each block where there
-/// are more cells than room. Two bytes are kept of a cell.
+/// A map made of characters, for a terminal: one per cell or, where there is not enough room, one per block
+/// of cells, taken from its middle cell. Memory: two bytes per cell.
 class CharacterMap {
  public:
   /// The grid must outlive it.
   explicit CharacterMap(const sweep::Grid& grid) : grid_(grid) {}
 
-  /// A line of map.csv; all of them in the order of the file.
+  /// Adds a line of map.csv; lines must come in the order of the file.
   void add(std::string_view map_line);
 
-  /// A cell that is not computed yet: a blank, which the legend leaves out.
+  /// Adds a cell that is not computed yet: a blank, which the legend omits.
   void add_unfinished();
 
-  /// Map as text, at most `width` characters wide and 20 rows high, unbalance upward, with the ends of both
-  /// axes and the meaning of each character. `coloured`: with 24-bit colours, those of the figures.
+  /// Map as text, at most `width` characters wide and 20 rows high, unbalance upwards, with the ends of both
+  /// axes and the meaning of each character. `coloured`: uses the colours of the figures in 24 bits.
   std::string text(std::size_t width, bool coloured) const;
 
-  /// Cell nearest to the middle of all those with the most frequent rub; empty where none rubs in a motion
-  /// that has settled.
+  /// Cell closest to the centre of all cells with the most frequent kind of rub; empty where no cell has a
+  /// settled rub.
   std::optional<std::size_t> typical_rub() const;
 
-  /// Name of the motion of a cell.
+  /// Name of the motion in a cell.
   const std::string& name(std::size_t cell) const { return names_[cells_[cell]]; }
 
  private:
@@ -41,8 +41,8 @@ class CharacterMap {
 
   const sweep::Grid& grid_;
   std::vector<std::string> names_;
-  std::vector<const response::motion::MotionKind*> kinds_;  ///< kinds of the names
-  std::vector<std::uint16_t> cells_;                        ///< number of its name
+  std::vector<const response::motion::MotionKind*> kinds_;  ///< kind that each name belongs to
+  std::vector<std::uint16_t> cells_;                        ///< for each cell, the index of its motion's name
 };
 
 }  // namespace rubsweep::apps

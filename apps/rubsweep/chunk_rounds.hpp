@@ -8,31 +8,31 @@
 
 namespace rubsweep::apps {
 
-/// Chunks of cells for the workers of one map, who count from 0. A map in rounds, which a refined one is,
-/// knows the cells of the next round when all of the present one are finished: whoever has nothing to do
-/// before that waits. Not for several threads at once.
+/// Deals out chunks of cells to the workers of one map, numbered from 0. A refined map is computed in rounds:
+/// the cells of the next round are known when all cells of the present round are finished. A worker without
+/// work waits until then. Not for several threads at once.
 class ChunkRounds {
  public:
-  /// `more`: other rounds may follow the one with these cells.
+  /// `more`: further rounds may follow after these cells.
   ChunkRounds(std::vector<std::size_t> cells, std::size_t workers, bool more);
 
-  /// The next cells for a worker that has finished its last chunk: none when there is nothing left to do,
-  /// nothing at all when it has to wait for the next round.
+  /// The next cells for a worker that has finished its last chunk. An empty chunk: there is no more work.
+  /// std::nullopt: the worker must wait for the next round.
   std::optional<batch::Chunk> next(std::size_t worker);
 
   bool waits(std::size_t worker) const;
   std::size_t waiting() const { return waiting_.size(); }
 
-  /// Workers that wait, in the order in which they began to; they are to ask again.
+  /// Returns the waiting workers in the order of their arrival and clears the list; each has to ask again.
   std::vector<std::size_t> take_waiting();
 
-  /// Deals out the cells of the next round; without any it was the last.
+  /// Starts a round with these cells; an empty list means that there are no more rounds.
   void begin_round(std::vector<std::size_t> cells);
 
-  /// Nothing more is dealt out, and no other round comes.
+  /// Stops: no more cells are dealt out, and no round follows.
   void give_up();
 
-  /// Whether no other round comes.
+  /// Whether no further round follows.
   bool is_last() const { return !more_; }
 
  private:

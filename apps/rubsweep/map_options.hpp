@@ -5,7 +5,7 @@
 /// Options that rubsweep and rubsweep-mpi have in common.
 namespace rubsweep::apps {
 
-/// --output, --figure and --fade.
+/// Adds --output, --figure and --fade.
 void add_map_files(po::options_description& options);
 void add_fresh(po::options_description& options);
 void add_report(po::options_description& options);

@@ -11,19 +11,19 @@
 
 namespace rubsweep::apps {
 
-/// Reports the whole map in `directory`, with the picture and the page that the arguments ask for, whoever
-/// computed it, and returns the exit code. `program` is who reports. Throws IoError.
+/// Reports the finished map in `directory`, draws its picture and writes its page if the arguments ask for
+/// them, and returns the exit code. `program` is the name in messages. Throws IoError.
 int report_map(std::string_view program, const RubsweepArguments& arguments,
                const report::MapSummary& summary, const config::RunConfig& config,
                map::MapDirectory& directory);
 
-/// Throws ConfigError, before anything is computed, where the map will lack the column that a picture fades
-/// by.
+/// Throws ConfigError, before anything is computed, where the map will lack the column that decides the
+/// fading of a picture.
 void refuse_fading(const RubsweepArguments& arguments, const sweep::Study& study);
 
-/// Throws before anything is computed where the page or the picture that is asked for would be refused in the
-/// end: ConfigError for a map of more than two axes, IoError for a page that cannot be written, or that no
-/// program is there to write.
+/// Throws before anything is computed where the requested page or picture could not be made in the end.
+/// ConfigError: the map has more than two axes. IoError: the page cannot be written, or the program for it is
+/// missing.
 void refuse_what_cannot_be_shown(const RubsweepArguments& arguments, const sweep::Study& study,
                                  const std::filesystem::path& directory);
 

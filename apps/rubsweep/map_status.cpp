@@ -23,11 +23,11 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds watched{2};
 
-/// Cells in the journals of a directory.
+/// Finished cells in the journals of a directory.
 struct Finished {
-  std::map<std::string, std::size_t> by_journal;  ///< name without its ending -> cells in it
+  std::map<std::string, std::size_t> by_journal;  ///< journal name without its ending -> number of its cells
   std::set<std::size_t> cells;                    ///< cells of all shards together
-  std::size_t all = 0;                            ///< number of cells of the grid
+  std::size_t all = 0;                            ///< number of cells in the grid
 };
 
 std::vector<std::string> names_with(const fs::path& directory, std::string_view ending) {
@@ -60,7 +60,7 @@ std::string rate_text(std::size_t before, std::size_t now) {
   return fmt::format(", {:.3g} cells/s", rate);
 }
 
-/// Name of a journal without its ending -> who holds its lock.
+/// Maps the name of a journal, without its ending, to the process that holds its lock.
 using Holders = std::map<std::string, std::string>;
 
 Holders holders_in(const fs::path& directory) {
@@ -76,8 +76,8 @@ std::size_t cells_in(const Finished& finished, const std::string& name) {
   return there == finished.by_journal.end() ? 0 : there->second;
 }
 
-/// State of the process that writes a journal: the processes of MPI write one each, and the first of them
-/// alone holds a lock.
+/// State of the process that writes a journal. Each MPI process writes its own, but only the first one holds
+/// a lock.
 std::string work_on(const std::string& name, const Holders& holders, const Finished& before,
                     const Finished& now) {
   const std::string rate = rate_text(cells_in(before, name), cells_in(now, name));

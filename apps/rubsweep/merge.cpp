@@ -13,7 +13,7 @@
 namespace rubsweep::apps {
 namespace {
 
-/// More would fill the screen.
+/// Largest number of commands in a message, so that they do not fill the screen.
 constexpr std::size_t most_commands = 20;
 
 }  // namespace

@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "mpi_messages.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/evaluate_cell.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/program.hpp"
 
@@ -35,7 +37,8 @@ MpiLeader::MpiLeader(MapJob& job, int ranks)
   const sweep::Grid& grid = job.config.study.grid;
   const std::size_t cells = job.directory->missing().size(), speeds = grid.speed_hz.size();
   log_.progress().expect({speeds, sweep::cell_count(grid) / speeds, job.directory->missing()});
-  // The first ones, which come from all over the map, tell how long it will take, where somebody reads it.
+  // The first cells are spread over the whole map, to forecast the computing time for a reader of the
+  // progress.
   if (log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks})))
     pilots_ = batch::pilot_count(cells, static_cast<std::size_t>(threads) * static_cast<std::size_t>(ranks));
 }
@@ -62,7 +65,7 @@ std::size_t MpiLeader::run(int workers, const std::atomic<bool>& stop) {
       log_.refresh();
     }
   } catch (...) {
-    give_up();  // or the destructor would wait for all cells
+    give_up();  // without this the destructor would wait for all cells
     throw;
   }
   own.join();
@@ -142,13 +145,16 @@ bool MpiLeader::serve() {
 }
 
 void MpiLeader::compute() {
+  const sweep::Study& study = job_.config.study;
+  std::optional<scene::PreparedMachine> prepared;
   for (batch::Chunk chunk = own_chunk(); !chunk.empty(); chunk = own_chunk()) {
+    if (!prepared) prepared = scene::prepare_machine(study.machine);
     const batch::LapTime time;
     sweep::run_cells(
-        job_.config.study, chunk, job_.arguments.threads,
+        study, *prepared, chunk, job_.arguments.threads,
         [&](std::size_t cell, const sweep::Row& row) {
           const double seconds = time.lap_s();
-          const std::string line = report::map_line(row, job_.config.study);
+          const std::string line = report::map_line(row, study);
           const std::lock_guard lock(mutex_);
           log_.add(cell, line, seconds);
           note(cell, line);

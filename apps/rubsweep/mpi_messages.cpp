@@ -14,7 +14,7 @@ namespace {
 constexpr int report_tag = 1, chunk_tag = 2;
 constexpr auto nap = std::chrono::microseconds(200);
 
-/// The size of a waiting message with this tag, if there is one.
+/// Status, which tells the size, of a waiting message with this tag; empty where none waits.
 std::optional<MPI_Status> waiting_message(int source, int tag) {
   int there = 0;
   MPI_Status status{};

@@ -8,11 +8,12 @@
 
 #include "rubsweep/maps/batch/parallel_run.hpp"
 
-/// Messages between the ranks of rubsweep-mpi; the only place that knows MPI. Only the thread that made the
-/// Session may call. Whoever waits sleeps in between, where MPI itself would keep a processor busy.
+/// Messages between the ranks of rubsweep-mpi; MPI is used nowhere else. Only the thread that made the
+/// Session may call these functions. A waiting rank sleeps between checks, whereas MPI itself would keep a
+/// processor busy.
 namespace rubsweep::apps::mpi {
 
-/// MPI as long as this lives.
+/// Initialises MPI and finalises it at the end of its lifetime.
 class Session {
  public:
   Session(int& argc, char**& argv);
@@ -24,43 +25,43 @@ class Session {
 int rank();
 int ranks();
 
-/// How many ranks run on the same machine as this one. All ranks must call it, as all that follow here.
+/// Number of ranks on this machine. Like the functions below, all ranks must call it.
 int ranks_on_this_machine();
 
-/// The smallest value of any rank, to all.
+/// The smallest `value` of all ranks, returned to all of them.
 std::size_t smallest(std::size_t value);
 
-/// The first rank's value, to all.
+/// Sends the first rank's value to all ranks.
 int broadcast_number(int number);
 std::string broadcast_text(std::string text);
 
-/// A finished cell and its line of the map.
+/// A finished cell and its line in map.csv.
 struct FinishedCell {
   std::size_t cell = 0;
   std::string line;
 };
 
-/// A worker's word to the first rank: the finished cells of its last chunk, and a request for the next one
-/// unless a signal ended its work.
+/// Message of a worker to the first rank: the finished cells of its last chunk, and a request for the next
+/// one unless a signal ended its work.
 struct Report {
   int rank = 0;
-  int signal = 0;  ///< 0: none did
+  int signal = 0;  ///< 0: no signal
   std::vector<FinishedCell> finished;
 };
 
 void send_report(const Report& report);
 
-/// The next report; empty when none came within `patience`.
+/// The next report; empty if none comes within `patience`.
 std::optional<Report> receive_report(std::chrono::milliseconds patience);
 
-/// The answer to a request; empty: nothing is left.
+/// Sends the answer to a request; an empty chunk means that there is no more work.
 void send_chunk(int rank, const batch::Chunk& chunk);
 batch::Chunk receive_chunk();
 
-/// Returns when every rank has called it.
+/// Returns when every rank has called this function.
 void wait_for_all();
 
-/// Ends every rank with this exit code.
+/// Ends all ranks with this exit code.
 [[noreturn]] void abort(int code);
 
 }  // namespace rubsweep::apps::mpi

@@ -29,17 +29,17 @@ namespace {
 
 constexpr const char* report_program = "rubreport";
 
-/// More than a summary has: its messages are 1000 lines at most.
+/// Limit of a child's output; a summary is smaller, because it has 1000 messages at most.
 constexpr std::size_t most_output_bytes = 16'000'000;
 
-/// File in memory that takes what a child prints.
+/// A file in memory for the output of a child.
 batch::Descriptor memory_file() {
   batch::Descriptor file(::memfd_create(report_program, MFD_CLOEXEC));
   if (file.get() < 0) batch::throw_io_error("write", "output of rubreport", errno);
   return file;
 }
 
-/// Prints what a child printed, and takes its summary over.
+/// Prints the output of a child, and adds its summary to this program's.
 void pass_on(const batch::Descriptor& output) {
   std::string text;
   ::lseek(output.get(), 0, SEEK_SET);
@@ -67,7 +67,7 @@ int write_report(std::string_view program, const RubsweepArguments& arguments,
                  const std::filesystem::path& directory) {
   const std::atomic<bool>& stop = catch_interrupts();
   if (stop) return say_interrupted(program);
-  // Its lines stand behind those printed here. Where these cannot be printed, it has nothing to add.
+  // The child's lines must come after those printed here. If stdout fails, the child prints nothing.
   const int unprinted = std::fflush(stdout) != 0 ? errno : 0;
   std::vector<std::string> command{std::string(program), "--threads", std::to_string(arguments.threads),
                                    "--progress", progress_word(arguments.progress)};

@@ -5,15 +5,15 @@
 
 #include "rubsweep_arguments.hpp"
 
-/// report.html is written by rubreport, which stands beside this program and runs as its child.
+/// Runs rubreport, which lies beside this program, as a child process that writes report.html.
 namespace rubsweep::apps {
 
-/// Throws IoError where there is no rubreport, with what to do.
+/// Throws IoError, with advice, where rubreport is missing.
 void require_report_program();
 
-/// Writes report.html of the finished map in `directory` and returns an exit code: 128 + signal when a signal
-/// came before it was written; then an older report is as it was. `program`: who says what is to be said.
-/// Throws IoError.
+/// Writes report.html of the finished map in `directory` and returns an exit code. If a signal came before
+/// the report was written, the code is 128 + signal and an older report stays unchanged. `program`: name in
+/// messages. Throws IoError.
 int write_report(std::string_view program, const RubsweepArguments& arguments,
                  const std::filesystem::path& directory);
 

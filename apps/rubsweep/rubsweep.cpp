@@ -30,7 +30,7 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Name of this process for others: "rubsweep" or "rubsweep --shard 2/8".
+/// Name of this process in messages to others: "rubsweep" or "rubsweep --shard 2/8".
 std::string own_name(const RubsweepArguments& arguments) {
   if (!arguments.shard) return "rubsweep";
   return fmt::format("rubsweep --shard {}/{}", arguments.shard->index + 1, arguments.shard->count);
@@ -85,7 +85,7 @@ map::VerifiedConfiguration read_rub_configuration(const std::filesystem::path& f
 
 int verify(const RubsweepArguments& arguments) {
   const std::filesystem::path& directory = *arguments.verified;
-  // Only ringstab reads the configurations of rings.
+  // Only ringstab can read the configuration of a ring.
   if (map::was_written_by("ringstab", directory)) {
     std::vector<std::string> command{"--verify", directory.string()};
     if (arguments.quiet) command.emplace_back("--quiet");

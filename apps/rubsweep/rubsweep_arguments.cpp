@@ -20,7 +20,7 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Each leaves a journal that the merge opens.
+/// Largest number of shards; each leaves a journal that a merge has to open.
 constexpr std::size_t most_shards = 10000;
 
 po::options_description visible_options() {
@@ -57,7 +57,7 @@ po::options_description visible_options() {
   return options;
 }
 
-/// "2/8", both numbers from 1.
+/// Reads a shard such as "2/8"; both numbers count from 1.
 map::Share shard_of(const std::string& text) {
   map::Share share;
   const char* end = text.data() + text.size();

@@ -14,27 +14,26 @@ namespace rubsweep::apps {
 struct RubsweepArguments : StudyArguments {
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;
-  bool fresh = false;                    ///< forget what earlier runs finished
-  bool merge = false;                    ///< only put together what shards finished
-  std::optional<map::Share> shard = {};  ///< compute this part alone
+  bool fresh = false;                    ///< discard the results of earlier runs
+  bool merge = false;                    ///< only merge the results of shards
+  std::optional<map::Share> shard = {};  ///< compute only this part
   std::optional<Figure> figure = {};     ///< also draw the finished map
-  bool fade = false;                     ///< true: cells fade by their robust_share
-  bool report = false;                   ///< also make report.html of the finished map
-  /// Directory whose results are only to be checked for completeness.
+  bool fade = false;                     ///< cells fade with decreasing robust_share
+  bool report = false;                   ///< also write report.html of the finished map
+  /// Directory whose results are only checked for completeness.
   std::optional<std::filesystem::path> verified = {};
-  std::optional<std::string> key_answer =
-      {};                     ///< only print this: keys, a schema, a configuration to begin with
-  bool motion_kinds = false;  ///< only print the table of motions and their colours
-  std::optional<std::filesystem::path> status = {};   ///< only say how far the map in this directory is
-  std::optional<std::filesystem::path> watched = {};  ///< only show the map in this directory as it grows
-  /// Directory that only gets the matrices of the rotor.
+  std::optional<std::string> key_answer = {};  ///< print only this: keys, a schema, or a first configuration
+  bool motion_kinds = false;                   ///< print only the table of motions and their colours
+  std::optional<std::filesystem::path> status = {};   ///< print only the progress of this directory's map
+  std::optional<std::filesystem::path> watched = {};  ///< only show the growing map in this directory
+  /// Directory into which only the matrices of the rotor are written.
   std::optional<std::filesystem::path> matrices = {};
 };
 
-/// Throws UsageError (program.hpp).
+/// Reads the command line. Throws UsageError (program.hpp).
 RubsweepArguments parse_rubsweep_arguments(int argc, const char* const* argv);
 
-/// Text of --help.
+/// Text that --help prints.
 std::string rubsweep_help();
 
 }  // namespace rubsweep::apps

@@ -21,8 +21,8 @@
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "rubsweep/maps/sweep/footprint.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 #include "rubsweep_arguments.hpp"
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"
@@ -38,7 +38,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Options that make sense here, as rubsweep reads them.
+/// Options of rubsweep that apply to rubsweep-mpi, too.
 po::options_description options_of_a_map() {
   po::options_description options("Options");
   add_map_files(options);
@@ -72,8 +72,8 @@ std::string help() {
       text_of(options_of_a_map()));
 }
 
-/// Returns an exit code; there is a job when it is `done`, and the map is not only asked about and not there.
-/// Each rank may take `memory_bytes`.
+/// Prepares the work; returns an exit code. `job` is set if the code is `done` and the map still has to be
+/// computed. Each rank may use `memory_bytes`.
 int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::optional<MapJob>& job) {
   RubsweepArguments arguments = parse_rubsweep_arguments(argc, argv);
   if (answered(mpi_program_name, arguments.action, help)) return done;
@@ -109,10 +109,11 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
 ExitCode work(const config::RunConfig& config, int rank, int threads) {
   const std::atomic<bool>& stop = catch_interrupts();
   std::optional<batch::Journal> journal;
+  std::optional<scene::PreparedMachine> prepared;
   std::vector<mpi::FinishedCell> finished;
   std::mutex mutex;  // guards the journal
-  // A rank in the middle of a long cell cannot report any more. One that ends like this ends the job, and the
-  // others learn it by a signal.
+  // A rank inside a long cell can no longer report. It exits, which ends the MPI job, and the other ranks get
+  // a signal.
   std::optional<Watch> watch(
       std::in_place,
       [&] {
@@ -125,14 +126,15 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
         std::_Exit(128 + caught_signal());
       });
   while (true) {
-    const int signal = caught_signal();  // once: what is reported is what is done
+    const int signal = caught_signal();  // read once, so that the reported signal is the one acted upon
     mpi::send_report({rank, signal, std::exchange(finished, {})});
     if (signal != 0) break;
     const batch::Chunk chunk = mpi::receive_chunk();
     if (chunk.empty()) break;
     if (const std::lock_guard lock(mutex); !journal) journal.emplace(map::rank_journal(config, rank));
+    if (!prepared) prepared = scene::prepare_machine(config.study.machine);
     sweep::run_cells(
-        config.study, chunk, threads,
+        config.study, *prepared, chunk, threads,
         [&](std::size_t cell, const sweep::Row& row) {
           std::string line = report::map_line(row, config.study);
           const std::lock_guard lock(mutex);
@@ -143,8 +145,8 @@ ExitCode work(const config::RunConfig& config, int rank, int threads) {
   }
   watch.reset();
   journal.reset();
-  mpi::wait_for_all();  // the first rank reads the journals next
-  mpi::wait_for_all();  // while it writes the map and draws
+  mpi::wait_for_all();  // the first rank reads the journals after this
+  mpi::wait_for_all();  // the first rank writes and draws the map before this
   return done;
 }
 
@@ -158,7 +160,7 @@ int lead(MapJob& job, int ranks) {
   }
   MpiLeader leader(job, ranks);
   const std::size_t finished = leader.run(ranks - 1, stop);
-  mpi::wait_for_all();  // all journals are closed
+  mpi::wait_for_all();  // all journals are closed after this
   const bool refined = job.config.study.grid.refinement.has_value();
   if (refined ? leader.signal() != 0 : finished < directory.missing().size()) {
     mpi::wait_for_all();
@@ -166,7 +168,7 @@ int lead(MapJob& job, int ranks) {
     return 128 + leader.signal();
   }
   if (!quiet) say(leader.description());
-  // The others sleep meanwhile.
+  // The other ranks sleep meanwhile.
   const int code = report_map(mpi_program_name, job.arguments, directory.write_map(), job.config, directory);
   mpi::wait_for_all();
   return code;
@@ -192,7 +194,8 @@ int run(int argc, char** argv) {
     if (job) return lead(*job, ranks);
     return static_cast<int>(work(config::read_run_config_text(text, "the first rank", {}), rank, threads));
   });
-  // The others would wait for ever for a rank that gave up; all journals are as the system has them.
+  // The other ranks would wait forever for a rank that gave up; the journals are already with the operating
+  // system.
   if (code != done && code != some_cells_failed && code < 128) mpi::abort(code);
   return code;
 }

@@ -4,7 +4,7 @@
 
 namespace rubsweep::apps {
 
-/// A word of a command line, in quotes where a shell would take it apart.
+/// A word of a command line, quoted if a shell would otherwise split or change it.
 std::string shell_word(const std::string& text);
 
 }  // namespace rubsweep::apps

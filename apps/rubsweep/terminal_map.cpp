@@ -18,7 +18,7 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Option in the unit of the person where that names the same cell to the last bit.
+/// Speed option in the unit of the configuration, if that gives exactly the same speed; else in Hz.
 std::string speed_option(const sweep::Grid& grid, double speed_hz) {
   const auto rpm = sweep::exactly_in_units(grid.written_speed, speed_hz);
   return rpm && grid.written_speed.unit == "rpm" ? fmt::format("--speed-rpm {}", *rpm)
@@ -49,8 +49,8 @@ std::string rubtrace_command(const std::filesystem::path& directory, const sweep
                      speed_option(grid, place.speed_hz), unbalance_option(grid, place.unbalance), keys);
 }
 
-/// Reads a map; true where cells that are next to each other in characters are neighbours: a map that
-/// somebody sorted anew is not shown.
+/// Reads a map; returns whether neighbouring characters are neighbouring cells. A map whose rows were
+/// re-sorted is therefore not shown.
 bool read_map(const std::filesystem::path& path, const sweep::Grid& grid, CharacterMap& map) {
   batch::CsvReader rows(path);
   report::CellsOfRows cells(rows, grid);

@@ -7,22 +7,23 @@
 
 namespace rubsweep::apps {
 
-/// View of a finished map where standard output is a terminal; empty texts where it is not.
+/// Text about a finished map, if standard output is a terminal; else empty.
 struct TerminalView {
-  std::string map;   ///< map in characters; empty where the values of an axis are in no order
-  std::string next;  ///< commands that look closer: the most frequent rub by rubtrace, the report
+  std::string map;   ///< map as characters; empty where an axis is not in order
+  std::string next;  ///< commands for a closer look: rubtrace for the most frequent rub, and the report
 };
 
-/// Columns of the terminal behind standard output, 80 where there is none, at most 110.
+/// Width of the terminal at standard output: 80 where there is none, at most 110.
 std::size_t terminal_width();
 
-/// Whether colours are used: as https://no-color.org has it, and only on a terminal with 24-bit colours.
+/// Whether colours are used: only on a terminal with 24-bit colours, and not if NO_COLOR is set
+/// (https://no-color.org).
 bool shows_colours();
 
-/// Reads the map at `path`, whose grid this is; empty where it cannot be shown. Throws IoError.
+/// Reads the map with this grid at `path` as characters; empty where it cannot be shown. Throws IoError.
 std::string map_in_characters(const std::filesystem::path& path, const sweep::Grid& grid);
 
-/// Reads the map at `path`, whose grid this is. Throws IoError.
+/// Reads the map with this grid at `path`. Throws IoError.
 TerminalView terminal_view(const std::filesystem::path& path, const sweep::Grid& grid, bool has_report);
 
 }  // namespace rubsweep::apps

@@ -9,15 +9,15 @@
 
 namespace rubsweep::apps {
 
-/// Cells that keep the parts of a map from being put together.
+/// Cells that are still missing before the parts of a map can be merged.
 struct UnfinishedCells {
-  std::vector<std::size_t> cells;  ///< ascending; none: the map can be written
-  std::size_t shard_count = 0;  ///< shards of the division that was begun, the finest of several; 0: none was
-  std::set<std::size_t> shards;  ///< numbers of the shards that have these cells, from 1
+  std::vector<std::size_t> cells;  ///< ascending; empty: the map can be written
+  std::size_t shard_count = 0;     ///< number of shards in the finest division that was started; 0: none
+  std::set<std::size_t> shards;    ///< numbers, from 1, of the shards with these cells
 };
 
-/// Cells without a result of a whole map; those that the finished cells of a refined map want next, since
-/// which others it needs is known only from these. `grid` is that of the directory. Throws IoError.
+/// Cells of a complete map without a result; for a refined map, the next cells that its finished cells call
+/// for, because later ones are not known yet. `grid` belongs to the directory. Throws IoError.
 UnfinishedCells unfinished_cells(const map::MapDirectory& directory, const sweep::Grid& grid);
 
 }  // namespace rubsweep::apps

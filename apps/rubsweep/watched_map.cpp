@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Finished cells of all journals in characters; empty where there are none to show.
+/// Map of characters from the finished cells of all journals; empty where there is nothing to show.
 std::string cells_under_way(const fs::path& directory, const sweep::Grid& grid) {
   batch::FinishedCells finished(sweep::cell_count(grid));
   for (const auto& entry : fs::directory_iterator(directory)) {
@@ -39,7 +39,7 @@ std::string cells_under_way(const fs::path& directory, const sweep::Grid& grid) 
   return map.text(terminal_width(), shows_colours());
 }
 
-/// The map as far as it is; nothing where it cannot be read.
+/// The map so far; empty where it cannot be read.
 std::string picture(const fs::path& directory) {
   try {
     const sweep::Grid grid = config::read_run_config(directory / "config.yaml", {}).study.grid;
@@ -58,13 +58,14 @@ struct Screen {
 };
 
 Screen look(const fs::path& directory) {
-  // Asked first, so that the last screen is drawn after the end.
+  // Asked before the map is read, so that the last screen shows the end.
   const bool at_work = is_at_work(directory);
-  const std::string status = map_status(directory);  // waits two seconds where somebody is at work
+  const std::string status = map_status(directory);  // takes two seconds while a process works
   return {status, picture(directory), at_work};
 }
 
-/// Processes come and go, and with them files that are about to be read: tries again before it throws.
+/// Reads the status again if it fails, because files may vanish when processes end; throws after five
+/// failures.
 Screen look_again(const fs::path& directory) {
   constexpr int tries = 5;
   for (int i = 1; i < tries; ++i) {
@@ -82,14 +83,14 @@ Screen look_again(const fs::path& directory) {
 }  // namespace
 
 void watch_map(const fs::path& directory) {
-  // From the upper left corner, and without what was there below the end.
+  // Escape codes: go to the upper left corner, and delete everything below.
   constexpr std::string_view from_the_top = "\x1b[H\x1b[J";
   const bool again = ::isatty(STDOUT_FILENO) != 0;
   for (bool first = true;; first = false) {
     const Screen screen = look_again(directory);
     if (again)
       std::fputs((first ? "\x1b[2J" + std::string(from_the_top) : std::string(from_the_top)).c_str(), stdout);
-    std::fputs(screen.picture.c_str(), stdout);  // the picture in its colours
+    std::fputs(screen.picture.c_str(), stdout);  // not by print, as the picture contains colour codes
     print("{}", screen.status);
     std::fflush(stdout);
     if (!again || !screen.at_work) return;

@@ -4,9 +4,8 @@
 
 namespace rubsweep::apps {
 
-/// Shows a map while it is computed, by whichever processes, and what each of these does: on a terminal drawn
-/// anew every two seconds until nobody is at work, elsewhere once. Changes nothing in the directory. Throws
-/// IoError where it is none.
+/// Shows a map while processes compute it, and what each of them does: on a terminal again every two seconds
+/// until none works, elsewhere once. Changes nothing in the directory. Throws IoError where it holds no map.
 void watch_map(const std::filesystem::path& directory);
 
 }  // namespace rubsweep::apps

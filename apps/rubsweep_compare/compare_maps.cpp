@@ -31,7 +31,7 @@ bool has(const CsvReader& map, std::string_view column) {
   return std::ranges::find(map.header(), column) != map.header().end();
 }
 
-/// Text of a column in the row that was read last.
+/// Text in a column of the current row.
 const std::string& text(const CsvReader& row, std::string_view name) { return row.cells()[row.column(name)]; }
 
 std::string label(const CsvReader& row) {
@@ -39,19 +39,19 @@ std::string label(const CsvReader& row) {
   return order.empty() || order == "1" ? name : fmt::format("{} 1/{}", name, order);
 }
 
-/// Motions whose numbers do not depend on when one looks.
+/// Whether a motion repeats, so that its numbers do not depend on the time of observation.
 bool repeats(const CsvReader& row) {
   const auto motion_class = response::motion::motion_class_of(text(row, "class"));
   return motion_class && row_of(*motion_class).repeats;
 }
 
-/// A pair of rows for one cell, and the texts of their columns.
+/// Rows of both maps for one cell, with access to their columns.
 struct Pair {
   const CsvReader &a, &b;
 
   static double number(const CsvReader& row, std::string_view name) { return row.number(row.column(name)); }
 
-  /// Empty when both are empty or equal to the last bit.
+  /// Relative difference of a number; empty where both cells are empty or equal to the last bit.
   std::optional<double> relative_difference(const MapColumn& column) const {
     const double x = number(a, column.name), y = number(b, column.name);
     if (x == y) return std::nullopt;
@@ -64,7 +64,7 @@ struct Pair {
   }
 };
 
-/// Collects, for each column, in how many cells it differs and where most.
+/// Counts, for each column, the cells that differ, and keeps the largest difference.
 class Columns {
  public:
   void add(std::string_view column, std::size_t cell, std::optional<double> size, const Pair& pair) {
@@ -94,7 +94,7 @@ bool is_compared(const MapColumn& column) {
   return column.comparison == Comparison::text || column.comparison == Comparison::number;
 }
 
-/// True when something differs.
+/// Compares the columns of a cell; returns whether any differs.
 bool compare_columns(const Pair& pair, const std::vector<MapColumn>& compared, std::size_t cell,
                      double tolerance, Columns& columns) {
   bool differs = false;
@@ -137,13 +137,13 @@ MapComparison compare_maps(const fs::path& path_a, const fs::path& path_b, doubl
   }
   comparison.digest_a = report::comment_after(a, "digest ");
   comparison.digest_b = report::comment_after(b, "digest ");
-  report::rows_by_cell(path_a, comparison.axis, comparison.keys);  // no cell twice
+  report::rows_by_cell(path_a, comparison.axis, comparison.keys);  // throws where a cell occurs twice
   const auto rows_b = report::rows_by_cell(path_b, comparison.axis, comparison.keys);
   const auto left_out = sensitive ? report::rows_by_cell(*sensitive, comparison.axis, comparison.keys)
                                   : std::vector<CellPlace>{};
   const std::vector<std::size_t> columns_a = report::key_columns(a, comparison.axis, comparison.keys);
 
-  // A map of an earlier version ends before the columns that were added since.
+  // A map of an earlier version lacks the columns that were added later.
   std::vector<MapColumn> compared;
   for (const MapColumn& column : report::map_columns()) {
     if (!is_compared(column)) continue;

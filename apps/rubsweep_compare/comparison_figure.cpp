@@ -24,11 +24,11 @@ constexpr std::array styles{Style{CellVerdict::equal, "equal", "#d9d9d9"},
                             Style{CellVerdict::classes_differ, "another class", "#d7191c"},
                             Style{CellVerdict::only_in_one, "in one map only", "#000000"}};
 
-/// A number of a cell that the picture may be drawn over.
+/// A coordinate of the cells that may become an axis of the picture.
 struct Axis {
   std::string column;
-  std::vector<double> values;     ///< values of the cells, in their order
-  std::vector<double> different;  ///< ascending
+  std::vector<double> values;     ///< one value per cell, in the order of the cells
+  std::vector<double> different;  ///< distinct values, ascending
 };
 
 Axis axis_of(std::string column, const MapComparison& comparison, const auto& value_of) {
@@ -40,7 +40,7 @@ Axis axis_of(std::string column, const MapComparison& comparison, const auto& va
   return axis;
 }
 
-/// The first two axes with several values; speed and unbalance where there are not so many.
+/// The first two axes with several values; speed and unbalance where there are fewer than two.
 std::array<Axis, 2> plane_of(const MapComparison& comparison) {
   std::vector<Axis> axes;
   axes.push_back(axis_of("speed_hz", comparison, [](const ComparedCell& cell) { return cell.speed_hz; }));
@@ -53,7 +53,7 @@ std::array<Axis, 2> plane_of(const MapComparison& comparison) {
   return {axes[0], axes[1]};
 }
 
-/// Edges of the cell of a value: half way to its neighbours.
+/// Edges of the cell at a value: midpoints to the neighbouring values.
 std::array<double, 2> edges(const std::vector<double>& values, double value) {
   const auto at = static_cast<std::size_t>(std::ranges::lower_bound(values, value) - values.begin());
   if (values.size() == 1) return {value - 0.5, value + 0.5};
@@ -80,7 +80,7 @@ std::string label_of(const std::string& column) {
   return column;
 }
 
-/// Commands that write rpm above an axis of speeds in Hz; empty for any other axis.
+/// Gnuplot commands for an rpm scale above an axis of speeds in Hz; empty for other axes.
 std::string_view rpm_above(const std::string& column) {
   if (column != "speed_hz") return "";
   return "set link x2 via 60 * x inverse x / 60.0\n"
@@ -90,15 +90,15 @@ std::string_view rpm_above(const std::string& column) {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-/// Text between single quotes, where gnuplot knows one escape. A line would end there, and with it the
-/// string.
+/// Text in single quotes with gnuplot's only escape there. A line break would end the string, so it is
+/// replaced.
 std::string in_quotes(std::string_view text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "''" : std::string(1, is_control(c) ? '?' : c);
   return result + "'";
 }
 
-/// Gnuplot takes a name that begins with '|' for a command, and one with '~' for somebody's home.
+/// Gnuplot takes a name that begins with '|' or '<' for a command, and one with '~' for a home directory.
 std::string set_output(const std::string& output) {
   if (output.empty()) return "";
   if (std::ranges::any_of(output, is_control)) {
@@ -114,7 +114,7 @@ std::string comparison_figure(const MapComparison& comparison, const std::string
                               const std::string& terminal, const std::string& output) {
   const std::array<Axis, 2> plane = plane_of(comparison);
   std::string script, plots;
-  // The worst last: where cells of several values of other keys lie in one place, it shows.
+  // The worst results come last, so that they stay visible where cells overlap.
   for (const Style& style : styles) {
     const std::size_t cells = comparison.count(style.verdict);
     if (cells == 0) continue;

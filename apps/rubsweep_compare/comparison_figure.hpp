@@ -6,10 +6,10 @@
 
 namespace rubsweep::apps {
 
-/// A gnuplot script with its data in it that draws where two maps differ. `terminal` is gnuplot's (pngcairo,
-/// svg), `output` the picture; empty: standard output. Neither heading nor output can be anything but text
-/// and a file, whatever they hold; control characters of the heading are shown as '?'. Throws IoError when
-/// `output` has such characters: gnuplot has no way to write them.
+/// A gnuplot script, with its data inside, that draws where two maps differ. `terminal`: gnuplot's terminal
+/// (pngcairo, svg); `output`: the picture's file, empty for standard output. Heading and output are quoted
+/// safely, so they cannot act as commands; control characters in the heading become '?'. Throws IoError where
+/// `output` has control characters, which gnuplot cannot write.
 std::string comparison_figure(const MapComparison& comparison, const std::string& heading,
                               const std::string& terminal, const std::string& output);
 

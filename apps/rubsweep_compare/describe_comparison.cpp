@@ -15,7 +15,7 @@ std::string place(const MapComparison& comparison, const ComparedCell& cell) {
   return text;
 }
 
-/// The cells of a kind, the first twenty by name.
+/// Number of cells with this result, and the names of the first twenty.
 std::string list_cells(const MapComparison& comparison, CellVerdict verdict) {
   constexpr std::size_t longest = 20;
   std::string text;

@@ -6,7 +6,7 @@
 
 namespace rubsweep::apps {
 
-/// A comparison by `tolerance` for people, ending with "equal" or "different".
+/// Text about a comparison with this tolerance; ends with "equal" or "different".
 std::string describe_comparison(const MapComparison& comparison, double tolerance);
 
 }  // namespace rubsweep::apps

@@ -76,7 +76,8 @@ po::variables_map parse(int argc, char** argv) {
   return read_command_line(argc, argv, all, positional);
 }
 
-/// The picture appears whole or not at all, and gnuplot never gets to see its name.
+/// Draws the picture into a temporary file and renames it, so that it appears whole and gnuplot never sees
+/// its name.
 void draw(const std::string& script, const fs::path& picture) {
   batch::WholeFile file(picture);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> input(std::tmpfile(), &std::fclose);

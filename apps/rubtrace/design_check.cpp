@@ -29,17 +29,17 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Every file that a design check may leave.
+/// All files that a design check may write.
 constexpr std::array<std::string_view, 5> check_file_names{
     "config.yaml", "design_check.csv", "unbalance_response.csv", "lock_speeds.csv", "kicks.csv"};
 
-/// Speeds at which a rotor that is unstable without its stops is looked for.
+/// Number of speeds at which the rotor's stability without stops is checked.
 constexpr int premise_speeds = 121;
 
 design::DesignQuestions questions_of(const RubtraceArguments& arguments, const sweep::Study& study) {
   const DesignCheckArguments& asked = arguments.design_check.value();
   design::DesignQuestions questions{
-      operating_range(asked, study), {}, asked.kick_speeds, batch::thread_count(asked.threads)};
+      operating_range(asked, study), {}, asked.kick_speeds, batch::thread_count(asked.threads), asked.stages};
   if (arguments.place.has_unbalance()) {
     const scene::Unbalance unbalance = unbalance_of(arguments.place, study.machine);
     questions.eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
@@ -97,7 +97,8 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
   draw_and_say(arguments.figure, "design", directory,
                "Design check, " + model::speed_range_text(check.operating.from_hz, check.operating.to_hz, 4),
                arguments.quiet);
-  return done;
+  const bool passed = design::answer_of(check) == design::Answer::pass;
+  return arguments.design_check->require_pass && !passed ? some_cells_failed : done;
 }
 
 }  // namespace rubsweep::apps

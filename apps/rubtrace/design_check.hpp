@@ -9,12 +9,11 @@
 
 namespace rubsweep::apps {
 
-/// The range that is asked for, else that of the sweep. Throws UsageError where either is none of this
-/// machine.
+/// The operating range given by the arguments, else the speeds of the sweep. Throws UsageError where either
+/// is not allowed for this machine.
 design::SpeedRange operating_range(const DesignCheckArguments& arguments, const sweep::Study& study);
 
-/// Checks the design of the arguments, writes its files into `directory` and prints the page. Returns an exit
-/// code.
+/// Runs the design check, writes its files into `directory` and prints its page. Returns an exit code.
 int run_design_check(const RubtraceArguments& arguments, const config::RunConfig& config,
                      const std::filesystem::path& directory);
 

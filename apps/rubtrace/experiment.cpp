@@ -33,18 +33,18 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Every file that an experiment may leave.
+/// All files that an experiment may write.
 constexpr std::array<std::string_view, 13> experiment_file_names{
     "config.yaml",         "sensors.csv",     "bode.csv",       "identification.csv", "campbell.csv",
     "critical_speeds.csv", "mode_shapes.csv", "envelope.csv",   "orbits.csv",         "spectrogram.csv",
     "quasi_static.csv",    "rub.csv",         "lock_speeds.csv"};
 
-/// Speeds at which a run-up with stops is compared with steady motions.
+/// Number of steady speeds with which a run-up with stops is compared.
 constexpr int steady_speeds = 121;
-/// Samples of a turn at the fastest speed.
+/// Samples per turn at the highest speed.
 constexpr int ramp_samples = 128;
 
-/// Files of an experiment but its configuration, and its result for a terminal.
+/// Files of an experiment except its configuration, and its result for a terminal.
 struct Outcome {
   batch::ResultFiles files;
   std::string summary;
@@ -70,7 +70,7 @@ Outcome campbell_diagram(const CampbellSpeeds& asked, const model::Machine& mach
           std::move(tables.summary)};
 }
 
-/// The motions at steady speeds, each from the one before it, in the order of the ramp.
+/// Motions at steady speeds, in the order of the ramp; each one starts from the motion before.
 std::vector<line::LinePoint> steady_motions(const ramp::SpeedRamp& ramp, const sweep::Study& study,
                                             const scene::PreparedMachine& machine) {
   const auto shared_study = std::make_shared<const sweep::Study>(study);
@@ -88,7 +88,8 @@ std::vector<line::LinePoint> steady_motions(const ramp::SpeedRamp& ramp, const s
   return points;
 }
 
-/// Neither kick nor start, but for one at rest: the unbalance alone brings the rotor to the wall.
+/// Runs up without a kick, and without an initial state unless that is at rest: only the unbalance brings the
+/// rotor to the wall.
 Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study, const model::ShownLengths& shown) {
   study.machine.kick.reset();
   if (!model::begins_at_rest(study.machine.start)) study.machine.start.reset();
@@ -107,7 +108,7 @@ Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study, const
           run};
 }
 
-/// At the steady speeds that stand for a ramp.
+/// Warns about unstable steady speeds within the range of a ramp.
 void warn_of_ramp(const ramp::SpeedRamp& ramp, const sweep::Study& study,
                   const scene::PreparedMachine& machine) {
   warn_of_premises_at("rubtrace", batch::evenly_spaced(ramp.from_hz, ramp.to_hz, steady_speeds), study,
@@ -136,8 +137,8 @@ Outcome perform(const RubtraceArguments& arguments, const sweep::Study& study) {
   return outcome_of(tables_of(linear::free_response(machine, arguments.duration_s, sampling)));
 }
 
-/// Picture that rubplot draws of it, and its heading, for which rpm would be too long: they stand at the
-/// axis.
+/// Picture type for rubplot, and the heading. Speeds in rpm would make the heading too long, so they stand at
+/// the axis.
 std::pair<const char*, std::string> drawing_of(const RubtraceArguments& arguments) {
   if (arguments.campbell) return {"campbell", "Campbell diagram"};
   const ramp::SpeedRamp& ramp = arguments.run_up.value();

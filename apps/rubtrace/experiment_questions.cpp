@@ -21,10 +21,10 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Speeds at which the machine of an experiment over a range of them is looked at.
+/// Number of speeds at which the machine of an experiment is checked.
 constexpr int looked_at = 121;
 
-/// An experiment in words, and the speeds that its machine turns at.
+/// Description of an experiment, and the speeds of its machine.
 struct AskedExperiment {
   std::string text;
   std::vector<double> speeds_hz;
@@ -58,7 +58,8 @@ AskedExperiment experiment_of(const RubtraceArguments& arguments, const sweep::S
           {}};
 }
 
-/// Contact is stated at a speed of the configuration: a Campbell diagram may begin at standstill.
+/// Text of --explain. Contact is explained at a speed of the configuration, because a Campbell diagram may
+/// begin at standstill.
 std::string explanation(const AskedExperiment& asked, const sweep::Study& study) {
   const double slowest_hz = *std::ranges::min_element(study.grid.speed_hz);
   std::string text =

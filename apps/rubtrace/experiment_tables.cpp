@@ -42,7 +42,7 @@ ExperimentTables begun(const LinearRun& run, const Eigen::MatrixXd& signal_m) {
           .summary = {}};
 }
 
-/// A share of a signal that one mode leaves unexplained from which on it is said that there is more than one.
+/// Unexplained share of a signal above which the text warns that more than one mode may be present.
 constexpr double large_misfit = 0.05;
 
 std::string resonance_text(const std::optional<RampResonance>& fit) {
@@ -106,7 +106,7 @@ ExperimentTables tables_of(const RunUp& run_up, const model::ShownLengths& shown
   for (std::size_t i = 0; i < run_up.bode.size(); ++i) {
     const std::optional<double> top_hz = run_up.speed_of_largest_1x_hz[i];
     const double largest_m = run_up.largest_amplitude_m[i];
-    // Scripts know this speed by its older name, which it deserves on slow ramps alone.
+    // Scripts still use the older name of this quantity, although it is a critical speed on slow ramps only.
     if (top_hz) add(tables.identification_csv, "critical_speed_hz", i, *top_hz);
     if (top_hz) add(tables.identification_csv, "speed_of_largest_1x_hz", i, *top_hz);
     if (run_up.sees[i] && !run_up.bode[i].empty())

@@ -7,7 +7,7 @@
 
 namespace rubsweep::apps {
 
-/// Preliminary experiments on a rotor as texts: sensor readings, and parameters identified from them.
+/// Results of an experiment without contact as texts: sensor readings, and parameters identified from them.
 struct ExperimentTables {
   std::string sensors_csv;         ///< t_s, speed_hz, shaft_angle_rad, then sensor_i_m
   std::string bode_csv;            ///< run-up only: speed_hz, then sensor_i_amplitude_m, sensor_i_phase_deg
@@ -15,11 +15,12 @@ struct ExperimentTables {
   std::string summary;             ///< text for a terminal
 };
 
-/// t_s, speed_hz, shaft_angle_rad, then sensor_i_m: samples x sensors of a run at this speed.
+/// CSV with t_s, speed_hz, shaft_angle_rad, then sensor_i_m. `signal_m`: one row per sample, one column per
+/// sensor.
 std::string sensors_csv(const linear::LinearRun& run, const Eigen::MatrixXd& signal_m);
 
 ExperimentTables tables_of(const linear::FreeResponse& response);
-/// The summary says amplitudes as asked for, in m otherwise.
+/// Tables and summary of a run-up. `shown`: unit of amplitudes in the summary, m by default.
 ExperimentTables tables_of(const linear::RunUp& run_up, const model::ShownLengths& shown = {});
 
 }  // namespace rubsweep::apps

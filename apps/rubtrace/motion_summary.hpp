@@ -7,8 +7,8 @@
 
 namespace rubsweep::apps {
 
-/// The cell and its motion, one line each, from the row that the map holds of it: class, order, orbit, whirl
-/// and what they rest on. The eccentricity as asked for, in m otherwise.
+/// The cell and its motion from a row of the map, one line each: class, order, orbit, whirl and the evidence
+/// for them. `shown`: unit of the eccentricity, m by default.
 std::string motion_summary(const sweep::Row& row, const model::ShownLengths& shown = {});
 
 }  // namespace rubsweep::apps

@@ -9,7 +9,8 @@
 
 namespace rubsweep::apps {
 
-/// A run-up or run-down through rub as texts. Lengths in m, forces in N, times in s, speeds in Hz.
+/// Results of a run-up or run-down with rubbing, as texts. Lengths in m, forces in N, times in s, speeds in
+/// Hz.
 struct RampTables {
   std::string envelope_csv;      ///< extremes, peaks and contacts over the ramp
   std::string orbits_csv;        ///< orbit, speed_hz, t_s, x_m, y_m
@@ -19,11 +20,11 @@ struct RampTables {
   std::string summary;           ///< text for a terminal
 };
 
-/// Speeds between which neighbouring cells all rub, in the order of the points.
+/// Ranges of speed in which neighbouring cells all rub, in the order of the points.
 std::vector<ramp::RubbingSpan> rubbing_spans(std::span<const line::LinePoint> points);
 
-/// The summary says lengths as asked for, in m otherwise. `quasi_static`: the cells of the same speeds one
-/// after the other, in the order of the ramp.
+/// `quasi_static`: motions at steady speeds, in the order of the ramp. `shown`: unit of lengths in the
+/// summary, m by default.
 RampTables tables_of(const ramp::RampRecord& record, std::span<const line::LinePoint> quasi_static,
                      const model::ShownLengths& shown = {});
 

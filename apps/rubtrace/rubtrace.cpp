@@ -47,12 +47,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every file that a trace may leave.
+/// All files that a trace may write.
 constexpr std::array<std::string_view, 8> file_names{"config.yaml", "motion.csv",        "trajectory.csv",
                                                      "section.csv", "events.csv",        "spectrum.csv",
                                                      "sensors.csv", "probe_spectrum.csv"};
 
-/// Fewer readings than this show no period.
+/// Fewest probe readings from which a period can be found.
 constexpr int fewest_readings = 16;
 
 fs::path directory_of(const RubtraceArguments& arguments, const config::RunConfig& config) {
@@ -69,7 +69,7 @@ int cannot_start(scene::Start start) {
   return some_cells_failed;
 }
 
-/// Refused before anything is begun, not killed in the middle.
+/// Throws, before anything is computed, where the trace needs more memory than the machine has.
 void refuse_more_memory_than_there_is(const trace::TraceOptions& options, std::size_t stops,
                                       Eigen::Index coordinates) {
   const double needed = trace::trace_bytes(options, stops, coordinates),
@@ -104,7 +104,7 @@ std::vector<double> places_of_sensors(const model::Machine& machine) {
   return places;
 }
 
-/// Adds the readings of the probes, and returns their verdict beside that of the section.
+/// Adds the readings of the probes; returns a text that compares their verdict with that of the section.
 std::string look_by_probes(const trace::Trace& trace, const trace::Probes& probes, double speed_hz,
                            const sweep::Study& study, const model::ShownLengths& shown,
                            response::motion::Workspace& workspace, batch::ResultFiles& files) {
@@ -133,7 +133,7 @@ trace::TraceOptions options_of(const RubtraceArguments& arguments, const sweep::
           .trajectory_revolutions = arguments.last_revolutions};
 }
 
-/// Files and text of the motion, added to those of the row.
+/// Adds the trace's files and text to those of the row.
 void add_trace(const trace::Trace& trace, const trace::TraceOptions& options, const sweep::Study& study,
                const sweep::Row& row, double length_scale_m, const model::ShownLengths& shown,
                response::motion::Workspace& workspace, batch::ResultFiles& files, std::string& summary) {
@@ -147,13 +147,13 @@ void add_trace(const trace::Trace& trace, const trace::TraceOptions& options, co
     summary += look_by_probes(trace, *options.probes, options.speed_hz, study, shown, workspace, files);
 }
 
-/// The study of the cell alone.
+/// Reduces the study to this cell.
 void reduce_to_cell(const PlaceArguments& place, sweep::Study& study) {
   study.grid = sweep::grid_of(scene::Place{place.speed_hz.value(), unbalance_of(place, study.machine)});
   keep_units(place, study);
 }
 
-/// `config` has no cell but this one.
+/// Runs the trace; `config` contains only this cell.
 int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
   const sweep::Study& study = config.study;
   const scene::Place place = sweep::place_of(study.grid, 0);
@@ -176,8 +176,8 @@ int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
                          "\n" + report::map_line(row, study) + report::unit_cells(row, study.grid) + "\n"}};
   std::string summary = motion_summary(row, arguments.shown);
 
-  // A second run of the cell: the first one, which classifies, ends where the motion is proven and takes
-  // other samples, so that its steps are not those of a trace of all revolutions.
+  // The cell runs a second time. The first run, which classifies, stops once the motion is proven and has
+  // other samples, so its steps are not those of a trace of all revolutions.
   const std::optional<double> secant_n = row.hertz ? std::optional(row.hertz->force_n) : std::nullopt;
   const scene::Cell cell =
       scene::build_cell(sweep::with_secant_of_row(prepared, secant_n), place.speed_hz, place.unbalance);
@@ -210,7 +210,7 @@ int run(const RubtraceArguments& arguments, const config::RunConfig& config) {
 
 int perform(RubtraceArguments arguments) {
   if (answered("rubtrace", arguments.action, rubtrace_help)) return done;
-  end_on_interrupts("nothing was written");  // a rotor may take a second to be prepared
+  end_on_interrupts("nothing was written");  // preparing a rotor may take a second
   config::RunConfig config = config::read_cell_config(arguments.config, arguments.overrides);
   ask("rubtrace", config.questions, arguments.quiet);
   if (arguments.place.has_unbalance())

@@ -102,6 +102,10 @@ po::options_description visible_options() {
       "operating-rpm", po::value<std::string>()->value_name("FROM:TO"), "the same in revolutions per minute")(
       "kick-speeds", po::value<long>()->value_name("N")->default_value(11),
       "of --design-check: evenly spaced speeds at which kicks are tried, beside the lock speeds; 0: none")(
+      "stage", po::value<std::vector<std::string>>()->value_name("STAGE"),
+      "of --design-check, for each stage: impeller:KW:DENSITY_RATIO:DIAMETER_MM:WIDTH_MM or "
+      "blades:KW:DIAMETER_MM:HEIGHT_MM, whose power drives cross-coupling; none: the rotor does no work")(
+      "require-pass", "of --design-check: exit code 4 where the answer is not pass")(
       "duration-s", po::value<double>()->value_name("T")->default_value(2), "length of the free response")(
       "sample-s", po::value<double>()->value_name("T")->default_value(1e-3),
       "sampling time of the sensors; given with a trace: sensors.csv, probe_spectrum.csv and the period that "
@@ -127,16 +131,18 @@ std::optional<long> count_of(const po::variables_map& given, const char* name) {
   return value;
 }
 
-/// Whether the sensors are to look at a trace, too.
+/// Whether a trace includes readings of the sensors.
 bool asks_for_probes(const po::variables_map& given) {
   return !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
 }
 
-/// The check of a design, and what belongs to it alone.
+/// Reads the arguments of the design check, and of that alone.
 void read_design_check(const po::variables_map& given, RubtraceArguments& arguments) {
   const bool in_hz = given.count("operating-hz") != 0, in_rpm = given.count("operating-rpm") != 0;
   if (given.count("design-check") == 0) {
     if (in_hz || in_rpm) throw UsageError("--operating-hz and --operating-rpm belong to --design-check");
+    for (const char* name : {"stage", "require-pass"})
+      if (given.count(name) != 0) throw UsageError(fmt::format("--{} belongs to --design-check", name));
     for (const char* name : {"kick-speeds", "threads"})
       if (!given[name].defaulted()) throw UsageError(fmt::format("--{} belongs to --design-check", name));
     return;
@@ -154,10 +160,12 @@ void read_design_check(const po::variables_map& given, RubtraceArguments& argume
     throw UsageError(fmt::format("--kick-speeds: allowed: a number from 0 to {}", most_kick_speeds));
   check.kick_speeds = static_cast<int>(kick_speeds);
   check.threads = threads_of(given);
+  if (given.count("stage") != 0) check.stages = stages_of(given["stage"].as<std::vector<std::string>>());
+  check.require_pass = given.count("require-pass") != 0;
   arguments.design_check = std::move(check);
 }
 
-/// Throws UsageError where an option is given that belongs to something else than the experiment asked for.
+/// Throws UsageError where an option does not belong to the chosen experiment.
 void refuse_options_of_others(const po::variables_map& given, const RubtraceArguments& arguments) {
   const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
   if (!sampled && !given["duration-s"].defaulted())
@@ -167,7 +175,7 @@ void refuse_options_of_others(const po::variables_map& given, const RubtraceArgu
     throw UsageError("--sample-s and --noise-m belong to a trace, --free-response or --run-up without stops");
 }
 
-/// The experiments without contact; false when a trace is wanted.
+/// Reads the experiments without contact; returns false where a trace is wanted.
 bool read_experiment(const po::variables_map& given, RubtraceArguments& arguments) {
   arguments.free_response = given.count("free-response") != 0;
   if (given.count("run-up") != 0) arguments.run_up = ramp_of(given["run-up"].as<std::string>());
@@ -226,7 +234,7 @@ RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv) {
   arguments.place = read_place(given);
   arguments.shown = shown_lengths_of(given);
   if (read_experiment(given, arguments)) return arguments;
-  // Without a cell they are about the whole sweep.
+  // --check and --explain without a cell apply to the whole sweep.
   const bool names_cell = arguments.place.speed_hz || arguments.place.has_unbalance();
   if (arguments.action != Action::run && !names_cell) return arguments;
   if (!arguments.place.speed_hz) throw UsageError("the shaft speed is needed: --speed-hz S or --speed-rpm N");

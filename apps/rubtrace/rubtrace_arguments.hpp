@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "rubsweep/core/model/length_text.hpp"
 #include "shared/action.hpp"
@@ -11,32 +12,34 @@
 
 namespace rubsweep::apps {
 
-/// A check of the design.
+/// Arguments of a design check.
 struct DesignCheckArguments {
   std::optional<design::SpeedRange> operating = {};  ///< empty: the speeds of the sweep
-  std::string operating_option = {};                 ///< option that gave the operating range
+  std::string operating_option = {};                 ///< name of the option that gave the operating range
   int kick_speeds = 11;
   int threads = 0;
+  std::optional<std::vector<design::Stage>> stages = {};  ///< see design::LateralQuestions
+  bool require_pass = false;  ///< another answer than "pass" ends with exit code 4
 };
 
 struct RubtraceArguments : StudyArguments {
   PlaceArguments place = {};                    ///< place of a trace; unbalance of a run-up or design check
-  bool free_response = false;                   ///< an experiment without contact instead of a trace
-  std::optional<ramp::SpeedRamp> run_up = {};   ///< another one
-  bool with_stops = false;                      ///< true: the run-up has its stops
-  std::optional<CampbellSpeeds> campbell = {};  ///< and another one
+  bool free_response = false;                   ///< experiment in place of a trace: free vibration
+  std::optional<ramp::SpeedRamp> run_up = {};   ///< experiment in place of a trace: a run-up
+  bool with_stops = false;                      ///< the run-up includes the stops
+  std::optional<CampbellSpeeds> campbell = {};  ///< experiment in place of a trace: a Campbell diagram
   std::optional<DesignCheckArguments> design_check = {};
   double duration_s = 2;   ///< duration of the free response
   double sample_s = 1e-3;  ///< sampling time of the sensors
   double noise_m = 0;
-  bool probes = false;                ///< the sensors look at a trace, too
-  std::optional<Figure> figure = {};  ///< drawn of a trace, a Campbell diagram or a run-up with stops
-  model::ShownLengths shown = {};     ///< lengths in the printed text
+  bool probes = false;                ///< the trace includes readings of the sensors
+  std::optional<Figure> figure = {};  ///< figure of a trace, a Campbell diagram or a run-up with stops
+  model::ShownLengths shown = {};     ///< unit of lengths in the printed text
   std::optional<long> revolutions = {};
   std::optional<long> last_revolutions = {};
 };
 
-/// Throws UsageError (program.hpp).
+/// Reads the command line. Throws UsageError (program.hpp).
 RubtraceArguments parse_rubtrace_arguments(int argc, const char* const* argv);
 
 /// Text of --help.

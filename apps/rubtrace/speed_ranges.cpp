@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "rubsweep/core/model/range.hpp"
@@ -13,7 +15,7 @@
 namespace rubsweep::apps {
 namespace {
 
-/// The finite numbers between the colons of a text; empty where one is none.
+/// The finite numbers between the colons of a text; empty where one of them is invalid.
 std::optional<std::vector<double>> numbers_between_colons(const std::string& text) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -75,6 +77,30 @@ design::SpeedRange operating_range_of(const char* option, const std::string& tex
         fmt::format("--{}: '{}' is not allowed, allowed: FROM:TO with 0 < FROM < TO", option, text));
   }
   return {(*numbers)[0] / per_hz, (*numbers)[1] / per_hz};
+}
+
+std::vector<design::Stage> stages_of(const std::vector<std::string>& texts) {
+  constexpr double watts = 1e3, metres = 1e-3;
+  if (texts == std::vector<std::string>{"none"}) return {};
+  std::vector<design::Stage> stages;
+  for (const std::string& text : texts) {
+    const std::size_t colon = text.find(':');
+    const std::string kind = text.substr(0, colon);
+    const bool blades = kind == "blades";
+    const auto numbers =
+        colon == std::string::npos ? std::nullopt : numbers_between_colons(text.substr(colon + 1));
+    const bool sound = (blades || kind == "impeller") && numbers && numbers->size() == (blades ? 3 : 4) &&
+                       std::ranges::all_of(*numbers, [](double number) { return number > 0; });
+    if (!sound)
+      throw UsageError(fmt::format(
+          "--stage: '{}' is not allowed, allowed: impeller:KW:DENSITY_RATIO:DIAMETER_MM:WIDTH_MM, "
+          "blades:KW:DIAMETER_MM:HEIGHT_MM with numbers > 0, or none alone",
+          text));
+    const std::vector<double>& given = *numbers;
+    stages.push_back({blades, watts * given[0], blades ? 1 : given[1], metres * given[given.size() - 2],
+                      metres * given.back()});
+  }
+  return stages;
 }
 
 }  // namespace rubsweep::apps

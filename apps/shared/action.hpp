@@ -11,19 +11,19 @@ namespace rubsweep::apps {
 
 enum class Action { run, check, explain, print_config, help, version };
 
-/// Arguments of every program that reads a configuration file.
+/// Arguments common to all programs that read a configuration file.
 struct StudyArguments {
-  Action action = Action::run;  ///< help and version: nothing else is filled in
+  Action action = Action::run;  ///< help and version leave all other members unset
   std::filesystem::path config;
   std::optional<std::filesystem::path> output;
-  std::vector<std::string> overrides;  ///< `key.path=value` of every --set
+  std::vector<std::string> overrides;  ///< `key.path=value` from every --set
   bool quiet = false;
 };
 
-/// Prints the answer to --help and --version; false for any other action.
+/// Prints the answer to --help or --version and returns true; returns false for other actions.
 bool answered(std::string_view program, Action action, const std::function<std::string()>& help);
 
-/// Functions of a program for each action on a configuration that was read.
+/// A program's functions for the actions on a configuration.
 struct StudyActions {
   std::function<std::string()> size, explanation,
       configuration;  ///< answers to --check, --explain, --print-config

@@ -4,21 +4,21 @@
 
 namespace rubsweep::apps {
 
-/// A cell as the command line names it: the unbalance in the measure of the configuration's sweep.
+/// A cell on the command line; the unbalance is in the measure of the configuration's sweep.
 struct CellArgument {
   double speed_hz = 0, unbalance = 0;
 };
 
-/// Two numbers as the command line names them, before it is known of which axes they are values.
+/// Two numbers from the command line, before it is known which axes they belong to.
 struct CellValues {
   double first = 0, second = 0;
-  bool by_minutes = false;  ///< the first one is a speed, and was said in revolutions per minute
+  bool by_minutes = false;  ///< the first number is a speed in rpm
 };
 
-/// Reads X,Y or SPEEDrpm,Y; a speed becomes one in Hz. Throws UsageError.
+/// Reads X,Y or SPEEDrpm,Y; converts a speed to Hz. Throws UsageError.
 CellValues read_cell_values(const std::string& text);
 
-/// The cell as speed and unbalance. Throws UsageError where the values are none.
+/// The cell with these values as speed and unbalance. Throws UsageError where they are invalid.
 CellArgument cell_of(const CellValues& values);
 
 /// Reads SPEED_HZ,UNBALANCE or SPEEDrpm,UNBALANCE. Throws UsageError.

@@ -35,10 +35,10 @@ std::optional<std::filesystem::path> find_command(const std::string& name) {
 
 namespace {
 
-/// Time between two looks at a child and at signals.
+/// Interval at which a child and signals are checked.
 constexpr std::chrono::milliseconds patience{10};
 
-/// Argument list of exec and its kind; the texts stay where they are.
+/// Argument list for exec; it points into `command`, which must outlive it.
 std::vector<char*> as_argv(std::vector<std::string>& command) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
@@ -47,11 +47,11 @@ std::vector<char*> as_argv(std::vector<std::string>& command) {
   return arguments;
 }
 
-/// Starts a command of PATH, or one with a directory in its name. Signals that wait here do not wait there,
-/// but `held` does.
+/// Starts a command found in PATH, or one with a directory in its name. Signals blocked in this process are
+/// not blocked in the child, except `held`.
 pid_t start(const std::string& program, std::vector<std::string> command, const ChildStreams& streams,
             std::optional<int> held) {
-  // Where who started this process ignores ends of children, no exit code of one reaches it.
+  // If the parent of this process ignores SIGCHLD, exit codes of children would be lost.
   std::signal(SIGCHLD, SIG_DFL);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);

@@ -17,24 +17,24 @@
 namespace rubsweep::apps {
 namespace {
 
-/// More would only exhaust the system: cells share nothing, a thread per processor is all that helps.
+/// Largest number of threads: more than one per processor does not help, and very many exhaust the system.
 constexpr int most_threads = 1024;
 
 bool is_given(const po::variables_map& given, const char* name) { return given.count(name) != 0; }
 
-/// " (did you mean '--threads'?)" of an option that there is not; empty where none is near.
+/// Hint for an unknown option, such as " (did you mean '--threads'?)"; empty where no name is similar.
 std::string meant_instead_of(std::string_view given, const po::options_description& options) {
   given.remove_prefix(std::min(given.find_first_not_of('-'), given.size()));
   std::vector<std::string_view> names;
   for (const auto& option : options.options()) {
     if (option->long_name() != "config")
-      names.push_back(option->long_name());  // the file, said without a name
+      names.push_back(option->long_name());  // except the file, which is given without a name
   }
   const auto meant = config::yaml::nearest(given, names);
   return meant ? fmt::format(" (did you mean '--{}'?)", *meant) : "";
 }
 
-/// Arguments with -h, -o and -j in full, -j4 as well.
+/// Arguments with -h, -o and -j (also -j4) replaced by the long options.
 std::vector<std::string> spelt_out(int argc, const char* const* argv) {
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
@@ -105,7 +105,7 @@ po::variables_map read_command_line(int argc, const char* const* argv, const po:
                                     const po::positional_options_description& positional) {
   po::variables_map given;
   try {
-    // No guessing: --thread is an error, not --threads.
+    // Abbreviated options are refused: --thread is an error, not --threads.
     const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
     po::store(po::command_line_parser(spelt_out(argc, argv))
                   .options(options)
@@ -116,7 +116,7 @@ po::variables_map read_command_line(int argc, const char* const* argv, const po:
   } catch (const po::unknown_option& error) {
     throw UsageError(error.what() + meant_instead_of(error.get_option_name(), options));
   } catch (const po::invalid_option_value& error) {
-    // Texts are taken as they are.
+    // Only numbers can fail to convert; texts are taken as they are.
     throw UsageError(fmt::format("{}, allowed: a number", error.what()));
   } catch (const po::error& error) {
     throw UsageError(error.what());

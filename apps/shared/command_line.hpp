@@ -11,7 +11,7 @@
 #include "rubsweep/maps/batch/progress.hpp"
 #include "shared/action.hpp"
 
-/// Options that several programs have in common. An option is added where --help shows it.
+/// Options common to several programs. Options appear in --help in the order in which they are added.
 namespace rubsweep::apps {
 
 namespace po = boost::program_options;
@@ -22,41 +22,41 @@ void add_set(po::options_description& options);
 void add_actions(po::options_description& options, const char* meaning_of_explain);
 void add_progress(po::options_description& options);
 void add_verify(po::options_description& options, const char* meaning);
-/// --quiet, --help and --version, of every program.
+/// Adds --quiet, --help and --version, which every program has.
 void add_last(po::options_description& options);
 
-/// The options as --help shows them.
+/// The options as text for --help.
 std::string text_of(const po::options_description& options);
 
-/// Options must be spelt in full. Throws UsageError, as do all that follow.
+/// Reads a command line; option names must be complete. Throws UsageError, like all functions below.
 po::variables_map read_command_line(int argc, const char* const* argv, const po::options_description& options,
                                     const po::positional_options_description& positional);
 
-/// The same for a program that takes one configuration file.
+/// Reads the command line of a program with one configuration file.
 po::variables_map read_study_command_line(int argc, const char* const* argv, po::options_description options);
 
-/// Action asked for: of --version and --help the first that is given, else that of --check, --explain and
+/// Action on the command line: the first of --version and --help, else the first of --check, --explain and
 /// --print-config.
 Action action_of(const po::variables_map& given);
 
-/// Arguments read by `read_study_command_line`; `program` is who asks for the configuration file.
+/// Arguments from `read_study_command_line`; `program` is the name in the message about a missing file.
 StudyArguments study_arguments(const po::variables_map& given, std::string_view program);
 
-/// The number of an option that is finite and > 0, or >= 0; empty where it is not given.
+/// Value of an option, which must be finite and > 0, or >= 0; empty where it is not given.
 std::optional<double> positive_number(const po::variables_map& given, const char* name);
 std::optional<double> not_negative_number(const po::variables_map& given, const char* name);
 
-/// Whether `name` is given, an option that asks for no run and goes alone or with --quiet, --summary and
-/// `beside`. Throws UsageError.
+/// Whether the option `name` is given, which replaces a run. It may be combined only with --quiet, --summary
+/// and the option `beside`. Throws UsageError.
 bool asks_for(const char* name, const po::variables_map& given, std::string_view beside = "");
 
-/// The directory of --verify.
+/// The directory given by --verify.
 std::optional<std::filesystem::path> verified_directory_of(const po::variables_map& given);
 
 int threads_of(const po::variables_map& given);
 batch::ProgressMode progress_of(const po::variables_map& given);
 
-/// The word that --progress has for it.
+/// The word for a mode in --progress.
 std::string progress_word(batch::ProgressMode mode);
 
 }  // namespace rubsweep::apps

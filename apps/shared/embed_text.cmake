@@ -1,5 +1,5 @@
-# cmake -DFILE=FILE -DHEADER=HEADER -DNAME=NAME -DOUTPUT=FILE.cpp -P embed_text.cmake: writes the definition of the text NAME that
-# HEADER declares, with what is in FILE.
+# cmake -DFILE=FILE -DHEADER=HEADER -DNAME=NAME -DOUTPUT=FILE.cpp -P embed_text.cmake: writes the definition of the text
+# NAME, which HEADER declares, with the content of FILE.
 file(READ "${FILE}" text)
 file(WRITE "${OUTPUT}" "#include \"${HEADER}\"
 

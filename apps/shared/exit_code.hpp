@@ -11,8 +11,8 @@ enum ExitCode : int {
   some_cells_failed = 4,
   maps_differ = 5,
   directory_in_use = 6,
-  not_whole = 7,        ///< results are damaged, unfinished, or do not belong together
-  unfinished = 75,      ///< work is left for other processes (sysexits: EX_TEMPFAIL)
+  not_whole = 7,        ///< results are damaged, unfinished, or inconsistent
+  unfinished = 75,      ///< other processes still have work to do (sysexits: EX_TEMPFAIL)
   software_fault = 70,  ///< out of memory, or a fault of the program itself (sysexits: EX_SOFTWARE)
 };
 

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory that goes when its owner does.
+/// A temporary directory that is removed by the destructor.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {
@@ -42,9 +42,9 @@ class TemporaryDirectory {
   fs::path path_;
 };
 
-/// Package or program that draws. RUBPLOT_FROM_BIN leads to it from the directory of an installed program,
-/// RUBPLOT_SOURCE from the one where programs are built; elsewhere nobody knows what lies at that place, and
-/// the command of the user is taken.
+/// Package or program that draws. RUBPLOT_FROM_BIN is its path relative to the directory of an installed
+/// program, RUBPLOT_SOURCE its path for programs in the build directory. If neither exists, a rubplot command
+/// in the user's PATH is used.
 fs::path find_rubplot(const std::string& option) {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
@@ -83,7 +83,7 @@ void Figure::draw(const std::string& picture, const fs::path& input, const std::
   const InterruptsWait until_the_directory_is_gone;
   const TemporaryDirectory work;
   const fs::path output = (work.path() / "picture") += file_.extension();
-  // Pictures are the same whatever the user has set for Python.
+  // Pictures must not depend on the user's Python settings.
   std::vector<std::string> command;
   if (fs::is_directory(rubplot_)) command = {"python3", "-E", "-s", "-B"};
   command.insert(command.end(), {rubplot_, picture, "--output", output, "--heading=" + heading});

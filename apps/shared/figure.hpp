@@ -11,17 +11,17 @@ namespace rubsweep::apps {
 
 void add_figure(po::options_description& options, const char* meaning);
 
-/// Picture that a program draws of its results, with rubplot: that of an installed copy in
-/// share/rubsweep/rubplot, else that of the sources it was built from.
+/// A figure of a program's results, drawn by rubplot: the installed copy in share/rubsweep/rubplot, else the
+/// one in the source tree.
 class Figure {
  public:
-  /// `file`, the value of --OPTION, ends with .png, .svg or .pdf, else UsageError. Throws IoError, before any
-  /// thing is computed, where gnuplot, Python or rubplot are missing, or FILE could not be written.
+  /// `file`, the value of --OPTION, must end with .png, .svg or .pdf, else UsageError. Throws IoError, before
+  /// anything is computed, where gnuplot, Python or rubplot are missing, or the file cannot be written.
   Figure(std::filesystem::path file, const std::string& option);
 
   const std::filesystem::path& file() const { return file_; }
 
-  /// Lets `rubplot PICTURE` draw `input` under a heading. The picture appears whole or not at all. Throws
+  /// Draws `input` by `rubplot PICTURE` with a heading. The figure appears whole or not at all. Throws
   /// IoError.
   void draw(const std::string& picture, const std::filesystem::path& input, const std::string& heading,
             const std::vector<std::string>& options = {}) const;
@@ -30,12 +30,12 @@ class Figure {
   std::filesystem::path file_, rubplot_;
 };
 
-/// Draws the figure where one is asked for, and says where it is unless `quiet`; else as Figure::draw.
+/// Draws the figure, if there is one, and reports its path unless `quiet`; otherwise like Figure::draw.
 void draw_and_say(const std::optional<Figure>& figure, const std::string& picture,
                   const std::filesystem::path& input, const std::string& heading, bool quiet,
                   const std::vector<std::string>& options = {});
 
-/// The figure that --figure, or another option of that kind, asks for, if it does.
+/// The figure that --figure, or a similar option, asks for; empty where it is not given.
 std::optional<Figure> figure_of(const po::variables_map& given, const std::string& option = "figure");
 
 }  // namespace rubsweep::apps

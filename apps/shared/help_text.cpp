@@ -6,14 +6,14 @@
 namespace rubsweep::apps {
 namespace {
 
-/// Letters that a terminal shows; bytes that continue one in UTF-8 do not count.
+/// Number of displayed characters: continuation bytes of UTF-8 do not count.
 std::size_t width_of(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
-/// Column where the meaning begins in a row of a table, else where the line does.
+/// Column where the description begins in a table row; in other lines, their indentation.
 std::size_t hanging_indent(std::string_view line) {
   const std::size_t begin = indent_of(line), gap = line.find("  ", begin);
   if (begin == 0 || gap == std::string_view::npos) return begin;
@@ -30,7 +30,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// End of the first word; blanks between single quotes do not end it.
+/// End of the first word; blanks between single quotes belong to the word.
 std::size_t end_of_word(std::string_view text) {
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -40,7 +40,7 @@ std::size_t end_of_word(std::string_view text) {
   return std::min(text.find(' '), text.size());
 }
 
-/// Appends words parted by single blanks; `head` stays as it is.
+/// Appends words, separated by single blanks, to `head` and breaks the lines.
 std::string filled(std::string_view head, std::string_view words, std::size_t indent, std::size_t columns,
                    std::string_view end_of_line) {
   std::string text, line(head);
@@ -64,13 +64,13 @@ std::string filled(std::string_view head, std::string_view words, std::size_t in
   return text + line + "\n";
 }
 
-/// True for a line that ends with a full stop, with the colon before a list, or with the last option of a
-/// usage.
+/// Whether a line ends with a full stop, with the colon before a list, or with the last option of a usage
+/// line.
 bool ends_a_paragraph(std::string_view line) {
   return line.ends_with('.') || line.ends_with(':') || line.ends_with(']');
 }
 
-/// How many lines from `first` on are one paragraph.
+/// Number of lines, from `first` on, that form one paragraph.
 std::size_t paragraph(const std::vector<std::string_view>& lines, std::size_t first) {
   const std::size_t indent = hanging_indent(lines[first]);
   std::size_t end = first + 1;

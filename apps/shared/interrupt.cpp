@@ -98,7 +98,7 @@ Watch::Watch(std::function<void()> tick, std::function<void()> leave) {
   try {
     thread_ = std::jthread(watch);
   } catch (const std::system_error&) {
-    // A sweep without it is better than none.
+    // A sweep without progress display is better than no sweep.
   }
 }
 

@@ -8,13 +8,13 @@
 
 namespace rubsweep::apps {
 
-/// Makes SIGINT and SIGTERM end the program at once with 128 + signal, after "PROGRAM: interrupted; WORDS" on
-/// stderr, or "PROGRAM: interrupted" without words; empty directories that were made for results are removed.
-/// `words` is a literal.
+/// Makes SIGINT and SIGTERM end the program at once with exit code 128 + signal, after the message "PROGRAM:
+/// interrupted; WORDS", or "PROGRAM: interrupted" without words, on stderr. Empty directories made for
+/// results are removed. `words` must be a string literal.
 void end_on_interrupts(const char* words);
 
-/// While it lives, these signals wait: a set of files is written whole, and temporaries are removed. For
-/// programs of one thread.
+/// Delays these signals during its lifetime, so that a set of files is written whole and temporary files are
+/// removed. Only for programs with one thread.
 class InterruptsWait {
  public:
   InterruptsWait();
@@ -26,19 +26,19 @@ class InterruptsWait {
   sigset_t before_;
 };
 
-/// Makes SIGINT and SIGTERM only set the returned flag, so that running cells can finish and be kept. A
-/// signal that was ignored when the program started (nohup and its like) stays ignored.
+/// Makes SIGINT and SIGTERM only set the returned flag, so that running cells can finish and are kept. A
+/// signal ignored at the program's start (nohup and the like) stays ignored.
 const std::atomic<bool>& catch_interrupts();
 
-/// The signal that set the flag, 0 if none did.
+/// The signal that set the flag; 0 if none did.
 int caught_signal();
 
-/// Running cells may take minutes; after a signal they get this long.
+/// Time that running cells get after a signal; they might need minutes.
 constexpr std::chrono::milliseconds grace{500};
 
-/// While it lives, calls `tick` about ten times a second, and `leave` instead once the grace after a signal
-/// is over. Both are called on a thread of its own; where the system allows none they are not, and a signal
-/// waits for the running cells.
+/// Calls `tick` about ten times a second during its lifetime; once the grace time after a signal has passed,
+/// it calls `leave` instead. Both are called on a separate thread. If the system cannot start one, neither is
+/// called, and a signal takes effect when the running cells end.
 class Watch {
  public:
   Watch(std::function<void()> tick, std::function<void()> leave);

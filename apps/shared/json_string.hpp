@@ -6,8 +6,7 @@
 
 namespace rubsweep::apps {
 
-/// `text` as a string of JSON with its quotes. Bytes that are no UTF-8, as a file name may have, become
-/// U+FFFD.
+/// `text` as a JSON string with its quotes. Invalid UTF-8, as in a file name, becomes U+FFFD.
 std::string json_string(std::string_view text);
 
 /// The `texts` as a list of JSON strings.

@@ -18,12 +18,12 @@ namespace fs = std::filesystem;
 bool is_written_by_a_program(const fs::path& file, const std::function<std::string()>& written) {
   try {
     return config::yaml::read_config_bytes(file) == written();
-  } catch (const ConfigError&) {  // needs what the command line adds
+  } catch (const ConfigError&) {  // the file is incomplete without the command line, so no program wrote it
     return false;
   }
 }
 
-/// Or a part of one, or one that is not finished.
+/// Whether a directory holds a map, a part of one, or an unfinished one.
 bool holds_a_map(const fs::path& directory) {
   if (!fs::is_directory(directory)) return false;
   return std::ranges::any_of(fs::directory_iterator(directory), [](const fs::directory_entry& entry) {

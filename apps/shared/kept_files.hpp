@@ -9,18 +9,18 @@
 
 namespace rubsweep::apps {
 
-/// Throws ConfigError where the config.yaml that is about to be written into `directory` would replace the
-/// configuration `file` that was read, unless a program wrote that one: `written` gives the text of that file
-/// as programs write it, and may throw.
+/// Throws ConfigError where writing config.yaml into `directory` would replace the configuration `file` that
+/// was read. Files written by a program may be replaced: `written` returns the text of `file` as programs
+/// write it, and may throw.
 void keep_configuration(const std::filesystem::path& file, const std::filesystem::path& directory,
                         const std::function<std::string()>& written);
 
-/// The same for the configuration of a run.
+/// Calls keep_configuration for the configuration of a run.
 void keep_run_configuration(const std::filesystem::path& file, const std::filesystem::path& directory);
 
-/// Directory for the results of a program that computes no map: --output, or beside the map's directory with
-/// this ending. Throws ConfigError where their config.yaml would replace the configuration that was read, or
-/// that of a map or a part of one.
+/// Directory for the results of a program that computes no map: --output, or the map's directory with this
+/// ending. Throws ConfigError where its config.yaml would replace the configuration that was read, or that of
+/// a map or a part of one.
 std::filesystem::path results_directory(const StudyArguments& arguments, const std::filesystem::path& of_map,
                                         std::string_view ending);
 

@@ -8,8 +8,8 @@
 
 namespace rubsweep::apps {
 
-/// The map at `path`, for `program`, its rows in the order of the cells. Throws ConfigError where it is not
-/// one of `study`, and IoError, also where it is not as it was written or not the whole map.
+/// The map at `path`, with its rows in the order of the cells; `program` is the name in messages. Throws
+/// ConfigError where the map belongs to another study, IoError where it was changed or is incomplete.
 page::MapTable read_map_of(const sweep::Study& study, const std::filesystem::path& path,
                            std::string_view program);
 

@@ -10,17 +10,17 @@
 
 namespace rubsweep::apps {
 
-/// How a program goes about a sweep.
+/// Options for the run of a sweep.
 struct SweepRun {
-  std::string program;  ///< who says how it goes
+  std::string program;  ///< program name in messages
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;
   bool quiet = false;
 };
 
-/// Prints how many cells were finished before, and computes the others. Empty when a signal came, else
-/// map::MissingCells::left_to_others. Cells that still run half a second after a signal are given up, and the
-/// process ends without them.
+/// Prints how many cells were finished earlier, and computes the others. Empty if a signal came, else
+/// map::MissingCells::left_to_others. If cells still run half a second after a signal, the process ends
+/// without them.
 std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const sweep::Study& study,
                                                  map::MapDirectory& directory);
 

@@ -2,7 +2,8 @@
 
 namespace rubsweep::apps {
 
-/// Whether an unfinished line stands on stderr, which has to end before a message: for signal handlers, too.
+/// State of stderr: whether its last line is unfinished and must be ended before a message. May be used in
+/// signal handlers.
 void set_open_line(bool open);
 bool line_is_open();
 

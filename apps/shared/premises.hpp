@@ -8,12 +8,12 @@
 
 namespace rubsweep::apps {
 
-/// Warns on the standard error where a premise of the study does not hold, before anything is run: a rotor
-/// that is unstable without its stops. `prepared` is that of study.machine.
+/// Warns on standard error, before anything is run, where the study's assumption of a rotor that is stable
+/// without stops fails. `prepared` belongs to study.machine.
 void warn_of_premises(std::string_view program, const sweep::Study& study,
                       const scene::PreparedMachine& prepared);
 
-/// The same at these speeds alone, whatever the grid of the study.
+/// Warns at these speeds only, whatever the grid of the study is.
 void warn_of_premises_at(std::string_view program, const std::vector<double>& speeds_hz, sweep::Study study,
                          const scene::PreparedMachine& prepared);
 

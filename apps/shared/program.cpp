@@ -22,24 +22,24 @@ namespace rubsweep::apps {
 
 namespace {
 
-/// "PROGRAM: TEXT", where nothing can be allocated, and in signal handlers.
+/// Prints "PROGRAM: TEXT" without allocating memory; also for signal handlers.
 void say_without_memory(std::string_view text) {
   for (const std::string_view part : {std::string_view(program_invocation_short_name), std::string_view(": "),
                                       text, std::string_view("\n")})
     (void)!::write(STDERR_FILENO, part.data(), part.size());
 }
 
-/// An abort is the end of a library that finds no memory (FFTW), and of an exception that nobody catches.
-/// Finished cells are in the journals, and the system frees the locks.
+/// Handles an abort: a library ran out of memory (FFTW), or an exception was not caught. Finished cells are
+/// in the journals, and the system releases the locks.
 void end_after_abort(int) {
   say_without_memory("ended by an abort: out of memory, or a fault of the program");
   ::_exit(software_fault);
 }
 
-/// Runs before all other initialisation, which needs memory as well.
+/// Runs before all other initialisation, which may already run out of memory.
 [[gnu::constructor(101)]] void expect_aborts() { std::signal(SIGABRT, end_after_abort); }
 
-/// Printed text may still be on its way to a full disk or a closed pipe.
+/// Writes buffered text; throws where the disk is full or the pipe is closed.
 void flush_stdout() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::system_error(errno, std::generic_category(), "standard output");
@@ -59,8 +59,8 @@ void ask(std::string_view program, const std::vector<std::string>& questions, bo
 
 void open_standard_descriptors() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The smallest free number is the one that is closed. Opened the other way round, it still cannot be
-    // used.
+    // open returns the smallest free number, which is the closed one. It is opened in the wrong direction, so
+    // that using it still fails.
     if (::fcntl(number, F_GETFD) < 0 && errno == EBADF)
       (void)!::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
@@ -71,9 +71,9 @@ namespace {
 int run_guarded(std::string_view name, const std::function<int()>& body) {
   open_standard_descriptors();
   end_on_interrupts("");
-  // A file-size limit is then an error of the write that met it, with its message, instead of a silent death.
+  // Exceeding a file-size limit then fails in the write call, with a message, and does not kill the program.
   std::signal(SIGXFSZ, SIG_IGN);
-  // So is a reader of the progress who has gone, which must not end a sweep.
+  // Likewise for a closed pipe: a sweep must go on when nobody reads its progress any more.
   std::signal(SIGPIPE, SIG_IGN);
   const auto complain = [name](const std::exception& error) {
     say(fmt::format("{}: {}\n", name, error.what()));
@@ -86,7 +86,7 @@ int run_guarded(std::string_view name, const std::function<int()>& body) {
     say(fmt::format("{0}: {1}\nTry: {0} --help\n", name, error.what()));
     return usage;
   } catch (const ConfigError& error) {
-    // Already one line per problem, each with its place.
+    // The text already has one line per problem, each with its place.
     say(fmt::format("{}\n", error.what()));
     return bad_configuration;
   } catch (const IoError& error) {
@@ -95,10 +95,10 @@ int run_guarded(std::string_view name, const std::function<int()>& body) {
   } catch (const LockedError& error) {
     complain(error);
     return directory_in_use;
-  } catch (const std::system_error& error) {  // the file system's and {fmt}'s
+  } catch (const std::system_error& error) {  // from the file system or {fmt}
     if (error.code() == std::errc::not_enough_memory) throw std::bad_alloc();
     if (error.code() == std::errc::broken_pipe)
-      return 128 + SIGPIPE;  // nobody reads on: as if it had ended us
+      return 128 + SIGPIPE;  // the reader has gone: same exit code as if the signal had ended us
     complain(error);
     return input_output;
   } catch (const std::bad_alloc&) {
@@ -109,7 +109,7 @@ int run_guarded(std::string_view name, const std::function<int()>& body) {
   }
 }
 
-/// Adds the summary where one is wanted.
+/// Prints the summary if one is wanted; returns the exit code.
 int summarised(std::string_view name, int code) {
   if (!summary_is_wanted()) return code;
   return run_guarded(name, [&] {
@@ -123,7 +123,7 @@ int summarised(std::string_view name, int code) {
 int run_program(std::string_view name, const std::function<int()>& body) {
   try {
     return summarised(name, run_guarded(name, body));
-  } catch (...) {  // no memory, perhaps not even for the message about something else
+  } catch (...) {  // out of memory, perhaps even for an error message
     say_without_memory("out of memory");
     return software_fault;
   }

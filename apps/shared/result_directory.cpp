@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Directories that this run made, deepest first. The list is complete before `made` becomes true, so that a
+/// Directories made by this run, the deepest first. The list is complete before `made` becomes true, so a
 /// signal handler may read it.
 std::vector<std::string> made_directories;
 std::atomic<bool> made{false};
@@ -42,7 +42,7 @@ ResultDirectory::~ResultDirectory() {
 void remove_empty_result_directories() {
   if (!made) return;
   for (const std::string& directory : made_directories) {
-    if (::rmdir(directory.c_str()) != 0) return;  // something is in it
+    if (::rmdir(directory.c_str()) != 0) return;  // the directory is not empty
   }
 }
 

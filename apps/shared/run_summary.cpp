@@ -38,7 +38,7 @@ bool is_warning(std::string_view line) {
          line.find(": question: ") != std::string_view::npos;
 }
 
-/// Time since the start to the millisecond: more digits would only be noise.
+/// Time since the start in seconds, rounded to milliseconds.
 double elapsed_s() {
   return std::round(std::chrono::duration<double>(Clock::now() - begun).count() * 1e3) / 1e3;
 }

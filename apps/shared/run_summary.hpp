@@ -4,27 +4,27 @@
 #include <string>
 #include <string_view>
 
-/// One line of JSON at the end of a run, for scripts: --summary json.
+/// Prints one line of JSON at the end of a run, for scripts: --summary json.
 namespace rubsweep::apps {
 
-/// Asks for the line; time counts from the start of the program in any case.
+/// Requests the line; the time counts from the start of the program in any case.
 void want_summary();
 bool summary_is_wanted();
 
-/// Holds the line back at the end of a part of a program, or no longer.
+/// Whether the line is held back at the end of a part of a program.
 void hold_summary(bool held);
 
-/// A number of the summary's `counts`, such as "cells"; the last one of a name counts. Nothing is done where
-/// no summary is wanted.
+/// Sets an entry of the summary's `counts`, such as "cells"; a later call with the same name replaces it.
+/// Does nothing where no summary is wanted.
 void count_in_summary(const std::string& name, std::size_t number);
 
-/// Takes over what a child says it did, as if it had been done here: its counts, messages and files.
-/// `printed` is what it printed on standard output; returned without its summary.
+/// Adds the counts, messages and files of a child's summary to this one. `printed` is the child's standard
+/// output; it is returned without the summary line.
 std::string take_summary(std::string printed);
 
 /// Prints {"program", "version", "exit_code", "seconds", "counts", "warnings", "messages", "files"} on one
-/// line of standard output. `warnings` are warnings and questions, `messages` the other lines of standard
-/// error (errors among them), `files` those that were written and are there, as absolute paths.
+/// line of standard output. `warnings`: warnings and questions; `messages`: the other lines of standard
+/// error, including errors; `files`: absolute paths of the written files that exist.
 void print_summary(std::string_view program, int exit_code);
 
 }  // namespace rubsweep::apps

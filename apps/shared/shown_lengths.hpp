@@ -8,13 +8,13 @@
 
 namespace rubsweep::apps {
 
-/// --length-unit and --peak-to-peak, named as rubplot names them, for what a person reads: texts and figures.
+/// Adds --length-unit and --peak-to-peak for texts and figures, with the names that rubplot uses.
 void add_shown_lengths(po::options_description& options);
 
-/// Throws UsageError for another unit.
+/// Reads these options. Throws UsageError for an unknown unit.
 model::ShownLengths shown_lengths_of(const po::variables_map& given);
 
-/// The options of rubplot that ask a picture for the same; those of them that the picture has.
+/// The corresponding options of rubplot, limited to those that the picture has.
 std::vector<std::string> drawn_lengths(const model::ShownLengths& shown, bool has_length_unit,
                                        bool has_peak_to_peak);
 

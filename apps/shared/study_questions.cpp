@@ -16,7 +16,7 @@
 namespace rubsweep::apps {
 namespace {
 
-/// A run says of a weak kick that it is one; before it there is time to say what it might be.
+/// Asks about a kick that reaches no wall from any cell.
 void ask_about_weak_kick(std::string_view program, const StudyArguments& arguments, const sweep::Study& study,
                          const scene::PreparedMachine& prepared) {
   const auto least_n = sweep::least_kick_force_n(study, prepared);
@@ -35,7 +35,7 @@ StudyActions study_actions(std::string_view program, const StudyArguments& argum
                            const config::RunConfig& config, std::function<int()> run) {
   return {.size =
               [&, program] {
-                // Throws where no structure can be computed of these numbers.
+                // This throws where the numbers give no structure that can be computed.
                 const scene::PreparedMachine prepared = scene::prepare_machine(config.study.machine);
                 warn_of_premises(program, config.study, prepared);
                 ask_about_weak_kick(program, arguments, config.study, prepared);

@@ -8,9 +8,9 @@
 
 namespace rubsweep::apps {
 
-/// Answers of every program to --check, --explain and --print-config about the cells of a study, with
-/// warnings and questions as they go. `run` is what the program does otherwise. Program, arguments and
-/// configuration must outlive it.
+/// Answers to --check, --explain and --print-config for the cells of a study, with warnings and questions.
+/// `run` is what the program does without these options. Program, arguments and configuration must outlive
+/// it.
 StudyActions study_actions(std::string_view program, const StudyArguments& arguments,
                            const config::RunConfig& config, std::function<int()> run);
 

@@ -7,7 +7,7 @@
 
 namespace rubsweep::apps {
 
-/// Says the verdict as `program` and returns its exit code; faults alone with `quiet`.
+/// Prints the verdict under the name `program` and returns its exit code; with `quiet`, prints only faults.
 int report_verdict(std::string_view program, const std::filesystem::path& directory,
                    const map::DirectoryVerdict& verdict, bool quiet);
 

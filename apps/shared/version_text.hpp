@@ -5,7 +5,8 @@
 
 namespace rubsweep::apps {
 
-/// Answer of a program to --version, a line each: its name and version, the commit of its sources, the compiler.
+/// Answer to --version, one line each: the program's name and version, the commit of its sources, the
+/// compiler.
 std::string version_text(std::string_view program);
 
 }  // namespace rubsweep::apps

@@ -48,13 +48,13 @@ void show(const std::stop_token& ended, const std::string& what) {
 
 WorkingTime::WorkingTime(std::string program, std::string work, bool shown) {
   if (!shown || ::isatty(STDERR_FILENO) == 0) return;
-  // Signals are for the thread that works, which may hold them back while files are written.
+  // Signals must go to the working thread, which may block them while files are written.
   const InterruptsWait not_here;
   try {
     thread_ = std::jthread([what = std::move(program) + ": " +
                                    std::move(work)](const std::stop_token& ended) { show(ended, what); });
   } catch (const std::system_error&) {
-    // Work that nobody can watch is better than none.
+    // Work without a display is better than no work.
   }
 }
 

@@ -5,12 +5,12 @@
 
 namespace rubsweep::apps {
 
-/// Says on a terminal that a program is at work, and for how long, for work of which nobody knows how much is left:
-/// a line on stderr that is rewritten once a second, from two seconds on, and goes with this. Nothing is shown where
-/// stderr is no terminal, or the system allows no thread.
+/// Shows on a terminal that a program is working, and for how long, where the remaining work is unknown. It
+/// is a line on stderr, rewritten every second from two seconds on and removed by the destructor. Shows
+/// nothing where stderr is not a terminal, or where no thread can be started.
 class WorkingTime {
  public:
-  /// "PROGRAM: WORK, 0:00:05"; `shown` is false with --quiet.
+  /// Line such as "PROGRAM: WORK, 0:00:05"; `shown` is false with --quiet.
   WorkingTime(std::string program, std::string work, bool shown);
 
  private:

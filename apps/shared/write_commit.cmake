@@ -1,5 +1,5 @@
-# Writes OUTPUT, a header that names the commit of SOURCE, where it names another one. "unknown" where SOURCE is no
-# checkout of its own; "-dirty" behind one that was changed since.
+# Writes OUTPUT, a header that names the commit of SOURCE, unless OUTPUT already names it. The name is "unknown" where SOURCE
+# is not a checkout of its own; "-dirty" follows a commit whose files were changed.
 set(commit unknown)
 execute_process(COMMAND git -C ${SOURCE} rev-parse --show-prefix OUTPUT_VARIABLE prefix
   RESULT_VARIABLE status ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)

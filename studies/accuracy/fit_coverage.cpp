@@ -1,8 +1,8 @@
-// fit_coverage TRIALS SEED [EXPERIMENT...]: simulated recordings with noise, fitted as rubfit does; how often
-// the truth lies inside the 95 % intervals, parameter by parameter, and how often a fit without the bow is
-// found out. Experiments, all unless named: ring_down, run_up (run-out left free), run_up_known_run_out,
-// two_discs, rub. The fits know nothing of the truth; signals of run-ups and ring-downs come from Runge-Kutta
-// steps, lines of the rub from a long run, neither of which the fits use.
+// fit_coverage TRIALS SEED [EXPERIMENT...]: fits simulated noisy recordings like rubfit. Counts for each
+// parameter how often the true value lies within the 95 % interval, and how often a fit without the bow is
+// rejected. Experiments (all by default): ring_down, run_up (run-out as a parameter), run_up_known_run_out,
+// two_discs, rub. Signals of run-ups and ring-downs come from Runge-Kutta steps, lines of the rub from a long
+// run; the fits use neither.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -43,7 +43,7 @@ double noise(double size) { return std::normal_distribution<double>(0, size)(ran
 
 struct Score {
   int inside = 0, trials = 0;
-  double sum = 0, squares = 0;  ///< of (value - truth) / standard error
+  double sum = 0, squares = 0;  ///< sums of (value - truth) / standard error and of its square
 };
 std::map<std::string, Score> scores;
 
@@ -86,7 +86,7 @@ void ring_down() {
   count("ring-down", problem, fit::fit_machine(problem, {}), {31, 0.015, 0.0013});
 }
 
-/// A kit with gyroscopic moments, damping by modes alone.
+/// A kit with gyroscopic moments and modal damping only.
 model::Machine kit_machine() {
   model::Machine machine = scene::light_shaft_machine();
   auto& kit = std::get<model::RotorKit>(machine.rotor);
@@ -97,8 +97,7 @@ model::Machine kit_machine() {
   return machine;
 }
 
-/// The prepared kit with its stiffness, damping and bow scaled: its parameters without a reduction for each
-/// of them.
+/// The prepared kit with scaled stiffness, damping and bow: new parameter values need no new reduction.
 scene::PreparedMachine scaled(const scene::PreparedMachine& kit, double stiffness, double damping,
                               Complex bow) {
   scene::PreparedMachine changed = kit;
@@ -108,11 +107,11 @@ scene::PreparedMachine scaled(const scene::PreparedMachine& kit, double stiffnes
   return changed;
 }
 
-/// Seconds that the clock of the instrument counts in one.
+/// Seconds shown by the instrument's clock per true second.
 constexpr double clock_rate = 1 + 20e-6;
 
-/// A recording of a run-up as an instrument has it: noise, run-out of this size, a keyphasor and a clock of
-/// its own.
+/// A recording of a run-up as an instrument makes it: with noise, run-out of this size, a keyphasor, and a
+/// clock that is slightly wrong.
 recording::Channels run_up_recording(const Eigen::MatrixXd& signal, const linear::LinearRun& run,
                                      double mark_rad, double run_out_m) {
   recording::Channels table;
@@ -129,7 +128,7 @@ recording::Channels run_up_recording(const Eigen::MatrixXd& signal, const linear
   return table;
 }
 
-/// bode.csv of a recording, in a file of this process.
+/// Reads bode.csv of a recording by way of a temporary file.
 fit::RunUp read_run_up(const recording::Recording& read) {
   const auto file = std::filesystem::temp_directory_path() / fmt::format("fit_coverage_{}.csv", getpid());
   std::ofstream(file) << scope::bode_csv(read, {1});
@@ -138,10 +137,10 @@ fit::RunUp read_run_up(const recording::Recording& read) {
   return data;
 }
 
-/// Run-out that is known is subtracted beforehand: there is none left.
+/// Run-up experiment; known run-out is subtracted in advance, so none is left.
 void run_up(const std::string& name, bool known_run_out) {
   constexpr double stiffness = 1.03, damping = 0.8, bow = 1.5, bow_deg = 40, eccentricity_m = 2e-5;
-  // Elsewhere in every trial, and with it the errors of marks that are rounded to readings.
+  // The mark has another angle in every trial, so its rounding to readings has other errors, too.
   const double mark_rad = std::uniform_real_distribution<double>(-2, 2)(random_numbers);
   static const scene::PreparedMachine start = scene::prepare_machine(kit_machine());
   static const scene::PreparedMachine truth =
@@ -172,8 +171,8 @@ void run_up(const std::string& name, bool known_run_out) {
                             return scaled(start, at(0), at(1), std::polar(at(4), at(5) * pi / 180));
                           }};
   const fit::MachineFitResult result = fit::fit_machine(problem, {});
-  // The measured mark passes when the shaft has turned by mark_rad, which is where the model then stands. By
-  // the clock of the recording, of which no fit knows better, the rotor is slower.
+  // When the measured mark passes, the shaft has turned by mark_rad, which is the model's mark angle. The
+  // clock's error makes the rotor appear slower, and no fit can detect it.
   count(name, problem, result,
         {stiffness / (clock_rate * clock_rate), damping, eccentricity_m, mark_rad * 180 / pi, bow, bow_deg});
   problem.parameters.resize(4);
@@ -244,7 +243,7 @@ scene::PreparedMachine rubbing(double clearance_m, double stiffness_n_per_m) {
   return scene::prepare_machine(machine);
 }
 
-/// Lines of the last two turns of a long run from the kick, phi = 0 where it begins.
+/// Lines of the last two turns of a long run from the kick; phi = 0 where the run begins.
 Eigen::VectorXcd lines_of_a_long_run(const scene::PreparedMachine& machine,
                                      const std::vector<double>& orders) {
   constexpr int long_enough = 1200, samples = 512;
@@ -272,8 +271,8 @@ Eigen::VectorXcd lines_of_a_long_run(const scene::PreparedMachine& machine,
   return lines;
 }
 
-/// A 1/2 rub at 70 revolutions a second against one screw: lines up to 8X of a long recording by two probes,
-/// whose white noise leaves the same on each.
+/// A 1/2 subharmonic rub at 70 Hz against one screw: lines up to 8X from a long recording by two probes, with
+/// equal white noise in each line.
 void rub() {
   constexpr double clearance_m = 1.02e-3, stiffness_n_per_m = 1.95e6, line_noise_m = 5e-8;
   static const std::vector<double> orders = [] {
@@ -301,7 +300,8 @@ void rub() {
                        double e) { return orbits.lines_m(machine, asked(lines, e)); },
       .follow_rub = [&](const scene::PreparedMachine& machine, const fit::RubLines& lines,
                         double e) { orbits.follow(machine, asked(lines, e)); }};
-  // The run begins with the quiet whirl at the screw: the shaft is ahead of it by the lag of the response.
+  // The run begins with the quiet whirl at the screw; the shaft is ahead of the whirl by the lag of the
+  // response.
   const auto rotor = std::get<model::JeffcottRotor>(scene::one_side_machine().rotor);
   const double r = rub_speed_hz / rotor.natural_frequency_hz;
   const double begin_deg = 90 + std::arg(Complex(1 - r * r, 2 * rotor.damping_ratio * r)) * 180 / pi;
@@ -327,7 +327,7 @@ int main(int argc, char** argv) {
   for (int trial = 0; trial < std::atoi(argv[1]); ++trial) {
     for (const auto& [name, run] : experiments) {
       if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
-      // Each trial has random numbers of its own, whichever others run.
+      // Each trial has its own random numbers, independent of which other trials run.
       random_numbers.seed(1000 * seed + static_cast<std::uint64_t>(trial));
       run();
     }

@@ -1,6 +1,6 @@
-// Hard cases by the solver that `auto` takes and by dopri5 at 1e-8: error of the section after six turns
-// against a closed form, or else against rkf78 at 1e-13, and processor time per turn. Which solver made the
-// turns is said by its count of them.
+// Hard cases computed by the solver of `auto` and by dopri5 at 1e-8: error of the section after six turns,
+// compared with a closed form or else with rkf78 at 1e-13, and processor time per turn. The numbers of turns
+// by each solver tell which one was used.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,7 +24,7 @@ constexpr int repeats = 15;
 struct Case {
   std::string name;
   scene::Scene scene;
-  std::vector<double> section{};  ///< after six turns, from a closed form; empty: none
+  std::vector<double> section{};  ///< closed-form section after six turns; empty: none
 };
 
 struct Made {
@@ -63,7 +63,7 @@ double error(const Made& made, const std::vector<double>& answer) {
   return largest;
 }
 
-/// Growth of a small change of the start over the turns, per unit of it.
+/// Growth factor of a small change in the initial state over the turns.
 double growth(const scene::Scene& scene, const Made& made) {
   constexpr double change = 1e-9;
   scene::Scene changed = scene;
@@ -91,7 +91,7 @@ void print(const Case& hard) {
               microseconds_per_turn(hard.scene, by_dopri5));
 }
 
-/// A driven mass on a moving belt, pressed on it by a constant force: it sticks, slips, and slips back.
+/// A driven mass pressed onto a moving belt by a constant force: it sticks, slips, and slips back.
 Case stick_slip() {
   auto scene = test::one_mass_scene(1, 1, 0.1, 4, 1);
   scene.structure.stiffness(0, 0) = 0;
@@ -112,7 +112,7 @@ scene::Scene annulus(double mu, double surface_m_per_s, double unbalance) {
   return scene;
 }
 
-/// Backward whirl with a friction 1 % above the least that keeps dry whip up; from a share of its radius.
+/// Backward whirl with friction 1 % above the minimum for dry whip, started at a share of its radius.
 Case dry_whip_onset() {
   const double b = 40, zeta = 0.05, least = 2 * zeta * std::sqrt(1 + b) / b, mu = 1.01 * least;
   const double whirl = zeta / mu + std::sqrt(zeta * zeta / (mu * mu) + 1);
@@ -121,27 +121,27 @@ Case dry_whip_onset() {
   return {"dry whip onset, dry friction", scene};
 }
 
-/// The same surfaces so slow that the whirl comes to roll.
+/// The same whirl with a surface so slow that it changes to rolling.
 Case whip_that_rolls() {
   scene::Scene scene = annulus(0.3, 1.2, 0.1);
   test::start_at(scene, {1.05, 0}, {0, -1});
   return {"whip that comes to roll", scene};
 }
 
-/// A circle that presses on the annulus by a millionth of the clearance.
+/// A circle whose radius exceeds the clearance by a millionth.
 Case graze_along_annulus() {
   test::FullRub rub;
   rub.radius = 1 + 1e-6;
   const scene::Scene scene = rub.scene();
   const double speed = scene.speed_rad_per_s;
-  // It is back after every turn.
+  // It returns to the same state after every turn.
   return {"graze along an annular stop",
           scene,
           {scene.displacement_m(0), scene.displacement_m(1), scene.velocity_m_per_s(0) / speed,
            scene.velocity_m_per_s(1) / speed}};
 }
 
-/// Straight through the centre, where the normal turns round at once.
+/// A straight motion through the centre, where the normal reverses at once.
 Case centre_of_annulus() {
   scene::Scene scene = annulus(0.1, 5, 0);
   test::start_at(scene, {-0.9, 0}, {2, 0});

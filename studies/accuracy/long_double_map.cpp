@@ -1,6 +1,7 @@
-// long_double_map CONFIG [STRIDE]: the exact solver over a whole one-side map (every STRIDE-th cell both
-// ways) against long-double Runge-Kutta-Fehlberg 7(8) written by hand: the error of the section after the
-// kick and 20 turns, its quantiles over the cells, and every cell beyond 1e-10 by name.
+// long_double_map CONFIG [STRIDE]: compares the exact solver on a whole one-side map (every STRIDE-th cell in
+// both directions) with a hand-written Runge-Kutta-Fehlberg 7(8) in long double. Prints the error of the
+// section after the kick and 20 turns, its quantiles over the cells, and every cell with an error above
+// 1e-10.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -25,7 +26,7 @@ int main(int argc, char** argv) {
   std::vector<double> errors;
   for (std::size_t u = 0; u < grid.unbalance.size(); u += stride) {
     for (std::size_t s = 0; s < grid.speed_hz.size(); s += stride) {
-      test::OneSideRotor rotor;  // parameter set A, as the configuration has it
+      test::OneSideRotor rotor;  // parameter set A, like the configuration
       rotor.speed_hz = grid.speed_hz[s];
       rotor.whirl_ratio = grid.unbalance[u];
       const auto reference = test::long_double_sections(rotor, turns, steps_per_turn);

@@ -1,6 +1,6 @@
-// Speed against error on one rubbing cell (parameter set A, one side, 75 Hz, whirl ratio 0.4) over 60 turns:
-// the plain dopri5 that every ratio is quoted against, and the library's dopri5, located and smoothed. Prints
-// a table; the error is the largest component of the section against the long-double reference, in units of
+// Speed and error on one rubbing cell (parameter set A, one side, 75 Hz, whirl ratio 0.4) over 60 turns.
+// Compares the plain dopri5 to which all speed ratios refer with the library's dopri5, located and smoothed.
+// The error is the largest component of the section's difference from the long double reference, in units of
 // (clearance, clearance omega).
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,4 @@
-// audit events|proofs|wall_starts ...: one of the audits; each says what it does in its source.
+// audit events|proofs|wall_starts ...: runs one of the audits; each is described in its source.
 
 #include <fmt/format.h>
 

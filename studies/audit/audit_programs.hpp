@@ -2,8 +2,8 @@
 
 namespace rubsweep::audit {
 
-/// Parts of the program `audit`, each with the arguments after its name; they return an exit code, and the
-/// sources say what they do.
+/// Parts of the program `audit`. Each gets the arguments after its name and returns an exit code; the sources
+/// describe them.
 int events(int argc, char** argv);
 int proofs(int argc, char** argv);
 int wall_starts(int argc, char** argv);

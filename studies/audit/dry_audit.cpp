@@ -19,13 +19,13 @@ using integrate::run::Outcome;
 using integrate::run::TurnReport;
 using integrate::run::TurnRequest;
 
-constexpr double clearly = 4;      ///< times what time stepping itself is uncertain by
-constexpr double rounding = 1e-6;  ///< of the section: what no time stepping resolves
-constexpr double undecided = 0.1;  ///< clearances: steps that do not converge to that decide nothing
-/// Times the steps, one after the other, before anything is called wrong.
+constexpr double clearly = 4;      ///< least error that counts / uncertainty of the time stepping
+constexpr double rounding = 1e-6;  ///< errors of the section that no time stepping can resolve
+constexpr double undecided = 0.1;  ///< clearances: a larger spread of the time steppings allows no verdict
+/// Refinements of the time steps, tried in turn before a result is called wrong.
 constexpr std::array refinements{1, 8, 40};
 
-/// Number of steps in each of which the phase of the stiffest contact changes little.
+/// Number of steps per turn in which the phase of the stiffest contact changes only little.
 long steps_of_turn(const scene::Scene& scene) {
   constexpr double little_rad = 0.1;
   const double mass = scene.structure.mass.diagonal().minCoeff();
@@ -42,14 +42,15 @@ double size_of(const std::vector<double>& section) {
   return largest;
 }
 
-/// Distance of a section from the finest of three time steppings, and the distances between those.
+/// Distance of a section from the finest of three time steppings, and the largest distance between these.
 struct Comparison {
   double error = 0, spread = 0;
   bool stuck = false, together = false;
 
   Comparison(const scene::Scene& scene, const std::vector<double>& before, const std::vector<double>& after,
              long steps) {
-    // In no simple ratio: an event late by half a step of each would look as if they agreed.
+    // The ratios of the step numbers are not simple: otherwise an event half a step late in each would look
+    // like agreement.
     const SteppedTurn coarse = time_stepping_turn(scene, before, steps),
                       middle = time_stepping_turn(scene, before, 17 * steps / 10),
                       fine = time_stepping_turn(scene, before, 31 * steps / 10);
@@ -65,7 +66,7 @@ struct Comparison {
   }
 };
 
-/// With as many steps as it takes for both to agree, or with the most.
+/// Refines the steps until both results agree, or to the largest refinement.
 Comparison compared(const scene::Scene& scene, const std::vector<double>& before,
                     const std::vector<double>& after) {
   const long steps = steps_of_turn(scene);

@@ -22,7 +22,7 @@ using integrate::run::TurnRequest;
 
 constexpr int free_turns = 3;
 constexpr int reference_steps = 400'000;
-/// The reference must be nearer to one of two sections by this factor to call the other wrong.
+/// Factor by which the reference must be closer to one of two sections to call the other one wrong.
 constexpr double clearly = 3;
 
 integrate::run::SolverOptions options(integrate::run::Method method) {
@@ -32,7 +32,7 @@ integrate::run::SolverOptions options(integrate::run::Method method) {
     solver.stepper = integrate::run::Stepper::rkf78;
     solver.relative_tolerance = 1e-13;
   } else {
-    solver.relative_tolerance = 1e-12;  // of turns without closed forms
+    solver.relative_tolerance = 1e-12;  // tolerance of turns without closed forms
   }
   return solver;
 }
@@ -42,7 +42,7 @@ std::string text(const ModeSwitch& at) {
                      contact::to_string(at.to), at.phase_rad / 6.283185307179586);
 }
 
-/// Empty when both lists are the same but for the order of what happens at one instant.
+/// First change that differs between both lists; empty if they agree, apart from the order at equal instants.
 std::string first_unshared(std::vector<ModeSwitch> a, std::vector<ModeSwitch> b) {
   constexpr double same_instant_rad = 1e-6;
   for (const ModeSwitch& at : a) {
@@ -103,7 +103,7 @@ EventAudit audit_events(const RandomCell& random, int turns, double tolerance) {
     audit.turns_with_pieces += pieces;
     const std::string unshared = first_unshared(turn.switches, again.switches);
     const double apart = section_distance(turn.section, again.section);
-    // A dry whip of constant friction grows without end: what counts there is digits, not clearances.
+    // With constant friction a dry whip grows without limit, so the error is relative to its size.
     if (apart <= tolerance * std::max(1.0, largest_of(again.section))) {
       audit.grazes += !unshared.empty();
       continue;

@@ -1,7 +1,7 @@
-// audit events CELLS SEED [KIND ...]: runs CELLS random machines of every kind or of the kinds named turn by
-// turn through the exact solver and through rkf78 at 1e-13, those with several dry contacts through time
-// stepping instead, prints what they share and writes a configuration for every cell in which the exact
-// solver is wrong. Exit code 1 when there is one, or one whose friction is not settled.
+// audit events CELLS SEED [KIND ...]: runs CELLS random machines, of all kinds or of those named, turn by
+// turn through the exact solver and through rkf78 at 1e-13. Machines with several dry contacts are compared
+// with time stepping instead. Prints how far they agree and writes a configuration for every cell in which
+// the exact solver is wrong. Exit code 1 if there is one, or if the friction of a cell could not be decided.
 
 #include <fmt/format.h>
 

@@ -25,7 +25,7 @@ constexpr int revolutions_of_a_cell = 1500;
 constexpr long most_turns_exact = 60'000, most_turns_adaptive = 1'500;
 constexpr int window = 64;
 
-/// The last sections of a run.
+/// Stores the last sections of a run.
 class Sections {
  public:
   explicit Sections(int most_order) : kept_(2 * static_cast<std::size_t>(most_order) + 1) {}
@@ -36,13 +36,13 @@ class Sections {
     if (list_.size() > kept_) list_.pop_back(), touched_.pop_back();
   }
 
-  /// Distance of the last section from the one `turns` before; infinite where that is not known.
+  /// Distance of the last section from the one `turns` turns earlier; infinite where that is not stored.
   double returns_by(int turns) const {
     const auto n = static_cast<std::size_t>(turns);
     return n < list_.size() ? section_distance(list_[0], list_[n]) : std::numeric_limits<double>::infinity();
   }
 
-  /// The smallest number of turns after which the section comes back within `tolerance`; 0: none.
+  /// Smallest number of turns after which the section returns within `tolerance`; 0: none.
   int order(double tolerance) const {
     for (int n = 1; static_cast<std::size_t>(n) < list_.size(); ++n) {
       if (returns_by(n) < tolerance) return n;
@@ -60,7 +60,7 @@ class Sections {
   std::deque<bool> touched_;
 };
 
-/// Follows a motion without a period of its own in turns; compares what it reaches.
+/// Follows a motion that is not periodic in turns, and compares its final state.
 void follow_whirl(const integrate::run::Run& run, const response::SettledRun& settled, TurnReport& turn,
                   ProofAudit& audit) {
   double peak = 0;
@@ -82,7 +82,7 @@ void follow_orbit(const integrate::run::Run& run, const response::SettledRun& se
                   TurnReport& turn, ProofAudit& audit) {
   Sections sections(most_order);
   const int proven = *settled.motion.order;
-  int steady = 0;  // turns over which the proven period has stood
+  int steady = 0;  // number of turns for which the proven period has held
   long untouched = 0;
   const long adaptive_before = turn.effort.adaptive_turns;
   for (long k = 1;; ++k) {
@@ -101,14 +101,14 @@ void follow_orbit(const integrate::run::Run& run, const response::SettledRun& se
     }
     steady = sections.returns_by(proven) < tolerance ? steady + 1 : 0;
     if (steady > 2 * proven) {
-      // Fewer turns must stay clearly away.
+      // A smaller number of turns must clearly not be a period.
       const int order = sections.order(10 * tolerance);
       audit.confirmed = order == proven && sections.touched(order);
       if (!audit.confirmed) audit.finding = fmt::format("1/{} instead of 1/{}", order, proven);
       return;
     }
     if (k < (adaptive ? most_turns_adaptive : most_turns_exact)) continue;
-    // A multiplier this near to 1 needs longer than anybody follows.
+    // A multiplier this close to 1 would take too long to follow.
     const double left = static_cast<double>(k) / proven * -std::log(settled.floquet_modulus.value_or(0));
     audit.undecided = left < 25;
     audit.finding = fmt::format("no return after {} turns, 1/{} within 1e-6", proven, sections.order(1e-6));

@@ -1,6 +1,6 @@
-// audit proofs CELLS SEED [KIND ...]: settles CELLS random machines of every kind or of the kinds named,
-// follows every orbit that a proof names on without any proof, and prints what became of them. Writes a
-// minimised configuration for every proof that the run does not bear out. Exit code 1 when there is one.
+// audit proofs CELLS SEED [KIND ...]: settles CELLS random machines, of all kinds or of those named,
+// continues every proven orbit without proofs, and prints the results. Writes a minimised configuration for
+// every proof that the run contradicts. Exit code 1 if there is one.
 
 #include <fmt/format.h>
 

@@ -46,7 +46,7 @@ model::Stop stop(Draw& draw, const model::JeffcottRotor& rotor) {
   return stop;
 }
 
-/// Angles: any, multiples of 30 degrees, or a regular polygon.
+/// Adds flat stops at random angles, at multiples of 30 degrees, or as a regular polygon.
 void put_flats(Draw& draw, const model::JeffcottRotor& rotor, bool equal, int count,
                std::vector<model::Stop>& stops) {
   const bool regular = draw.chance(0.5);
@@ -55,7 +55,7 @@ void put_flats(Draw& draw, const model::JeffcottRotor& rotor, bool equal, int co
   for (int i = 0; i < count; ++i) {
     model::Stop next = equal ? pattern : stop(draw, rotor);
     if (!equal && draw.chance(0.5)) next.clearance_m = pattern.clearance_m;
-    // Contacts that begin within rounding of each other, and a little apart.
+    // Some clearances differ by rounding or slightly more, so that contacts begin almost together.
     if (equal && i > 0 && draw.chance(0.5)) next.clearance_m *= 1 + draw.log(1e-14, 1e-3);
     const double angle = regular ? first + 360.0 * i / count
                                  : (draw.chance(0.5) ? 30.0 * draw.whole(0, 11) : draw.even(0, 360));
@@ -64,7 +64,7 @@ void put_flats(Draw& draw, const model::JeffcottRotor& rotor, bool equal, int co
   }
 }
 
-/// At the speed of such a surface the rotor in contact goes back faster, for a while.
+/// Makes the shaft so thin that a rotor in contact can move backwards faster than its surface.
 void make_thin(Draw& draw, model::Stop& stop) {
   stop.contact_radius_m = draw.log(1e-4, 3e-3);
   const double coefficient = draw.even(0.02, 0.4);
@@ -75,7 +75,7 @@ void make_thin(Draw& draw, model::Stop& stop) {
   }
 }
 
-/// Next to `value`, equal to it, or a little more by a share of 1e-12 to 1e-2.
+/// A value equal to `value`, or larger by a share of 1e-12 to 1e-2.
 double nearly(Draw& draw, double value) {
   return draw.chance(0.4) ? value : value * (1 + draw.log(1e-12, 1e-2));
 }
@@ -87,12 +87,12 @@ model::Stop dry_stop(Draw& draw, const model::JeffcottRotor& rotor) {
   dry.damping = model::NominalRestitution{draw.even(0.3, 0.95)};
   dry.contact_radius_m = draw.chance(0.2) ? 0 : draw.log(1e-5, 0.02);
   dry.friction = model::ConstantFriction{draw.log(0.05, 2)};
-  // The tangents of rigid stops depend on each other.
+  // On rigid stops the tangent vectors are linearly dependent.
   if (draw.chance(0.7)) dry.casing.reset();
   return dry;
 }
 
-/// The next stop beside `pattern`: alike or nearly so in what decides when both touch and what both slip.
+/// A stop beside `pattern`, equal or nearly equal in everything that decides when both touch and slip.
 model::Stop dry_neighbour(Draw& draw, const model::JeffcottRotor& rotor, const model::Stop& pattern) {
   model::Stop next = draw.chance(0.5) ? pattern : dry_stop(draw, rotor);
   next.clearance_m = nearly(draw, pattern.clearance_m);
@@ -126,7 +126,7 @@ void put_dry_stops(Draw& draw, StopKind kind, const model::JeffcottRotor& rotor,
   }
 }
 
-/// Slow surfaces, and a weight or a kick that brings the rotor to its stops.
+/// A cell with slow surfaces, and a weight or a kick that brings the rotor to its stops.
 RandomCell dry_cell(StopKind kind, Draw& draw) {
   RandomCell cell;
   const model::JeffcottRotor rotor{draw.log(0.1, 7), draw.even(10, 45), draw.log(0.002, 0.1)};
@@ -176,7 +176,7 @@ RandomCell random_cell(StopKind kind, std::mt19937_64& random) {
       2 * std::numbers::pi * std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;
   cell.speed_hz = std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz * draw.even(0.5, 7);
   cell.whirl_ratio = draw.even(0.03, 0.95);
-  // A short pulse of this speed carries the rotor one to six clearances away.
+  // A short pulse with this speed moves the rotor by one to six clearances.
   const double speed_m_per_s = draw.log(1, 6) * machine.stops.front().clearance_m * natural_rad_per_s;
   const double duration_s =
       draw.log(0.03, 0.4) / std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz;

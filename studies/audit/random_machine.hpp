@@ -9,22 +9,22 @@
 
 namespace rubsweep::audit {
 
-/// Stops around the rotor of a random machine.
+/// Arrangement of the stops of a random machine.
 enum class StopKind {
   one_flat,        ///< one flat stop at any angle
-  flats,           ///< two to four, each with numbers of its own
-  equal_flats,     ///< two to four alike, or nearly: contacts begin and end at nearly equal instants
+  flats,           ///< two to four flat stops with independent numbers
+  equal_flats,     ///< two to four equal or nearly equal ones: contacts begin and end almost together
   annular,         ///< centred around the rotor
-  offset_annular,  ///< the rotor rests off its centre
-  thin_flats,      ///< one to four flat stops with friction around a shaft so thin that slips reverse
-  parallel_flats,  ///< two or three with dry friction whose tangents are parallel, or nearly
+  offset_annular,  ///< annular, with the rest position off its centre
+  thin_flats,      ///< one to four flat stops with friction and a shaft so thin that slips reverse
+  parallel_flats,  ///< two or three with dry friction and parallel or nearly parallel tangents
   ring_and_flats,  ///< an annular stop beside one or two flat ones, dry, of equal or nearly equal radii and
                    ///< clearances
-  rings            ///< two annular stops with dry friction, concentric or nearly
+  rings            ///< two annular stops with dry friction, concentric or nearly so
 };
-/// Kinds with several dry contacts at once, which time stepping makes again.
+/// Kinds with several simultaneous dry contacts, which time stepping checks.
 constexpr bool several_dry(StopKind kind) { return kind >= StopKind::parallel_flats; }
-/// Kinds that an audit draws where none is named.
+/// Kinds used by an audit if none is named.
 inline constexpr std::array stop_kinds{StopKind::one_flat, StopKind::flats, StopKind::equal_flats,
                                        StopKind::annular, StopKind::offset_annular};
 
@@ -45,13 +45,13 @@ struct RandomCell {
   model::Machine machine;
   double speed_hz = 0;
   double whirl_ratio = 0;
-  std::optional<double> eccentricity_m{};  ///< takes the place of the whirl ratio where it is given
+  std::optional<double> eccentricity_m{};  ///< replaces the whirl ratio, if given
 };
 
-/// Draws a machine, a speed between half and seven times its natural frequency, and an unbalance that does
-/// not touch without the kick: masses, stiffnesses, dampings and casings over several orders of magnitude,
-/// usual restitution and restitution near one, every kind of friction, a kick that can reach the wall. Where
-/// several contacts are dry, slow speeds and a weight that may press the rotor on its stops, too.
+/// Draws a machine, a speed between 0.5 and 7 times its natural frequency, and an unbalance that does not
+/// touch without the kick. Masses, stiffnesses, dampings and casings vary over several orders of magnitude;
+/// restitution is usual or close to one; all kinds of friction occur; the kick can reach the wall. With
+/// several dry contacts there are also slow speeds and a weight that may press the rotor onto its stops.
 RandomCell random_cell(StopKind kind, std::mt19937_64& random);
 
 }  // namespace rubsweep::audit

@@ -21,14 +21,14 @@ using Few = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_conta
 using FewByFew =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_contacts, most_contacts>;
 
-/// The slips at the end of a step are `start` - `mobility` f with |f| <= `limit`.
+/// Friction of one step: the slips at its end are `start` - `mobility` f with |f| <= `limit`.
 struct Friction {
   FewByFew mobility;
   Few start, limit, force;
   int stuck = 0, at_zero = 0;
 
-  /// Largest violation of the friction law where the contacts of digit 1 of `code` stick, and those of 0 and
-  /// 2 slip backward and forward.
+  /// Largest violation of the friction law for `code`, whose ternary digits stand for the contacts: 0 slips
+  /// backward, 1 sticks, 2 slips forward.
   double try_code(int code) {
     std::array<Eigen::Index, most_contacts> free{};
     Eigen::Index count = 0;
@@ -65,7 +65,7 @@ struct Friction {
     return worst;
   }
 
-  /// The code that keeps the law; `guess` is tried first.
+  /// The code that satisfies the friction law; tries `guess` first.
   int settle(int guess) {
     const double enough = 1e-12 * (start.cwiseAbs().maxCoeff() + (mobility * limit).maxCoeff());
     int codes = 1;
@@ -107,7 +107,7 @@ class Stepping {
     if (scene_.second_harmonic_n.size() > 0)
       base += h_ * (scene_.second_harmonic_n * std::polar(1.0, 2 * phase)).real();
     Vector next = v;
-    // The damper's force depends on the velocity in the middle, which these passes find.
+    // The damper's force depends on the mean velocity, so these passes iterate.
     for (int pass = 0; pass < 3; ++pass) next = passed(base, middle, (v + next) / 2, v);
     turn.stuck += friction_.stuck > 0;
     turn.together += friction_.at_zero > 1;
@@ -117,7 +117,7 @@ class Stepping {
 
  private:
   Vector passed(Vector impulse, const Vector& q, const Vector& v, const Vector& before) {
-    // The slip that friction obeys is that at the end of the step, where the tangent has turned.
+    // Friction refers to the slip at the end of the step, when the tangent has rotated.
     std::array<Vector, most_contacts> along, along_at_end;
     const Vector end = q + h_ * (v - before / 2);
     std::array<double, most_contacts> limit{}, surface{};

@@ -25,8 +25,8 @@
 namespace rubsweep::audit {
 namespace {
 
-constexpr double clearly = 4;      ///< times what fixed steps are uncertain by
-constexpr double rounding = 1e-6;  ///< of the section: what no fixed step resolves
+constexpr double clearly = 4;      ///< least error that counts / uncertainty of the fixed steps
+constexpr double rounding = 1e-6;  ///< errors of the section too small for any fixed steps
 constexpr double undecided = 1e-2;
 constexpr std::array refinements{1, 8, 40};
 
@@ -47,7 +47,7 @@ bool dry(const scene::Contact& contact) { return contact::dry_coefficient(contac
 
 bool any_dry(const scene::Scene& scene) { return std::ranges::any_of(scene.contacts, dry); }
 
-/// One reference knows of friction by a curve, the other of dry friction.
+/// One reference uses friction as a function of slip, the other one dry friction, so only one kind is kept.
 void keep_one_friction(model::Machine& machine) {
   const auto is_dry = [](const model::Stop& stop) { return contact::dry_coefficient(stop.friction) != 0; };
   if (std::ranges::none_of(machine.stops, is_dry)) return;
@@ -63,14 +63,14 @@ std::optional<scene::Scene> random_scene(StopKind kind, Draw& draw) {
   const auto& rotor = std::get<model::JeffcottRotor>(cell.machine.rotor);
   scene::Unbalance unbalance = scene::WhirlRatio{cell.whirl_ratio};
   if (cell.eccentricity_m) unbalance = scene::Eccentricity{*cell.eccentricity_m};
-  // Short turns: what begins wrong shows at once, and chaos has no time to part what is right.
+  // Turns are short: a wrong start shows at once, and chaos has no time to separate correct results.
   const double speed_hz = std::max(cell.speed_hz, 2 * rotor.natural_frequency_hz);
   const scene::Cell built = scene::build_cell(cell.machine, speed_hz, unbalance);
   if (!scene::can_run(built.start)) return std::nullopt;
   return built.scene;
 }
 
-/// Puts rotor and casing of contact `i` on the wall, with its normal there.
+/// Places rotor and casing of contact `i` at the wall; returns the normal there.
 Eigen::Vector2d place(scene::Scene& scene, std::size_t i, Draw& draw) {
   const scene::Contact& c = scene.contacts[i];
   const auto& points = scene.structure.points;
@@ -116,7 +116,8 @@ std::string_view set_velocities(scene::Scene& scene, std::size_t i, const Eigen:
   return names[static_cast<std::size_t>(way)];
 }
 
-/// Radial acceleration of rotor against casing at the start, with what the turning normal adds.
+/// Radial acceleration of the rotor relative to the casing at the start, including the rotation of the
+/// normal.
 double radial_acceleration(const scene::Scene& scene, std::size_t i, const Eigen::Vector2d& normal) {
   const scene::Contact& c = scene.contacts[i];
   const Eigen::MatrixXd map = scene::relative_map(scene.structure, c);
@@ -144,7 +145,7 @@ std::string_view push(scene::Scene& scene, std::size_t i, const Eigen::Vector2d&
   return way == 0 ? "no radial acceleration" : way == 3 ? "pulled off" : "pressed on";
 }
 
-/// Whether no other wall is passed by more than rounding.
+/// Whether no other wall is penetrated by more than rounding.
 bool clear_of_others(const scene::Scene& scene, std::size_t i) {
   for (std::size_t j = 0; j < scene.contacts.size(); ++j) {
     const scene::Contact& c = scene.contacts[j];
@@ -155,7 +156,7 @@ bool clear_of_others(const scene::Scene& scene, std::size_t i) {
   return true;
 }
 
-/// Number of steps in each of which the phase of the stiffest contact changes little.
+/// Number of steps per turn in which the phase of the stiffest contact changes only little.
 int steps_of_turn(const scene::Scene& scene) {
   constexpr double little_rad = 0.1;
   double stiffest = 0;
@@ -217,7 +218,8 @@ WallStartAudit audit_wall_start(const WallStart& start) {
   const auto sections = solved(start.scene);
   for (const int finer : refinements) {
     const int steps = finer * steps_of_turn(start.scene);
-    // In no simple ratio: an event late by half a step of each would look as if they agreed.
+    // The ratio of the step numbers is not simple: otherwise an event half a step late in each would look
+    // like agreement.
     const auto fine = fixed_steps(start.scene, section, 31 * steps / 10);
     audit.spread = std::max(section_distance(fixed_steps(start.scene, section, steps), fine),
                             section_distance(fixed_steps(start.scene, section, 17 * steps / 10), fine));

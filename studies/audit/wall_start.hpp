@@ -9,27 +9,27 @@
 
 namespace rubsweep::audit {
 
-/// A scene whose rotor begins on a wall, or within an ulp of it, without a radial speed against it.
+/// A scene whose rotor begins exactly at a wall, or within one ulp of it, without radial speed.
 struct WallStart {
   scene::Scene scene;
-  std::string description;  ///< of the stops, the velocities and the force
+  std::string description;  ///< description of stops, velocities and force
 };
 
-/// Start number `index` of a seed: random machines of every kind of stops, in turn. The rotor is at rest, or
-/// moves with its casing or along the wall, with or without slip. A constant force presses it on the wall,
-/// pulls it off, or leaves no radial acceleration, so that a later derivative decides.
+/// Start number `index` for a seed: random machines with each kind of stops in turn. The rotor is at rest, or
+/// moves with its casing or along the wall, with or without slip. A constant force presses it onto the wall,
+/// pulls it away, or cancels the radial acceleration, so that a higher derivative decides.
 WallStart random_wall_start(std::uint64_t seed, std::size_t index);
 
-/// Solvers that a start is given to.
+/// Solvers that are tested with each start.
 inline constexpr std::array<std::string_view, 3> wall_start_solvers{"exact", "series", "adaptive"};
 
-/// The first turn of a start, against one by fixed steps that locates no event.
+/// Comparison of the first turn with fixed steps that locate no events.
 struct WallStartAudit {
-  /// Section of each solver from that of the finest fixed steps, in clearances; infinite where one fails.
+  /// Distance of each solver's section from the finest fixed steps, in clearances; infinite where it failed.
   std::array<double, wall_start_solvers.size()> errors{};
-  double spread = 0;     ///< of the fixed steps themselves
-  bool decides = false;  ///< these come to one section
-  bool wrong = false;    ///< some error is beyond four times the spread
+  double spread = 0;     ///< distance between fixed steps of different size
+  bool decides = false;  ///< whether the fixed steps agree on one section
+  bool wrong = false;    ///< whether an error exceeds four times the spread
 };
 
 WallStartAudit audit_wall_start(const WallStart& start);

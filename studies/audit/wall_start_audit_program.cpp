@@ -1,6 +1,6 @@
-// audit wall_starts STARTS SEED: the first turn of STARTS random machines whose rotor begins on a wall, by
-// all solvers, against fixed steps that locate no event. Prints every start that some solver gets wrong; exit
-// code 1 where there is one.
+// audit wall_starts STARTS SEED: compares the first turn of STARTS random machines whose rotor begins at a
+// wall, by all solvers, with fixed steps that locate no events. Prints every start with a wrong result; exit
+// code 1 if there is one.
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-// cell_effort CONFIG.yaml TURNS SECONDS: what the turns of the first cell of a configuration consist of,
-// without any proof: steps of closed forms, pieces of Taylor series, changes of mode and processor time of
-// each stretch of turns that doubles, until TURNS turns or SECONDS seconds have passed; and how often each
-// change happened in the last turn.
+// cell_effort CONFIG.yaml TURNS SECONDS: effort for the first cell of a configuration without proofs. Prints
+// closed-form steps, Taylor pieces, mode changes and processor time for consecutive stretches of doubling
+// length, until TURNS turns or SECONDS seconds have passed, and how often each change happened in the last
+// turn.
 #include <cstdio>
 #include <cstdlib>
 #include <map>

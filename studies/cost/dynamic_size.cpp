@@ -1,5 +1,5 @@
-// dynamic_size: what an exact turn costs where the number of coordinates is known at run time only, as in a
-// rotor kit, against the same turn with the number known to the compiler.
+// dynamic_size: compares the cost of an exact turn with a number of coordinates known only at run time, as in
+// a rotor kit, with that of a number known to the compiler.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,7 +23,8 @@ struct Watched {
   integrate::run::TurnRequest request;
 };
 
-/// Median of several stretches of the settled motion, microseconds a turn; the section after the last one.
+/// Median time over several stretches of the settled motion, microseconds per turn; also gives the last
+/// section.
 template <int N>
 double turn_us(const scene::Scene& scene, const integrate::run::TurnRequest& request,
                std::vector<double>& section) {

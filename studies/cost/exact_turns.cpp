@@ -1,5 +1,5 @@
-// exact_turns N: N turns of set A's cell (75 Hz, whirl ratio 0.4) by the exact solver and nothing else, for
-// scripts/count_operations.sh.
+// exact_turns N: runs only N turns of the exact solver in the cell of parameter set A (75 Hz, whirl ratio
+// 0.4), for scripts/count_operations.sh.
 #include <cstdio>
 #include <cstdlib>
 

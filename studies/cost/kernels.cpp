@@ -1,4 +1,4 @@
-// Times of the hot kernels by Google Benchmark: `kernels --help`. Not a test.
+// Measures the most expensive kernels by Google Benchmark: `kernels --help`. Not a test.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace rubsweep;
 
-/// Set A, one side, 75 Hz, whirl ratio 0.4, on its way: turn after turn of the same run.
+/// Consecutive turns of one run: parameter set A, one side, 75 Hz, whirl ratio 0.4.
 void turn(benchmark::State& state, integrate::run::Method method, double tolerance) {
   integrate::run::SolverOptions options;
   options.method = method;
@@ -29,7 +29,7 @@ void turn(benchmark::State& state, integrate::run::Method method, double toleran
   for ([[maybe_unused]] auto _ : state) run.advance({}, turn);
   state.counters["steps"] =
       benchmark::Counter(static_cast<double>(turn.effort.steps - before), benchmark::Counter::kAvgIterations);
-  // Time of one step, whatever else a turn contains.
+  // Time per step, independent of what else a turn contains.
   state.counters["time_per_step"] =
       benchmark::Counter(static_cast<double>(turn.effort.steps - before),
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
@@ -41,7 +41,8 @@ BENCHMARK(exact_turn);
 void dopri5_turn(benchmark::State& state) { turn(state, integrate::run::Method::adaptive, 1e-6); }
 BENCHMARK(dopri5_turn);
 
-/// One certified step: the guards' values, rates and bounds, then the move by the table of precomputed steps.
+/// One certified step: values, rates and bounds of the guards, then a move with the table of precomputed
+/// steps.
 void certified_step(benchmark::State& state) {
   const scene::Scene scene = test::cell_of({}).scene;
   const auto prepared = std::make_shared<integrate::exact::modes::MachineModes<4>>(scene);
@@ -50,7 +51,7 @@ void certified_step(benchmark::State& state) {
   Eigen::Matrix<double, 8, 1> physical;
   physical << 0, 0.4, 0, 0, -0.4, 0, 0, 0;
   integrate::run::state_scale(scene).to_seconds(physical);
-  constexpr int steps = 256;  // then from the start again: free vibration dies out
+  constexpr int steps = 256;  // then it starts again, because free vibration dies out
   for ([[maybe_unused]] auto _ : state) {
     if (!motion.enter(0, physical)) state.SkipWithError("no closed form");
     for (int i = 0; i < steps; ++i) {
@@ -63,8 +64,8 @@ void certified_step(benchmark::State& state) {
 }
 BENCHMARK(certified_step);
 
-/// A full matrix of the first argument's size times a vector, with columns that begin the second argument's
-/// bytes behind a cache line.
+/// Product of a full matrix and a vector. First argument: the size; second argument: offset in bytes of the
+/// columns from a cache line.
 void product(benchmark::State& state) {
   const auto size = static_cast<std::ptrdiff_t>(state.range(0));
   const Eigen::MatrixXd larger = Eigen::MatrixXd::Random(size + 8, size);
@@ -80,7 +81,7 @@ void product(benchmark::State& state) {
 }
 BENCHMARK(product)->ArgsProduct({{38, 40}, {0, 16, 32, 48}});
 
-/// 64 revolutions of 128 samples, the window of every verdict.
+/// Spectrum of 64 revolutions with 128 samples each, the window of every verdict.
 void spectrum(benchmark::State& state) {
   std::vector<std::complex<double>> z;
   for (int i = 0; i < 64 * 128; ++i) {

@@ -1,8 +1,8 @@
-// How far rubsweep-mpi scales, by a model: the real ChunkQueue deals out cells to simulated ranks, with what
-// cells, lines, messages and the final map cost on this machine, measured first.
+// Scaling of rubsweep-mpi according to a model: the real ChunkQueue deals out cells to simulated ranks, using
+// costs of cells, lines, messages and the final map that are first measured on this machine.
 //   mpirun -n 2 mpi_scaling CONFIG.yaml CELLS [SAMPLED_CELLS]
-// prints, for 1 to 1000 ranks of one thread, the time of a sweep of CELLS cells and the share of it that is
-// work.
+// prints, for 1 to 1000 ranks with one thread each, the time of a sweep of CELLS cells and the share of it
+// spent on work.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -37,16 +37,16 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Seconds, measured.
+/// Measured times in seconds.
 struct Costs {
-  std::vector<double> cells;  ///< spread evenly over the map
-  double line = 0;            ///< the first rank's, for a line of another rank
-  double message = 0;         ///< the first rank's, for a report and its answer
-  double wait = 0;            ///< of a rank from its report to its next chunk, when nobody else asks
-  double row = 0;             ///< of the final map, a cell
+  std::vector<double> cells;  ///< cells evenly spread over the map
+  double line = 0;            ///< first rank, for a line of another rank
+  double message = 0;         ///< first rank, for a report and its answer
+  double wait = 0;            ///< from a rank's report to its next chunk, without other requests
+  double row = 0;             ///< per cell of the final map
 };
 
-/// Also returns a line of the map, to measure with.
+/// Measures cells; returns a line of the map for the other measurements.
 std::string measure_cells(const sweep::Study& study, std::size_t count, Costs& costs) {
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   response::motion::Workspace workspace;
@@ -64,7 +64,7 @@ std::string measure_cells(const sweep::Study& study, std::size_t count, Costs& c
 constexpr std::size_t lines_in_report = 500;
 constexpr int reports = 200;
 
-/// The work of Leader::keep and MapDirectory::write_map on lines.
+/// Does the same work with lines as Leader::keep and MapDirectory::write_map.
 void measure_lines(const std::string& line, const fs::path& directory, Costs& costs) {
   std::string report;
   for (std::size_t i = 0; i < lines_in_report; ++i) report.append(line).append("\n");
@@ -91,7 +91,7 @@ void measure_lines(const std::string& line, const fs::path& directory, Costs& co
   costs.row = (bench::processor_time_s() - begin) / static_cast<double>(cells);
 }
 
-/// Both ranks: reports of one line and their answers.
+/// Exchanges reports of one line and their answers between both ranks.
 void measure_messages(const std::string& line, Costs& costs) {
   const auto answer = [] {
     std::optional<apps::mpi::Report> report;
@@ -101,7 +101,7 @@ void measure_messages(const std::string& line, Costs& costs) {
   };
   std::vector<double> waits;
   if (apps::mpi::rank() == 0) {
-    // All at once, so that nobody sleeps.
+    // All at once, so that the first rank does not sleep.
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     std::vector<double> each;
     for (int i = 0; i < reports; ++i) {
@@ -116,7 +116,7 @@ void measure_messages(const std::string& line, Costs& costs) {
   }
   for (int i = 0; i < reports; ++i) apps::mpi::send_report({.rank = 1, .finished = {{0, line}}});
   for (int i = 0; i < reports; ++i) apps::mpi::receive_chunk();
-  // One by one, as from a rank that computed while the first one slept, at any moment of its sleep.
+  // One by one, as from a rank that computes while the first one sleeps, at varying moments.
   for (int i = 0; i < reports; ++i) {
     std::this_thread::sleep_for(std::chrono::microseconds(3000 + 37 * (i % 27)));
     const auto sent = Clock::now();
@@ -128,11 +128,11 @@ void measure_messages(const std::string& line, Costs& costs) {
 }
 
 struct Outcome {
-  double computed_s = 0;  ///< when the last rank was done
-  double leader_s = 0;    ///< time of the first rank for others
+  double computed_s = 0;  ///< time at which the last rank finished
+  double leader_s = 0;    ///< time that the first rank spent for others
 };
 
-/// Ranks of one thread. The first one serves the others while another thread of it computes.
+/// Simulates ranks with one thread each; the first rank serves the others while its other thread computes.
 Outcome simulate(const Costs& costs, std::size_t cells, std::size_t ranks) {
   std::vector<std::size_t> all(cells);
   for (std::size_t i = 0; i < cells; ++i) all[i] = i;
@@ -153,7 +153,7 @@ Outcome simulate(const Costs& costs, std::size_t cells, std::size_t ranks) {
     if (report.rank > 0) {
       const double work_s = costs.message + static_cast<double>(report.lines) * costs.line;
       outcome.leader_s += work_s;
-      // A first rank that has nothing to do sleeps, one that is behind does not.
+      // A first rank without work sleeps; one with waiting reports does not.
       leader_free_s = std::max(leader_free_s, report.at_s) + work_s;
       chunk_at_s = std::max(leader_free_s, report.at_s + costs.wait);
     }

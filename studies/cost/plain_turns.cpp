@@ -1,5 +1,6 @@
-// plain_turns N: N turns of set A's cell (75 Hz, whirl ratio 0.4) by the plain dopri5 that is the unit of
-// speed ratios, for scripts/check_baseline.sh. Prints the processor time of a turn in microseconds.
+// plain_turns N: runs N turns of the cell of parameter set A (75 Hz, whirl ratio 0.4) by the plain dopri5
+// that is the unit of speed ratios, for scripts/check_baseline.sh. Prints the processor time per turn in
+// microseconds.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

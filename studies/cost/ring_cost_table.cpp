@@ -1,5 +1,5 @@
-// Not a test: prints what an onset costs by bisection and by polishing, and how the cost grows with speeds
-// and loads. Times are medians of five on one thread; compare them with each other only.
+// Not a test: prints the cost of an onset by bisection and by polishing, and its growth with the numbers of
+// speeds and loads. Times are medians of five runs on one thread; compare them only with each other.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// targets CONFIGS_DIRECTORY: prints the ratios that the project set itself as targets, one part after the
-// other. The unit is the plain dopri5 of this folder at relative tolerance 1e-6. Processor times, medians of
-// runs taken in turn; only what two threads gain is measured on the wall clock.
+// targets CONFIGS_DIRECTORY: prints the speed ratios that are the project's targets, part by part. The unit
+// is the plain dopri5 of this folder at relative tolerance 1e-6. All numbers are medians of processor times
+// of alternating runs, except the gain of two threads, which is measured in wall time.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -32,7 +32,7 @@ using namespace rubsweep;
 constexpr double unit_tolerance = 1e-6;
 constexpr int early = 6;
 
-/// Medians of the processor times of several routes, run in turn.
+/// Median processor times of several methods, run alternately.
 std::vector<double> medians_s(const std::vector<std::function<void()>>& routes, int repeats) {
   std::vector<std::vector<double>> times(routes.size());
   for (int repeat = 0; repeat < repeats; ++repeat) {
@@ -82,7 +82,7 @@ void per_revolution(const char* name, const test::OneSideRotor& rotor, int refer
               static_cast<double>(effort.steps) / turns, static_cast<double>(effort.switches) / turns);
 }
 
-/// Prints the processor time of the map by class, one cell after the other.
+/// Prints the processor time of a map by class, computing its cells one after another.
 void time_by_class(const sweep::Study& study) {
   struct Share {
     double time_s = 0;
@@ -150,7 +150,7 @@ void whole_map(const std::filesystem::path& file) {
   time_by_class(study);
 }
 
-/// Parameter set C, the annular stop.
+/// The machine of parameter set C, with an annular stop.
 model::Machine set_c() {
   test::OneSideRotor rotor;
   rotor.damping_ratio = 0.04;
@@ -163,7 +163,7 @@ model::Machine set_c() {
   return machine;
 }
 
-/// The whole cell, proof included, against 600 turns of located dopri5 at a tolerance that gives the same
+/// Compares a whole cell, including its proof, with 600 turns of located dopri5 at a tolerance of equal
 /// error.
 void annular(const char* name, double speed_hz, double whirl_ratio) {
   const auto cell = scene::build_cell(set_c(), speed_hz, scene::WhirlRatio{whirl_ratio});
@@ -200,7 +200,7 @@ void annular(const char* name, double speed_hz, double whirl_ratio) {
       settled.proof ? std::string(to_string(*settled.proof)).c_str() : "none", settled.revolutions);
 }
 
-/// Processor time per cell of the same coarse grid for several machines, cell by cell in turn.
+/// Processor time per cell on the same coarse grid for several machines, which alternate cell by cell.
 void cost_per_cell(const std::filesystem::path& configs, const std::vector<std::string>& names) {
   std::vector<sweep::Study> studies;
   std::vector<scene::PreparedMachine> plans;

@@ -1,6 +1,7 @@
-// taylor_turns CONFIGS_DIRECTORY [CONFIG.yaml [KEY=VALUE...]]: what turns by Taylor series cost, plain, with
-// one tangent vector, with all of them, and with what a window records, in annular stops; and their error,
-// and both of dopri5 at 1e-8. For a configuration: processor time and turns of its cells by their class.
+// taylor_turns CONFIGS_DIRECTORY [CONFIG.yaml [KEY=VALUE...]]: cost of turns by Taylor series in annular
+// stops: plain, with one tangent vector, with all of them, and with the records of a window. Also prints
+// their error, and cost and error of dopri5 at 1e-8. For a configuration: processor time and turns of its
+// cells by class.
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -19,8 +20,8 @@ namespace {
 
 using namespace rubsweep;
 
-/// Scenes of the table, by the configuration's set D or by set C, which differs in casing, stiffness and
-/// kick.
+/// Scenes of the table, from the configuration of set D or from set C, which has another casing, stiffness
+/// and kick.
 struct Motion {
   const char* config;
   std::vector<std::string> overrides;
@@ -48,14 +49,14 @@ constexpr int early = 6, settling = 300, turns = 300, repeats = 5;
 
 const integrate::run::SolverOptions by_taylor, by_dopri5{.stepper = integrate::run::Stepper::dopri5};
 
-/// A solver for the turns, and the request to each turn.
+/// A solver, and the request for each turn.
 struct Way {
   integrate::run::SolverOptions solver;
   integrate::run::TurnRequest request;
 };
 
 struct Cost {
-  double us = 0, steps = 0;  ///< per turn
+  double us = 0, steps = 0;  ///< both per turn
 };
 
 std::vector<double> section_after(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
@@ -67,7 +68,7 @@ std::vector<double> section_after(const scene::Scene& scene, const integrate::ru
   return turn.section;
 }
 
-/// Costs of `turns` turns from where the motion has settled, each way in turn.
+/// Costs of `turns` turns of the settled motion, for each way alternately.
 std::vector<Cost> costs_of(const scene::Scene& scene, const std::vector<Way>& ways) {
   integrate::exact::modes::ModeCache modes;
   const std::vector<double> settled = section_after(scene, by_taylor, settling);

@@ -1,8 +1,8 @@
-// diagnosis_calibration FIRST COUNT SEED CASES ROUNDS: recordings of machines that are drawn from the priors
-// of rubdata, one candidate after the other, diagnosed as rubdiagnose does with CASES motions of a candidate
-// and at most ROUNDS of narrowing. A line of CSV for each: the truth, the probabilities, and where the true
-// numbers lie in their posterior distributions. Machines, motions and readings are those of rubdata, whose
-// code for them the diagnosis does not use.
+// diagnosis_calibration FIRST COUNT SEED CASES ROUNDS: diagnoses recordings of machines drawn from the priors
+// of rubdata, with the candidates in turn. It works like rubdiagnose, with CASES motions per candidate and at
+// most ROUNDS rounds of narrowing. Prints one CSV line per recording: the truth, the probabilities, and the
+// ranks of the true numbers in their posterior distributions. Machines, motions and readings come from
+// rubdata, whose code the diagnosis does not use.
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ using namespace rubsweep;
 using diagnose::Unknown;
 using diagnose::inference::Quantity;
 
-/// Draws until the motion is what its candidate says; empty where that is too rare.
+/// Draws until the motion agrees with its candidate; empty where that happens too rarely.
 std::optional<dataset::LabelledRecording> draw_recording(const dataset::DataStudy& study) {
   constexpr std::size_t most_draws = 60;
   const bool rubs = study.candidates[0].cause != diagnose::Cause::no_rub;
@@ -66,7 +66,7 @@ double truth_of(const dataset::LabelledRecording& labelled, Quantity quantity) {
     case Quantity::stop_angle:
       return labelled.stop_angle_deg;
     case Quantity::position:
-      return 0;  // a Jeffcott rotor has no places
+      return 0;  // a Jeffcott rotor has no positions along the shaft
     case Quantity::contact_fraction:
       return labelled.motion.contact.contact_fraction;
     case Quantity::peak_force:
@@ -95,8 +95,8 @@ diagnose::features::DescribedMotion seen_in(const recording::Recording& recordin
   return diagnose::features::describe(lines, diagnose::inference::view_of(problem.measuring), workspace);
 }
 
-/// Verdict of a rule by the spectrum alone ("look for 1/2, 1/3 ..."; Muszynska 1989, Goldman and Muszynska
-/// 1999).
+/// Verdict of a simple rule based on the spectrum alone ("look for 1/2, 1/3 ..."; Muszynska 1989, Goldman and
+/// Muszynska 1999).
 diagnose::Cause by_rule(const diagnose::features::DescribedMotion& seen) {
   const auto share = [&](std::string_view name) {
     for (const diagnose::features::Feature& feature : seen.features)
@@ -117,7 +117,7 @@ diagnose::Cause by_rule(const diagnose::features::DescribedMotion& seen) {
   return second > third ? diagnose::Cause::one_side : diagnose::Cause::two_sides;
 }
 
-/// Numbers that a Jeffcott rotor has.
+/// Quantities that a Jeffcott rotor has.
 std::vector<Quantity> asked_quantities() {
   std::vector<Quantity> asked;
   std::ranges::copy_if(diagnose::inference::all_quantities, std::back_inserter(asked),
@@ -144,8 +144,8 @@ struct Truth {
   const dataset::LabelledRecording* labelled = nullptr;
 };
 
-/// Posterior probability, given the true candidate, of less than the true value. Equal values, as of a
-/// contact that never ends, have any rank among each other.
+/// Posterior probability, given the true candidate, of a value below the true one. Equal values, as for a
+/// contact that never ends, get a random rank among each other.
 double rank_of(const diagnose::inference::Marginal& marginal, double value, std::mt19937_64& random) {
   constexpr double equal = 1e-6;
   const double from = marginal.probability_below(value - equal * std::abs(value)),
@@ -153,8 +153,8 @@ double rank_of(const diagnose::inference::Marginal& marginal, double value, std:
   return std::uniform_real_distribution<double>(from, std::max(from, to) + 1e-12)(random);
 }
 
-/// Columns of equal cases and of ranks; empty where there is no candidate, and of ranks also where no case of
-/// it is like the recording or where it has no such number.
+/// CSV columns of effective cases and ranks. Empty where there is no candidate; ranks are also empty where no
+/// case resembles the recording or the quantity does not exist.
 std::string columns_of_numbers(const diagnose::inference::Diagnosis& diagnosis, const Truth& truth,
                                std::mt19937_64& random) {
   if (!truth.candidate) return std::string(asked_quantities().size() + 1, ',');
@@ -190,7 +190,7 @@ void print_row(std::size_t machine, const Truth& truth, const StudiedMachine& st
   std::fflush(stdout);
 }
 
-/// A recording of a machine that does what no candidate does.
+/// A recording of a machine whose vibration has a cause outside the candidates.
 dataset::LabelledRecording draw_foreign(Foreign cause, const StudiedMachine& studied,
                                         std::mt19937_64& random) {
   dataset::LabelledRecording labelled;

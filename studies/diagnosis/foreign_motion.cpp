@@ -22,7 +22,7 @@ Complex any_phase(double amplitude, std::mt19937_64& random) {
   return std::polar(amplitude, between(-pi, pi, random));
 }
 
-/// Sum of lines over the turns.
+/// Sum of spectral lines over the turns.
 class Lines {
  public:
   Lines(int turns, int samples_of_a_turn)
@@ -39,7 +39,7 @@ class Lines {
   int n_;
 };
 
-/// Unbalance on supports that are not quite alike.
+/// Unbalance on slightly unequal supports.
 Lines unbalanced(int turns, int n, std::mt19937_64& random) {
   Lines lines(turns, n);
   lines.add(1, any_phase(size_m, random));
@@ -55,7 +55,7 @@ void add_coupling(Lines& lines, std::mt19937_64& random) {
     lines.add(order, any_phase(second * between_logarithms(0.01, 0.2, random), random));
 }
 
-/// Impacts of rolling elements on a fault of the outer race: their rate slips a little, and the speed
+/// Impacts of rolling elements on a fault of the outer race: their rate slips slightly, and the shaft speed
 /// modulates them.
 void add_bearing(Lines& lines, std::mt19937_64& random) {
   const double rate = between(3.02, 3.9, random), strength = size_m * between(0.1, 0.5, random);
@@ -69,7 +69,7 @@ void add_bearing(Lines& lines, std::mt19937_64& random) {
   }
 }
 
-/// Forward whirl below half the speed that wanders.
+/// Forward whirl of wandering frequency below half the shaft speed.
 void add_oil_whirl(Lines& lines, std::mt19937_64& random) {
   const double order = between(0.42, 0.48, random), amplitude = size_m * between_logarithms(0.3, 3, random);
   double phase = between(-pi, pi, random), swell = 1;
@@ -80,7 +80,7 @@ void add_oil_whirl(Lines& lines, std::mt19937_64& random) {
   }
 }
 
-/// A surface that both probes see, the one at 90 degrees a quarter of a turn later.
+/// A surface profile seen by both probes; the one at 90 degrees sees it a quarter turn later.
 void add_run_out(Lines& lines, std::mt19937_64& random) {
   const double strength = size_m * between(0.3, 2, random);
   for (int order = 1; order <= 10; ++order) {
@@ -93,14 +93,15 @@ void add_run_out(Lines& lines, std::mt19937_64& random) {
   }
 }
 
-/// A pedestal that lifts: the vertical stiffness falls to a share of it where the shaft is above its rest.
+/// A pedestal that lifts off: its vertical stiffness falls to a share while the shaft is above its rest
+/// position.
 std::vector<Complex> loose_support(double speed_ratio, double damping_ratio, int turns, int n,
                                    std::mt19937_64& random) {
   const double share = between(0.2, 0.7, random), rest = between(0, 0.5, random), e = between(0.3, 1, random),
                y_over_x = between(0.8, 1, random);
   const int settling = 400, steps_of_a_sample = 8;
   const double h = 2 * pi / speed_ratio / (n * steps_of_a_sample);
-  double x = 0, y = 0, u = 0, v = 0, t = 0;  // time in radians of the natural frequency
+  double x = 0, y = 0, u = 0, v = 0, t = 0;  // time x natural angular frequency
   const auto rate = [&](double at, double px, double py, double pu, double pv, double& ax, double& ay) {
     const double force = e * speed_ratio * speed_ratio;
     const double lift = py > rest ? py - rest : 0;
@@ -113,7 +114,7 @@ std::vector<Complex> loose_support(double speed_ratio, double damping_ratio, int
     for (int s = 0; s < steps_of_a_sample; ++s) {
       double ax, ay, bx, by;
       rate(t, x, y, u, v, ax, ay);
-      // Velocity Verlet with the damping at the middle.
+      // Velocity Verlet with damping at mid-step.
       const double um = u + h / 2 * ax, vm = v + h / 2 * ay;
       x += h * um;
       y += h * vm;
@@ -165,7 +166,7 @@ std::vector<Complex> foreign_motion(Foreign cause, double speed_ratio, double da
       add_run_out(lines, random);
       break;
     case Foreign::clipped_sensor:
-      break;  // of the readings
+      break;  // run-out affects only the readings
     case Foreign::loose_support:
       break;
   }

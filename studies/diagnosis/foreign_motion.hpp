@@ -20,7 +20,7 @@ inline constexpr std::array all_foreign{Foreign::misaligned_coupling, Foreign::b
                                         Foreign::electrical_run_out,  Foreign::clipped_sensor};
 std::string_view to_string(Foreign cause);
 
-/// Motion of a rotor without rub over so many turns, m: x + iy, samples_of_a_turn of each. `speed_ratio`:
-/// speed over natural frequency.
+/// Motion x + iy in metres of a rotor without a rub over `turns` turns, samples_of_a_turn values per turn.
+/// `speed_ratio`: shaft speed / natural frequency.
 std::vector<std::complex<double>> foreign_motion(Foreign cause, double speed_ratio, double damping_ratio,
                                                  int turns, int samples_of_a_turn, std::mt19937_64& random);

@@ -7,9 +7,9 @@
 
 namespace rubsweep::diagnose {
 
-/// Candidate with the largest share among the cases of the priors that are most like the recording, each
-/// feature in units of its spread, and this share: tells whether the candidates differ in the recording at
-/// all. Cases count by how likely they are as large as the recording; those that cannot be do not.
+/// Candidate with the largest share among the prior cases closest to the recording, with features in units of
+/// their spread, and this share. It shows whether the recording can distinguish the candidates at all. Cases
+/// are weighted by the probability of the recording's size.
 std::pair<std::size_t, double> nearest_candidate(const features::DescribedMotion& seen,
                                                  const inference::DiagnosisProblem& problem,
                                                  const inference::Diagnosis& diagnosis);

@@ -1,8 +1,8 @@
-// second_mode DIRECTORY COUNT SEED MODES: recordings of rubs and of other causes in a rotor of two discs that
-// has MODES (1 or 2) bending modes in each plane. They are simulated here by fixed steps of RK4, without code
-// of the library and with another contact law. Writes NN_CAUSE.csv and its instrument NN_CAUSE.yaml, and two
-// descriptions of its machine: NN_CAUSE_one/machine.yaml, a Jeffcott rotor of the first mode, and
-// NN_CAUSE_two/machine.yaml, the matrices of both.
+// second_mode DIRECTORY COUNT SEED MODES: recordings of rubs and of other causes in a two-disc rotor with
+// MODES (1 or 2) bending modes in each plane. They are simulated by fixed RK4 steps, without library code and
+// with another contact law. Writes NN_CAUSE.csv and its instrument NN_CAUSE.yaml. It also writes two
+// descriptions of the machine: NN_CAUSE_one/machine.yaml, a Jeffcott rotor with the first mode, and
+// NN_CAUSE_two/machine.yaml, matrices with both modes.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ constexpr std::array<const char*, 7> names{"one_side", "two_sides", "annular", "
                                            "coupling", "whirl",     "loose"};
 constexpr int steps_of_a_turn = 2048;
 
-/// Share of the energy about the mean that is neither at +1X nor at -1X.
+/// Share of the energy about the mean outside +1X and -1X.
 double energy_off_1x(const std::vector<Complex>& z) {
   Complex mean = 0, forward = 0, backward = 0;
   double all = 0;
@@ -96,7 +96,7 @@ void write_machines(const std::string& stem, const Machine& machine, bool probe_
   std::fclose(out);
 }
 
-/// As an instrument reads it: 10 kHz, half a per cent of noise, gains that are 1 % off.
+/// Writes a recording as an instrument makes it: 10 kHz, 0.5 % noise, gains with 1 % error.
 void write_recording(const std::string& stem, const std::vector<Complex>& z, double speed_hz, int probes,
                      Random& random) {
   std::FILE* out = std::fopen((stem + ".yaml").c_str(), "w");
@@ -149,7 +149,7 @@ Setting draw_setting(const Rotor& rotor, Cause cause, Random& random) {
   setting.offset = cause == Cause::annular_offset ? random.between(0.15, 0.9) : 0;
   setting.stiffness = rotor.mass_kg * std::pow(2 * pi * rotor.frequency_hz, 2) * random.logarithmic(10, 300);
   setting.loss = random.between(0.05, 1.0) /
-                 (setting.clearance_m * 2 * pi * rotor.frequency_hz);  // per velocity of a rub
+                 (setting.clearance_m * 2 * pi * rotor.frequency_hz);  // relative to the velocity in a rub
   setting.friction = random.between(0.02, 0.3);
   setting.angle_rad = random.between(-pi, pi);
   setting.strength = random.between(0.3, 1);
@@ -167,7 +167,7 @@ struct Run {
   double deepest = 0;
 };
 
-/// Recorded turns after 300 of them.
+/// Recorded turns after 300 turns of settling.
 Run run_of(const Machine& machine, int turns, Random& random) {
   State state;
   const double fast = machine.setting.clearance_m * machine.angular[0] * random.logarithmic(0.5, 10);
@@ -194,7 +194,7 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(directory);
   const bool two_modes = std::atoi(argv[4]) == 2;
   for (int k = 0; k < std::atoi(argv[2]); ++k) {
-    // Four rubs, then one of the other causes.
+    // Four rubs, then one of the other causes, in turn.
     const int kind = k % 5;
     const Cause cause = kind < 4 ? static_cast<Cause>(kind) : static_cast<Cause>(4 + k / 5 % 3);
     Random random{std::mt19937_64(static_cast<std::uint64_t>(std::atoi(argv[3]) * 1000 + k))};

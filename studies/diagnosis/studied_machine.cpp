@@ -9,7 +9,7 @@ namespace {
 
 using diagnose::Unknown;
 
-/// Intervals of the machine that a fit would leave: 1 % of the frequency, 20 % of the damping.
+/// Sets the intervals of the machine that a fit would leave: 1 % of the frequency, 20 % of the damping.
 void tell_machine(const StudiedMachine& machine, std::vector<diagnose::Candidate>& candidates,
                   std::mt19937_64& random) {
   const auto about = [&](double truth, double half_width) {
@@ -34,7 +34,7 @@ StudiedMachine draw_studied(std::size_t machine, std::mt19937_64& random) {
   StudiedMachine drawn{between(20, 60), 0.01 * std::pow(4, between(0, 1)), between(1.2, 4.5)};
   drawn.sampling_rate_hz = machine % 2 == 0 ? 10'000 : 1000;
   drawn.probes = machine % 3 == 2 ? 1 : 2;
-  // A reading every millisecond shows little of a shaft that turns faster than 100 Hz.
+  // A reading every millisecond is too slow for shafts faster than 100 Hz.
   if (drawn.sampling_rate_hz < 8 * drawn.speed_ratio * drawn.frequency_hz)
     drawn.speed_ratio = std::max(1.2, drawn.sampling_rate_hz / 8 / drawn.frequency_hz);
   return drawn;

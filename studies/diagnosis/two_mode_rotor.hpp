@@ -6,8 +6,8 @@
 #include <complex>
 #include <numbers>
 
-/// A rotor of two discs by the coordinates of its modes, the forces of stops and of other causes, and steps
-/// of RK4. Nothing here is shared with the library.
+/// A rotor with two discs in modal coordinates, forces of stops and of other causes, and RK4 steps. It shares
+/// no code with the library.
 namespace two_modes {
 
 using Complex = std::complex<double>;
@@ -15,7 +15,7 @@ using std::numbers::pi;
 
 enum class Cause { one_side, two_sides, annular, annular_offset, coupling, whirl, loose };
 
-/// Two equal discs A and B; x + iy of each. The stops stand at A.
+/// Two equal discs A and B with displacements x + iy. The stops are at A.
 struct Rotor {
   double mass_kg = 1, frequency_hz = 0, ratio = 4, damping = 0.02, damping_of_second = 0.02, lean_rad = 0;
   bool two_modes = true;
@@ -25,14 +25,14 @@ struct Setting {
   Cause cause = Cause::one_side;
   double speed_hz = 0, clearance_m = 3e-4, second_clearance = 1, offset = 0, stiffness = 0, loss = 0,
          friction = 0, radius_m = 0.02, angle_rad = 0, strength = 0;
-  Complex unbalance_a, unbalance_b;  ///< mass times eccentricity
+  Complex unbalance_a, unbalance_b;  ///< mass x eccentricity
 };
 
 struct State {
   std::array<Complex, 2> q{}, v{};
 };
 
-/// Displacement in coordinates of the modes: both have the mass of a disc.
+/// Machine in modal coordinates; the modal mass of both modes is that of a disc.
 struct Machine {
   Rotor rotor;
   Setting setting;
@@ -47,8 +47,7 @@ struct Machine {
   Complex a(const State& s) const { return at_a[0] * s.q[0] + at_a[1] * s.q[1]; }
   Complex b(const State& s) const { return at_b[0] * s.q[0] + at_b[1] * s.q[1]; }
 
-  /// Force of a wall whose outward normal is n, where the shaft stands so deep in it: Hunt and Crossley's
-  /// loss, friction of slip.
+  /// Force of a wall with outward normal n at this penetration: Hunt-Crossley damping and sliding friction.
   Complex wall(Complex n, double depth, Complex velocity) const {
     if (depth <= 0) return 0;
     const double inward = std::real(velocity * std::conj(n));
@@ -84,7 +83,7 @@ struct Machine {
                                           : Complex(0);
   }
 
-  /// Forces at B of causes that are no rub.
+  /// Forces at B from causes other than a rub.
   Complex other(const State& s, double t) const {
     const double w = 2 * pi * setting.speed_hz, k = rotor.mass_kg * angular[0] * angular[0];
     const Complex z = b(s);
@@ -93,7 +92,7 @@ struct Machine {
         return k * setting.strength * setting.clearance_m *
                (std::cos(2 * w * t) * std::polar(1.0, setting.angle_rad) + 0.3 * std::cos(3 * w * t));
       case Cause::whirl: {
-        // Cross-coupling beyond what damping bears, bounded by a damping that grows with the amplitude.
+        // Cross-coupling beyond the stability limit, bounded by damping that grows with the amplitude.
         const Complex velocity = at_b[0] * s.v[0] + at_b[1] * s.v[1];
         const double size = std::abs(z) / setting.clearance_m;
         return Complex(0, -1) * (-k * 2 * rotor.damping * (1.5 + setting.strength)) * z /
@@ -101,7 +100,7 @@ struct Machine {
                rotor.mass_kg * angular[0] * 4 * rotor.damping * size * size * velocity / (at_b[0] * at_b[0]);
       }
       case Cause::loose: {
-        // A support that is softer upwards, along one direction.
+        // A support that is softer in one direction.
         const Complex n = std::polar(1.0, setting.angle_rad);
         const double along = std::real(z * std::conj(n)) + 0.1 * setting.clearance_m;
         return along > 0 ? 0.5 * setting.strength * k * along * n : Complex(0);

@@ -9,11 +9,11 @@
 namespace rubsweep::machine_search {
 namespace {
 
-/// Uniform in [0, 1), the same with every standard library.
+/// Uniform number in [0, 1), the same with every standard library.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
 constexpr double clearance_m = 1e-3, farther_clearance_m = 1.5e-3;
-constexpr double stiffness_in_hole = 1.18;  ///< times that of a flat stop
+constexpr double stiffness_in_hole = 1.18;  ///< contact stiffness in a hole / on a flat stop
 
 std::string stop_text(const Candidate& candidate, Arrangement arrangement, double angle_deg,
                       double clearance) {

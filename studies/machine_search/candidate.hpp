@@ -7,11 +7,11 @@
 
 namespace rubsweep::machine_search {
 
-/// Parameters that the search may choose. The rest is fixed: a rotor of 0.8 kg at 30 Hz, a shaft of 10 mm and
+/// Parameters that the search varies. Fixed values: a rotor of 0.8 kg at 30 Hz, a shaft of 10 mm diameter and
 /// a clearance of 1 mm.
 struct Candidate {
   double rotor_damping_ratio = 0;
-  double contact_stiffness_n_per_m = 0;  ///< of the flat stops
+  double contact_stiffness_n_per_m = 0;  ///< stiffness of the flat stops
   double restitution_delivered = 0;
   double casing_mass_kg = 0;
   double casing_frequency_hz = 0;
@@ -21,8 +21,7 @@ struct Candidate {
   double kick_duration_s = 0;
 };
 
-/// One chosen number: its name, its place in the struct and the range it is drawn from, on a logarithmic
-/// scale.
+/// A varied parameter: its name, its member and the range from which it is drawn logarithmically.
 struct Parameter {
   std::string_view name;
   double Candidate::*field;
@@ -42,9 +41,8 @@ inline constexpr std::array<Parameter, 9> parameters{{
     {"kick_duration_s", &Candidate::kick_duration_s, 0.001, 0.02},
 }};
 
-/// Where the search starts: four machines that a wider search with a model of its own came to (a heavy casing
-/// of 350 Hz, one of 150 Hz, a light screw, and one with an everyday restitution), each with a contact that
-/// brass survives.
+/// Start of the search: machines from a wider search with another model (a heavy casing of 350 Hz, one of 150
+/// Hz, a light screw, and one with ordinary restitution), each with a contact that brass survives.
 inline constexpr std::array<Candidate, 5> starting_points{{
     {0.003, 1e7, 0.30, 2, 350, 0.5, 0.04, 60, 0.006},
     {0.004, 1e7, 0.35, 1.5, 150, 0.25, 0.04, 60, 0.006},
@@ -53,18 +51,18 @@ inline constexpr std::array<Candidate, 5> starting_points{{
     {0.005, 3e6, 0.35, 1, 250, 0.4, 0.04, 60, 0.006},
 }};
 
-/// Every parameter drawn anew.
+/// A candidate with all parameters drawn at random.
 Candidate random_candidate(std::mt19937_64& random);
 
-/// A candidate nearby: about half of the parameters are changed by factors of the order of 1 + `spread`.
+/// A similar candidate: about half of its parameters are changed by factors of about 1 + `spread`.
 Candidate perturbed(const Candidate& candidate, double spread, std::mt19937_64& random);
 
-/// The five arrangements of the figures.
+/// The five arrangements in the paper's figures.
 enum class Arrangement { one_side, both_sides, unequal_casings, annulus, annulus_with_offset };
 
-/// Configuration of a machine without `sweep`, `response` and `output`. Of unequal casings the lower one is
-/// half a clearance farther away: a difference that lets the rotor touch one side only is one of distance. In
-/// a hole of 6 mm the contact of a shaft of 5 mm is 1.18 times as stiff as on a flat screw, by Hertz' line
+/// Configuration of a machine without `sweep`, `response` and `output`. With unequal casings the lower one is
+/// farther away by half a clearance, because a rotor touches one side only if the distances differ. In a hole
+/// of 6 mm diameter the contact of a 5 mm shaft is 1.18 times stiffer than on a flat screw, by Hertz' line
 /// contact.
 std::string machine_text(const Candidate& candidate, Arrangement arrangement);
 

@@ -13,9 +13,9 @@
 namespace rubsweep::machine_search {
 namespace {
 
-/// Coarse grids whose columns and rows differ, so that a verdict that rests on a few cells shows. Their rows
-/// resolve small unbalance, where the feet of the tongues lie. Those of the offset annulus have the
-/// eccentricities of the centred one, as an offset of a quarter leaves three quarters of the clearance.
+/// Coarse grids with different columns and rows, so that a verdict based on few cells is noticed. Their rows
+/// resolve small unbalance, where the tongues begin. The offset annulus has the same eccentricities as the
+/// centred one, because an offset of a quarter leaves three quarters of the clearance.
 struct Grid {
   const char* flat;
   const char* centred;
@@ -47,8 +47,8 @@ constexpr std::array<Grid, grid_count> grids{{
      "0.88]}"},
 }};
 
-/// Against flat stops on one line friction moves an isotropic rotor along the walls only, so that the motion
-/// across them, which is what the findings are about, needs none.
+/// On flat stops in one line, friction moves an isotropic rotor only along the walls. The findings concern
+/// the motion across them, so friction is left out.
 Candidate simplified(Candidate candidate, Arrangement arrangement) {
   if (arrangement != Arrangement::annulus && arrangement != Arrangement::annulus_with_offset)
     candidate.friction_coefficient = 0;
@@ -60,7 +60,7 @@ Rows map_of(const Candidate& candidate, Arrangement arrangement, const char* gri
       machine_text(simplified(candidate, arrangement), arrangement) +
       fmt::format("sweep: {{{}}}\nresponse: {{max_revolutions: 600}}\noutput: {{directory: none}}\n", grid);
   sweep::Study study = config::read_run_config_text(text, "candidate.yaml", {}).study;
-  // No mark asks which of the motions without a period are chaotic.
+  // No mark depends on which of the aperiodic motions are chaotic.
   study.response.exponent = false;
   Rows rows(sweep::cell_count(study.grid));
   std::vector<std::size_t> cells(rows.size());
@@ -73,14 +73,13 @@ Rows map_of(const Candidate& candidate, Arrangement arrangement, const char* gri
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Marks that the maps of one arrangement bring at most.
+/// Largest sum of the marks for one arrangement.
 double most(const std::vector<Mark>& marks) { return 1.1 * static_cast<double>(marks.size()); }
 
 }  // namespace
 
 Evaluation evaluate(const Candidate& candidate, std::size_t grid, double bar) {
-  // The score that is still possible is known before the maps: those of no map at all say how many marks
-  // there are.
+  // The largest possible score is known before the maps: marks of empty maps show how many there are.
   const Rows none;
   double left = most(one_side_marks(none)) + most(both_sides_marks(none)) +
                 most(unequal_casings_marks(none, none)) + most(annulus_marks(none)) +

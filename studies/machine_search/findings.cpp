@@ -51,7 +51,7 @@ double hits_per_revolution(const sweep::Row& row) {
   return static_cast<double>(row.measures->contact.hits) / row.measures->turns;
 }
 
-/// Hits while an oval goes once about the centre, see scripts/analysis/domain_measures.py.
+/// Impacts of an oval per revolution about the centre; see scripts/analysis/domain_measures.py.
 double hits_per_whirl(const sweep::Row& row) {
   if (!row.measures->dominant) return 0;
   const double own = 1 - *row.measures->comb_spacing, order = row.measures->dominant->order;

@@ -1,10 +1,10 @@
-// machine_search GRID SEED RANDOM NEARBY [KEPT [START.csv]]: looks for one machine whose five maps show as
-// much as possible of what Ishibashi & Kawai report, on one of three coarse grids (0 to 2). Evaluates the
-// starting points, RANDOM machines drawn from the ranges of candidate.hpp, then NEARBY machines near the KEPT
-// (10) best ones. START.csv lists further machines to begin with, by the names of the columns that are
-// printed; with RANDOM and NEARBY 0 these are only looked at. Prints one CSV line a machine as it goes;
-// `complete` tells machines that were given up early. One thread; the lines depend on the arguments alone,
-// but for the processor time.
+// machine_search GRID SEED RANDOM NEARBY [KEPT [START.csv]]: searches for one machine whose five maps show as
+// many findings of Ishibashi & Kawai as possible, on one of three coarse grids (0 to 2). Evaluates the
+// starting points, RANDOM machines drawn from the ranges of candidate.hpp, and NEARBY machines near the KEPT
+// (10) best ones. START.csv lists further machines to begin with, using the names of the printed columns;
+// with RANDOM and NEARBY 0 only these are evaluated. Prints one CSV line per machine; `complete` marks
+// machines that were not given up early. Uses one thread; apart from the processor time, the lines depend on
+// the arguments alone.
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ namespace {
 
 using namespace rubsweep::machine_search;
 
-/// Out of 29 marks: no machine below is of use, and the first ones need a bar too.
+/// First bar, out of 29 marks: machines below it are useless.
 constexpr double least_score = 14;
 
 class Search {
@@ -45,7 +45,7 @@ class Search {
 
   bool found_some() const { return !best_.empty(); }
 
-  /// One of the best, the better ones more often.
+  /// Returns one of the best candidates, preferring better ones.
   const Candidate& one_of_the_best(std::mt19937_64& random) const {
     const std::size_t first = random() % best_.size(), second = random() % best_.size();
     return best_[std::min(first, second)].second;

@@ -18,6 +18,12 @@ refused '--operating-hz and --operating-rpm exclude each other' --design-check -
 refused '--operating-hz and --operating-rpm belong to --design-check' --campbell 10:20 --operating-hz 50:60
 refused '--kick-speeds belongs to --design-check' --campbell 10:20 --kick-speeds 3
 refused '--threads belongs to --design-check' --speed-hz 60 --whirl-ratio 0.3 --threads 2
+refused '--stage belongs to --design-check' --campbell 10:20 --stage none
+refused '--require-pass belongs to --design-check' --campbell 10:20 --require-pass
+for stage in impeller impeller:100:2:400 impeller:100:2:400:0 blades:1:2:3:4 pump:1:2:3:4 impeller:x:2:400:15 ''; do
+  refused "--stage: '$stage' is not allowed, allowed: impeller:KW" --design-check --stage "$stage"
+done
+refused "--stage: 'none' is not allowed" --design-check --stage none --stage blades:100:400:30
 refused '--kick-speeds: allowed: a number from 0 to 1000' --design-check --kick-speeds -1
 refused '--threads: allowed: a number from 0' --design-check --threads -1
 refused '--free-response, --run-up, --campbell and --design-check exclude each other' --design-check --campbell 10:20
@@ -54,6 +60,18 @@ expect_files jeffcott config.yaml design_check.csv lock_speeds.csv unbalance_res
 expect_exit 0 "$minimal" --design-check --kick-speeds 0 --eccentricity-m 2.8222222222222223e-06 --output given
 expect_contains stdout 'not tried: not asked for'
 expect_same <(grep -v '^#' given/design_check.csv) <(grep -v '^#' jeffcott/design_check.csv)
+
+# The answer comes first, and ends the program with a code of its own where that is asked for.
+expect_exit 0 "$minimal" --design-check --kick-speeds 0 --stage none --require-pass --output jeffcott
+[[ $(head -n 1 stdout) == 'answer    pass' ]] || fail 'another answer than pass'
+expect_exit 4 "$minimal" --design-check --kick-speeds 0 --require-pass --output jeffcott
+[[ $(head -n 1 stdout) == 'answer    not told: nothing is known of 1 terms' ]] || fail 'another answer than not told'
+[[ $(count_rows jeffcott/design_check.csv "check == 'cross_coupling' and verdict == 'not_told'") == 1 ]] || fail 'a stage is told'
+expect_exit 4 "$minimal" --design-check --kick-speeds 0 --stage none --require-pass --operating-hz 33:150 --output jeffcott
+expect_matches stdout '^answer    NOT MET: [0-9]+ of '
+expect_matches stdout '^  separation, configured at probe 0 at 30.01[0-9]* Hz .*: NOT MET$'
+expect_exit 0 "$minimal" --design-check --kick-speeds 0 --stage impeller:0.001:2:400:15 --output jeffcott
+[[ $(count_rows jeffcott/design_check.csv "check == 'level_1_threshold' and limit == 2") == 1 ]] || fail 'no Level I'
 
 # Supports by tables: clearances from where the tables begin.
 expect_exit 0 "$table" --design-check --kick-speeds 0 --operating-hz 50:100 --output table

@@ -97,6 +97,18 @@ expect_contains out/fitted.csv ',rub,0,real,'
 # The same bytes again, whichever of the two threads was first.
 expect_exit 0 "$minimal" --set stops.0.clearance_m=1.03e-3 "${rub[@]}" --output same
 expect_same out/parameters.csv same/parameters.csv
+# The exponent of a contact that is no spring.
+curved=(--set 'stops.0.law={kind: power, stiffness_n_per_m_n: 2.83e8, exponent: 1.5, damping: delivered, restitution: 0.7,
+  approach_speed_m_per_s: 0.2}')
+"$trace" "$minimal" "${curved[@]}" --speed-hz 70 --whirl-ratio 0.2 --revolutions 300 --sample-s 2e-4 --noise-m 2e-6 \
+  --output curved --quiet
+PYTHONPATH=$top/scripts python3 -B "$top/scripts/analysis/as_recorded.py" curved/sensors.csv curved.csv --speed-hz 70 \
+  --mark-deg 50
+echo 'from_s: 2' >>curved.yaml
+"$scope" curved.csv --output curved_seen --quiet
+expect_exit 0 "$minimal" "${curved[@]}" --set stops.0.law.exponent=1.45 --rub curved_seen --fit stops.0.law.exponent \
+  --fit mark_deg --eccentricity-m 1.633e-4 --output out
+found stops.0.law.exponent 1.499 1.501
 # A machine that does not rub, a recording that is no rub that repeats, and no recording.
 expect_exit 2 "$minimal" --set kick.force_n=1 "${rub[@]}" --output none
 expect_contains stderr 'allowed: one in contact that repeats after 2 turns as the recorded one'

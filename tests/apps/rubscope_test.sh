@@ -28,6 +28,17 @@ expect_exit 0 run.csv --orders 0.5 --quiet
 expect_empty stdout
 [[ $(count_rows run_scope/bode.csv 'order == 0.5') -gt 50 ]] || fail 'no 1/2 in the Bode plot'
 
+# A listing of the file, without a description.
+cp run.csv bare.csv
+expect_exit 0 bare.csv --columns
+expect_empty stderr
+expect_contains stdout 'bare.csv: 4 columns of 5000 readings, from line 2 to line 5001'
+expect_contains stdout "'time' rises evenly, by 0.0002 s"
+[[ ! -e bare_scope ]] || fail 'a listing writes files'
+printf 'no numbers\n' >words.txt
+expect_exit 2 words.txt --columns
+expect_contains stderr 'words.txt:1:1: has no numbers, allowed: '
+
 # Thresholds in per cent.
 expect_exit 0 run.csv --least-line 80 --most-modulation 0 --output coarse
 expect_contains stdout 'synchronous'

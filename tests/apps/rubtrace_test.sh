@@ -12,7 +12,7 @@ expect_header() {
 }
 
 # Command line.
-expect_help speed-hz speed-rpm whirl-ratio eccentricity-m unbalance-g-mm revolutions last-revolutions free-response run-up with-stops campbell design-check operating-hz operating-rpm kick-speeds threads figure duration-s sample-s noise-m length-unit peak-to-peak check explain print-config
+expect_help speed-hz speed-rpm whirl-ratio eccentricity-m unbalance-g-mm revolutions last-revolutions free-response run-up with-stops campbell design-check operating-hz operating-rpm kick-speeds stage require-pass threads figure duration-s sample-s noise-m length-unit peak-to-peak check explain print-config
 expect_usage_error 'a configuration file is needed' "${rub[@]}"
 expect_usage_error 'the shaft speed is needed' "$minimal" --whirl-ratio 0.6
 expect_usage_error 'the unbalance is needed, one way' "$minimal" --speed-hz 90

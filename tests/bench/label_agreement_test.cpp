@@ -14,7 +14,7 @@ using scene::Place;
 const std::array<Place, 4> places{Place{75, scene::WhirlRatio{0.4}}, Place{75, scene::WhirlRatio{1.2}},
                                   Place{90, scene::WhirlRatio{0.6}}, Place{54, scene::WhirlRatio{0.05}}};
 
-/// Nothing damps the resonance, so that no eccentricity gives a whirl ratio there.
+/// At an undamped resonance no eccentricity gives the whirl ratio.
 TEST(LabelAgreement, CellsThatCannotRunAreLeftOut) {
   model::Machine undamped = test::machine_of({});
   std::get<model::JeffcottRotor>(undamped.rotor).damping_ratio = 0;

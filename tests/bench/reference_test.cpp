@@ -23,7 +23,7 @@ TEST(Reference, IsTheLongDoubleOneOnSetA) {
   EXPECT_LT(test::section_error(reference.section, by_hand[turns], rotor), 2e-15);
   EXPECT_TRUE(reference.closed_forms);
   EXPECT_LT(uncertainty(reference), 5e-15);
-  EXPECT_GT(reference.against_rkf78, 0);  // another route, not the same one again
+  EXPECT_GT(reference.against_rkf78, 0);  // a different solver, so not exactly equal
   EXPECT_GT(reference.against_dopri5, 0);
 }
 

@@ -1,5 +1,5 @@
-/// read_many: reads configurations whose files standard input names, one a line, and prints a line for each:
-/// "ok", or the first problem. A line "ring FILE" is read as ringstab does, "run FILE" as rubsweep does.
+/// Reads the configurations whose names are on standard input, one per line. Prints a line for each: "ok" or
+/// the first problem. A line "ring FILE" is read like ringstab does, "run FILE" like rubsweep.
 #include <iostream>
 #include <string>
 

@@ -1,5 +1,5 @@
-// Every key that a reader knows is used by a configuration in configs/, so that all of them can be seen at
-// work.
+// Every key that a reader accepts is used by a configuration in configs/, so that users find an example of
+// each.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -18,20 +18,20 @@ namespace {
 namespace fs = std::filesystem;
 using Paths = std::set<std::string>;
 
-/// Keys that no shipped configuration needs, each with the reason.
+/// Keys that no shipped configuration uses, each with the reason.
 const Paths unused{
-    "base",                          // many have it, and none any more once it was read
-    "ring.modal_stiffness_n_per_m",  // the same as a natural frequency, which rings are known by
-    "rotor.mass_damping_per_s",      // files of ROSS have it, and segments one of their own
-    // a layer may have what its segment has
+    "base",                          // used by many, but no longer present after reading
+    "ring.modal_stiffness_n_per_m",  // alternative to a natural frequency, which is better known
+    "rotor.mass_damping_per_s",      // used by files of ROSS; segments have their own
+    // a layer may have the same keys as its segment
     "rotor.shaft.layers.inner_diameter_end_m", "rotor.shaft.layers.mass_damping_per_s",
     "rotor.shaft.layers.outer_diameter_end_m", "rotor.shaft.layers.stiffness_damping_s",
     "rotor.shaft.layers.stiffness_inner_diameter_m", "rotor.shaft.layers.stiffness_outer_diameter_m",
-    "rotor.supports.fault.multiple",  // said by the geometry of the bearing
-    "stops.hertz.half_width",         // a second formula, to compare with numbers of the paper alone
+    "rotor.supports.fault.multiple",  // determined by the geometry of the bearing
+    "stops.hertz.half_width",         // a second formula, only for comparison with the paper
 };
 
-/// stops.0.casing becomes stops.casing, and all axes are one section.
+/// Path without indices: stops.0.casing becomes stops.casing, and all axes share one section.
 std::string without_numbers(const std::string& path) {
   static constexpr std::array of_axes{"from",   "to",  "count", "scale",  "step",
                                       "values", "key", "keys",  "factors"};
@@ -56,15 +56,14 @@ std::vector<fs::path> shipped() {
   std::vector<fs::path> files;
   for (const auto& entry :
        fs::recursive_directory_iterator(fs::path(CONFIG_TEST_DATA) / "../../../configs")) {
-    // stop.yaml of a folder is what the stops of others share.
+    // stop.yaml in a folder is included by other configurations.
     if (entry.path().extension() == ".yaml" && entry.path().filename() != "stop.yaml")
       files.push_back(entry.path());
   }
   return files;
 }
 
-/// The keys that the reader would have taken in each of these maps: it lists them when it meets an unknown
-/// one.
+/// Keys that the reader accepts in each of these maps: its message about an unknown key lists them.
 Paths known_in(const std::vector<std::string>& maps, const fs::path& file, bool ring) {
   constexpr std::string_view refusal = ": unknown key, allowed: ";
   std::vector<std::string> overrides;

@@ -21,13 +21,13 @@ function(build source name)
   run(${CMAKE_COMMAND} --build ${work}/${name})
 endfunction()
 build(${CMAKE_CURRENT_LIST_DIR}/project build)
-# The storey of one motion asks for nothing that only others need.
+# The core part must build without the packages that only other parts need.
 set(absent Ceres TBB yaml-cpp nlohmann_json tomlplusplus ZLIB)
 list(TRANSFORM absent REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON")
 build(${EXAMPLES} one_cell_alone -DPARTS=core ${absent})
 build(${EXAMPLES} examples)
 
-# The examples say what the programs say.
+# The examples must print the same results as the programs.
 set(config ${EXAMPLES}/../configs/minimal.yaml)
 run(${work}/examples/map ${config} ${work}/map)
 run(${work}/prefix/bin/rubsweep ${config} --set kick.force_n=250 --output ${work}/map_of_program --quiet)
@@ -50,7 +50,7 @@ if(NOT output STREQUAL "2 cells, the last at 240 Hz\n")
   message(FATAL_ERROR "The consumer printed:\n${output}")
 endif()
 
-# pkg-config leads to the same, wherever the prefix is.
+# pkg-config must find the same files, wherever the prefix is.
 find_program(pkg_config NAMES pkgconf pkg-config REQUIRED)
 file(GLOB_RECURSE pc ${work}/prefix/*/rubsweep.pc)
 get_filename_component(pc ${pc} DIRECTORY)

@@ -1,5 +1,5 @@
-// Purpose of event location: through contact a located stepper keeps the order it has in flight, while
-// smoothing leaves an error of its own that no tolerance removes.
+// Purpose of event location: with contact, a located stepper keeps the order that it has in flight, whereas
+// smoothing adds an error that no tolerance removes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,12 +15,12 @@ namespace {
 constexpr int turns = 6;
 
 struct Point {
-  double error = 0;      ///< error of the section after 6 turns, largest component, scaled
-  double rhs_calls = 0;  ///< calls per turn
+  double error = 0;      ///< largest scaled component of the section's error after 6 turns
+  double rhs_calls = 0;  ///< calls of the right-hand side per turn
 };
 
 Point measure(const run::SolverOptions& options) {
-  const test::OneSideRotor rotor;  // 75 Hz, whirl ratio 0.4: the 1/2 motion, three hits in six turns
+  const test::OneSideRotor rotor;  // 75 Hz, whirl ratio 0.4: the 1/2 motion, three impacts in six turns
   static const auto reference = test::long_double_sections(rotor, turns);
   const run::Cursor advance = adaptive::start_adaptive(test::cell_of(rotor).scene, options);
   run::TurnReport turn;
@@ -44,17 +44,18 @@ Point smoothed(double tolerance, double width_m) {
   return measure(options);
 }
 
-/// Decades of error per decade of work: the order.
+/// Convergence order: decades of error per decade of work.
 double order_between(const Point& loose, const Point& tight) {
   return std::log(loose.error / tight.error) / std::log(tight.rhs_calls / loose.rhs_calls);
 }
 
 struct Order {
   double at_least = 0;
-  double loose = 1e-7, tight = 1e-11;  ///< tolerances between which it shows
+  double loose = 1e-7, tight = 1e-11;  ///< range of tolerances in which the order shows
 };
 
-/// Order of each stepper in flight, less a little. Without a default: a new stepper says its order here.
+/// Order of each stepper in flight, with a small margin. No default case, so that a new stepper must be
+/// added.
 Order order_of(run::Stepper stepper) {
   switch (stepper) {
     case run::Stepper::automatic:
@@ -80,19 +81,19 @@ TEST(ContactOrder, LocatedKeepsTheOrderOfTheStepper) {
 
 TEST(ContactOrder, SmoothedStopsAtItsOwnError) {
   const Point loose = smoothed(1e-10, 1e-7), tight = smoothed(1e-12, 1e-7);
-  EXPECT_GT(tight.error, 1e-8);  // located reaches 1e-12 there
+  EXPECT_GT(tight.error, 1e-8);  // the located stepper reaches 1e-12 there
   EXPECT_NEAR(tight.error / loose.error, 1, 0.1);
   EXPECT_LT(located(run::Stepper::dopri5, 1e-12).error, 1e-3 * tight.error);
 }
 
 TEST(ContactOrder, SmoothingErrorGoesWithTheWidth) {
   const double ratio = smoothed(1e-12, 4e-7).error / smoothed(1e-12, 1e-7).error;
-  EXPECT_GT(ratio, 3);   // order 1 at least: the error falls with the width
-  EXPECT_LT(ratio, 20);  // order 2 at best: the error falls with its square
+  EXPECT_GT(ratio, 3);   // order 1 at least: the error is proportional to the width
+  EXPECT_LT(ratio, 20);  // order 2 at most: the error is proportional to the width squared
 }
 
 TEST(ContactOrder, LocatedNeedsFewerCallsThanThePlainStepper) {
-  // Plain dopri5 without event location takes about 1450 calls a turn at 1e-6, for an error of some 1e-6.
+  // Plain dopri5 without event location needs about 1450 calls per turn at 1e-6, with an error of about 1e-6.
   const Point point = located(run::Stepper::dopri5, 1e-6);
   EXPECT_LT(point.rhs_calls, 1450);
   EXPECT_LT(point.error, 4e-6);

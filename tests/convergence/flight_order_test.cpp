@@ -1,5 +1,5 @@
-// Order of every stepper between switches, measured with fixed steps on a forced oscillator with a closed
-// form. The forcing depends on time, so that a wrong time derivative or node shows too.
+// Order of every stepper without mode changes, measured with fixed steps on a forced oscillator with a closed
+// form. The force depends on time, so that wrong time derivatives or nodes are detected, too.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ using run::Stepper;
 using Complex = std::complex<double>;
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// Revolution of 1 s, natural frequency 1.7 Hz, 5 % damping; unbalance force amplitude 30 N/kg.
+/// A revolution of 1 s, natural frequency 1.7 Hz, 5 % damping; unbalance force of 30 N/kg.
 scene::Scene forced_scene() {
   const double w0 = 1.7 * two_pi;
   auto scene = test::one_mass_scene(1, w0 * w0, 2 * 0.05 * w0, 1, 1);
@@ -31,7 +31,7 @@ scene::Scene forced_scene() {
   return scene;
 }
 
-/// z at `phase` of the first revolution, closed form.
+/// Closed-form displacement z at `phase` of the first revolution.
 Complex exact(double phase) {
   const double w = two_pi, w0 = 1.7 * w, decay = 0.05 * w0, wd = std::sqrt(w0 * w0 - decay * decay),
                t = phase / w;
@@ -54,7 +54,7 @@ struct Fixed {
   adaptive::Step step;
 
   explicit Fixed(Stepper stepper)
-      // Every step is accepted: the size stays what the test says.
+      // Every step is accepted, so its size is that of the test.
       : method(adaptive::make_step_method({.stepper = stepper, .relative_tolerance = 1e30})) {
     const auto initial = run::scaled_initial_state(forced_scene());
     for (State* s : {&step.start, &step.start_rate, &step.end, &step.end_rate}) *s = State(4);
@@ -96,7 +96,7 @@ double global_order(Stepper stepper, int steps) {
   return std::log2(coarse / fine);
 }
 
-/// Order of the local error inside a step: one more than the order of the interpolant.
+/// Order of the local error inside a step, one more than the order of the interpolant.
 double inner_order(Stepper stepper, double h) {
   return std::log2(Fixed(stepper).error_inside_first_step(h) / Fixed(stepper).error_inside_first_step(h / 2));
 }
@@ -116,7 +116,7 @@ TEST(FlightOrder, OfStatesInsideAStep) {
 }
 
 TEST(FlightOrder, BulirschStoerFollowsItsTolerance) {
-  // No fixed order: what counts is that the error goes with the tolerance and the cost hardly does.
+  // This stepper has no fixed order: its error must follow the tolerance, while its cost hardly changes.
   run::SolverOptions options;
   options.stepper = run::Stepper::bulirsch_stoer;
   std::vector<double> errors, calls;

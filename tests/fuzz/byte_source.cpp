@@ -7,10 +7,10 @@
 namespace rubsweep::fuzz {
 
 std::string ByteSource::number(double usual) {
-  // Numbers at the edges of what a double can say are refused, so that few machines have one.
+  // Numbers at the limits of double are refused by the reader, so only few machines get one.
   const int kind = below(64);
   if (kind < 46) return fmt::format("{}", usual);
-  // By a factor of up to 4 either way, then of up to 10^8.
+  // A factor of up to 4 in either direction; in the next case, up to 10^8.
   if (kind < 57) return fmt::format("{:.4g}", usual * std::exp2((next() - 128) / 64.0));
   if (kind < 62) return fmt::format("{:.4g}", usual * std::pow(10.0, (next() - 128) / 16.0));
   if (kind == 62) return one_of({"0", "1", "-1", "1e-6", "1e6", "90", "1e-12", "1e12"});

@@ -105,7 +105,7 @@ std::string friction(ByteSource& b) {
       return fmt::format("{{static: {}, kinetic: {}, peak_speed_m_per_s: {}, settle_speed_m_per_s: {}}}",
                          b.number(0.2), b.number(0.1), b.number(0.01), b.number(0.1));
     case 3:
-      // Most curves of six random numbers drive somewhere, which is refused.
+      // Most curves with six random numbers can feed energy in, which is refused.
       return fmt::format("{{stribeck: [{}, {}, {}, {}, {}, {}]}}", b.number(0), b.number(0), b.number(0),
                          b.number(0.1), b.number(100), b.number(0));
     default:
@@ -150,14 +150,14 @@ std::string kick(ByteSource& b, bool on_shaft) {
   return text + "}\n";
 }
 
-/// The automatic choice more often than each of the others.
+/// Chooses a stepper; the automatic choice is the most frequent one.
 std::string_view stepper(ByteSource& b) {
   const auto rows = integrate::adaptive::stepper_table();
   const auto number = static_cast<std::size_t>(b.below(static_cast<int>(rows.size()) + 1));
   return rows[number == 0 ? 0 : number - 1].word;
 }
 
-/// Two short windows, few steps: a cell ends within a blink whatever its numbers are.
+/// Two short windows and few steps: a cell ends quickly, whatever its numbers are.
 std::string short_run(ByteSource& b) {
   std::string text = fmt::format("solver: {{method: {}, stepper: {}, contact: {}, relative_tolerance: {}, ",
                                  b.one_of({"auto", "auto", "exact", "adaptive"}), stepper(b),

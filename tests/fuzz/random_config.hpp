@@ -6,9 +6,9 @@
 
 namespace rubsweep::fuzz {
 
-/// A configuration of one cell made of whole sections, so that most of its numbers decide something: Jeffcott
-/// rotors and rotor kits, every kind of stop, friction, damping and casing, kicks and none, every solver. Its
-/// runs are short.
+/// A configuration of one cell, composed of whole sections so that most of its numbers have an effect:
+/// Jeffcott rotors and rotor kits, all kinds of stop, friction, damping and casing, with and without kick,
+/// all solvers. Its runs are short.
 std::string random_config(ByteSource& bytes);
 
 }  // namespace rubsweep::fuzz

@@ -19,7 +19,7 @@ inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// "file:12:3: ...", whatever file the input named as its base.
+/// Whether a line begins like "file:12:3: ...", whatever file the input named as its base.
 inline bool names_a_place(std::string_view line) {
   const auto skip_number = [&](std::size_t at) { return line.find_first_not_of("0123456789", at); };
   for (std::size_t colon = line.find(':'); colon != line.npos; colon = line.find(':', colon + 1)) {
@@ -31,7 +31,7 @@ inline bool names_a_place(std::string_view line) {
   return false;
 }
 
-/// Makes `text` the file base.yaml of the directory where the process works, one of its own.
+/// Writes `text` as base.yaml into the working directory, a temporary one.
 inline void write_base(std::string_view text) {
   static const bool moved = [] {
     std::string name = (std::filesystem::temp_directory_path() / "rubsweep-fuzz-XXXXXX").string();
@@ -53,9 +53,9 @@ inline void check_message(std::string_view message) {
   }
 }
 
-/// Whatever the bytes are, the answer of a reader is a configuration that prints and reads back as itself,
-/// with the same digest, or a ConfigError made of whole printable lines. The input is the file; what follows
-/// the first NUL byte is given as --set, what follows the second one is the file base.yaml beside it.
+/// For any bytes, the reader must return a configuration that prints and reads back as itself with the same
+/// digest, or throw a ConfigError with whole printable lines. The input is the file; the part after the first
+/// NUL byte becomes --set, the part after the second one becomes base.yaml beside the file.
 int check_reader(const std::uint8_t* data, std::size_t size, auto read_text, auto print, auto digest) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   const std::size_t end = std::min(input.find('\0'), size);

@@ -5,21 +5,21 @@
 
 namespace rubsweep::fuzz {
 
-/// Fate of a configuration.
+/// Result for a configuration.
 enum class Ending {
-  refused,   ///< refusal by the reader, with a place for every problem
+  refused,   ///< refused by the reader, which gives a place for every problem
   no_plan,   ///< refusal by the preparation: numbers allowed each but not computable together
-  evaluated  ///< to a row, whatever its status
+  evaluated  ///< evaluated to a row, whatever its status is
 };
 
-/// Something on the way from a file to a row broke its contract.
+/// A part of the path from a file to a row has violated its contract.
 struct BrokenContract : std::logic_error {
   using std::logic_error::logic_error;
 };
 
 /// Takes a configuration from its text through preparation, explanation and one cell to a line of the map.
-/// Bad input may end in a ConfigError with a message, everything else in a row. Throws BrokenContract where
-/// it does not; any other exception but ConfigError that comes out of the library passes through.
+/// Bad input may end in a ConfigError with a message; everything else must end in a row. Throws
+/// BrokenContract otherwise; exceptions of the library other than ConfigError are passed on.
 Ending check_whole_path(const std::string& text);
 
 }  // namespace rubsweep::fuzz

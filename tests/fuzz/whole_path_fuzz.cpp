@@ -1,5 +1,5 @@
-// libFuzzer target for everything between a configuration and the row of one cell. The input chooses the
-// configuration, see random_config; RUBSWEEP_FUZZ_PRINT=1 in the environment prints it.
+// libFuzzer target for everything between a configuration and the row of one cell. The input determines the
+// configuration, see random_config; with the environment variable RUBSWEEP_FUZZ_PRINT=1 it is printed.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +13,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ByteSource bytes({data, size});
   const std::string text = random_config(bytes);
   if (print) std::fputs(text.c_str(), stderr);
-  check_whole_path(text);  // an exception ends the program, as a crash does
+  check_whole_path(text);  // an exception ends the program like a crash
   return 0;
 }

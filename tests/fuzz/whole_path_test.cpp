@@ -1,6 +1,6 @@
-// The fuzz target's configurations without libFuzzer: the same ones in every run, so that every build and
-// every sanitizer tries them. In the environment, RUBSWEEP_FUZZ_PRINT=1 prints them,
-// RUBSWEEP_FUZZ_SEEDS=FROM:TO takes others.
+// Tests the fuzz target's configurations without libFuzzer, the same ones in every run, so that every build
+// and every sanitizer covers them. Environment variables: RUBSWEEP_FUZZ_PRINT=1 prints them,
+// RUBSWEEP_FUZZ_SEEDS=FROM:TO chooses others.
 #include "fuzz/whole_path.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::vector<std::uint8_t> bytes_of(unsigned seed) {
   return bytes;
 }
 
-/// First seed and the one after the last.
+/// The first seed, and the seed after the last.
 std::pair<unsigned, unsigned> seeds() {
   std::pair<unsigned, unsigned> range{0, 100};
   if (const char* text = std::getenv("RUBSWEEP_FUZZ_SEEDS"))
@@ -50,7 +50,7 @@ TEST(WholePath, EveryConfigurationEndsInARowOrARefusal) {
       ADD_FAILURE() << "seed " << seed << ": " << error.what() << "\n" << text;
     }
   }
-  // The generator must not degenerate: both ways of ending are tried.
+  // The generator must not degenerate: both results must occur.
   if (last - first < 100) return;
   EXPECT_GT(endings[Ending::evaluated], (last - first) / 8);
   EXPECT_GT(endings[Ending::refused], (last - first) / 20);

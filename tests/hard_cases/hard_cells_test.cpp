@@ -1,5 +1,5 @@
-// Hard cells from start to row: each ends, with a class that holds or with a status that names why there is
-// none.
+// Hard cells from start to row: each one ends with a reliable class, or with a status that explains why there
+// is none.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -55,7 +55,7 @@ TEST(HardCells, AWhirlRatioOfOneAndAboveComesToTheWallWithoutAKick) {
 TEST(HardCells, AtAWhirlRatioOfExactlyOneRestIsNeverProven) {
   response::motion::Workspace workspace;
   Study study = study_of(scene::one_side_machine(), 75, 1);
-  study.response.max_revolutions = 400;  // long enough for the start to die out
+  study.response.max_revolutions = 400;  // long enough for the initial transient to die out
   const Row row = evaluate_cell(study, 0, workspace);
   EXPECT_EQ(row.status, "ok");
   EXPECT_NE(row.proof, response::motion::Proof::rest);
@@ -66,7 +66,7 @@ TEST(HardCells, JustBelowOneItWhirlsWithoutContactUnlessTheSolversErrorGrazes) {
   Study study = study_of(scene::one_side_machine(), 75, 1 - 1e-3);
   study.machine.kick.reset();
   expect_row(study, {"non_contact", "ok"});
-  // Far less than the tolerance away, a graze in every turn is the same circle.
+  // If it misses the wall by much less than the tolerance, a graze in every turn is the same circle.
   study.grid.unbalance = {1 - 1e-12};
   response::motion::Workspace workspace;
   const Row row = evaluate_cell(study, 0, workspace);
@@ -94,9 +94,9 @@ TEST(HardCells, AnUndampedRotorJustOffItsResonanceRuns) {
 TEST(HardCells, ARotorThatSagsOntoItsStopHasNoWhirlRatioButAnEccentricity) {
   model::Machine machine = scene::one_side_machine();
   machine.stops[0].geometry = model::OneSideGeometry{-90};
-  machine.gravity_m_per_s2 = 1e3;  // sags by 28 mm
+  machine.gravity_m_per_s2 = 1e3;  // the rotor sags by 28 mm
   expect_row(study_of(machine, 75, 0.1), {"initial_contact", "ok"});
-  // An eccentricity is one all the same: it starts on the wall and stays there.
+  // A given eccentricity is still possible: the rotor starts on the wall and stays there.
   Study study = study_of(machine, 75, 1e-5);
   study.grid.measure = UnbalanceMeasure::eccentricity_m;
   response::motion::Workspace workspace;
@@ -120,15 +120,15 @@ model::Machine in_a_rigid_ring(const model::Friction& friction) {
   return machine;
 }
 
-/// One-way friction does not reverse: it drives the rotor round a rigid annular stop ever faster. The run
-/// ends as soon as there is no number for it, and says what is wrong with the model.
+/// One-way friction does not reverse and drives the rotor around a rigid annular stop ever faster. The run
+/// ends when its numbers overflow, and reports the fault of the model.
 TEST(HardCells, FrictionThatNeverReversesRunsAwayAndIsNamed) {
   Study study = study_of(in_a_rigid_ring(model::OneWayFriction{0.2}), 75, 0.1);
   study.response.max_revolutions = 600;
   expect_row(study, {"failed", "non_finite;slip_reversal"});
 }
 
-/// Dry friction drives it backwards, too, but no faster than it rolls.
+/// Dry friction also drives the rotor backwards, but not beyond rolling.
 TEST(HardCells, DryWhipEndsWhereTheSlipReverses) {
   Study study = study_of(in_a_rigid_ring(model::ConstantFriction{0.2}), 75, 0.1);
   study.response.max_revolutions = 300;

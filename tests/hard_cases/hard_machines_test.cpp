@@ -1,4 +1,4 @@
-// Machines on which the solvers or the proofs were once wrong; found by random search, see studies/audit.
+// Machines for which solvers or proofs were wrong once; found by random search, see studies/audit.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ struct EventCell {
 
 class HardMachinesEvents : public testing::TestWithParam<EventCell> {};
 
-/// Two contacts that change mode close together: the one that comes first is handled first.
+/// Two contacts change their modes almost together: the first change must be handled first.
 TEST_P(HardMachinesEvents, NoneIsPassedOverOrLate) {
   const auto [machine, speed_hz, whirl_ratio, turns] = GetParam();
   const auto audit = audit::audit_events({read(machine).study.machine, speed_hz, whirl_ratio}, turns);
@@ -70,12 +70,12 @@ INSTANTIATE_TEST_SUITE_P(Of, HardMachinesEvents,
 struct ProofCell {
   const char* machine;
   double speed_hz, whirl_ratio;
-  const char* not_this;  ///< claim that was once called proven
+  const char* not_this;  ///< claim that was wrongly called proven
 };
 
 class HardMachinesProofs : public testing::TestWithParam<ProofCell> {};
 
-/// The distance of a slowly decaying focus halves in the maximum norm by turning alone.
+/// Rotation alone can halve the maximum norm of a slowly decaying focus.
 TEST_P(HardMachinesProofs, NameOnlyWhatTheRunComesTo) {
   const auto& [machine, speed_hz, whirl_ratio, not_this] = GetParam();
   const std::string found = label(row_of(machine, speed_hz, whirl_ratio));
@@ -125,7 +125,7 @@ TEST(HardMachines, OneWayFrictionThatReversesSaysSoAndDryFrictionDoesNot) {
   }
 }
 
-/// The labels that no damping at all gives, and 1e-9 N s/m, too.
+/// Damping constants of 1e-12 N s/m and less give the same labels as no damping.
 TEST(HardMachines, DampingBelowRoundingIsNone) {
   for (const double damping : {1e-12, 1e-14, 1e-18}) {
     for (const auto method : {integrate::run::Method::exact, integrate::run::Method::adaptive}) {
@@ -142,7 +142,7 @@ TEST(HardMachines, DampingBelowRoundingIsNone) {
   }
 }
 
-/// A few cells of every kind; `ctest -L audit` takes thousands.
+/// Tests a few cells of every kind; `ctest -L audit` tests thousands.
 TEST(HardMachines, AnAuditOfEventsInShort) {
   for (std::size_t i = 0; i < 60; ++i) {
     std::mt19937_64 random(9'000'000 + i);
@@ -152,7 +152,7 @@ TEST(HardMachines, AnAuditOfEventsInShort) {
   }
 }
 
-/// Several dry contacts at once, against time stepping that shares no code with the solvers.
+/// Compares several simultaneous dry contacts with time stepping, which shares no code with the solvers.
 TEST(HardMachines, AnAuditOfDryContactsInShort) {
   long stuck = 0;
   for (std::size_t i = 0; i < 48; ++i) {
@@ -167,7 +167,7 @@ TEST(HardMachines, AnAuditOfDryContactsInShort) {
   EXPECT_GT(stuck, 8);
 }
 
-/// Rotors that begin on a wall without a radial speed: the first derivative that is not zero decides.
+/// Rotors that begin at a wall without radial speed: the first nonzero derivative decides.
 TEST(HardMachines, AnAuditOfStartsOnWallsInShort) {
   int decided = 0;
   for (std::size_t i = 0; i < 90; ++i) {
@@ -191,7 +191,7 @@ TEST(HardMachines, AnAuditOfProofsInShort) {
   EXPECT_GT(proven, 20);
 }
 
-/// An orbit of a random machine with its ball, if the run comes to one.
+/// A random machine's orbit with its ball, if the run reaches one.
 struct Ball {
   scene::Scene scene;
   integrate::exact::modes::ModeCache modes;
@@ -247,8 +247,7 @@ struct Ball {
   }
 };
 
-/// On the rims of the balls of random machines every turn goes through the orbit's own modes and comes
-/// nearer.
+/// From the boundary of each ball every turn has the orbit's own modes and comes closer to the orbit.
 TEST(HardMachines, MotionsOnTheRimOfABallComeNearerByTheOrbitsOwnModes) {
   int balls = 0;
   for (std::size_t i = 0; i < 120 && balls < 12; ++i) {

@@ -18,28 +18,28 @@
 
 namespace rubsweep::test {
 
-/// A scene that is hard on a solver, and what must come out of it. Any solver can be run through
-/// `hard_scenes`.
+/// A scene that is hard for a solver, and the expected result. `hard_scenes` lists all; any solver can run
+/// them.
 struct HardScene {
   std::string name;
   scene::Scene scene;
   int turns = 1;
-  /// Scaled section after `turns` by a closed form or by a reference that shares no code with the solvers;
-  /// empty: two steppers of the library must agree.
+  /// Scaled section after `turns`, from a closed form or from a reference without code of the solvers. Empty:
+  /// two steppers of the library must agree.
   std::vector<double> section = {};
-  std::optional<int> hits = {};         ///< hits over all turns
-  std::optional<double> energy_j = {};  ///< stored at the end as at the start
-  double error_per_tolerance = 100;  ///< largest section error, in units of the solver's relative tolerance
+  std::optional<int> hits = {};         ///< impacts in all turns
+  std::optional<double> energy_j = {};  ///< energy at the end = energy at the start, J
+  double error_per_tolerance = 100;     ///< largest section error / relative tolerance of the solver
 };
 
-/// Scaled section of the state z, v (metres, m/s) of a scene of one mass.
+/// Scaled section of a one-mass scene with the state z, v (metres, m/s).
 inline std::vector<double> section_of(const scene::Scene& scene, std::complex<double> z,
                                       std::complex<double> v) {
   const double length = scene.length_scale_m, speed = length * scene.speed_rad_per_s;
   return {z.real() / length, z.imag() / length, v.real() / speed, v.imag() / speed};
 }
 
-/// Kinetic energy, and potential energy of structure and contact springs, of a scaled section.
+/// Kinetic energy plus potential energy of structure and contact springs for a scaled section.
 inline double stored_energy_j(const scene::Scene& scene, const std::vector<double>& section) {
   const Eigen::Index n = scene.structure.coordinates();
   const Eigen::Map<const Eigen::VectorXd> state(section.data(), 2 * n);
@@ -54,7 +54,7 @@ inline double stored_energy_j(const scene::Scene& scene, const std::vector<doubl
   return energy;
 }
 
-/// A cell of the one-side machine, against the equations written by hand in long double.
+/// A cell of the one-side machine, compared with hand-written equations in long double.
 inline HardScene by_hand(std::string name, const OneSideRotor& rotor, int turns, int steps_per_turn,
                          double error_per_tolerance) {
   HardScene hard{.name = std::move(name), .scene = cell_of(rotor).scene, .turns = turns};
@@ -66,7 +66,7 @@ inline HardScene by_hand(std::string name, const OneSideRotor& rotor, int turns,
   return hard;
 }
 
-/// Free oscillation whose peak is exactly at a damped wall: x = -cos 20 t for ever.
+/// A free vibration x = -cos 20 t, whose peak is exactly at a damped wall.
 inline HardScene graze_of_a_free_oscillation() {
   auto scene = one_mass_scene(1, 400, 0, 0.25, 1);
   scene.displacement_m << -1, 0;
@@ -77,8 +77,7 @@ inline HardScene graze_of_a_free_oscillation() {
   return hard;
 }
 
-/// Forced whirl of a mass of 1 kg on 20 N/m in front of a wall at its own amplitude: z = i e^{i w t} for
-/// ever.
+/// Forced whirl z = i e^{i w t} of a mass of 1 kg on 20 N/m; a wall stands at the distance of its amplitude.
 inline scene::Scene whirl_up_to_a_wall(double speed) {
   const double stiffness = 20, damping = 0.4;
   const std::complex<double> i(0, 1);
@@ -93,16 +92,16 @@ inline scene::Scene whirl_up_to_a_wall(double speed) {
   return scene;
 }
 
-/// The circle touches a flat wall in one point of each turn.
+/// The circle touches a flat wall once per turn.
 inline HardScene graze_in_every_turn() {
   HardScene hard{.name = "graze_in_every_turn", .scene = whirl_up_to_a_wall(10), .turns = 20};
   hard.section = section_of(hard.scene, {0, 1}, -10);
   return hard;
 }
 
-/// The circle lies on the wall of an annular stop: contact without penetration, all the time. Below the
-/// natural frequency, where the annular stop does not push the rotor out of phase, and without friction the
-/// circle attracts.
+/// The circle coincides with an annular stop: permanent contact without penetration. Below the natural
+/// frequency, where the stop does not shift the rotor's phase, and without friction, this circle is
+/// attracting.
 inline HardScene graze_all_along_a_ring() {
   HardScene hard{.name = "graze_all_along_a_ring", .scene = whirl_up_to_a_wall(3)};
   hard.scene.contacts[0].wall = contact::AnnularWall{};
@@ -111,9 +110,9 @@ inline HardScene graze_all_along_a_ring() {
   return hard;
 }
 
-/// A rotor thrown between two undamped walls at +-45 degrees hits both at once. By symmetry they are one wall
-/// across at sqrt(2) times the clearance, with the same stiffness: x = sin(w t) / w, and in contact half a
-/// swing about x_e = K X / (k + K), after which it comes back as it went.
+/// A rotor that hits two undamped walls at +-45 degrees at the same instant. By symmetry they act like one
+/// wall in x at sqrt(2) times the clearance, with the same stiffness. Then x = sin(w t) / w in flight, and in
+/// contact half an oscillation about x_e = K X / (k + K), after which the rotor returns with the same speed.
 inline HardScene two_stops_at_once() {
   const double stiffness = 1e5, w = 10, wall_at = std::numbers::sqrt2 * 1e-3;
   auto scene = one_mass_scene(1, w * w, 0, 0.5, 1e-3);
@@ -129,14 +128,14 @@ inline HardScene two_stops_at_once() {
   const double contact = 2 * std::atan2(std::cos(w * flight) / in_contact, above) / in_contact;
   const double cycle = 2 * flight + contact + std::numbers::pi / w;
   const double into_cycle = std::fmod(0.5 * hard.turns, cycle);
-  const double since_centre = into_cycle - 2 * flight - contact;  // moving to -x, where there is no wall
+  const double since_centre = into_cycle - 2 * flight - contact;  // on the -x side there is no wall
   hard.section = section_of(scene, -std::sin(w * since_centre) / w, -std::cos(w * since_centre));
   hard.hits = 2 * (static_cast<int>(0.5 * hard.turns / cycle) + 1);
   hard.error_per_tolerance = 3e3;
   return hard;
 }
 
-/// Two moving casings, nothing damped, no friction, nothing driven: the energy stays.
+/// Two moving casings without damping, friction and excitation: the energy is conserved.
 inline HardScene nothing_damped() {
   model::Machine machine = machine_of({});
   std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
@@ -157,7 +156,7 @@ inline HardScene nothing_damped() {
   return hard;
 }
 
-/// A shaft of no radius: the slip is what rotor and casing do, of either sign, under a tanh that switches
+/// A shaft of zero radius: the slip comes from rotor and casing, has either sign, and the tanh switches
 /// within 0.1 mm/s.
 inline HardScene slip_reversal() {
   OneSideRotor rotor;
@@ -166,7 +165,7 @@ inline HardScene slip_reversal() {
   return {.name = "slip_reversal", .scene = cell_of(rotor).scene, .turns = 4};
 }
 
-/// The tanh of steepness 1e4 s/m never saturates here.
+/// A tanh with steepness 1e4 s/m, which never saturates here.
 inline HardScene backward_rolling() {
   const RollingScene rolling = rolling_scene(1e4);
   HardScene hard{.name = "backward_rolling", .scene = rolling.scene, .turns = 3};
@@ -174,7 +173,7 @@ inline HardScene backward_rolling() {
   return hard;
 }
 
-/// A shaft without unbalance, kicked.
+/// A kicked shaft without unbalance.
 inline HardScene without_unbalance() {
   return by_hand("without_unbalance", {.whirl_ratio = 0}, 4, 2000, 100);
 }
@@ -184,7 +183,7 @@ inline HardScene speed_at_the_natural_frequency() {
                  500);
 }
 
-/// Reaches the wall, and leaves it, while a kick of nine tenths of a turn lasts.
+/// The rotor reaches and leaves the wall during a kick of nine tenths of a turn.
 inline HardScene stop_reached_during_the_kick() {
   return by_hand("stop_reached_during_the_kick", {.kick_s = 0.012}, 4, 2000, 100);
 }
@@ -209,7 +208,7 @@ inline HardScene casing_of_a_gram() {
   return by_hand("casing_of_a_gram", {.casing_mass_kg = 1e-3}, 4, 4000, 100);
 }
 
-/// Every hard scene by a function that makes it, so that one test makes one of them.
+/// Functions that make the hard scenes, so that one test makes one scene.
 struct NamedHardScene {
   const char* name;
   HardScene (*make)();

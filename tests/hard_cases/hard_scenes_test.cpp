@@ -1,6 +1,6 @@
-// Every hard scene by every solver: either the right answer, or a named outcome where the scene has none; and
-// it ends. The answer comes from a closed form, a conservation law, a long-double run of equations written by
-// hand, or from a stepper of another kind at a tighter tolerance.
+// Every hard scene by every solver: it must end with the right answer, or with a named outcome where there is
+// none. The answer comes from a closed form, a conservation law, hand-written equations in long double, or
+// another kind of stepper at a tighter tolerance.
 #include "hard_cases/hard_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ SolverOptions with(Stepper stepper, double tolerance) {
   return options;
 }
 
-/// Tight, but not so tight that a method of low order takes a million steps.
+/// Tight tolerance, but loose enough that a method of low order does not need a million steps.
 double tolerance_of(Stepper stepper) {
   switch (stepper) {
     case Stepper::cash_karp54:
@@ -98,7 +98,7 @@ TEST_P(HardScenes, AnswerOfEverySolver) {
       EXPECT_LT(std::abs(share), 500 * solver.options.relative_tolerance);
     }
   }
-  // The blended law is another law with another answer; it must end all the same.
+  // The smoothed law has another answer; its run must end as well.
   SolverOptions smoothed = with(Stepper::automatic, 1e-6);
   smoothed.contact = integrate::run::ContactHandling::smoothed;
   EXPECT_EQ(integrate::run::to_string(run(hard, smoothed).outcome), "ok");

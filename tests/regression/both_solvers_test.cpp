@@ -13,14 +13,14 @@
 namespace rubsweep {
 namespace {
 
-/// Every map of the repository by the exact and by the adaptive solver: two solvers that share nothing but
-/// the scene must agree on it.
+/// Every map of the repository by the exact and by the adaptive solver: these share only the scene and must
+/// agree.
 class BothSolvers : public testing::TestWithParam<std::string> {
  protected:
   sweep::Study study_ =
       config::read_run_config(std::filesystem::path(RUBSWEEP_CONFIGS) / (GetParam() + ".yaml"), {}).study;
 
-  /// The cell at these shares of both axes.
+  /// Index of the cell at these shares of both axes.
   std::size_t cell(double along_speed, double along_unbalance) const {
     return test::map_cell(study_.grid, along_speed, along_unbalance);
   }
@@ -54,7 +54,7 @@ TEST_P(BothSolvers, GiveTheSameSection) {
   }
 }
 
-/// But for a cell that a change of the kick by a millionth sends elsewhere: one of three at most.
+/// At most one of three cells may differ, if a change of the kick by 1e-6 changes its class, too.
 TEST_P(BothSolvers, GiveTheSameClass) {
   sweep::Study adaptive = study_;
   study_.solver.method = integrate::run::Method::exact;

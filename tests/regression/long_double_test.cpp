@@ -11,8 +11,8 @@
 namespace rubsweep {
 namespace {
 
-/// One cell of every kind of map in the repository against a run in long double that shares nothing with the
-/// solvers but the scene and the contact law's table of modes. studies/accuracy/every_scene has more cells.
+/// One cell of every kind of map in the repository, compared with a run in long double that shares only the
+/// scene and the contact law's table of modes. studies/accuracy/every_scene compares more cells.
 class LongDouble : public testing::TestWithParam<std::string> {};
 
 TEST_P(LongDouble, HasTheSameSectionAndMonodromyMatrix) {

@@ -14,8 +14,8 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/numerics/assignment.hpp"
 
-// The assembled matrices against the paper's appendices entry by entry (with the errata of
-// results/ring_findings.txt), and both against an assembly from the energies that shares nothing with them.
+// Compares the assembled matrices entry by entry with the paper's appendices (including the errata of
+// results/ring_findings.txt), and both with an independent assembly from energies.
 namespace rubsweep::ring {
 namespace {
 
@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 
 constexpr double deg = std::numbers::pi / 180;
 
-/// M, G + R, K and F at one speed.
+/// Matrices M, G + R, K and vector F at one speed.
 struct Equations {
   MatrixXd mass, damping, stiffness;
   VectorXd force;
@@ -56,7 +56,7 @@ void expect_equal(const Equations& found, const Equations& expected, double tole
   compare(found.force, expected.force, "F");
 }
 
-/// The machine behind both assemblies.
+/// Data of the machine, used by both assemblies.
 struct Machine {
   RingSection ring{};
   RingGeometry ring_geometry{};
@@ -97,12 +97,12 @@ System system_of(const Machine& m) {
   return system;
 }
 
-/// Coordinate 2 + j of the reduced system: the beam's flexure v (the paper's choice) or the tip's tangential
+/// Coordinate 2 + j of the reduced system: the beam's bending v (the paper's choice) or the tip's tangential
 /// deflection q.
 enum class Coordinate { flexure, tangential };
 
-/// The contact by a Lagrange multiplier N: tip forces x = N nu - mu N tau, ring forces by the work of N and
-/// mu N. The multiplier is what the constraint u_s + u cos a - v sin a = 0 needs.
+/// Contact by a Lagrange multiplier N: tip forces x = N nu - mu N tau, ring forces from the work of N and mu
+/// N. The multiplier follows from the constraint u_s + u cos a - v sin a = 0.
 Equations from_energies(const Machine& m, double speed, Coordinate coordinate) {
   const auto count = static_cast<Eigen::Index>(m.beams.size());
   Equations e = zero(2 + count);
@@ -116,13 +116,13 @@ Equations from_energies(const Machine& m, double speed, Coordinate coordinate) {
     const double phi = m.angles_deg[index] * deg, alpha = m.inclinations_deg[index] * deg, n = m.n;
     const Eigen::RowVector2d normal(-std::cos(alpha), std::sin(alpha)),
         tangent(std::sin(alpha), std::cos(alpha));
-    // Rows over (A, B, own coordinate): radial displacement of the ring, displacement of its surface.
+    // Rows over (A, B, own coordinate): radial displacement of the ring, and displacement of its surface.
     Eigen::RowVector3d radial(-n * std::sin(n * phi), n * std::cos(n * phi), 0);
     Eigen::RowVector3d slope(-n * n * std::cos(n * phi), -n * n * std::sin(n * phi), 0);
     Eigen::RowVector3d centre(std::cos(n * phi), std::sin(n * phi), 0);
     const double half = m.ring_geometry.thickness_m / (2 * m.ring_geometry.radius_m);
     const Eigen::RowVector3d surface = centre * (1 - half) - half * slope;
-    // The tip from the constraint and the own coordinate.
+    // Tip displacements from the constraint and the own coordinate.
     Eigen::Matrix2d conditions;
     conditions.row(0) = normal;
     conditions.row(1) = coordinate == Coordinate::flexure ? Eigen::RowVector2d(0, 1) : tangent;
@@ -130,7 +130,7 @@ Equations from_energies(const Machine& m, double speed, Coordinate coordinate) {
     given.row(0) = radial;
     given.row(1) = Eigen::RowVector3d(0, 0, 1);
     const Eigen::Matrix<double, 2, 3> tip = conditions.inverse() * given;
-    // Virtual work of a rubbing force on the ring and, reversed, on the tip.
+    // Virtual work of a friction force on the ring and, with opposite sign, on the tip.
     const Eigen::Vector3d rub = (surface - tangent * tip).transpose();
     const Eigen::Matrix<double, 3, 2> reach = tip.transpose() - m.friction * rub * normal;
     const Eigen::Vector3i at(0, 1, static_cast<int>(2 + j));
@@ -149,7 +149,7 @@ Equations from_energies(const Machine& m, double speed, Coordinate coordinate) {
   return e;
 }
 
-/// Equations that both appendices print for the ring itself, with room for the loads.
+/// Equations of the ring alone, which both appendices contain, with zeros for the loads.
 Equations ring_alone(const System& system, double speed) {
   Equations e = zero(2 + static_cast<Eigen::Index>(system.loads.size()));
   const double n = system.ring.nodal_diameters, big = system.ring.modal_mass_kg * (n * n + 1);
@@ -161,7 +161,7 @@ Equations ring_alone(const System& system, double speed) {
   return e;
 }
 
-/// Appendix A as printed, with the errata: M13, M23, K13, K23, K33.
+/// Appendix A as printed, with the errata for M13, M23, K13, K23, K33.
 Equations appendix_a(const System& system, double speed) {
   const auto count = static_cast<Eigen::Index>(system.loads.size());
   Equations e = ring_alone(system, speed);
@@ -200,8 +200,8 @@ Equations appendix_a(const System& system, double speed) {
     d(0, 1) += 2 * mu * g * speed * n * c * ta * ec;
     d(1, 0) += -2 * mu * g * speed * n * s * ta * es;
     d(1, 1) += 2 * mu * g * speed * n * c * ta * es;
-    // The normal force that a centrifugal force along the beam gives is its cosine: the paper leaves the
-    // cosine out of the friction terms of F.
+    // A centrifugal force along the beam causes a normal force with its cosine; the paper omits the cosine in
+    // the friction terms of F.
     const double pull = load.centrifugal_mass_kg * system.ring.radius_m.value() * w2;
     e.force(0) += pull * n * s / ca + mu * ec * pull * ca;
     e.force(1) += -pull * n * c / ca + mu * es * pull * ca;
@@ -245,13 +245,13 @@ Equations appendix_b(const System& system, double speed) {
   return e;
 }
 
-/// The same equations in other coordinates, X = map Y.
+/// The same equations in other coordinates Y, where X = map Y.
 Equations in_coordinates(const Equations& e, const MatrixXd& map) {
   return {map.transpose() * e.mass * map, map.transpose() * e.damping * map,
           map.transpose() * e.stiffness * map, map.transpose() * e.force};
 }
 
-/// (A, B, v) from (A, B, q): v = u_s sin a + q cos a.
+/// Maps (A, B, q) to (A, B, v): v = u_s sin a + q cos a.
 MatrixXd flexure_from_tangential(const System& system) {
   const auto size = static_cast<Eigen::Index>(2 + system.loads.size());
   MatrixXd map = MatrixXd::Identity(size, size);
@@ -322,7 +322,7 @@ TEST(AssemblyReducedLoads, RadialAloneIsEquation1) {
   expected.mass << a, -mu * eta * 100 * n, 0, a + 100 * n * n;
   expected.damping << 0, -2 * a * n * 30, 2 * a * n * 30, 0;
   expected.stiffness << own, -mu * eta * k * n, 0, own + k * n * n;
-  // Printed without N_U's and R's places exchanged; see the errata.
+  // As printed, but with N_U and R exchanged; see the errata.
   expected.force << mu * eta * 100 * 900, -100 * 900 * n;
   expect_equal(e, expected, 1e-13);
 }
@@ -339,7 +339,7 @@ TEST(AssemblyReducedLoads, TangentialAloneDoesNotFeelTheRing) {
 }
 
 TEST(AssemblyBeam, PrintedMassesDetermineTheRotaryMass) {
-  // Fig. 17b: J_b / m_r = k_t / k_r, both (I / S) pi^2 / (4 R^2).
+  // Fig. 17b: J_b / m_r and k_t / k_r both equal (I / S) pi^2 / (4 R^2).
   const Load load = beam(185.66, 100, 1.175e7, 1e6);
   EXPECT_NEAR(load.rotary_mass_kg / 185.66, 1e6 / 1.175e7, 1e-4);
   const Load same = beam(BeamGeometry{7800, 0.02, 3e-4, 2.1e11}, 1.3);
@@ -360,8 +360,8 @@ TEST(AssemblyStaticLoad, OfAStiffRingIsTheCentrifugalForceAndThePreload) {
 }
 
 TEST(AssemblyStaticLoad, BalancesTheRingWithoutFriction) {
-  // The ring yields outwards by u = -N n^2 / (a n^2 (Omega_c^2 - Omega^2)) at the load, which takes up k_r -
-  // m Omega^2.
+  // At the load the ring yields outwards by u = -N n^2 / (a n^2 (Omega_c^2 - Omega^2)), and the load needs
+  // the stiffness k_r - m Omega^2 for it.
   System system = spring_masses({0}, 0);
   system.preload_n = 1000;
   const double speed = 10, ring = amplitude_mass_kg(system.ring) * (17.2 * 17.2 - speed * speed);
@@ -381,7 +381,7 @@ TEST(AssemblyStaticLoad, NothingSlipsAtRest) { EXPECT_FALSE(static_load(spring_m
 
 using Complex = std::complex<double>;
 
-/// Largest distance of matched roots over the largest root.
+/// Largest distance between matched roots, divided by the largest root.
 double distance(const Eigen::VectorXcd& a, const std::vector<Complex>& b) {
   EXPECT_EQ(a.size(), static_cast<Eigen::Index>(b.size()));
   Eigen::MatrixXd cost(a.size(), a.size());
@@ -430,10 +430,10 @@ TEST(AssemblyEigenvalues, OfTheBareRingAreItsWaves) {
     system.ring.nodal_diameters = n;
     const double critical = critical_speed(system.ring);
     for (const double speed : {0.0, 0.4 * critical, critical, 1.7 * critical}) {
-      const double own2 = 1 - speed * speed;  // own frequency of the load: s^2 + 1 - speed^2 = 0
+      const double own2 = 1 - speed * speed;  // frequency of the load alone: s^2 + 1 - speed^2 = 0
       const Complex load = std::sqrt(Complex(-own2));
       const double forward = n * std::abs(critical - speed), backward = n * (critical + speed);
-      // Where the forward wave stands still its root is double at zero.
+      // Where the forward wave stands still, it has a double root at zero.
       EXPECT_LT(distance(eigenvalues(normal_form(system), speed),
                          {{0, forward}, {0, -forward}, {0, backward}, {0, -backward}, load, -load}),
                 1e-13)
@@ -453,7 +453,7 @@ TEST(AssemblyEigenvalues, OfEqualLoadsThatDoNotKnowEachOtherRepeat) {
                                 {0, -n * (speed + critical)}};
   for (int j = 0; j < 3; ++j) expected.insert(expected.end(), {load, std::conj(load)});
   EXPECT_LT(distance(eigenvalues(normal_form(system), speed), expected), 1e-13);
-  // Above the divergence three equal real roots grow.
+  // Above the divergence speed three equal real roots grow.
   EXPECT_EQ(signature(normal_form(system), 110.0), (Signature{3, 3, 0}));
 }
 
@@ -480,7 +480,7 @@ TEST(AssemblyEigenvalues, WithoutFrictionMirrorAtBothAxes) {
     const Eigen::VectorXcd values =
         eigenvalues(normal_form(system), random.between(0, 2) * critical_speed(system.ring));
     EXPECT_LT(distance(values, list(-values)),
-              1e-7);  // double roots are known to the square root of the rounding
+              1e-7);  // double roots are accurate to the square root of rounding
   }
 }
 
@@ -503,7 +503,7 @@ TEST(AssemblyEigenvalues, PassThroughAnInclinationOf90Degrees) {
     system.loads[0].inclination_deg = inclination_deg;
     return eigenvalues(normal_form(system), 40);
   };
-  // Linear in the angle on this scale, without a singularity.
+  // The dependence on the angle is linear on this scale, without a singularity.
   const Eigen::VectorXcd below = values_at(90 - 1e-5), there = values_at(90);
   EXPECT_LT(distance(below, list(there)), 1e-6);
   system.loads[0].inclination_deg = 90;
@@ -546,7 +546,7 @@ TEST(AssemblyNormalForm, RefusesFrictionThatCancelsTheInertia) {
     system.friction_coefficient = friction;
     return assemble(system).mass.determinant();
   };
-  // det M is linear in the friction coefficient of a load at 0 degrees.
+  // det M is linear in the friction coefficient for a load at 0 degrees.
   const double at_zero = determinant(0), slope = determinant(1) - at_zero;
   system.friction_coefficient = -at_zero / slope;
   ASSERT_GT(system.friction_coefficient, 0);

@@ -33,7 +33,7 @@ TEST(ChangesFind, PolishAndBisectionAgree) {
     const NormalForm form = normal_form(spring_masses({60, 87}, friction));
     const auto polished = find_changes(form, grid(1500, 301));
     const auto bisected = find_changes(form, grid(1500, 301), {.polish = false});
-    // Bisection alone may find the two halves of one merger apart by their rounding.
+    // Bisection alone may separate the two halves of one merger by rounding.
     const auto is_among = [](const Change& change, const std::vector<Change>& others) {
       return std::any_of(others.begin(), others.end(), [&](const Change& other) {
         return std::abs(change.speed_rad_per_s - other.speed_rad_per_s) < 1e-8 * (1 + other.speed_rad_per_s);

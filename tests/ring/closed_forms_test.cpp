@@ -1,4 +1,4 @@
-// Every closed form against the eigenvalues, relative 1e-10.
+// Compares every closed form with the eigenvalues, relative accuracy 1e-10.
 #include "rubsweep/ring/closed_forms.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace rubsweep::ring {
 namespace {
 
-/// One system of the paper's ring with random data, all loads alike.
+/// The paper's ring with random data; all loads are equal.
 struct Random {
   RandomSystems source{7, 1};
 
@@ -80,7 +80,7 @@ TEST(ClosedForms, OneRadialLoadDivergesBetweenOmegaCAndOmegaC2) {
 
 TEST(ClosedForms, ThePapersCondition3LeavesNoDivergence) {
   EXPECT_TRUE(radial_divergence_speeds(spring_masses({60, 120, 180})).empty());
-  // Unlike angles.
+  // unequal angles
   EXPECT_EQ(radial_divergence_speeds(spring_masses({60, 120, 240})).size(), 2U);
 }
 
@@ -97,7 +97,8 @@ TEST(ClosedForms, RadialStabilityWindow) {
     for (const double edge : {window->first, window->second}) {
       EXPECT_NEAR(nearest_change(form, edge) / edge, 1, 1e-10);
     }
-    // Stable exactly between them, Omega_c to Omega_c2 apart; whatever Omega_c4 of the paper says.
+    // Stable exactly between both speeds, which are Omega_c to Omega_c2 apart; the paper's Omega_c4 does not
+    // matter.
     const auto divergence = radial_divergence_speeds(system);
     for (int k = 0; k < 20; ++k) {
       const double speed = random.source.between(0, 1.5) * window->second;

@@ -10,9 +10,9 @@
 
 namespace rubsweep::ring {
 
-/// Equations of motion of coordinates z that nothing constrains: x = mass z'' + rotation z' + stiffness z -
-/// force, from the kinetic energy T(z', z) and the potential energy V(z), both quadratic, by differences that
-/// are exact for them.
+/// Equations of motion for unconstrained coordinates z: x = mass z'' + rotation z' + stiffness z - force.
+/// They are derived from the kinetic energy T(z', z) and the potential energy V(z), both quadratic, by
+/// differences that are exact for quadratic functions.
 struct Unconstrained {
   Eigen::MatrixXd mass, rotation, stiffness;
   Eigen::VectorXd force;
@@ -47,10 +47,11 @@ inline Unconstrained lagrange(Eigen::Index size, const Kinetic& kinetic, const P
 }
 
 struct RingSection {
-  long double mass_per_length, bending_stiffness, radius, thickness;  ///< rho S, E I, R, h
+  long double mass_per_length, bending_stiffness, radius, thickness;  ///< rho S, E I, R, h of the paper
 };
 
-/// The ring in its mode n, coordinates (A, B): integrals of the paper's densities over the circumference.
+/// The ring in mode n with coordinates (A, B): integrals of the paper's energy densities over the
+/// circumference.
 inline Unconstrained ring_energies(const RingSection& ring, int n, long double speed) {
   constexpr int points = 64;  // the rectangle rule is exact for these harmonics
   const long double pi = boost::math::constants::pi<long double>();
@@ -59,7 +60,7 @@ inline Unconstrained ring_energies(const RingSection& ring, int n, long double s
     for (int i = 0; i < points; ++i) sum += density(2 * pi * i / points);
     return sum * 2 * pi / points;
   };
-  // w and its first four derivatives; u = w'.
+  // Derivatives of the displacement w up to the fourth; u = w'.
   const auto w = [n](const Vector& z, long double angle, int derivative) {
     const long double phase = n * angle + derivative * boost::math::constants::half_pi<long double>();
     return std::pow(static_cast<long double>(n), derivative) *
@@ -81,7 +82,7 @@ inline Unconstrained ring_energies(const RingSection& ring, int n, long double s
   return lagrange(2, kinetic, potential);
 }
 
-/// A beam as long as the radius, coordinates (u, v) of its tip, by integrals over its Ritz functions.
+/// A beam as long as the radius with the tip displacements (u, v): integrals over its Ritz functions.
 inline Unconstrained beam_energies(const BeamGeometry& beam, long double length, long double speed) {
   const long double rho_s = beam.density_kg_per_m3 * beam.section_area_m2,
                     e_s = beam.youngs_modulus_pa * beam.section_area_m2;
@@ -111,7 +112,7 @@ inline Unconstrained beam_energies(const BeamGeometry& beam, long double length,
   return lagrange(2, kinetic, potential);
 }
 
-/// A spring-mass, coordinates (u, v) = (-u_s, x) of the paper's Appendix B.
+/// A spring-mass with the coordinates (u, v) = (-u_s, x) of the paper's Appendix B.
 inline Unconstrained spring_mass_energies(long double mass, long double radial, long double tangential,
                                           long double radius, long double speed) {
   const Kinetic kinetic = [=](const Vector& rate, const Vector& z) {

@@ -14,13 +14,13 @@ namespace {
 using Real = boost::multiprecision::cpp_bin_float_50;
 using Complex = boost::multiprecision::cpp_complex_50;
 
-/// State matrix, row by row, by Gauss-Jordan elimination with pivoting. Time in units of 0.01 s.
+/// Rows of the state matrix, by Gauss-Jordan elimination with pivoting; time in units of 0.01 s.
 template <class Number>
 std::vector<Number> state_matrix_rows(const System& system, double speed) {
   const Matrices m = assemble(system);
   const auto n = static_cast<std::size_t>(m.coordinates());
   const Number w(speed), unit(100);
-  // Columns: mass | -K | -C.
+  // Column blocks: mass | -K | -C.
   std::vector<std::vector<Number>> rows(n, std::vector<Number>(3 * n));
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {

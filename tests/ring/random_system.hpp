@@ -6,7 +6,7 @@
 
 namespace rubsweep::ring {
 
-/// A system drawn at random: 1 to `most_loads` spring-masses and beams of any motion, place and inclination.
+/// Draws random systems: 1 to `most_loads` spring-masses and beams with any motion, position and inclination.
 class RandomSystems {
  public:
   explicit RandomSystems(unsigned seed, int most_loads) : engine_(seed), most_loads_(most_loads) {}

@@ -6,14 +6,14 @@
 
 namespace rubsweep::ring {
 
-/// Coefficients of det(lambda I - A), highest power first (the first is 1), by Faddeev and LeVerrier.
-/// `matrix`: size x size, row by row. `Number` may be any real number type.
+/// Coefficients of det(lambda I - A) by the Faddeev-LeVerrier algorithm, highest power first (its coefficient
+/// is 1). `matrix`: size x size, row by row. `Number`: any real number type.
 template <class Number>
 std::vector<Number> characteristic_polynomial(const std::vector<Number>& matrix, std::size_t size) {
   std::vector<Number> coefficients{Number(1)};
   std::vector<Number> auxiliary(size * size, Number(0)), product(size * size);
   for (std::size_t k = 1; k <= size; ++k) {
-    // auxiliary := A auxiliary + c_{k-1} I
+    // auxiliary = A auxiliary + c_{k-1} I
     for (std::size_t i = 0; i < size; ++i) {
       for (std::size_t j = 0; j < size; ++j) {
         Number sum = i == j ? coefficients.back() : Number(0);
@@ -31,8 +31,8 @@ std::vector<Number> characteristic_polynomial(const std::vector<Number>& matrix,
   return coefficients;
 }
 
-/// Number of roots with a positive real part of a polynomial, highest power first: sign changes in the first
-/// column of its Routh array. Empty when the array has a zero there: some root is neutral, or the array is
+/// Number of roots with positive real part of a polynomial (highest power first): sign changes in the first
+/// column of its Routh array. Empty if this column contains a zero: a root is neutral, or the array is
 /// degenerate.
 template <class Number>
 std::optional<int> routh_hurwitz_sign_changes(const std::vector<Number>& coefficients) {

@@ -24,7 +24,7 @@ TEST(RouthHurwitzCharacteristicPolynomial, OfACompanionMatrixIsItsPolynomial) {
 }
 
 TEST(RouthHurwitzCharacteristicPolynomial, OfOneRadialLoadIsThePapers) {
-  // Eq. (2): A s^4 + B s^3 + C s^2 + D s + E.
+  // Eq. (2) of the paper: A s^4 + B s^3 + C s^2 + D s + E.
   System system = spring_masses({0}, 0.1);
   system.loads[0].motion = Motion::radial;
   const double w = 30, n = 2, n2 = n * n, m = 742, r = 100, k = 1e6, mu = 0.1;
@@ -59,7 +59,7 @@ TEST(RouthHurwitz, SignChangesAreTheUnstableEigenvaluesOf10000RandomSystems) {
     const int expected = signature(form, values).unstable_eigenvalues();
     unstable += expected > 0 ? 1 : 0;
     int changes = routh_hurwitz_with_long_double(system, speed);
-    if (changes != expected) {  // a root near the axis, or a polynomial that long double cannot hold
+    if (changes != expected) {  // a root close to the axis, or more digits needed than long double has
       ++in_doubt;
       changes = routh_hurwitz_with_50_digits(system, speed);
     }

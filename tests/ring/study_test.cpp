@@ -56,7 +56,7 @@ TEST(StudyChartRun, ALineThatCannotBeSolvedIsALineWithAStatus) {
   System system = spring_masses({0});
   system.loads[0] = beam(300, 140, 1e7, 1e6);
   system.loads[0].inclination_deg = 45;
-  // det M is linear in the friction coefficient; there it is zero.
+  // det M is linear in the friction coefficient and zero at this value.
   system.friction_coefficient = 0;
   const double at_zero = assemble(system).mass.determinant();
   system.friction_coefficient = 1;

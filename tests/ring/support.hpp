@@ -7,10 +7,10 @@
 
 namespace rubsweep::ring {
 
-/// rad/s of one revolution per minute.
+/// Angular speed of one rpm, rad/s.
 inline constexpr double rpm = std::numbers::pi / 30;
 
-/// The ring that reproduces the paper's Table 1 and the caption of Fig. 5.
+/// The ring with which the paper's Table 1 and the caption of Fig. 5 are reproduced.
 inline Ring paper_ring() {
   return {.nodal_diameters = 2,
           .modal_mass_kg = 742,

@@ -1,4 +1,5 @@
-// Table 1 of the paper: two spring-masses (100 kg, 1e6 N/m both ways), the first at 60 degrees, mu = 0.1.
+// Table 1 of the paper: two spring-masses (100 kg, 1e6 N/m in both directions), the first at 60 degrees, mu =
+// 0.1.
 #include <gtest/gtest.h>
 
 #include "ring/support.hpp"
@@ -14,7 +15,7 @@ struct Row {
 
 class Table1 : public testing::TestWithParam<Row> {};
 
-/// Speed of the last change by which two real roots become a pair, among the growing or the decaying ones.
+/// Speed of the last merger of two real roots into a pair, among the growing or the decaying roots.
 double last_merger_rpm(const std::vector<Change>& changes, bool growing) {
   double speed = 0;
   for (const Change& change : changes) {
@@ -29,7 +30,7 @@ double last_merger_rpm(const std::vector<Change>& changes, bool growing) {
 TEST_P(Table1, CouplingSpeedsWithin03Rpm) {
   const NormalForm form = normal_form(spring_masses({60, GetParam().second_deg}));
   const auto changes = find_changes(form, batch::evenly_spaced(0.0, 1500 * rpm, 301));
-  // Where the decaying roots merge before the divergence, the paper reports the divergence.
+  // Where the decaying roots merge below the divergence speed, the paper gives the divergence speed.
   const double divergence_rpm = 100 / rpm;
   EXPECT_NEAR(std::max(last_merger_rpm(changes, false), divergence_rpm), GetParam().first_rpm, 0.3);
   EXPECT_NEAR(last_merger_rpm(changes, true), GetParam().second_rpm, 0.3);

@@ -88,7 +88,8 @@ TEST(TrackModes, FollowsTheSameCurvesOnACoarseAndAFineGrid) {
 }
 
 TEST(TrackModes, TellsForwardFromBackwardWhereBothStartEqual) {
-  // Three loads 60 degrees apart are isotropic: at rest both modes of the ring have one frequency.
+  // Three equal loads at intervals of 60 degrees are isotropic: at rest both ring modes have the same
+  // frequency.
   const Track track = track_of(spring_masses({60, 120, 180}), 200, 201);
   EXPECT_GT(frequency(track, "ring backward", 100), frequency(track, "ring forward", 100) + 10);
 }
@@ -96,7 +97,7 @@ TEST(TrackModes, TellsForwardFromBackwardWhereBothStartEqual) {
 TEST(TrackDescribeMode, SaysWhatACurveLooksLikeAfterAVeering) {
   const System system = spring_masses({60});
   const Track track = track_of(system, 1000, 1001);
-  // Before the veering near 252 rpm and after it.
+  // Speeds below and above the veering near 252 rpm.
   EXPECT_EQ(describe_mode_near(track, 100 * rpm, {0, frequency(track, "ring backward", 100)}),
             "ring backward");
   EXPECT_EQ(describe_mode_near(track, 400 * rpm, {0, frequency(track, "load 0 flexural", 400)}),

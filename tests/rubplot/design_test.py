@@ -42,6 +42,19 @@ class Design(figures.FigureTest):
     def test_texts_leave_each_other_room(self):
         self.assertEqual(figures.over_each_other(self.draw("design")), [])
 
+    def test_of_many_checks_those_that_are_not_met_and_the_smallest_margins_are_shown(self):
+        rows = [f"separation,configured at probe {k},0.25,{30 + k},-0.1,0.2,1,{margin},{verdict}"
+                for k, (margin, verdict) in enumerate([(0.9, "ok")] * 12 + [(0.01, "ok"), (-0.123, "not_met")])]
+        rows += ["separation,,,250,,,,,not_told", "amplification,mode 1 at probe 0,0.25,30,9.5,,1,,",
+                 "bearing_force,support 0,0.1,60,123,,N,,", "level_2,,,60,0.2,0.1,1,1,ok"]
+        self.write("design_check.csv", CHECKS + "\n".join(rows) + "\n")
+        root = self.draw("design")
+        words = figures.words(root)
+        for word in ("separation", "configured, probe 13", "-12.3 %", "1.0 %", "not told", "not met"):
+            self.assertIn(word, words)
+        self.assertNotIn("AF", words)
+        self.assertEqual(figures.over_each_other(root), [])
+
     def test_without_kicks_and_lock_speeds_there_are_none_in_the_legend(self):
         os.remove(os.path.join(self.directory, "kicks.csv"))
         self.write("lock_speeds.csv", "speed_hz,p,first_mode,q,second_mode\n")

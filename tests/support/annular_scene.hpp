@@ -8,8 +8,8 @@
 
 namespace rubsweep::test {
 
-/// Rotor of unit mass and stiffness `stiffness` in a rigid annular stop of unit clearance, time in units of
-/// its own: z'' + 2 zeta z' + stiffness z = e W^2 e^{i W t} + load - k_c (|z| - 1)(1 + i mu) z / |z| where
+/// A rotor of unit mass in a rigid annular stop of unit clearance, in dimensionless time: z'' + 2 zeta z' +
+/// stiffness z = e W^2 e^{i W t} + load - k_c (|z| - 1)(1 + i mu) z / |z|, with the contact force only for
 /// |z| > 1.
 inline scene::Scene annular_scene(double stiffness, double zeta, double speed, double unbalance,
                                   std::complex<double> load, double k_c, double mu) {
@@ -30,7 +30,7 @@ inline void start_at(scene::Scene& scene, std::complex<double> z, std::complex<d
   scene.velocity_m_per_s << v.real(), v.imag();
 }
 
-/// Full annular rub: |(1 + b - W^2) r - b + i (2 zeta W r + mu b (r - 1))| = e W^2 (b = k_c / k).
+/// Full annular rub: |(1 + b - W^2) r - b + i (2 zeta W r + mu b (r - 1))| = e W^2, with b = k_c / k.
 struct FullRub {
   double zeta = 0.1, speed = 1.2, k_c = 10, mu = 0.05, radius = 1.2;
 

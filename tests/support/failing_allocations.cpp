@@ -1,7 +1,7 @@
-// Loaded before a program (LD_PRELOAD), lets one of its allocations fail, and with FAIL_ALL every later one
-// as well: FAIL_ALLOCATION is its number from 1. With COUNT_ALLOCATIONS=FILE, how many there were is written
-// there at the end. What libraries allocate before the program begins is not counted: without room for its
-// emergency pool libstdc++ cannot throw.
+// Preloaded library (LD_PRELOAD) that makes one allocation of a program fail: number FAIL_ALLOCATION, counted
+// from 1; with FAIL_ALL every later one fails, too. COUNT_ALLOCATIONS=FILE writes the number of allocations
+// there at the end. Allocations of libraries before the program begins are not counted, because libstdc++
+// cannot throw without its emergency pool.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -26,7 +26,7 @@ std::atomic<long> failing{-1};  ///< -1: not yet read
 std::atomic<bool> all_after{false};
 std::atomic<bool> begun{false};
 
-/// std::getenv allocates nothing.
+/// Whether this allocation fails; std::getenv does not allocate.
 bool fails() {
   if (!begun) return false;
   if (failing < 0) {
@@ -40,7 +40,7 @@ bool fails() {
   return true;
 }
 
-/// The loader makes it after all libraries that the program names, and before the program's own.
+/// Constructed after all libraries of the program, and before the program's own objects.
 struct FromBeginningToEnd {
   FromBeginningToEnd() { begun = true; }
   ~FromBeginningToEnd() {

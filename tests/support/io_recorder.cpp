@@ -1,7 +1,7 @@
-// A library to be preloaded. It records what a program does to the files below the directory IO_DIRECTORY,
-// one line for each call that succeeded, in the file IO_RECORD; tests/apps/power_loss.py puts together from
-// that what a disk holds after a loss of power. Time passes quickly meanwhile: each look at the clock is six
-// seconds later, so that what is due after some seconds happens.
+// Preloaded library that records what a program does to the files below the directory IO_DIRECTORY: one line
+// per successful call in the file IO_RECORD. From this tests/apps/power_loss.py reconstructs what a disk
+// contains after a loss of power. Each reading of the clock advances by six seconds, so that actions due
+// after some seconds happen.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -25,15 +25,15 @@ Function* real(const char* name) {
 }
 
 struct Opened {
-  int number = 0;    ///< number of the opening
-  std::string path;  ///< absolute
+  int number = 0;    ///< number of the open call
+  std::string path;  ///< absolute path
   bool directory = false;
   bool append = false;
 };
 
 struct Recorder {
   std::mutex mutex;
-  std::map<int, Opened> files;  ///< files by descriptor
+  std::map<int, Opened> files;  ///< open files by descriptor
   int opened = 0;
   int output = -1;
   std::string below;
@@ -56,7 +56,7 @@ struct Recorder {
   }
 };
 
-/// Lives until the process ends, whoever still writes then.
+/// Never destroyed, because calls may come until the process ends.
 Recorder& recorder() {
   static Recorder& only = *new Recorder;
   return only;

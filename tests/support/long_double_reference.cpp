@@ -8,7 +8,7 @@ namespace {
 using Real = long double;
 using State = OneSideState<Real>;
 
-/// One step within the current piece.
+/// One step within the present piece of the force law.
 State stepped(const OneSideEquations<Real>& equations, const State& from, Real t, Real h) {
   boost::numeric::odeint::runge_kutta_fehlberg78<State, Real, State, Real> stepper;
   State to = from;
@@ -16,7 +16,7 @@ State stepped(const OneSideEquations<Real>& equations, const State& from, Real t
   return to;
 }
 
-/// Longest part of `h` after which the state still belongs to `piece`, by bisection.
+/// Largest part of `h` after which the state still belongs to `piece`, by bisection.
 Real part_in_piece(const OneSideEquations<Real>& equations, const State& from, Real t, Real h) {
   Real inside = 0, outside = h;
   for (int i = 0; i < 64; ++i) {

@@ -6,9 +6,9 @@
 
 namespace rubsweep::test {
 
-/// Section states (after 1, 2, ..., `turns` revolutions; index 0 is the start) by another route, slow and
-/// readable: fixed small steps of Runge-Kutta-Fehlberg 7(8) in long double, each piece of the force law on
-/// its own, piece changes and the end of the kick met by bisection on the length of the step.
+/// Section states after 0, 1, 2, ..., `turns` revolutions from an independent, slow and simple method: small
+/// fixed steps of Runge-Kutta-Fehlberg 7(8) in long double. Each piece of the force law is integrated
+/// separately; bisection over the step length locates changes of piece and the end of the kick.
 std::vector<OneSideState<long double>> long_double_sections(const OneSideRotor& rotor, int turns,
                                                             int steps_per_turn = 2000);
 

@@ -9,8 +9,8 @@
 
 namespace rubsweep::test {
 
-/// The cell of a map over speed and unbalance at these shares of its axes, from 0 at the first value to 1 at
-/// the last.
+/// Index of the cell of a map over speed and unbalance at these shares of its axes, from 0 (first value) to 1
+/// (last value).
 inline std::size_t map_cell(const sweep::Grid& grid, double along_speed, double along_unbalance) {
   const auto index = [](std::size_t count, double share) {
     return static_cast<std::size_t>(std::lround(share * static_cast<double>(count - 1)));
@@ -19,7 +19,7 @@ inline std::size_t map_cell(const sweep::Grid& grid, double along_speed, double 
   return index(grid.unbalance.size(), along_unbalance) * speeds + index(speeds, along_speed);
 }
 
-/// The scene of that cell.
+/// The scene of the cell with this index.
 inline scene::Cell build_map_cell(const sweep::Study& study, std::size_t cell) {
   const scene::Place place = sweep::place_of(study.grid, cell);
   return scene::build_cell(study.machine, place.speed_hz, place.unbalance);

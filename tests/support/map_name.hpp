@@ -5,8 +5,7 @@
 
 namespace rubsweep::test {
 
-/// The name of a parameterised test on the configuration of this stem below configs/: names of tests hold no
-/// slash.
+/// Name of a parameterised test for a configuration below configs/; names of tests must not contain slashes.
 inline std::string name_of_map(std::string stem) {
   std::replace(stem.begin(), stem.end(), '/', '_');
   return stem;

@@ -1,5 +1,5 @@
-// Loaded before a program (LD_PRELOAD), makes every file system one without flock(2), and with
-// NO_RECORD_LOCKS one without the locks of fcntl(2) as well.
+// Preloaded library (LD_PRELOAD) that makes flock(2) fail on every file system; with NO_RECORD_LOCKS the
+// locks of fcntl(2) fail as well.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/file.h>

@@ -7,9 +7,8 @@
 
 namespace rubsweep::test {
 
-/// Jeffcott rotor against one moving wall at 90 degrees, written out by hand in SI units straight from the
-/// equations of motion, with nothing of the library in it: the other route that the solvers are checked
-/// against. Set A.
+/// Jeffcott rotor with one moving wall at 90 degrees: the equations of motion written by hand in SI units,
+/// without library code, as an independent check of the solvers. The default values are parameter set A.
 struct OneSideRotor {
   double mass_kg = 0.8, natural_frequency_hz = 30, damping_ratio = 0.02;
   double clearance_m = 1e-3, stiffness_n_per_m = 2e6, restitution = 0.7;
@@ -19,7 +18,7 @@ struct OneSideRotor {
   double speed_hz = 75, whirl_ratio = 0.4;
 };
 
-/// Set B: contact fifty times as stiff, on a lighter and stiffer casing.
+/// Parameter set B: contact fifty times stiffer, on a lighter and stiffer casing.
 inline OneSideRotor set_b_rotor() {
   return {.damping_ratio = 0.03,
           .stiffness_n_per_m = 1e8,
@@ -34,7 +33,7 @@ inline OneSideRotor set_b_rotor() {
 template <class Real>
 using OneSideState = std::array<Real, 8>;
 
-/// Which smooth piece of the force law holds; `by_state` decides from the state alone.
+/// Smooth pieces of the force law; `by_state`: the state alone decides which one holds.
 enum class Piece { by_state, open, clamped, sprung, released };
 
 template <class Real>
@@ -64,7 +63,7 @@ struct OneSideEquations {
     surface_speed = Real(p.contact_radius_m) * omega;
     mu = p.friction_coefficient;
     steepness = p.friction_steepness_s_per_m;
-    // z = i A e^{i w t} must solve m z'' + c z' + k z = F e^{i w t}: F = i A (k - m w^2 + i c w).
+    // z = i A e^{i w t} solves m z'' + c z' + k z = F e^{i w t} with F = i A (k - m w^2 + i c w).
     whirl = Real(p.whirl_ratio) * clearance;
     force_x_cos = -whirl * c * omega;
     force_x_sin = -whirl * (k - m * omega * omega);
@@ -88,7 +87,7 @@ struct OneSideEquations {
     Real normal = 0;
     if (now == Piece::clamped) normal = 2 * spring;
     if (now == Piece::sprung) normal = spring + d * closing_speed(s);
-    // tangent = (-1, 0) for a wall at 90 degrees
+    // the tangent of a wall at 90 degrees is (-1, 0)
     const Real slip = -(s[4] - s[6]) + surface_speed;
     const Real friction = spring == 0 ? 0 : mu * std::tanh(steepness * slip) * spring;
     const Real cosine = std::cos(omega * t), sine = std::sin(omega * t);

@@ -9,9 +9,9 @@ struct PlainRun {
   long rhs_calls = 0;
 };
 
-/// The unit of every speed ratio: Odeint's controlled Dormand-Prince straight through the clamped law, no
-/// event location, absolute tolerance 1e-3 of the relative one since states are in metres. Frozen: do not
-/// improve it.
+/// Unit of all speed ratios: Odeint's controlled Dormand-Prince method with the clamped law and without event
+/// location. The absolute tolerance is 1e-3 of the relative one, because states are in metres. Do not improve
+/// it.
 PlainRun run_plain_dopri5(const OneSideRotor& rotor, int turns, double relative_tolerance);
 
 }  // namespace rubsweep::test

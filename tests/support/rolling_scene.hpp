@@ -8,10 +8,11 @@
 
 namespace rubsweep::test {
 
-/// Backward rolling in a rigid annular stop, on its closed form. Friction gives what damping takes, and the
-/// tanh lets the surfaces creep: z = r e^{-i w t} with (1 + b - w^2) r = b, mu b (r - 1) = 2 zeta w r and a
+/// Backward rolling in a rigid annular stop, started on its closed form. Friction balances damping, and the
+/// tanh law allows a small slip: z = r e^{-i w t} with (1 + b - w^2) r = b, mu b (r - 1) = 2 zeta w r and the
 /// slip R W - r w = atanh(mu / limit) / steepness (b: contact over shaft stiffness; units of the mass, the
-/// shaft's spring and the annular stop; a revolution lasts 2 pi). It attracts: a faster whirl slips less.
+/// shaft's spring and the annular stop; a revolution lasts 2 pi). The motion is attracting: a faster whirl
+/// slips less.
 struct RollingScene {
   scene::Scene scene;
   double radius = 0, whirl = 0;

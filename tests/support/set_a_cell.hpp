@@ -5,13 +5,13 @@
 
 namespace rubsweep::test {
 
-/// The machine that `OneSideEquations` writes out by hand, as the library takes it.
+/// The machine of `OneSideEquations` as a machine of the library.
 model::Machine machine_of(const OneSideRotor& rotor);
 
-/// Its cell at the rotor's speed and whirl ratio.
+/// The cell of this machine at the rotor's speed and whirl ratio.
 scene::Cell cell_of(const OneSideRotor& rotor);
 
-/// Largest difference of a scaled section from a reference state in SI units, both scaled by (clearance,
+/// Largest difference between a scaled section and a reference state in SI units, in units of (clearance,
 /// clearance * omega).
 double section_error(const std::vector<double>& section, const OneSideState<long double>& reference,
                      const OneSideRotor& rotor);

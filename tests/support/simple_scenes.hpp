@@ -7,8 +7,8 @@
 
 namespace rubsweep::test {
 
-/// One mass on an isotropic spring and damper at the origin, at rest, driven by nothing; one revolution lasts
-/// `revolution_s`. Tests add what they need: the library takes such scenes without any configuration file.
+/// One mass on an isotropic spring and damper, at rest at the origin, without excitation; one revolution
+/// lasts `revolution_s`. Tests add what they need; no configuration file is involved.
 inline scene::Scene one_mass_scene(double mass_kg, double stiffness_n_per_m, double damping_ns_per_m,
                                    double revolution_s, double length_scale_m) {
   scene::Scene scene;
@@ -27,7 +27,7 @@ inline scene::Scene one_mass_scene(double mass_kg, double stiffness_n_per_m, dou
   return scene;
 }
 
-/// Rigid frictionless wall across the x axis: normal (sign, 0).
+/// Rigid frictionless wall across the x axis with the normal (sign, 0).
 inline scene::Contact wall_across_x(double sign, double clearance_m, double stiffness_n_per_m,
                                     double damping_ns_per_m) {
   scene::Contact wall;

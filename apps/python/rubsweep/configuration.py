@@ -10,13 +10,13 @@ Configuration = Union[Path_, Mapping[str, Any]]
 
 
 def path_of(configuration: Configuration, directory: str) -> str:
-    """The file of a configuration; a dict is written into `directory`, one key a line, so that errors have lines.
-    Relative paths in a dict are those from the current directory of the caller."""
+    """The file of a configuration. A dict is written into `directory`, one key per line, so that errors have line numbers.
+    Relative paths in a dict start from the caller's current directory."""
     if not isinstance(configuration, Mapping):
         return os.fspath(configuration)
     path = Path(directory) / "configuration.yaml"
     whole = with_whole_paths(configuration)
-    # The directory of the output is an argument of the call; a configuration of a map has to name one all the same.
+    # The configuration of a map must name an output directory, although the call passes it as an argument.
     if "sweep" in whole:
         whole.setdefault("output", {"directory": "results"})
     path.write_text(json.dumps(whole, indent=2, default=plain) + "\n", encoding="utf-8")
@@ -24,7 +24,7 @@ def path_of(configuration: Configuration, directory: str) -> str:
 
 
 def with_whole_paths(value: Any, key: str = "") -> Any:
-    """A copy in which files that are named relative to the current directory are named in full."""
+    """A copy in which relative paths of files are replaced by absolute ones."""
     if isinstance(value, Mapping):
         return {str(name): with_whole_paths(item, str(name)) for name, item in value.items()}
     if isinstance(value, (list, tuple)):
@@ -33,7 +33,7 @@ def with_whole_paths(value: Any, key: str = "") -> Any:
 
 
 def plain(value: Any) -> Any:
-    """A NumPy number or array, or a path, as JSON has them."""
+    """A NumPy number or array, or a path, converted for JSON."""
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if hasattr(value, "tolist"):

@@ -22,7 +22,7 @@ class Problem:
 
 
 def problem_of(message: str) -> Problem:
-    """A message `file:line:column: path.to.key: text, allowed: ...` in its parts."""
+    """Splits a message `file:line:column: path.to.key: text, allowed: ...` into its parts."""
     match = PLACE.fullmatch(message)
     if match is None:
         return Problem(message)
@@ -32,7 +32,7 @@ def problem_of(message: str) -> Problem:
 
 
 class RubsweepError(RuntimeError):
-    """A program that did not do what it was asked. `exit_code` is that of the program, `messages` are its own words."""
+    """A program failed. `exit_code` and `messages` are those of the program."""
 
     def __init__(self, messages: List[str], exit_code: int) -> None:
         super().__init__("\n".join(messages) or f"exit code {exit_code}")
@@ -41,8 +41,8 @@ class RubsweepError(RuntimeError):
 
 
 class BadInput(RubsweepError):
-    """A configuration, recording or option that cannot be used. `problems` has all of its faults; `file`, `line`, `key`
-    and `allowed` are those of the first."""
+    """A configuration, recording or option that cannot be used. `problems` has all faults; `file`, `line`, `key`
+    and `allowed` belong to the first one."""
 
     def __init__(self, messages: List[str], exit_code: int) -> None:
         super().__init__(messages, exit_code)

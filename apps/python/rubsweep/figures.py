@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def motion_kinds() -> Dict[str, Dict[str, str]]:
-    """The kinds of motion by name, with label and colour, as every figure of rubsweep has them."""
+    """The kinds of motion by name, with the label and colour that every figure of rubsweep uses."""
     table = subprocess.run([find("rubsweep"), "--motion-kinds"], check=True, capture_output=True, text=True).stdout
     return {row["name"]: row for row in csv.DictReader(io.StringIO(table))}
 

@@ -13,7 +13,7 @@ from .results import execute, place
 from .tables import read_table, unit_of
 
 
-# In the order of the codes; a word that a newer program has comes behind them.
+# Words in the order of their codes; unknown words of a newer program are appended.
 CLASSES = ("non_contact", "synchronous", "subharmonic", "quasi_periodic", "chaotic", "resting_contact", "unsettled", "initial_contact",
            "failed")
 
@@ -69,7 +69,7 @@ def read_map(path: Path_) -> xr.Dataset:
 
 
 def axes_of(table: pd.DataFrame) -> Tuple[str, str]:
-    """The two columns that every cell has its own pair of values of, those of a grid before those of another set."""
+    """The two columns whose pair of values identifies every cell; columns that form a grid are preferred."""
     limit = list(table.columns).index("class") if "class" in table.columns else len(table.columns)
     candidates: List[str] = [column for column in table.columns[:limit] if pd.api.types.is_numeric_dtype(table[column])]
     pairs = [pair for pair in combinations(candidates, 2) if not table.duplicated(subset=list(pair)).any()]

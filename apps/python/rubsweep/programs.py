@@ -17,7 +17,7 @@ WITH_PROGRESS = {"rubsweep", "rubline", "rubbasin", "rubdiagnose"}
 
 @dataclass
 class Answer:
-    """Text of a program that ran, and the JSON line that `--summary json` ends with."""
+    """Text printed by a program, and the JSON line that `--summary json` prints at its end."""
 
     text: str
     summary: Dict[str, Any] = field(default_factory=dict)
@@ -42,7 +42,7 @@ def call(program: str, arguments: Sequence[str], progress: Optional[bool] = None
     command = [find(program), *arguments, "--summary", "json"]
     if program in WITH_PROGRESS:
         command += ["--progress", "always" if shown else "never"]
-    # A session of its own: an interrupt from the terminal comes once, from here.
+    # In its own session the program gets an interrupt of the terminal only once, from this process.
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=None if shown else subprocess.PIPE, text=True, encoding="utf-8",
                                errors="replace", start_new_session=True)
@@ -56,7 +56,7 @@ def call(program: str, arguments: Sequence[str], progress: Optional[bool] = None
 
 
 def answer_of(code: int, out: str, err: str) -> Answer:
-    """The answer of a program that ended with `code`, or the exception that says why there is none."""
+    """The answer of a program that ended with `code`; raises the exception for its fault otherwise."""
     text, summary = split_summary(out)
     if code in (0, SOME_CELLS_FAILED):
         return Answer(text, summary)

@@ -1,4 +1,4 @@
-"""Tables and text that one call of a program gives."""
+"""Tables and text from one call of a program."""
 
 import tempfile
 from contextlib import contextmanager
@@ -37,7 +37,7 @@ class Results(Mapping[str, pd.DataFrame]):
 
 @contextmanager
 def place(output: Optional[Path_]) -> Iterator[Path]:
-    """The directory of the output, or one that is gone at the end."""
+    """The directory of the output, or a temporary one that is removed at the end."""
     if output is not None:
         yield Path(output)
         return
@@ -61,6 +61,6 @@ def collect(program: str, configuration: Configuration, options: Sequence[str], 
 
 
 def read_all(answer: Answer, output: Optional[Path_]) -> Results:
-    """Every table that a program wrote; `output` is None where its directory will be gone."""
+    """Every table that a program wrote; `output` is None where its directory is temporary."""
     written = [Path(file) for file in answer.summary.get("files", []) if file.endswith(".csv")]
     return Results({file.stem: read_table(file) for file in written}, answer, None if output is None else Path(output))

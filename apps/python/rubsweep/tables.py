@@ -23,7 +23,7 @@ def unit_of(column: str) -> str:
 
 
 def unit_from(parts: List[str]) -> str:
-    """`kg_m2_per_s` as `kg m^2/s`; empty where a part is no unit."""
+    """`kg_m2_per_s` as `kg m^2/s`; empty where a part is not a unit."""
     above = parts[:parts.index("per")] if "per" in parts else parts
     below = parts[len(above) + 1:]
     if any(part not in UNITS for part in above + below) or not above + below or ("per" in parts and not below):
@@ -35,7 +35,7 @@ def unit_from(parts: List[str]) -> str:
 
 def read_table(path: Union[str, "os.PathLike[str]"]) -> pd.DataFrame:
     """A table of any of the programs; `attrs["units"]` has the unit of each column of numbers, `attrs["head"]` what the
-    lines before the header say. Columns of words that come again are categorical."""
+    lines before the header say. Columns of repeated words are categorical."""
     head = []
     with open(path, encoding="utf-8") as file:
         for text in file:

@@ -1,11 +1,11 @@
 #pragma once
 
 /// \file
-/// A branch of periodic orbits, stable or not, by pseudo-arclength continuation: settle_on_orbit runs a
-/// cell to its orbit, closed_orbits states the problem for scenes over a parameter, orbit_from finds the
-/// orbit by Newton's iteration, and follow_both_ways follows it through folds, and lists folds, doublings,
-/// Neimark-Sacker points and grazes, each located. branch_csv and branch_events_csv write the tables of
-/// `rubbranch`. Empty results mean that there is nothing to follow.
+/// A branch of periodic orbits, stable or unstable, by pseudo-arclength continuation. settle_on_orbit runs a
+/// cell until it reaches its orbit. closed_orbits states the problem for scenes over a parameter, and
+/// orbit_from finds the orbit by Newton's iteration. follow_both_ways follows the branch through its folds
+/// and locates folds, doublings, Neimark-Sacker points and grazes. branch_csv and branch_events_csv write the
+/// tables of `rubbranch`. An empty result means that there is nothing to follow.
 ///
 /// ```cpp
 /// using namespace rubsweep;

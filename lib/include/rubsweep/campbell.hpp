@@ -2,8 +2,9 @@
 
 /// \file
 /// The linear rotor, without its stops: whirl modes over the speed, critical speeds, stability and mode
-/// shapes, from the full matrices. Speeds and frequencies in Hz, damping ratios of critical damping
-/// (negative: unstable), growth in 1/s. Throws ConfigError beyond the tables of bearings.
+/// shapes, from the full matrices. Speeds and frequencies are in Hz, growth rates in 1/s; damping is a ratio
+/// of critical damping, negative where unstable. Throws ConfigError for a speed outside the tables of the
+/// bearings.
 ///
 /// ```cpp
 /// using namespace rubsweep;

@@ -6,10 +6,10 @@
 /// whirl towards the first stop over the clearance there. Throws ConfigError for a machine that is not
 /// valid.
 ///
-/// scene::Cell has the scene to run, the closed form of the quiet motion, both measures of the unbalance,
-/// and `start`: scene::can_run(cell.start) is false where static forces leave no clearance or no unbalance
-/// gives the ratio. For many cells of one machine, scene::prepare_machine does once what does not depend on
-/// speed and unbalance.
+/// scene::Cell has the scene to run, the closed form of the quiet motion, both measures of the unbalance, and
+/// `start`. scene::can_run(cell.start) is false where static forces leave no clearance or no unbalance gives
+/// the ratio. Where many cells share a machine, scene::prepare_machine does once all work that depends on
+/// neither speed nor unbalance.
 ///
 /// ```cpp
 /// using namespace rubsweep;

@@ -1,13 +1,14 @@
 #pragma once
 
 /// \file
-/// Configurations as files: YAML, or JSON and TOML, which the programs read as well. Every key is checked,
-/// and ConfigError holds all problems, one a line: `file:line:column: path.to.key: what is wrong, allowed:
-/// what is allowed`. IoError: the file cannot be read. Overrides are `path.to.key=value`, as for `--set`.
+/// Configurations as files in YAML, JSON or TOML, as the programs read them. Every key is checked.
+/// ConfigError lists all problems, one a line: `file:line:column: path.to.key: what is wrong, allowed: what
+/// is allowed`. IoError means that the file cannot be read. Overrides are `path.to.key=value`, as for
+/// `--set`.
 ///
-/// config::RunConfig has `study` (machine, grid, solver, classification) and where results go. print_config
-/// gives the complete YAML, defaults included, which reads back as an equal configuration. read_cell_config
-/// is for a single cell.
+/// config::RunConfig has `study` (machine, grid, solver, classification) and the places for results.
+/// print_config gives the complete YAML with all defaults; reading it back gives an equal configuration.
+/// read_cell_config reads the configuration of a single cell.
 ///
 /// ```cpp
 /// using namespace rubsweep;

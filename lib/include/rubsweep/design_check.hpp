@@ -2,9 +2,9 @@
 
 /// \file
 /// A design check of a machine over an operating range of speeds (Hz): the unbalance response at probes and
-/// stops, scaled by the rules of API 617, clearances, dry whip, lock speeds and, where asked for, the
-/// smallest kick that starts a rub. Lengths in metres, from end to end. Throws ConfigError where a table
-/// does not reach a speed, or where no disc carries an unbalance and no eccentricity is given. design_page
+/// stops, scaled by the rules of API 617, clearances, dry whip, lock speeds and, on request, the smallest
+/// kick that starts a rub. Lengths are in metres, vibrations peak to peak. Throws ConfigError where a table
+/// does not reach a speed, or where neither a disc's unbalance nor an eccentricity is given. design_page
 /// gives the page of `rubtrace --design-check`.
 ///
 /// ```cpp

@@ -1,14 +1,15 @@
 #pragma once
 
 /// \file
-/// A diagnosis: which stop, if any, a recording of a known machine tells of, with probabilities, and numbers
-/// of the machine with their intervals. The recording (recording.hpp) has 12 turns or more at a steady speed.
-/// The machine is a configuration, perhaps beside the files that rubfit wrote, whose intervals are then
-/// taken. Candidates are the usual ones, or those of a file (`configs/recordings/candidates.yaml`).
+/// A diagnosis: which stop of a known machine rubs in a recording, if any, with probabilities, and values of
+/// the machine's parameters with their intervals. The recording (recording.hpp) has 12 turns or more at a
+/// steady speed. The machine is a configuration; if the files of rubfit lie beside it, their intervals are
+/// used. Candidates are the usual ones, or those of a file (`configs/recordings/candidates.yaml`).
 ///
-/// Motions of all candidates are simulated at first, 600 of each by default, which takes a minute or so;
+/// First, motions of all candidates are simulated, 600 of each by default, which takes about a minute.
 /// `kept_motions` names a directory that keeps them for further recordings of the same machine and speed. The
-/// answer does not depend on `threads`. Throws ConfigError and IoError; empty where it was stopped early.
+/// answer does not depend on `threads`. Throws ConfigError and IoError. The result is empty if the work was
+/// stopped early.
 ///
 /// ```cpp
 /// using namespace rubsweep;

@@ -1,11 +1,11 @@
 #pragma once
 
 /// \file
-/// A line of cells: each from its kick, or each from the motion of the one before it, upwards or downwards,
-/// which shows where a motion is lost and another one found (hysteresis). Cells share studies and prepared
-/// machines. follow_line hands over each point, with its row (sweep.hpp) and its settled motion, one at a
-/// time, in any order; what comes out does not depend on `threads`. Throws ConfigError where neighbours
-/// have different numbers of coordinates.
+/// A line of cells. Each cell starts from its kick, or from the motion of the cell before it, upwards or
+/// downwards, which shows where one motion is lost and another found (hysteresis). Cells share studies and
+/// prepared machines. follow_line hands over each point with its row (sweep.hpp) and its settled motion, one
+/// at a time, in any order; the results do not depend on `threads`. Throws ConfigError where neighbours have
+/// different numbers of coordinates.
 ///
 /// ```cpp
 /// using namespace rubsweep;

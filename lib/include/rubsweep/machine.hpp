@@ -1,10 +1,10 @@
 #pragma once
 
 /// \file
-/// A machine: rotor, stops and kick, as plain structs. SI units, and the unit is in the name of every
-/// number; +x is right, +y is up, angles in degrees from +x. A number that has no default is
-/// model::required until it is given. model::validate throws ConfigError, which names what is missing or
-/// out of range; build_cell (cell.hpp) calls it.
+/// A machine: rotor, stops and kick, as plain structs. All numbers are in SI units, named in each identifier;
+/// +x is right, +y is up, angles are in degrees from +x. A number without a default is model::required until
+/// it is given. model::validate throws ConfigError, which names the missing or wrong number; build_cell
+/// (cell.hpp) calls it.
 ///
 /// - model::Machine: `rotor`, `stops`, `kick`, `start`, `gravity_m_per_s2` and the rest of a
 ///   configuration's machine

@@ -1,14 +1,14 @@
 #pragma once
 
 /// \file
-/// A map in a directory, as the program `rubsweep` makes it: map::compute runs the cells that are missing
-/// there on all processors, writes each one down as it is finished, and at the end the whole map.csv. What
-/// was stopped or killed goes on where it was. The numbers do not depend on the number of threads.
+/// A map in a directory, as the program `rubsweep` makes it. map::compute runs the missing cells on all
+/// processors, stores each cell as soon as it is finished, and writes map.csv at the end. A map that was
+/// stopped or killed is continued by the next call. The numbers do not depend on the number of threads.
 ///
-/// Options: `threads` (0: all), `stop` (a flag that ends the work, with what is finished kept), `progress`
-/// on stderr. Throws LockedError where another process is at work there, ConfigError where the cells there
-/// belong to another configuration, IoError. Returns the summary of the whole map; empty where it was
-/// stopped.
+/// Options: `threads` (0: all processors), `stop` (a flag that ends the work and keeps the finished cells),
+/// `progress` on stderr. Throws LockedError where another process works in the directory, ConfigError where
+/// its cells belong to another configuration, and IoError. Returns the summary of the whole map, or an empty
+/// value if it was stopped.
 ///
 /// ```cpp
 /// using namespace rubsweep;

@@ -2,10 +2,11 @@
 
 /// \file
 /// A settled motion: its class (non_contact, synchronous, subharmonic with its order, quasi_periodic,
-/// chaotic, ...), and its measures over whole turns of the shaft: peaks in metres and newtons, hits, share
-/// of the time in contact, the forward and backward lines at 1X in metres, the largest line of the full
-/// spectrum with its order (negative: backward), shape and direction of the orbit. What does not apply is
-/// empty. to_string gives the words of map.csv, kind_of the kind that maps colour, with its label.
+/// chaotic, ...) and its measures over whole turns of the shaft. Measures are peaks in metres and newtons,
+/// hits, share of time in contact, forward and backward 1X amplitudes in metres, the largest line of the full
+/// spectrum with its order (negative: backward), and shape and direction of the orbit. Measures that do not
+/// apply are empty. to_string gives the words of map.csv; kind_of gives the kind by which maps are coloured,
+/// with its label.
 ///
 /// ```cpp
 /// using namespace rubsweep;

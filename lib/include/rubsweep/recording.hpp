@@ -1,11 +1,11 @@
 #pragma once
 
 /// \file
-/// A recording of shaft motion, as an instrument wrote it, put together with what is known of the probes,
-/// and judged. read_recording_file takes text tables, MATLAB and WAV files; read_instrument_text the YAML
-/// that names columns, angles and units; make_recording samples whole turns at equal angles, in metres, as
-/// x + iy of two probes. scope::judge says how the motion repeats, with its lines, each with an
-/// uncertainty, and what noise hides. ConfigError names file, line and column.
+/// A recording of shaft motion by an instrument, combined with the data of its probes, and judged.
+/// read_recording_file reads text tables, MATLAB and WAV files. read_instrument_text reads the YAML that
+/// names columns, angles and units. make_recording samples whole turns at equal angles, in metres, as x + iy
+/// of two probes. scope::judge tells how the motion repeats and lists its lines, each with its uncertainty,
+/// and the noise limit. ConfigError names file, line and column.
 ///
 /// ```cpp
 /// using namespace rubsweep;

@@ -1,10 +1,10 @@
 #pragma once
 
 /// \file
-/// A run-up or run-down through rub: the shaft speed changes evenly, with an unbalance and all stops.
-/// Speeds in Hz, the rate in Hz/s with the sign of the change. run_ramp hands over stretch by stretch with
-/// so many samples each, and returns how the run ended. Throws ConfigError for what no ramp is made of:
-/// faulty bearings, static forces that press the rotor through a wall, a speed without quiet motion.
+/// A run-up or run-down through rub: the shaft speed changes at a constant rate, with an unbalance and all
+/// stops. Speeds are in Hz, the rate in Hz/s, negative for a run-down. run_ramp passes on one stretch after
+/// another with the chosen number of samples, and returns how the run ended. Throws ConfigError where no ramp
+/// is possible: faulty bearings, static forces that press the rotor through a wall, no quiet motion.
 ///
 /// ```cpp
 /// using namespace rubsweep;

@@ -1,14 +1,13 @@
 #pragma once
 
 /// \file
-/// One run, from the kick to the motion that it settles on. response::settle takes a cell (cell.hpp) that
-/// can run, options of the solver and of the classification, whose defaults are those of a sweep, and a
-/// workspace, which keeps what the next run can use again: one for each thread, and never two threads at
-/// one. It throws nothing for a run that fails: `outcome` says how it ended, and the class is then
-/// `failed`.
+/// One run, from the kick to the motion on which it settles. response::settle takes a cell (cell.hpp) that
+/// can run, options of the solver and of the classification (defaults: those of a sweep), and a workspace.
+/// The workspace keeps what the next run can use again; each thread needs its own. A run that fails throws
+/// nothing: `outcome` says how it ended, and the class is then `failed`.
 ///
-/// The result has the motion (motion.hpp), the evidence for it (`proof`), the revolutions that were run,
-/// and `section`, the scaled state at the end: 2n numbers, displacements over the length scale of the
+/// The result has the motion (motion.hpp), the evidence for it (`proof`), the number of revolutions, and
+/// `section`, the scaled state at the end: 2n numbers, first displacements over the length scale of the
 /// scene, then rates.
 ///
 /// ```cpp

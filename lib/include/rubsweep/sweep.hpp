@@ -1,11 +1,11 @@
 #pragma once
 
 /// \file
-/// Cells of a map in memory. sweep::Study has the machine and the grid: axes of speed (Hz) and unbalance,
-/// and perhaps axes over keys; cells count along the speed first. run_cells evaluates those listed on
-/// `threads` threads (0: all) and hands over each sweep::Row as it is finished, one at a time, in any
-/// order; it returns how many finished. A row has what map.csv has, with SI units; what does not apply is
-/// empty, and `status` is ok or says why not. What `on_row` throws ends the run.
+/// Cells of a map in memory. sweep::Study has the machine and the grid: axes of speed (Hz) and unbalance, and
+/// optional axes over keys. Cells are numbered along the speed first. run_cells computes the listed cells on
+/// `threads` threads (0: all processors), hands over each sweep::Row as it is finished, one at a time, in any
+/// order, and returns how many finished. A row has the columns of map.csv in SI units, empty where they do
+/// not apply; `status` is ok or the reason of a failure. An exception thrown by `on_row` ends the run.
 ///
 /// ```cpp
 /// using namespace rubsweep;

@@ -1,11 +1,11 @@
 #pragma once
 
 /// \file
-/// One run under the lens: the trajectory at equal angles, the state after each turn, every change of
-/// contact mode with its instant, probes, and contacts turn by turn. Displacements in metres, times in
-/// seconds since the start of the kick. trace_run takes a run at its start (integrate::start), its scene,
-/// and how many turns and samples are asked for; a run that fails ends early, and `outcome` says why.
-/// trace_csv.hpp writes the tables of `rubtrace`.
+/// One run in detail: the trajectory at equal angles, the state after each turn, every change of contact mode
+/// with its instant, probes, and contacts turn by turn. Displacements are in metres, times in seconds since
+/// the start of the kick. trace_run takes a run at its start (integrate::start), its scene, and the numbers
+/// of turns and samples. A run that fails ends early, and `outcome` says why. trace_csv.hpp writes the tables
+/// of `rubtrace`.
 ///
 /// ```cpp
 /// using namespace rubsweep;

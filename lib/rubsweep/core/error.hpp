@@ -4,18 +4,19 @@
 
 namespace rubsweep {
 
-/// The user must act: a value, a file or a combination that cannot be simulated. Programs exit with 2.
+/// An error that the user must correct: a value, a file or a combination that cannot be simulated. Exit code
+/// 2.
 class ConfigError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// We must act: an internal contract does not hold. Never thrown for a cell that merely fails to integrate;
-/// such a cell is a row with a status (see integrate/run/outcome.hpp).
+/// An internal contract does not hold: an error of this program. Never thrown for a cell that merely fails to
+/// integrate; such a cell is a row with a status (see integrate/run/outcome.hpp).
 class SolverError : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// Another process is at work where we would be. Programs exit with 6.
+/// Another process works in the same directory. Programs exit with 6.
 class LockedError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -2,8 +2,8 @@
 
 namespace rubsweep {
 
-/// One callable from several, for std::visit: a variant with one more alternative fails to compile wherever
-/// nobody has said what that means.
+/// Joins several callables into one for std::visit. A variant with a new alternative then does not compile
+/// until each visitor handles it.
 template <class... Callables>
 struct overloaded : Callables... {
   using Callables::operator()...;

@@ -8,19 +8,19 @@
 
 namespace rubsweep {
 
-/// Name of an enumerator as its enumeration writes it, from what the compiler calls this function; empty for
-/// a number that is none of them.
+/// Name of an enumerator as its enumeration writes it, taken from the compiler's name of this function. Empty
+/// for a number that is no enumerator.
 template <auto value>
 consteval std::string_view enumerator_name() {
   constexpr std::string_view before = "value = ", function = __PRETTY_FUNCTION__;
   constexpr std::size_t begin = function.find(before) + before.size();
   constexpr std::string_view name = function.substr(begin, function.find_first_of(";]", begin) - begin);
-  // A number without a name is written as a cast.
+  // The compiler writes a number without an enumerator as a cast.
   return name.starts_with('(') ? std::string_view{} : name.substr(name.rfind(':') + 1);
 }
 
-/// Word of a file for a value of an enumeration, which is its name there: no list can be short of one.
-/// Enumerators count from 0 without gaps, and there are at most 32.
+/// Word of an enumerator in files: its own name, so that no list can miss one. Enumerators count from 0
+/// without gaps, and there are at most 32.
 template <class Enum>
 constexpr std::string_view enumerator_word(Enum value) {
   constexpr auto words = []<std::size_t... i>(std::index_sequence<i...>) {
@@ -32,10 +32,10 @@ constexpr std::string_view enumerator_word(Enum value) {
   return number < words.size() ? words[number] : std::string_view{};
 }
 
-/// All enumerators of `Enum`, in their order. They count from 0 without gaps, and `word_of` (a constexpr
-/// function of one enumerator that returns a std::string_view) has a word for each of them and none for any
-/// other number. Where `word_of` is a switch without a default, the compiler refuses an enumerator that was
-/// forgotten there, so that a list made from this one is never short of one.
+/// All enumerators of `Enum`, in their order. They count from 0 without gaps. `word_of` (a constexpr function
+/// of one enumerator that returns a std::string_view) has a word for each of them and an empty one for any
+/// other number. Where `word_of` is a switch without a default, the compiler rejects a forgotten enumerator,
+/// so that this list is always complete.
 template <class Enum, auto word_of>
 inline constexpr auto enumerators_of = [] {
   constexpr std::size_t count = [] {
@@ -48,7 +48,7 @@ inline constexpr auto enumerators_of = [] {
   return enumerators;
 }();
 
-/// Words of a file for the values of an enumeration. Reader and printer share one table.
+/// Words that stand for the values of an enumeration in files. Reader and printer share one table.
 template <class Enum, std::size_t count>
 struct Words {
   std::array<std::string_view, count> texts;

@@ -17,8 +17,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Modes of the `count` eigenvalues nearest to `root` at the last tracked point before the speed, or the
-/// first after it; those with Im < 0 aside.
+/// Names of the modes of the `count` eigenvalues with Im >= 0 nearest to `root`. Taken from the last tracked
+/// point before the speed, or from the first one after it.
 std::vector<std::string> modes_at(const Track& track, double speed, Complex root, std::size_t count,
                                   bool before) {
   if (track.points.empty()) return {};
@@ -48,7 +48,7 @@ std::vector<double> frequencies(const Eigen::VectorXcd& values) {
   return result;
 }
 
-/// Frequencies of a point where every root is neutral and none is real; empty elsewhere.
+/// Frequencies where all eigenvalues are neutral and none is real; empty elsewhere.
 std::vector<double> neutral_frequencies(const Eigen::VectorXcd& values) {
   const double size = size_of(values);
   for (const Complex& value : values) {
@@ -57,7 +57,7 @@ std::vector<double> neutral_frequencies(const Eigen::VectorXcd& values) {
   return frequencies(values);
 }
 
-/// How fast the gap between frequencies k and k + 1 (ascending) opens with the speed.
+/// Derivative by the speed of the gap between the frequencies k and k + 1, in ascending order.
 double opening_rate(const NormalForm& form, std::size_t k, double speed) {
   const Spectrum s = spectrum(form, speed);
   std::vector<std::pair<double, double>> frequency_and_slope;
@@ -69,12 +69,13 @@ double opening_rate(const NormalForm& form, std::size_t k, double speed) {
   return frequency_and_slope[k + 1].second - frequency_and_slope[k].second;
 }
 
-/// Where that rate is zero; empty when it does not change sign in the bracket.
+/// Speed at which the gap between the frequencies k and k + 1 is smallest; empty unless its derivative
+/// changes from negative to positive between `low` and `high`.
 std::optional<double> closest_approach(const NormalForm& form, std::size_t k, double low, double high) {
   const auto rate = [&](double speed) { return opening_rate(form, k, speed); };
   const double at_low = rate(low), at_high = rate(high);
   if (!(at_low < 0 && at_high > 0)) return std::nullopt;
-  std::uintmax_t steps = 400;  // four halve the bracket at least: it ends before
+  std::uintmax_t steps = 400;  // never reached: four evaluations at least halve the bracket
   const auto [from, to] = boost::math::tools::toms748_solve(
       rate, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(48), steps);
   return from + 0.5 * (to - from);
@@ -89,8 +90,8 @@ double nearest_real(const NormalForm& form, double speed, Complex place) {
       ->real();
 }
 
-/// Speeds of the track, and between them those where a real part may touch zero and turn back: the cubic
-/// through its values and slopes comes near zero there.
+/// Speeds of the track, and between them those at which a real part may touch zero and turn back, because the
+/// cubic through its values and slopes comes near zero.
 std::vector<double> speeds_to_search(const Track& track, const NormalForm& form) {
   std::vector<double> speeds{track.points.front().speed_rad_per_s};
   for (std::size_t p = 0; p + 1 < track.points.size(); ++p) {
@@ -172,8 +173,8 @@ void add_stable_windows(const std::vector<Regime>& regimes, std::vector<Onset>& 
   }
 }
 
-/// Closest approaches of neighbouring frequencies within a quarter of their mean, of a track without
-/// friction.
+/// Closest approaches of neighbouring frequencies of a track without friction, if the gap is less than a
+/// quarter of their mean.
 std::vector<Onset> veerings(const Track& track, const NormalForm& form) {
   std::vector<Onset> onsets;
   std::vector<std::vector<double>> all;
@@ -190,7 +191,7 @@ std::vector<Onset> veerings(const Track& track, const NormalForm& form) {
       const auto f = neutral_frequencies(eigenvalues(form, *speed));
       if (f.empty()) continue;
       const double least = gap_at(f), mean = 0.5 * (f[k] + f[k + 1]);
-      // Below: modes that do not know each other and cross.
+      // With a smaller gap the modes are uncoupled and simply cross.
       if (!(least < 0.25 * mean && least > 1e-6 * mean)) continue;
       onsets.push_back({"veering", *speed, modes_at(track, *speed, {0, mean}, 2, false),
                         fmt::format("gap {:.6g} rad/s at {:.6g} rad/s", least, mean)});
@@ -222,7 +223,8 @@ std::vector<Onset> describe_change(const Change& change, const Track& track, boo
   } else if (growing == 0 && pairs == 0 && decaying < 0) {
     add("real_merger", 2, true, "decaying, " + where);
   } else {
-    // The first growing root begins a divergence, the last one ends it; others only change their number.
+    // The first growing root begins a divergence and the last one ends it; others only change the number of
+    // growing roots.
     const std::string roots = fmt::format("growing real roots from {} to {}", change.before.growing_real,
                                           change.after.growing_real);
     const bool plain = change.before.growing_real + change.after.growing_real == 1;

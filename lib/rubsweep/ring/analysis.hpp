@@ -11,7 +11,7 @@ namespace rubsweep::ring {
 
 /// Change of stability at one speed. Kinds: divergence_begin, divergence_end (a real root crosses zero);
 /// flutter_begin, flutter_end (the real part of a pair crosses zero); coupling_begin, coupling_end (two
-/// neutral pairs merge and part again, without friction); real_split (a pair becomes two real roots),
+/// neutral pairs merge or separate again, without friction); real_split (a pair becomes two real roots),
 /// real_merger (the reverse); veering (closest approach of two frequencies that do not merge); stable_from,
 /// stable_to.
 struct Onset {
@@ -21,17 +21,17 @@ struct Onset {
   std::string note;
 };
 
-/// Onsets of a change of the signature, with the modes they concern (none without a track).
+/// Onsets for a change of the signature, with the names of their modes (no names without a track).
 std::vector<Onset> describe_change(const Change& change, const Track& track, bool has_friction);
 
-/// A range of speeds over which the same modes are unstable in the same way.
+/// Range of speeds in which the same modes are unstable in the same way.
 struct Regime {
   double from_rad_per_s = 0, to_rad_per_s = 0;
   std::string text;  ///< "stable", or "divergence of ...; flutter of ..."
   bool stable = false;
 };
 
-/// Everything about one system over one range of speeds.
+/// Stability of one system over one range of speeds.
 struct Analysis {
   Track track;
   std::vector<Onset> onsets;    ///< ascending speed
@@ -39,10 +39,10 @@ struct Analysis {
   std::vector<CriticalSpeed> critical_speeds;
 };
 
-/// `speeds_rad_per_s`: ascending, at least one. Onsets are sought between them and between the speeds that
-/// the tracking of modes adds; a pair of onsets so close that neither sees it goes unnoticed. With friction
-/// the couplings of pairs unfold: their ranges and the veerings are those of the same system without
-/// friction, and say so.
+/// Analyses a system at `speeds_rad_per_s`, ascending and at least one. Onsets are sought between these
+/// speeds and further speeds that mode tracking adds. Two onsets between the same two speeds may be missed.
+/// Friction removes the couplings of pairs: coupling ranges and veerings are therefore those of the same
+/// system without friction, and are marked so.
 Analysis analyse(const System& system, const std::vector<double>& speeds_rad_per_s);
 
 }  // namespace rubsweep::ring

@@ -18,7 +18,7 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 
-/// Exact at multiples of 90 degrees.
+/// Cosine that is exact at multiples of 90 degrees.
 double cos_deg(double angle_deg) { return boost::math::cos_pi(angle_deg / 180); }
 double sin_deg(double angle_deg) { return boost::math::sin_pi(angle_deg / 180); }
 
@@ -31,14 +31,15 @@ void add_ring(Matrices& matrices, const Ring& ring) {
   matrices.softening.topLeftCorner<2, 2>() += a * n * n * Matrix2d::Identity();
 }
 
-/// How one load follows X, and where its friction acts.
+/// Maps of one load: how its tip moves with X, and how its friction acts on X.
 struct LoadMaps {
-  Eigen::MatrixXd tip;        ///< 2 x N: X to (u along the load, v across it)
-  Eigen::RowVector2d inward;  ///< (u, v) to the inward normal displacement of the tip
-  Eigen::VectorXd friction;   ///< N: generalised force of a unit rubbing force on the ring
+  Eigen::MatrixXd tip;        ///< 2 x N: X to the tip's motion (u along the load, v across it)
+  Eigen::RowVector2d inward;  ///< (u, v) to the tip's displacement along the inward normal
+  Eigen::VectorXd friction;   ///< N: generalised force for a unit friction force on the ring
 };
 
-/// The friction arm includes the reaction on the load. `coordinate` of q in X; negative: the load has none.
+/// Maps of a load. The friction column includes the reaction on the load. `coordinate`: index of q in X; < 0:
+/// none.
 LoadMaps load_maps(const Ring& ring, const Load& load, Index coordinate, Index size) {
   const double n = ring.nodal_diameters, eta = surface_ratio(ring);
   const double cos_n = cos_deg(n * load.angle_deg), sin_n = sin_deg(n * load.angle_deg);
@@ -57,7 +58,7 @@ LoadMaps load_maps(const Ring& ring, const Load& load, Index coordinate, Index s
   return maps;
 }
 
-/// Coordinate of every load in X, -1 where it has none.
+/// Index in X of every load's coordinate; -1 for a load without one.
 std::vector<Index> load_coordinates(const System& system) {
   std::vector<Index> coordinates;
   Index next = 2;
@@ -67,7 +68,7 @@ std::vector<Index> load_coordinates(const System& system) {
 
 void add_load(Matrices& matrices, const System& system, const Load& load, Index coordinate) {
   const LoadMaps maps = load_maps(system.ring, load, coordinate, matrices.coordinates());
-  // The load's own forces reach X through its tip, and through friction by their part along the normal.
+  // Forces of the load act on X through its tip. Through friction their normal component acts, too.
   const Eigen::MatrixXd reach =
       maps.tip.transpose() - system.friction_coefficient * maps.friction * maps.inward;
   const auto add = [&](Eigen::MatrixXd& target, const Matrix2d& own) { target += reach * own * maps.tip; };
@@ -84,7 +85,7 @@ void add_load(Matrices& matrices, const System& system, const Load& load, Index 
   matrices.centrifugal += reach * Vector2d(load.centrifugal_mass_kg * system.ring.radius_m.value_or(0), 0);
 }
 
-/// Where several roots merge at once Eigen's own limit may be too low.
+/// Limit on iterations per row. Eigen's own may be too low where several roots merge at once.
 constexpr Index iterations_per_row = 4000;
 
 numerics::dense::GeneralModes solve(const MatrixXd& matrix, bool with_vectors) {
@@ -94,7 +95,7 @@ numerics::dense::GeneralModes solve(const MatrixXd& matrix, bool with_vectors) {
   return modes;
 }
 
-/// First-order form: d/dt (Y, Y') = state_matrix (Y, Y') in scaled time.
+/// Matrix of the first-order form d/dt (Y, Y') = state_matrix (Y, Y') in scaled time.
 MatrixXd state_matrix(const NormalForm& form, double speed_rad_per_s) {
   const double speed = speed_rad_per_s / form.reference_rad_per_s;
   const Eigen::Index size = form.coordinates();
@@ -106,7 +107,7 @@ MatrixXd state_matrix(const NormalForm& form, double speed_rad_per_s) {
   return state;
 }
 
-/// Derivative of the state matrix by O.
+/// Derivative of the state matrix by the scaled speed O.
 MatrixXd state_matrix_slope(const NormalForm& form, double speed_rad_per_s) {
   const double speed = speed_rad_per_s / form.reference_rad_per_s;
   const Eigen::Index size = form.coordinates();
@@ -178,8 +179,8 @@ StaticLoad static_load(const System& system, double speed_rad_per_s) {
     const Eigen::Vector2d carried(stiffness(0) * tip(0) - speed2 * load.centrifugal_mass_kg * radius,
                                   stiffness(1) * tip(1));
     result.normal_n.push_back(maps.inward * carried + system.preload_n);
-    // The tip runs at Omega (R - u); the surface at Omega eta u, by the standing wave that the ring turns
-    // through.
+    // The tip moves at Omega (R - u). The surface moves at Omega eta u, since the ring rotates through a wave
+    // that stands still.
     const double inward = maps.inward * tip;
     result.slip_m_per_s.push_back(speed_rad_per_s * (radius + (surface_ratio(system.ring) - 1) * inward));
   }
@@ -195,7 +196,7 @@ Spectrum spectrum(const NormalForm& form, double speed_rad_per_s) {
   Spectrum result;
   result.vectors = std::move(all.vectors);
   result.values = form.reference_rad_per_s * all.values;
-  // Rows of the inverse are the left eigenvectors, scaled to y^H x = 1.
+  // Rows of the inverse are the left eigenvectors, scaled so that y^H x = 1.
   const MatrixXcd left = numerics::dense::inverse(result.vectors);
   const MatrixXcd moved = state_matrix_slope(form, speed_rad_per_s) * result.vectors;
   result.slopes.resize(result.values.size());
@@ -212,7 +213,7 @@ double zero_tolerance(const NormalForm& form) { return form.has_friction ? 1e-11
 
 Signature signature(const NormalForm& form, const Eigen::VectorXcd& values) {
   const double size = size_of(values), zero = zero_tolerance(form) * size;
-  // Equal real roots of uncoupled loads may come out as a pair this close to the axis.
+  // Equal real roots of uncoupled loads may be computed as a pair this close to the real axis.
   const double equal = 1e-7 * size;
   Signature counts;
   for (const std::complex<double>& value : values) {

@@ -7,8 +7,9 @@
 
 namespace rubsweep::ring {
 
-/// Y'' + O S1 Y' + (S0 - O^2 S2) Y = 0: coordinates scaled by the mass diagonal and multiplied by M^-1, time
-/// in units of 1 / reference, O = Omega / reference. All entries are then of the order of one.
+/// Scaled equation Y'' + O S1 Y' + (S0 - O^2 S2) Y = 0. Coordinates are scaled by the mass diagonal, the
+/// equation is multiplied by M^-1, time is in units of 1 / reference, and O = Omega / reference. All entries
+/// are then of order one.
 struct NormalForm {
   Eigen::MatrixXd rotation;   ///< S1
   Eigen::MatrixXd stiffness;  ///< S0
@@ -19,63 +20,64 @@ struct NormalForm {
   Eigen::Index coordinates() const { return stiffness.rows(); }
 };
 
-/// Throws ConfigError when the mass matrix is singular: a load without mass that may move, or a friction
-/// coefficient at which the rubbing force cancels the inertia.
+/// Scales a system. Throws ConfigError where the mass matrix is singular: a load that can move has no mass,
+/// or the friction coefficient makes the friction force cancel the inertia.
 NormalForm normal_form(const System& system);
 
-/// M X'' + Omega C X' + (K0 - Omega^2 K2) X = F0 + Omega^2 F2, SI. X = (A, B, q of every load that has a
-/// coordinate), q the tangential deflection of the load's tip. Friction makes all of them asymmetric.
+/// Matrices of M X'' + Omega C X' + (K0 - Omega^2 K2) X = F0 + Omega^2 F2, in SI. X = (A, B, q of every load
+/// with a coordinate), where q is the tangential deflection of the load's tip. Friction makes all matrices
+/// asymmetric.
 struct Matrices {
   Eigen::MatrixXd mass;         ///< M
   Eigen::MatrixXd rotation;     ///< C: gyroscopic and circulatory terms for Omega = 1 rad/s
   Eigen::MatrixXd stiffness;    ///< K0
   Eigen::MatrixXd softening;    ///< K2
-  Eigen::VectorXd force;        ///< F0: by the preload
-  Eigen::VectorXd centrifugal;  ///< F2; zero without a radius of the ring
+  Eigen::VectorXd force;        ///< F0, the force of the preload
+  Eigen::VectorXd centrifugal;  ///< F2; zero for a ring without a radius
 
   Eigen::Index coordinates() const { return mass.rows(); }
 };
 
-/// Regular at every inclination: with q instead of the beam's own flexure v no tan(alpha) appears; the
-/// eigenvalues are those of Appendix A (as corrected, see results/ring_findings.txt) for |alpha| < 90
-/// degrees.
+/// Assembles the matrices, which are regular at every inclination: with q instead of the beam's own
+/// deflection v there is no tan(alpha). For |alpha| < 90 degrees eigenvalues are those of Appendix A (as
+/// corrected, see results/ring_findings.txt).
 Matrices assemble(const System& system);
 
-/// Premises of the linear model at one speed, one entry per load.
+/// Quantities at one speed that the linear model assumes to be positive, one entry per load.
 struct StaticLoad {
-  std::vector<double> normal_n;  ///< force of the load on the ring in the steady state; positive: it presses
-  std::vector<double> slip_m_per_s;  ///< speed of the tip over the ring's surface in the steady state
+  std::vector<double> normal_n;  ///< force of the load on the ring in the steady state; > 0: the load presses
+  std::vector<double> slip_m_per_s;  ///< steady speed of the tip relative to the ring's surface
 
-  /// Whether every load presses and slips forward, as the model assumes of contact and friction.
+  /// Whether every load presses on the ring and slips forward, as the model assumes.
   bool valid() const;
 };
 
-/// Steady state under preload and centrifugal force. Where K is singular the forces are not finite. Needs the
-/// radius of the ring.
+/// Steady state under preload and centrifugal force. Forces are not finite where K is singular. The ring must
+/// have a radius.
 StaticLoad static_load(const System& system, double speed_rad_per_s);
 
-/// All 2N eigenvalues lambda (1/s) of the system turning at one speed, complex ones in conjugate pairs.
-/// Throws SolverError when the iteration does not converge.
+/// All 2N eigenvalues lambda (1/s) at one speed, complex ones in conjugate pairs. Throws SolverError where
+/// the iteration does not converge.
 Eigen::VectorXcd eigenvalues(const NormalForm& form, double speed_rad_per_s);
 
-/// Eigenvalues with the quantities that distinguish modes.
+/// Eigenvalues, with their slopes and eigenvectors, which distinguish modes.
 struct Spectrum {
   Eigen::VectorXcd values;  ///< 1/s
-  /// d lambda / d Omega, by left and right eigenvectors; 0 where they are defective.
+  /// d lambda / d Omega, from left and right eigenvectors; 0 where these are defective.
   Eigen::VectorXcd slopes;
-  Eigen::MatrixXcd vectors;  ///< columns (Y, Y') of the normal form, of unit length
+  Eigen::MatrixXcd vectors;  ///< columns (Y, Y') of the normal form, each of length 1
 };
 Spectrum spectrum(const NormalForm& form, double speed_rad_per_s);
 
-/// Largest |lambda|.
+/// Largest |lambda| in 1/s.
 double size_of(const Eigen::VectorXcd& values);
 
-/// Tolerance below which a real or imaginary part counts as zero, in units of the largest |lambda|. Without
-/// friction every stable root is neutral and onsets are double roots, known to the square root of the
-/// rounding; with friction the roots that cross are simple.
+/// Tolerance below which a real or imaginary part counts as zero, relative to the largest |lambda|. Without
+/// friction all stable roots are neutral and onsets are double roots, accurate only to the square root of
+/// rounding. With friction the crossing roots are simple.
 double zero_tolerance(const NormalForm& form);
 
-/// Counts that change at every onset.
+/// Numbers of roots by kind; at least one of them changes at every onset.
 struct Signature {
   int growing_real = 0;   ///< real roots above zero: divergence
   int decaying_real = 0;  ///< real roots at zero or below

@@ -38,8 +38,8 @@ std::array<Complex, 2> two_nearest(const Values& values, Complex place) {
   return two;
 }
 
-/// (lambda_1 - lambda_2)^2 of the two roots nearest to `place`: smooth where they merge, and known to
-/// rounding although each of them is only known to its square root.
+/// Discriminant (lambda_1 - lambda_2)^2 of the two roots nearest to `place`. It is smooth where they merge,
+/// and accurate to rounding, although each root is accurate only to its square root.
 double discriminant(const Values& values, Complex place) {
   const auto [first, second] = two_nearest(values, place);
   const Complex difference = first - second;
@@ -52,7 +52,7 @@ Complex middle(const Values& values, Complex place) {
   return 0.5 * (first + second);
 }
 
-/// The pair nearest to the real axis on the growing or the decaying side.
+/// Complex pair nearest to the real axis, among growing or among decaying pairs.
 Complex flattest_pair(const Values& values, bool grows, double zero) {
   Complex best(0, std::numeric_limits<double>::infinity());
   for (const Complex& value : values) {
@@ -61,8 +61,8 @@ Complex flattest_pair(const Values& values, bool grows, double zero) {
   return best;
 }
 
-/// First guess of where a complex root crosses the imaginary axis, from its values on both sides: the closest
-/// ones of which only one grows.
+/// First guess of a complex root that crosses the imaginary axis: the two closest values on both sides of
+/// which exactly one grows.
 Complex crossing_pair(const Values& low, const Values& high, double zero) {
   Complex best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -87,7 +87,7 @@ Kind kind_of(const NormalForm& form, const Signature& a, const Signature& b) {
   if (growing == 0 && decaying == 0 && pairs == 1) {
     return form.has_friction ? Kind::axis_crossing : Kind::neutral_merger;
   }
-  // Without friction growing and decaying roots mirror each other and merge together.
+  // Without friction growing and decaying roots are mirror images and merge together.
   const bool mirrored = !form.has_friction && decaying == 2;
   if (growing == 2 && (decaying == 0 || mirrored) && pairs == 1) return Kind::growing_merger;
   if (growing == 0 && decaying == 2 && pairs == 0) return Kind::decaying_merger;
@@ -108,7 +108,7 @@ class Search {
     if (starts_with_rotation(low, high)) return keep(low, high, low.speed);
     if (options_.polish && !ends && width < width_to_polish_) {
       if (const auto speed = polish(low, high)) return keep(low, high, *speed);
-      // Another root was too near to tell: try again much closer.
+      // Another root was too near for a decision: try again with a much smaller bracket.
       const double wide = std::exchange(width_to_polish_, width / 16);
       bisect(low, high, middle_speed);
       width_to_polish_ = wide;
@@ -125,7 +125,8 @@ class Search {
     between(middle_end, high);
   }
 
-  /// Friction drives a pair as soon as the loads turn: its real part is proportional to the speed.
+  /// Whether friction makes a pair grow as soon as the loads rotate: its real part is proportional to the
+  /// speed.
   bool starts_with_rotation(const End& low, const End& high) {
     const double probe = 1e-6 * form_.reference_rad_per_s;
     return form_.has_friction && low.speed == 0 && high.speed > probe &&
@@ -138,7 +139,7 @@ class Search {
   }
   Signature signature_at(double speed) { return signature(form_, values_at(speed)); }
 
-  /// Place of the root that changes, seen from the end that shows it best.
+  /// Value of the root that changes, taken from the end of the bracket where it is easiest to identify.
   Complex place_of(Kind kind, const End& low, const End& high) {
     if (kind == Kind::zero_crossing) return 0;
     if (kind == Kind::axis_crossing || kind == Kind::neutral_merger) {
@@ -171,16 +172,17 @@ class Search {
     const Kind kind = kind_of(form_, low.signature, high.signature);
     if (kind == Kind::composite) return std::nullopt;
     const Function function = smooth_function(kind, place_of(kind, low, high));
-    // An end may lie within the tolerance of the root it belongs to, on the wrong side.
+    // An end may be on the wrong side of its root, within the tolerance.
     const double reach = kind == Kind::axis_crossing ? 1e-6 * form_.reference_rad_per_s : 0;
     const double first = low.speed - reach, last = high.speed + reach;
     const double at_low = function(first), at_high = function(last);
     if (!(std::isfinite(at_low) && std::isfinite(at_high)) || at_low * at_high >= 0) return std::nullopt;
-    std::uintmax_t steps = 400;  // four halve the bracket at least: it ends before
+    std::uintmax_t steps = 400;  // never reached: four evaluations at least halve the bracket
     const auto [from, to] = boost::math::tools::toms748_solve(
         function, first, last, at_low, at_high, boost::math::tools::eps_tolerance<double>(51), steps);
     const double speed = from + 0.5 * (to - from);
-    // Another root of the same function may lie in the bracket: the signatures must agree on both sides.
+    // The bracket may contain another root of the same function, so that the signatures on both sides are
+    // compared.
     const double aside = distance_to_tell(kind, function, speed);
     const bool before = speed - aside <= low.speed || signature_at(speed - aside) == low.signature;
     const bool after = speed + aside >= high.speed || signature_at(speed + aside) == high.signature;
@@ -188,8 +190,8 @@ class Search {
     return speed;
   }
 
-  /// How far from a root of the function the signature surely tells that it is passed: a root that crosses
-  /// the axis slowly stays within the tolerance of zero for a while.
+  /// Distance from a root at which the signature has surely changed. If a root crosses the axis slowly, it
+  /// stays within the tolerance of zero for a while.
   double distance_to_tell(Kind kind, const Function& function, double speed) {
     const double least = 1e-6 * form_.reference_rad_per_s;
     if (kind != Kind::axis_crossing) return least;
@@ -214,8 +216,8 @@ class Search {
   int evaluations_ = 0;
 };
 
-/// Both sides of every speed at which K is singular: there the real roots are that a short divergence would
-/// hide.
+/// Adds speeds on both sides of every speed at which K is singular, since a short divergence between two
+/// given speeds would otherwise be missed.
 void add_divergence(const NormalForm& form, std::vector<End>& ends) {
   if (ends.empty()) return;
   const double aside = 1e-6 * form.reference_rad_per_s, first = ends.front().speed, last = ends.back().speed;
@@ -227,7 +229,8 @@ void add_divergence(const NormalForm& form, std::vector<End>& ends) {
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.speed < b.speed; });
 }
 
-/// A grid point that lies on a crossing of zero by a neutral pair has a signature of its own for a moment.
+/// Removes two opposite changes at one speed: a grid point where a neutral pair crosses zero has its own
+/// signature.
 void drop_moments(std::vector<Change>& changes) {
   for (std::size_t i = 0; i + 1 < changes.size();) {
     const Change &first = changes[i], &second = changes[i + 1];

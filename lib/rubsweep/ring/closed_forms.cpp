@@ -54,7 +54,7 @@ Found found_numerically(const System& system, const std::vector<Change>& changes
 
 double soft_mass(const Load& load) { return load.flexural_mass_kg - load.rotary_mass_kg; }
 
-/// Real roots of a x^2 + b x + c, none when they are complex.
+/// Real roots of a x^2 + b x + c; empty where they are complex.
 std::vector<double> quadratic(double a, double b, double c) {
   if (a == 0 ? b == 0 : b * b < 4 * a * c) return {};
   if (a == 0) return {-c / b};
@@ -62,7 +62,7 @@ std::vector<double> quadratic(double a, double b, double c) {
   return {first, second};
 }
 
-/// Positive speeds, ascending, from values of their square.
+/// Positive speeds, ascending, whose squares are `squares`.
 std::vector<double> speeds_of_squares(const std::vector<double>& squares) {
   std::vector<double> speeds;
   for (const double value : squares) {
@@ -124,14 +124,15 @@ std::vector<CriticalSpeed> critical_speeds(const System& system, const std::vect
 }
 
 std::vector<double> divergence_speeds(const NormalForm& form) {
-  // 1 / O^2 rather than O^2: K2 may be singular (loads without mass), K0 holds every spring.
+  // Solved for 1 / O^2 instead of O^2: K2 may be singular (loads without mass), while K0 contains every
+  // spring.
   const Eigen::MatrixXd inverse = numerics::dense::solve_full_pivot(form.stiffness, form.softening);
   const Eigen::VectorXcd roots = numerics::dense::eigenvalues(inverse);
   if (roots.hasNaN()) throw SolverError("divergence: the eigenvalue iteration did not converge");
   const double largest = roots.cwiseAbs().maxCoeff();
   std::vector<double> speeds;
   for (const std::complex<double>& root : roots) {
-    // Equal roots of identical loads may come out as a pair that close to the axis.
+    // Equal roots of identical loads may be computed as a pair this close to the real axis.
     if (std::abs(root.imag()) > 1e-9 * largest || !(root.real() > 1e-14 * largest)) continue;
     speeds.push_back(form.reference_rad_per_s / std::sqrt(root.real()));
   }

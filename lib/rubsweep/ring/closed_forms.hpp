@@ -11,24 +11,24 @@
 
 namespace rubsweep::ring {
 
-/// A speed known in closed form, beside those from the eigenvalues.
+/// Speed known in closed form, with the numerical speed from the eigenvalues beside it.
 struct CriticalSpeed {
   std::string name;
   double closed_form_rad_per_s = 0;
-  /// Empty: outside of the range of speeds, or nothing happens there.
+  /// Empty: outside of the range of speeds, or no change of stability was found there.
   std::optional<double> numeric_rad_per_s;
 };
 
-/// Every closed form that holds for this system (see closed_forms.hpp), each with the nearest speed of its
-/// kind that was found numerically within 1e-6 of it: singular K for divergence, `changes` (of the system
-/// with its friction) for the others.
+/// All closed forms below that hold for this system. Each has the nearest numerical speed of the same kind
+/// within 1e-6 of it. For divergence this is a speed of singular K, else one of `changes`, which belong to
+/// the system with its friction.
 std::vector<CriticalSpeed> critical_speeds(const System& system, const std::vector<Change>& changes);
 
-/// Every speed (rad/s, ascending, repeated ones repeatedly) at which K0 - Omega^2 K2 is singular: a root
-/// lambda passes through zero. No scan: they are the roots of a generalised eigenvalue problem.
+/// All speeds (rad/s, ascending, with multiplicity) at which K0 - Omega^2 K2 is singular, so that a root
+/// lambda passes through zero. They are roots of a generalised eigenvalue problem and need no scan.
 std::vector<double> divergence_speeds(const NormalForm& form);
 
-/// Speeds below in rad/s, ascending. Ring quantities: see system.hpp.
+/// All functions below give speeds in rad/s, ascending. Quantities of the ring: see system.hpp.
 
 /// Divergence speeds of L identical radial loads without inclination:
 ///
@@ -48,22 +48,22 @@ std::vector<double> radial_divergence_speeds(const System& system);
 /// w_r^2 < Omega_c^2 n^2 / (n^2 + 1). (Before the root, where Omega_c belongs, the paper prints Omega_c^2.)
 std::optional<std::pair<double, double>> radial_stability_window(const Ring& ring, const Load& load);
 
-/// sqrt(k_t / m_s), m_s = m_t - J_b: a tangential load diverges above it.
+/// Speed sqrt(k_t / m_s), m_s = m_t - J_b, above which a tangential load diverges.
 double tangential_divergence_speed(const Load& load);
 
-/// Above it a tangential load no longer oscillates: the roots of m_t s^2 + 2 mu g Omega s + k_t - m_s Omega^2
-/// are real.
+/// Speed above which a tangential load no longer oscillates, as the roots of m_t s^2 + 2 mu g Omega s + k_t -
+/// m_s Omega^2 are real.
 double aperiodic_speed(const Load& load, double friction_coefficient);
 
-/// A speed at which the load follows a mode of the ring, of frequency n (Omega_c -+ Omega), without any force
-/// at the contact, so that friction neither feeds nor damps it. With s = i n (Omega_c -+ Omega),
+/// Speed at which the load follows a mode of the ring, of frequency n (Omega_c -+ Omega), without any contact
+/// force, so that friction neither drives nor damps it. With s = i n (Omega_c -+ Omega),
 ///
 ///     (m_r (s^2 - Omega^2) + k_r) (m_t s^2 - m_s Omega^2 + k_t) + 4 g^2 Omega^2 s^2 = 0.
 ///
 struct NeutralSpeed {
   double speed_rad_per_s;
   double frequency_rad_per_s;  ///< frequency in the rotating frame
-  bool forward;                ///< the lower sign
+  bool forward;                ///< true: forward mode, lower sign
 };
 std::vector<NeutralSpeed> neutral_speeds(const Ring& ring, const Load& load);
 

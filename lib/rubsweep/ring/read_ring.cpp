@@ -69,7 +69,7 @@ Load read_load(const yaml::Value& value, const std::optional<double>& ring_radiu
   load.angle_deg = angle;
   load.inclination_deg = inclination;
   load.motion = motion;
-  // Without a kind nobody knows which keys there are.
+  // Without a kind the allowed keys are unknown.
   if (kind) section.refuse_unknown_keys();
   return load;
 }

@@ -21,17 +21,17 @@ inline constexpr model::Range thickness_ratios{.low = 0, .high = 1, .high_open =
 inline constexpr std::array<std::string_view, 3> stiffness_keys{
     "modal_stiffness_n_per_m", "natural_frequency_hz", "natural_frequency_rad_per_s"};
 
-/// `loads`; a beam by its geometry is as long as the radius of the ring.
+/// Reads `loads`. A beam given by its geometry is as long as the radius of the ring.
 std::vector<rubsweep::ring::Load> read_ring_loads(const yaml::Value& value,
                                                   const std::optional<double>& ring_radius_m);
 
-/// Beams as modal data, however they were given.
+/// Prints loads. Beams are printed as modal data, however they were given.
 void print_ring_loads(yaml::Printer& printer, const std::vector<rubsweep::ring::Load>& loads);
 
-/// `ring`, by modal data or by its geometry.
+/// Reads `ring`, given by modal data or by its geometry.
 rubsweep::ring::Ring read_ring(const yaml::Value& value);
 
-/// As modal data, however it was given.
+/// Prints a ring as modal data, however it was given.
 void print_ring(yaml::Printer& printer, const rubsweep::ring::Ring& ring);
 
 }  // namespace rubsweep::config::ring

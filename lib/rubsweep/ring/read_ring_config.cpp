@@ -36,7 +36,7 @@ model::Range range_of(Parameter parameter) {
   return model::positive;
 }
 
-/// A parameter that a load's motion does not know would change nothing.
+/// Whether a parameter affects a load of this kind of motion.
 bool knows(const rubsweep::ring::Load& load, Parameter parameter) {
   if (parameter == Parameter::inclination_deg) return load.motion == rubsweep::ring::Motion::both;
   if (parameter == Parameter::radial_stiffness_n_per_m)
@@ -48,7 +48,7 @@ bool knows(const rubsweep::ring::Load& load, Parameter parameter) {
 
 constexpr std::string_view root_form = "a map with ring, loads, friction_coefficient, speed_rpm, output";
 
-/// Checks of the system as a whole.
+/// Checks the system as a whole.
 void check_system(const rubsweep::ring::System& system, const yaml::Section& section) {
   try {
     rubsweep::ring::normal_form(system);
@@ -60,7 +60,7 @@ void check_system(const rubsweep::ring::System& system, const yaml::Section& sec
 
 RingConfig read_sections(const yaml::Value& root) {
   yaml::Section section(root, root_form);
-  section.find(yaml::base_key);  // resolved before; still a name that a misspelt key may mean
+  section.find(yaml::base_key);  // resolved before, but a known key that a misspelt one may resemble
   RingConfig config;
   rubsweep::ring::Study& study = config.study;
   study.system.friction_coefficient = model::required;

@@ -28,33 +28,33 @@ constexpr std::string_view to_string(Parameter parameter) { return enumerator_wo
 struct ChartAxis {
   Parameter parameter = Parameter::friction_coefficient;
   std::optional<std::size_t>
-      load;  ///< number of the load, from 0; empty: every load alike. Not for the friction coefficient
+      load;  ///< number of the load, from 0; empty: all loads. Not used for the friction coefficient
   std::vector<double> values;
-  std::optional<batch::Spacing> spacing{};  ///< how they are written; empty where they are listed
+  std::optional<batch::Spacing> spacing{};  ///< spacing in which the values were written; empty for a list
 };
 
-/// The system with this value of the parameter.
+/// System with the parameter set to this value.
 System with_parameter(System system, const ChartAxis& axis, double value);
 
-/// One point of a chart: the eigenvalue that grows fastest, or decays slowest.
+/// Point of a chart, with the eigenvalue that grows fastest or decays slowest.
 struct ChartPoint {
   Signature signature;
   double growth_per_s = 0;
   double frequency_rad_per_s = 0;
 };
 
-/// All speeds at one value of the parameter.
+/// Line of a chart: all speeds at one value of the parameter.
 struct ChartLine {
   double value = 0;
   std::vector<ChartPoint> points;  ///< empty when `status` is not ok
   std::vector<Onset>
-      onsets;  ///< onsets between those speeds, without modes; couplings are those without friction
+      onsets;  ///< onsets between these speeds, without modes; couplings are those without friction
   std::string status = "ok";  ///< singular_mass or not_converged
 };
 
-/// Every line on `threads` threads (0: all processors), in the order of the axis, with the same content for
-/// any number of threads. `on_line` sees each as it is finished, one at a time. Once `stop` is true no new
-/// line starts; lines that did not run stay empty.
+/// Computes every line on `threads` threads (0: all processors). Lines are in the order of the axis, and do
+/// not depend on the number of threads. `on_line` gets each line when it is finished, one at a time. Once
+/// `stop` is true no new line starts; lines that did not run stay empty.
 std::vector<std::optional<ChartLine>> run_chart(const System& system, const ChartAxis& axis,
                                                 const std::vector<double>& speeds_rad_per_s, int threads,
                                                 const std::function<void(const ChartLine&)>& on_line,
@@ -65,10 +65,10 @@ struct Study {
   System system;
   std::vector<double> speeds_rpm;  ///< ascending
   std::optional<ChartAxis> chart;
-  std::optional<batch::Spacing> spacing{};  ///< how the speeds are written; empty where they are listed
+  std::optional<batch::Spacing> spacing{};  ///< spacing in which the speeds were written; empty for a list
 };
 
-/// rad/s of one revolution per minute.
+/// One revolution per minute in rad/s.
 inline constexpr double rad_per_s_of_rpm = std::numbers::pi / 30;
 
 inline std::vector<double> speeds_rad_per_s(const Study& study) {

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Index;
 
-/// Pairs of eigenvalues that belong together: conjugates, and the real ones by size, two by two.
+/// Pairs of eigenvalues: complex conjugates, and real ones two by two in the order of their size.
 std::vector<std::pair<Index, Index>> natural_pairs(const Eigen::VectorXcd& values) {
   std::vector<std::pair<Index, Index>> pairs;
   std::vector<Index> real;
@@ -26,8 +26,8 @@ std::vector<std::pair<Index, Index>> natural_pairs(const Eigen::VectorXcd& value
   return pairs;
 }
 
-/// Names of the N modes: the two of the ring, then one for every load with a coordinate, called radial where
-/// that coordinate is mostly along the load (inclination above 45 degrees).
+/// Names of the N modes: two of the ring, then one for every load with a coordinate. That is called radial
+/// where the coordinate is mostly along the load (inclination above 45 degrees).
 std::vector<std::string> mode_names(const System& system) {
   std::vector<std::string> names{"ring forward", "ring backward"};
   for (std::size_t j = 0; j < system.loads.size(); ++j) {
@@ -38,12 +38,12 @@ std::vector<std::string> mode_names(const System& system) {
   return names;
 }
 
-/// Mode of every eigenvalue at the first speed of a track, by where the coordinates of the loads move most.
-/// Either of the two modes that are left to the ring may come first (see name_ring_modes).
+/// Mode of each eigenvalue at the first speed of a track, by the load coordinate that moves most. The order
+/// of the two ring modes is still arbitrary (see name_ring_modes).
 std::vector<int> first_modes(const Spectrum& spectrum) {
   const auto pairs = natural_pairs(spectrum.values);
   const Index modes = static_cast<Index>(pairs.size());
-  // Share of every pair's motion in the coordinates of the loads; the ring takes what is left.
+  // Share of each pair's motion in the coordinates of the loads. Pairs that remain belong to the ring.
   Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(modes, modes);
   for (Index p = 0; p < modes; ++p) {
     const auto shape = spectrum.vectors.col(pairs[static_cast<std::size_t>(p)].first).head(modes);
@@ -69,9 +69,9 @@ std::vector<int> first_modes(const Spectrum& spectrum) {
   return mode;
 }
 
-/// Name of an eigenvector by its shape, whatever curve it lies on: the name of the load that holds more of
-/// the kinetic energy than the ring, else the direction in which the wave on the ring runs over the ground;
-/// "ring" where the root is real.
+/// Name of an eigenvector by its shape, independent of its curve. This is the load that has more kinetic
+/// energy than the ring, else the direction in which the wave on the ring travels in the fixed frame. For a
+/// real root it is "ring".
 std::string shape_name(const std::vector<std::string>& names, int nodal_diameters, double speed_rad_per_s,
                        std::complex<double> value, const Eigen::VectorXcd& vector) {
   const auto shape = vector.head(vector.size() / 2);
@@ -85,14 +85,14 @@ std::string shape_name(const std::vector<std::string>& names, int nodal_diameter
   }
   if (most > shape.head<2>().squaredNorm()) return names[static_cast<std::size_t>(load)];
   if (value.imag() == 0) return "ring";
-  // A cos n phi + B sin n phi runs towards +phi in the rotating frame when B lags behind A.
+  // In the rotating frame the wave A cos n phi + B sin n phi travels towards +phi if B lags behind A.
   const bool with_frame = (shape(0) * std::conj(shape(1))).imag() * value.imag() > 0;
   const double relative = (with_frame ? 1 : -1) * std::abs(value.imag()) / nodal_diameters;
   return names[speed_rad_per_s + relative > 0 ? 0 : 1];
 }
 
-/// Makes both eigenvalues of every conjugate pair belong to one mode, each mode having two. A pair made of
-/// real roots of two modes keeps one of these, and the two remaining roots take the other.
+/// Assigns both eigenvalues of every conjugate pair to one mode, so that each mode has two. If real roots of
+/// two modes have become a pair, the pair keeps one mode, and the two remaining roots get the other.
 void pair_up(const Eigen::VectorXcd& values, std::vector<int>& mode) {
   for (Index i = 0; i + 1 < values.size(); ++i) {
     if (!(values(i).imag() > 0)) continue;
@@ -112,8 +112,9 @@ using Eigen::MatrixXd;
 
 constexpr int most_halvings = 8;
 
-/// Cost of taking eigenvalue k of `to` as the continuation of eigenvalue i of `from`: distance from the
-/// prediction by its derivative, plus the size of its step times the change of shape.
+/// Cost of continuing eigenvalue i of `from` by eigenvalue k of `to`. It is the distance from the old value
+/// or from its linear prediction, whichever is less, plus the length of the predicted step times the change
+/// of shape.
 MatrixXd continuation_costs(const TrackPoint& from, const TrackPoint& to, double size) {
   const double step = to.speed_rad_per_s - from.speed_rad_per_s;
   const Index count = from.spectrum.values.size();
@@ -122,7 +123,7 @@ MatrixXd continuation_costs(const TrackPoint& from, const TrackPoint& to, double
   for (Index i = 0; i < count; ++i) {
     const std::complex<double> moved = from.spectrum.slopes(i) * step;
     const std::complex<double> predicted = from.spectrum.values(i) + moved;
-    // A derivative without bound (two roots merge) predicts nothing.
+    // Where two roots merge the derivative is unbounded and predicts nothing.
     const double reach = std::min(std::abs(moved), 0.1 * size) + 1e-9 * size;
     for (Index k = 0; k < count; ++k) {
       const std::complex<double>& value = to.spectrum.values(k);
@@ -134,7 +135,7 @@ MatrixXd continuation_costs(const TrackPoint& from, const TrackPoint& to, double
   return cost;
 }
 
-/// Another eigenvalue of another mode would have done about as well.
+/// Whether an eigenvalue of another mode would have cost about as little.
 bool is_doubtful(const MatrixXd& cost, const std::vector<Index>& taken, const TrackPoint& from,
                  const TrackPoint& to, double size) {
   const auto mode_at = [&](Index i) { return from.mode[static_cast<std::size_t>(i)]; };
@@ -161,7 +162,8 @@ class Tracker {
     const double size = std::max(size_of(from.spectrum.values), size_of(to.spectrum.values));
     const MatrixXd cost = continuation_costs(from, to, size);
     const auto taken = numerics::cheapest_assignment(cost);
-    // At a crossing or a merger the doubt never ends; the cheapest assignment is as good as any there.
+    // At a crossing or a merger the doubt remains at any step, and the cheapest assignment is as good as any
+    // other.
     const bool may_halve = halvings < most_halvings && track_.points.size() < most_points_;
     if (may_halve && is_doubtful(cost, taken, from, to, size)) {
       const double middle = from.speed_rad_per_s + 0.5 * (speed - from.speed_rad_per_s);
@@ -181,7 +183,7 @@ class Tracker {
   std::size_t most_points_;
 };
 
-/// Frequency of a mode at a point, 0 where it has two real roots.
+/// Frequency of a mode at a point; 0 where it has two real roots.
 double frequency_of(const TrackPoint& point, int mode) {
   double frequency = 0;
   for (std::size_t i = 0; i < point.mode.size(); ++i) {

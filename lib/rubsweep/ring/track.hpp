@@ -8,11 +8,10 @@
 
 namespace rubsweep::ring {
 
-/// The eigenvalues at one speed, each with the mode it belongs to. A mode has two: a conjugate pair, or two
-/// real ones.
+/// Eigenvalues at one speed with their modes. Each mode has two: a conjugate pair, or two real ones.
 struct TrackPoint {
   double speed_rad_per_s = 0;
-  bool asked = true;  ///< false: put in by the tracker, to tell the modes apart
+  bool asked = true;  ///< false: added by the tracker to distinguish the modes
   Spectrum spectrum;
   std::vector<int> mode;  ///< mode of every eigenvalue; index into Track::names
 };
@@ -24,20 +23,20 @@ struct Track {
   std::vector<TrackPoint> points;  ///< ascending speed
 };
 
-/// Follows every eigenvalue over `speeds_rad_per_s` (ascending): predicted by its derivative, assigned by
-/// distance and modal assurance criterion; where two assignments are about as good the step is halved. Where
-/// two real roots of different modes become a pair, that pair takes one of the modes and what is left of both
-/// takes the other. Of the ring's two modes the slower one is called forward, at the first speed that tells
-/// them apart: in the rotating frame a forward wave has the frequency n |Omega_c - Omega|, a backward one n
-/// (Omega_c + Omega).
+/// Follows every eigenvalue over `speeds_rad_per_s` (ascending). Eigenvalues are predicted by their
+/// derivatives and assigned by distance and modal assurance criterion. If two assignments are about equally
+/// good, the step is halved. If real roots of two modes become a pair, the pair gets one of the modes, and
+/// the remaining roots get the other. The slower of the ring's two modes is called forward, at the first
+/// speed that distinguishes them: in the rotating frame a forward wave has the frequency n |Omega_c - Omega|,
+/// a backward one n (Omega_c + Omega).
 Track track_modes(const System& system, const NormalForm& form, std::span<const double> speeds_rad_per_s);
 
-/// Name of the curve that eigenvalue `index` of a point lies on, and of its shape there where that
-/// differs (two modes exchange their shapes where their curves veer): "ring backward (moves as load 0
-/// flexural)".
+/// Name of the curve of eigenvalue `index` at a point. If its shape there is that of another mode, as after
+/// two curves have veered, the name of the shape is added: "ring backward (moves as load 0 flexural)".
 std::string describe_mode(const Track& track, const TrackPoint& point, std::size_t index);
 
-/// The same for the eigenvalue nearest to `value` at the tracked speed nearest to `speed_rad_per_s`.
+/// Name, as by describe_mode(), for the eigenvalue nearest to `value` at the tracked speed nearest to
+/// `speed_rad_per_s`.
 std::string describe_mode_near(const Track& track, double speed_rad_per_s, std::complex<double> value);
 
 }  // namespace rubsweep::ring

@@ -11,7 +11,12 @@ from rubplot.subcommand import Subcommand
 
 MOST_CURVES = 8  # of probes and of stops each
 MOST_ROWS = 14
-CHECKS = {"vibration": "vibration", "clearance": "clearance", "dry_whip": "dry whip", "stability": "stability", "kick": "smallest kick"}
+PLACES = r"(?:(?:configured|mode [12]|left end|right end) at )?(?:probe|stop|support) \d+"
+CHECKS = {"vibration": "vibration", "clearance": "clearance", "dry_whip": "dry whip", "stability": "stability",
+          "clearance_to_trip": "to trip", "response": "response", "separation": "separation", "amplification": "AF",
+          "bearing_force": "force", "cross_coupling": "coupling", "level_1": "level I", "level_1_threshold": "Q0 / QA",
+          "level_2": "level II", "kick": "smallest kick"}
+OF_NO_PLACE = ("kick", "stability", "clearance_to_trip", "separation", "cross_coupling", "level_1", "level_1_threshold", "level_2")
 
 
 def picture(given):
@@ -67,13 +72,24 @@ def check_rows(path):
     for row in rows:
         if row["check"] not in CHECKS:
             raise csv_table.TableError(f"{path}: '{row['check']}' is no check")
-        if row["check"] not in ("kick", "stability") or row["place"]:
-            _require_place(path, row["place"])
-    return rows
+        if row["check"] not in OF_NO_PLACE or row["place"]:
+            _require_place(path, row["place"], PLACES)
+    return shown_rows(rows)
 
 
-def _require_place(path, place):
-    if not re.fullmatch(r"(probe|stop) \d+", place):
+def shown_rows(rows):
+    """All rows where there is room for them; else those that are not met, and then the smallest margins."""
+    if len(rows) <= MOST_ROWS:
+        return rows
+    kept = [row for row in rows if row["verdict"] or row["check"] == "kick"]
+    order = {"not_met": 0, "not_told": 1}
+    margins = {id(row): csv_table.number(row, "margin") for row in kept}
+    kept.sort(key=lambda row: (order.get(row["verdict"], 2), 1e9 if margins[id(row)] is None else margins[id(row)]))
+    return kept[:MOST_ROWS]
+
+
+def _require_place(path, place, places=r"(probe|stop) \d+"):
+    if not re.fullmatch(places, place):
         raise csv_table.TableError(f"{path}: '{place}' is no place")
 
 
@@ -121,7 +137,7 @@ def text_lines(checks, config):
     for number, row in enumerate([None, *checks[:MOST_ROWS]]):
         cells = ("check", "where", "speed", "margin", "") if row is None else check_cells(row, config)
         colour = "#AA3311" if row is not None and row["verdict"] == "not_met" else "black"
-        for column, cell in zip((0.565, 0.655, 0.725, 0.865, 0.94), cells):
+        for column, cell in zip((0.53, 0.61, 0.73, 0.868, 0.94), cells):
             yield (f"set label '{cell}' at screen {column}, {0.405 - 0.0245 * number:.4f} left noenhanced "
                    f"font '{':Bold' if row is None else ''},17' textcolor rgb '{colour}'")
 
@@ -133,8 +149,8 @@ def check_cells(row, config):
         margin_text = "%.4g N" % csv_table.number(row, "value")
     else:
         margin_text = "" if margin is None else "%.1f %%" % (100 * margin)
-    return (CHECKS[row["check"]], row["place"], "" if speed is None else shown_units.speed_text(config, speed),
-            margin_text, {"ok": "ok", "not_met": "not met"}.get(row["verdict"], ""))
+    return (CHECKS[row["check"]], row["place"].replace(" at probe", ", probe"), "" if speed is None else shown_units.speed_text(config, speed),
+            margin_text, {"ok": "ok", "not_met": "not met", "not_told": "not told"}.get(row["verdict"], ""))
 
 
 SUBCOMMAND = Subcommand(

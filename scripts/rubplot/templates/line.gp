@@ -33,6 +33,10 @@ low = wall && clearance < Y_min ? clearance : Y_min
 high = wall && clearance > Y_max ? clearance : Y_max
 space = high > low ? 0.06 * (high - low) : high != 0 ? 0.1 * abs(high) : 1
 
+# A note is a fourth line of the heading; the numbers of revolutions per minute stand below it.
+lines = 1 + sum [i = 1:strlen(heading)] (heading[i:i] eq "\n")
+top = lines > 3 && strlen(rpm_above(x_label)) ? 0.815 : 0.845
+
 do for [format in formats] {
   eval canvas(format, 1600, 1200, 'DejaVu Sans,20', 1.5)
   reset
@@ -40,7 +44,7 @@ do for [format in formats] {
   set minussign
   set multiplot
   set label 1 heading at screen 0.42, 0.97 center
-  set lmargin at screen 0.09
+  set lmargin at screen 0.10
   set rmargin at screen 0.75
   set tics nomirror out
   set grid linecolor rgb "#E4E4E4"
@@ -49,7 +53,7 @@ do for [format in formats] {
     set xrange [X_min / (X_max / X_min)**0.01:X_max * (X_max / X_min)**0.01]
   } else { set xrange [X_min - margin:X_max + margin] }
 
-  set tmargin at screen 0.845
+  set tmargin at screen top
   eval rpm_above(x_label)
   set bmargin at screen 0.42
   set format x ""

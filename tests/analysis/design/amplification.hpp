@@ -4,7 +4,7 @@
 
 namespace rubsweep::design {
 
-/// Radius of the quiet whirl of a Jeffcott rotor over its eccentricity; the speed is over the natural
+/// Radius of the quiet whirl of a Jeffcott rotor / eccentricity, for the ratio of shaft speed to natural
 /// frequency.
 inline double amplification(double speed_ratio, double damping_ratio) {
   const double square = speed_ratio * speed_ratio;

@@ -29,7 +29,7 @@ TEST(DesignCheck, OfAJeffcottRotorIsItsClosedForms) {
   EXPECT_NEAR(check.worst_probe().major_axis_m.value, probe_m, 1e-9 * probe_m)
       << "the critical speed is outside";
   EXPECT_NEAR(check.scale, 25.4e-6 / probe_m, 1e-9 * check.scale);
-  // Over the whole range: at the critical speed below the operating range.
+  // The largest value over the whole range is at the critical speed, below the operating range.
   const double zeta = 0.02,
                scaled_m = 25.4e-6 / amplification(50 / 30.0, 0.02) / (2 * zeta * std::sqrt(1 - zeta * zeta));
   EXPECT_NEAR(check.clearances.at(0).major_axis_m, scaled_m, 1e-9 * scaled_m);
@@ -84,8 +84,8 @@ TEST(DesignCheck, BeginsWhereTablesBegin) {
 
 const std::vector<double> to_120_hz = batch::evenly_spaced(0.5, 120, 240);
 
-/// A whirl whose diameter at resonance is nine tenths of what is allowed: a radius in place of either
-/// diameter would leave a margin of 0.55 or -0.8.
+/// A whirl whose diameter at resonance is 90 % of the limit. Using a radius for either diameter would give a
+/// margin of 0.55 or -0.8.
 TEST(DesignCheck, ComparesADiameterWithADiameter) {
   model::Machine machine = scene::one_side_machine();
   const double zeta = 0.02, largest = 1 / (2 * zeta * std::sqrt(1 - zeta * zeta));
@@ -115,8 +115,7 @@ TEST(DesignCheck, OffsetAndWeightTakeFromTheClearance) {
   EXPECT_TRUE(std::isinf(pressed.margin) && pressed.margin < 0);
 }
 
-/// Two discs on supports of unequal stiffness: the left stop is tightest in the first mode, the right one in
-/// the second.
+/// Two discs on unequal supports: the left stop is critical in the first mode, the right one in the second.
 model::Machine two_stops() {
   model::Machine machine = scene::light_shaft_machine();
   model::RotorKit& kit = *model::kit_of(machine);
@@ -152,7 +151,7 @@ TEST(DesignCheck, EachStopIsLookedAtAtItsOwnSpeed) {
   EXPECT_GT(margin_at(1, margins[0].speed_hz), margins[1].margin + 0.02) << "one speed for both hides it";
 }
 
-/// A bearing that pushes sideways makes the orbit lean: its shadow on x is shorter than its axis.
+/// A bearing with cross stiffness inclines the orbit: its extent along x is shorter than its major axis.
 TEST(DesignCheck, TakesTheMajorAxisAndNotTheMotionAlongX) {
   model::Machine machine = scene::light_shaft_machine();
   for (model::Support& support : model::kit_of(machine)->supports)
@@ -175,14 +174,14 @@ TEST(DesignCheck, IsOneMilUpToTwelveThousandRevolutionsAMinute) {
   EXPECT_DOUBLE_EQ(vibration_limit_m(12000 / 60.0), 25.4e-6);
 }
 
-/// Half of it at four times the speed: by 12000 / N without its root it would be a quarter.
+/// At four times the speed the limit is one half; without the root in 12000 / N it would be a quarter.
 TEST(DesignCheck, FallsWithTheRootOfTheSpeedBeyond) {
   EXPECT_DOUBLE_EQ(vibration_limit_m(48000 / 60.0), 12.7e-6);
   EXPECT_NEAR(vibration_limit_m(24000 / 60.0), 17.9605e-6, 1e-10);
 }
 
 TEST(DesignCheck, EccentricityOfTheAnalysisOfAJeffcottRotorDependsOnTheSpeedAlone) {
-  // 4 x 6350 W / N g mm on a rotor of W kg.
+  // Unbalance 4 x 6350 W / N in g mm, for a rotor of W kg.
   EXPECT_NEAR(analysis_eccentricity_m(scene::one_side_machine(), 12000 / 60.0), 4 * 6350.0 / 12000 * 1e-6,
               1e-15);
 }

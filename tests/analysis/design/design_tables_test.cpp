@@ -88,7 +88,7 @@ TEST(DesignTables, HaveALineForEachCheck) {
             "kick,,,60,17.5,,N,,\n");
 }
 
-/// A limit that is kept by a motion that does not last is no verdict; one that it breaks is broken.
+/// A limit kept by an unstable motion gives no verdict; a limit exceeded by it is exceeded.
 TEST(DesignTables, NothingIsOkOfAnUnstableRotorButItsDryWhip) {
   DesignCheck check = tabled_check();
   check.growth = check.whole_growth = {140, 201};

@@ -36,7 +36,7 @@ TEST(DryWhip, LeastFrictionOfAJeffcottRotorInARigidStopIsItsClosedForm) {
   }
 }
 
-/// k - m w^2 - i c w of a mass that turns backward as e^{-i w t}.
+/// Dynamic stiffness k - m w^2 - i c w of a mass in backward whirl e^{-i w t}.
 Complex backward_stiffness(double mass_kg, double stiffness, double damping_ratio, double w) {
   return stiffness - mass_kg * w * w - 2.0 * i * damping_ratio * std::sqrt(stiffness * mass_kg) * w;
 }
@@ -64,7 +64,7 @@ TEST(DryWhip, LeastFrictionOnAMovingCasingIsThatOfACloseScan) {
   EXPECT_NEAR(found->whirl_hz, whirl_hz, 2e-2);
 }
 
-/// How many of some kicks leave the rotor, which has no unbalance, whirling backward in its stop.
+/// Number of kicks, out of several, after which the balanced rotor keeps whirling backward in its stop.
 int whips(model::Machine machine, double friction) {
   machine.stops[0].friction = model::ConstantFriction{friction};
   int count = 0;
@@ -79,7 +79,7 @@ int whips(model::Machine machine, double friction) {
   return count;
 }
 
-/// By simulation.
+/// Compares the formula with simulations.
 TEST(DryWhip, GoesOnAboveTheLeastFrictionAlone) {
   const model::Machine machine = annular_machine(false);
   const auto found = least_dry_whip(scene::prepare_machine(machine), 0, 60);
@@ -92,7 +92,7 @@ TEST(DryWhip, KitThatIsAJeffcottRotorNeedsTheSame) {
   model::Machine kit = scene::light_shaft_machine();
   kit.stops[0].geometry = model::AnnularGeometry{};
   const scene::PreparedMachine prepared = scene::prepare_machine(kit);
-  // The kit as the one mass on the one spring that its reduction is.
+  // The reduced kit is a single mass on a single spring.
   const structure::LinearSystem system = structure::system_at(prepared.assembly, 1);
   const double hz = std::sqrt(system.stiffness(0, 0) / system.mass(0, 0)) / (2 * pi);
   model::Machine jeffcott = annular_machine(false);
@@ -106,7 +106,8 @@ TEST(DryWhip, KitThatIsAJeffcottRotorNeedsTheSame) {
 TEST(DryWhip, NeverWhirlsFasterThanItRolls) {
   model::Machine machine = annular_machine(true);
   const double b = 2e6 / (0.8 * std::pow(2 * pi * 30, 2)), zeta = 0.02;
-  // Rolling in the clearance of 1 mm at 90 Hz whirls at 45 Hz, where mu = 2 zeta w / (w^2 - 1).
+  // Rolling in the clearance of 1 mm at 90 Hz shaft speed is a whirl at 45 Hz, with mu = 2 zeta w / (w^2 -
+  // 1).
   machine.stops[0].contact_radius_m = 0.5e-3;
   const auto found = least_dry_whip(scene::prepare_machine(machine), 0, 90);
   ASSERT_TRUE(found);

@@ -18,8 +18,8 @@ namespace {
 using namespace std::complex_literals;
 using Complex = std::complex<double>;
 
-/// Quiet whirl of a Jeffcott rotor of 50 Hz: largest at 1 / sqrt(1 - 2 zeta^2), 1 / (2 zeta sqrt(1 -
-/// zeta^2)).
+/// Quiet whirl of a Jeffcott rotor of 50 Hz: its maximum 1 / (2 zeta sqrt(1 - zeta^2)) is at the speed ratio
+/// 1 / sqrt(1 - 2 zeta^2).
 TEST(UnbalanceResponseLargestOverSpeed, FindsAResonanceAThousandTimesNarrowerThanTheSteps) {
   for (const double zeta : {0.1, 1e-3, 1e-6}) {
     const SpeedRange range{1, 173};
@@ -71,7 +71,7 @@ TEST(UnbalanceResponse, ProbesAtOnePlaceAreOne) {
   EXPECT_EQ(places[1].position_m, 0.3);
 }
 
-/// The shapes that serve all speeds against the reduction of the very speed.
+/// Compares mode shapes common to all speeds with a separate reduction for each speed.
 TEST(UnbalanceResponse, OfATableIsThatOfTheNumbersTypedIn) {
   model::Machine by_table = scene::table_machine(4);
   model::kit_of(by_table)->damping_ratio = {0};
@@ -88,7 +88,7 @@ TEST(UnbalanceResponse, OfATableIsThatOfTheNumbersTypedIn) {
   }
 }
 
-/// Largest distance from the middle over a turn, doubled.
+/// Twice the largest distance from the centre over a turn.
 double traced_axis(const Eigen::Vector2cd& amplitude) {
   double farthest = 0;
   for (int k = 0; k < 20000; ++k) {
@@ -103,7 +103,7 @@ TEST(UnbalanceResponse, AxisOfACircleIsItsDiameter) {
   EXPECT_DOUBLE_EQ(major_axis({3.0, 3.0i}), 6) << "backward";
 }
 
-/// Neither the peak to peak of x, 2, nor that of y is the axis.
+/// The major axis equals neither the peak-to-peak value 2 of x nor that of y.
 TEST(UnbalanceResponse, AxisOfALeaningLineIsLongerThanItsShadows) {
   EXPECT_NEAR(major_axis({1.0, 1.0}), 2 * std::sqrt(2), 1e-15);
   EXPECT_NEAR(major_axis({3.0i, 4.0i}), 10, 1e-14);

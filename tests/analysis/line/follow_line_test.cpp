@@ -18,7 +18,7 @@
 namespace rubsweep::line {
 namespace {
 
-/// The same cell by a trace of all its revolutions.
+/// The same cell as a trace of all its revolutions.
 trace::Trace traced(const scene::Cell& cell, const sweep::Study& study, trace::TraceOptions& options) {
   options = {.speed_hz = cell.scene.speed_rad_per_s / (2 * std::numbers::pi),
              .revolutions = study.response.max_revolutions,
@@ -42,7 +42,7 @@ void expect_as_traced(double speed_hz, double whirl_ratio, std::size_t turns) {
       scene::build_cell(*cells.front().machine, speed_hz, scene::WhirlRatio{whirl_ratio});
   trace::TraceOptions options;
   const trace::Trace trace = traced(cell, *cells.front().study, options);
-  // A periodic motion comes to the same points, whatever the turn at which one begins to count.
+  // A periodic motion visits the same points, whichever turn is the first one.
   for (const SectionPoint& point : motion.section) {
     double nearest_m = 1, nearest_m_per_s = 1;
     for (std::size_t k = trace.section.size() - turns; k < trace.section.size(); ++k) {
@@ -65,7 +65,7 @@ TEST(FollowLineSettledMotion, OfASubharmonicIsThatOfALongTrace) {
   expect_as_traced(70, 0.2, 2);
 }
 
-/// The motion that a kick at this phase leads to.
+/// The motion after a kick at this phase.
 SettledMotion after_kick_at(double phase_deg, double speed_hz, double whirl_ratio) {
   model::Machine machine = scene::one_side_machine();
   machine.kick.value().phase_deg = phase_deg;
@@ -80,7 +80,7 @@ TEST(FollowLineSettledMotion, TheSectionDoesNotMoveWithThePhaseOfTheKick) {
     ASSERT_EQ(at_once.section.size(), turns);
     for (const double phase_deg : {40.0, 123.4, -77.0, 359.999, 720.0}) {
       const SettledMotion later = after_kick_at(phase_deg, speed_hz, whirl_ratio);
-      if (later.section.size() != turns) continue;  // another motion
+      if (later.section.size() != turns) continue;  // this kick led to another motion
       for (const SectionPoint& point : later.section) {
         double nearest_m = 1, nearest_m_per_s = 1;
         for (const SectionPoint& other : at_once.section) {
@@ -101,8 +101,8 @@ TEST(FollowLineSettledMotion, OfARotorAtRestIsItsQuietWhirl) {
   ASSERT_TRUE(points.front().motion);
   const SettledMotion& motion = *points.front().motion;
   ASSERT_EQ(motion.section.size(), 1u);
-  // At the phase of smallest gap the rotor stands at its largest excursion towards the wall, a fifth of the
-  // clearance, and moves along it.
+  // At the phase of the smallest gap the rotor is closest to the wall, displaced by a fifth of the clearance,
+  // and moves along the wall.
   EXPECT_NEAR(motion.section.front().displacement_m.y(), 0.2e-3, 1e-12);
   EXPECT_NEAR(motion.section.front().displacement_m.x(), 0, 1e-12);
   EXPECT_NEAR(motion.section.front().velocity_m_per_s.x(), -0.2e-3 * 2 * std::numbers::pi * 50, 1e-9);
@@ -143,16 +143,17 @@ model::Machine ring_machine() {
   return machine;
 }
 
-/// Radius of the quiet circle over the clearance at W natural frequencies.
+/// Radius of the quiet circle / clearance at W times the natural frequency.
 double quiet_radius(double w) { return eccentricity * w * w / std::hypot(1 - w * w, 2 * damping * w); }
 
-/// Equation of the radius r of a rubbing circle: [(1 - W^2 + b (1 - 1/r))^2 + (2 z W)^2] r^2 - (e W^2)^2 = 0.
+/// Residual for the radius r of a rubbing circle: [(1 - W^2 + b (1 - 1/r))^2 + (2 z W)^2] r^2 - (e W^2)^2 =
+/// 0.
 double circle_equation(double w, double r) {
   const double stiffness = 1 - w * w + stiffness_ratio * (1 - 1 / r);
   return (stiffness * stiffness + std::pow(2 * damping * w, 2)) * r * r - std::pow(eccentricity * w * w, 2);
 }
 
-/// Its largest root above 1, 0 where there is none.
+/// Largest root above 1 of the circle equation; 0 where there is none.
 double rubbing_radius(double w) {
   for (double high = 10; high > 1.001; high -= 0.001) {
     if (circle_equation(w, high - 0.001) > 0) continue;
@@ -178,7 +179,7 @@ TEST(FollowLine, HysteresisInAFrictionlessRingIsThatOfItsClosedForm) {
     const LinePoint &up = points[i], &down = points[cells.size() + i];
     const double quiet = quiet_radius(w), rubbing = rubbing_radius(w);
     ASSERT_TRUE(up.motion && down.motion) << w;
-    // Upward the rotor keeps what it does until that is gone, and so it does downward.
+    // On the way up the rotor keeps its motion until this ceases to exist, and likewise on the way down.
     const bool touched_before = w > 0.925;
     const double upward = touched_before ? rubbing : quiet, downward = quiet < 1 ? quiet : rubbing;
     ASSERT_EQ(up.motion->section.size(), 1u) << w;
@@ -187,7 +188,7 @@ TEST(FollowLine, HysteresisInAFrictionlessRingIsThatOfItsClosedForm) {
     EXPECT_NEAR(down.motion->section.front().displacement_m.norm(), downward * 1e-3, 1e-5 * downward * 1e-3)
         << w;
     EXPECT_EQ(up.row.motion_class == MotionClass::synchronous, touched_before) << w;
-    // The whole motion is one line, forward.
+    // The whole motion is a single line, forward at 1X.
     EXPECT_NEAR(up.motion->spectrum.amplitude(up.motion->spectrum.turns), upward * 1e-3,
                 1e-5 * upward * 1e-3);
     both += up.row.motion_class != down.row.motion_class;

@@ -9,7 +9,7 @@
 
 namespace rubsweep::line {
 
-/// Cells over the speed, all with the same machine and unbalance.
+/// Cells at several speeds with the same machine and unbalance.
 inline std::vector<LineCell> over_speed(const model::Machine& machine, const std::vector<double>& speeds_hz,
                                         const scene::Unbalance& unbalance) {
   sweep::Study study;
@@ -22,7 +22,7 @@ inline std::vector<LineCell> over_speed(const model::Machine& machine, const std
   return cells;
 }
 
-/// All points, by pass and then by cell.
+/// All points, sorted by pass and then by cell.
 inline std::vector<LinePoint> followed(const std::vector<LineCell>& cells, const std::vector<Pass>& passes,
                                        int threads = 1) {
   std::vector<LinePoint> points;

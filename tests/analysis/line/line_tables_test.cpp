@@ -32,8 +32,8 @@ TEST(LineTables, HaveARowForEachCellPointAndLine) {
   LinePoint made = point(Pass::up, 0, MotionClass::subharmonic, 2);
   made.motion.emplace();
   made.motion->section = {{{1e-3, 2e-3}, {3, 4}}, {{5e-3, 6e-3}, {7, 8}}};
-  // Two turns of four samples: lines at -2, -1.5, ..., 1.5. One below a thousandth of the largest is left
-  // out, and so is one below a millionth of the clearance; 0X does not count as the largest.
+  // Two turns of four samples: lines at -2, -1.5, ..., 1.5. A line is left out below a thousandth of the
+  // largest line, or below a millionth of the clearance; 0X does not count as the largest.
   made.motion->spectrum = {2, 4, {0.9e-9, 0, 1e-6, 0, 1, 0.9e-6, 1e-3, 0}};
   const LineTables tables = tables_of(std::vector{made}, cells, "stops.0.clearance_m");
   EXPECT_EQ(tables.line_csv, report::map_comments() + "# along stops.0.clearance_m\npass,value," +

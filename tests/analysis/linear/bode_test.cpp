@@ -12,8 +12,7 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// Steady response of a Jeffcott rotor of 30 Hz to unbalance, at every speed of a slow run-up, seen along x
-/// and y.
+/// Steady unbalance response of a Jeffcott rotor of 30 Hz at every speed of a slow run-up, in x and y.
 struct SlowRunUp {
   std::vector<double> x, y, angle, speed;
 };
@@ -65,7 +64,7 @@ TEST(BodeOneX, IsThePhasorAtTheInstantAndItsTopThatOfTheCurve) {
     EXPECT_NEAR(point.amplitude_m, std::abs(expected), 1e-15);
     EXPECT_NEAR(point.phase_deg, std::arg(expected) * 180 / pi, 1e-9);
   }
-  // The amplitude for unbalance is largest at f / sqrt(1 - 2 zeta^2), e / (2 zeta sqrt(1 - zeta^2)).
+  // The amplitude has its maximum e / (2 zeta sqrt(1 - zeta^2)) at f / sqrt(1 - 2 zeta^2).
   ASSERT_TRUE(one.speed_of_largest_hz);
   EXPECT_NEAR(*one.speed_of_largest_hz, 30 / std::sqrt(1 - 2 * 0.02 * 0.02), 1e-6);
   EXPECT_NEAR(one.largest_amplitude_m, 1e-4 / (0.04 * std::sqrt(1 - 0.02 * 0.02)), 1e-13);

@@ -11,7 +11,7 @@
 namespace rubsweep::linear {
 namespace {
 
-/// A forward and a backward whirl of one frequency w: W = w (p + q) / (p - q).
+/// A forward and a backward whirl of the same frequency w lock at the speed W = w (p + q) / (p - q).
 TEST(CampbellTablesLockSpeeds, OfAJeffcottRotorAreTwoThreeAndFiveTimesItsFrequency) {
   const Campbell diagram =
       campbell(free_rotor(scene::one_side_machine()), batch::evenly_spaced(0, 200, 37), 400);
@@ -45,7 +45,7 @@ TEST(CampbellTablesLockSpeeds, NoneOfAPieceAtWhoseBeginningAModeIsDampedAway) {
   }
 }
 
-/// A mode that is named backward after forward jumps from -f to f: no speed lies between.
+/// A mode listed as backward after being forward jumps from -f to f: no lock speed lies between.
 TEST(CampbellTablesLockSpeeds, NoneWhereAModeChangesItsDirection) {
   Campbell diagram = campbell(free_rotor(scene::one_side_machine()), batch::evenly_spaced(0, 200, 37), 400);
   for (CampbellPoint& point : diagram.modes.front().points)
@@ -63,24 +63,25 @@ Campbell split(double forward_slope) {
   return diagram;
 }
 
-/// Straight branches have the root of a linear equation: W = (p w_f + q w_b) / (p - q).
+/// Straight branches lead to a linear equation: W = (p w_f + q w_b) / (p - q).
 TEST(CampbellTablesLockSpeeds, FollowTheBranchesOverTheSpeed) {
   const std::vector<LockSpeed> found = lock_speeds(split(0.2));
   ASSERT_EQ(found.size(), 1u);
-  // p = 3, q = 1: 2 W = 3 (10 + 0.2 W) + (10 - 0.1 W) gives W = 40 / 1.5.
+  // For p = 3, q = 1: 2 W = 3 (10 + 0.2 W) + (10 - 0.1 W) gives W = 40 / 1.5.
   EXPECT_EQ(found[0].p, 3);
   EXPECT_NEAR(found[0].speed_hz, 40 / 1.5, 1e-9);
 }
 
 TEST(CampbellTablesLockSpeeds, OnASpeedOfTheDiagramAreFoundOnce) {
-  // 2 W = 3 (10 + 0.2 W) + ... is met at 40 / (2 - 3 s - (-0.1)) = 20 where s = 0.1 / 3.
+  // 2 W = 3 (10 + 0.2 W) + ... has the solution 40 / (2 - 3 s - (-0.1)) = 20 for s = 0.1 / 3.
   const std::vector<LockSpeed> found = lock_speeds(split(0.1 / 3));
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NEAR(found[0].speed_hz, 20, 1e-9);
   EXPECT_NEAR(found[1].speed_hz, 30 / (1 - 2 * 0.1 / 3 + 0.1), 1e-9) << "p = 2, q = 1";
 }
 
-/// A mode that is overdamped at the first speeds has fewer points than the other: they are matched by speed.
+/// A mode overdamped at the lowest speeds has fewer points than the other one, so points are matched by
+/// speed.
 TEST(CampbellTablesLockSpeeds, OfAModeThatBeginsLaterAreThoseOfTheSamePieces) {
   Campbell diagram = split(0.2);
   auto& points = diagram.modes[1].points;
@@ -88,7 +89,7 @@ TEST(CampbellTablesLockSpeeds, OfAModeThatBeginsLaterAreThoseOfTheSamePieces) {
   const std::vector<LockSpeed> found = lock_speeds(diagram);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].speed_hz, 40 / 1.5, 1e-9);
-  points.erase(points.begin());  // begins at 30 Hz, beyond the lock
+  points.erase(points.begin());  // the mode begins at 30 Hz, above the lock speed
   EXPECT_TRUE(lock_speeds(diagram).empty());
 }
 

@@ -37,7 +37,7 @@ std::vector<double> speeds(double from_hz, double to_hz, int count) {
   return values;
 }
 
-/// A thick shaft on knife edges, so that shear, rotary inertia and the gyroscopic moment all show.
+/// A thick shaft on simple supports, in which shear, rotary inertia and gyroscopic moments matter.
 model::RotorKit simply_supported(int elements) {
   model::RotorKit kit;
   kit.shaft = {structure::steel_segment(1.2, 0.1)};
@@ -46,8 +46,8 @@ model::RotorKit simply_supported(int elements) {
   return kit;
 }
 
-/// A turning Timoshenko shaft on simple supports bends as sin(n pi z / l) with its cross-sections leaning as
-/// cos(n pi z / l). What is left is 2 x 2; positive where w lies below the slowest forward, or between.
+/// Characteristic function of mode n of a rotating Timoshenko shaft on simple supports, with the deflection
+/// sin(n pi z / l) and the rotation cos(n pi z / l). It is the determinant of the remaining 2 x 2 system.
 double characteristic(const model::ShaftSegment& shaft, int n, double speed, double w) {
   const double k = n * pi / shaft.length_m, area = structure::section_area_m2(shaft),
                moment = structure::section_moment_m4(shaft), density = shaft.density_kg_per_m3;
@@ -58,7 +58,7 @@ double characteristic(const model::ShaftSegment& shaft, int n, double speed, dou
   return deflection * leaning - shear * shear * k * k;
 }
 
-/// The root nearest to a whirl frequency, by bisection within 2 %; w < 0 is backward.
+/// Root of `characteristic` closest to a whirl frequency, by bisection within 2 %; w < 0 is backward.
 double closed_form(const model::ShaftSegment& shaft, int n, double speed, double near, bool at_critical) {
   const auto value = [&](double w) { return characteristic(shaft, n, at_critical ? std::abs(w) : speed, w); };
   double low = 0.98 * near, high = 1.02 * near;
@@ -81,7 +81,7 @@ TEST(Campbell, UniformShaftOnSimpleSupportsSplitsAsItsClosedForm) {
     const CampbellMode& mode = diagram.modes[static_cast<std::size_t>(i)];
     EXPECT_EQ(mode.number, i + 1);
     ASSERT_EQ(mode.points.size(), 13u);
-    const double sense = i % 2 == 0 ? -1 : 1;  // backward before forward
+    const double sense = i % 2 == 0 ? -1 : 1;  // backward comes before forward
     for (const CampbellPoint& point : mode.points) {
       const double found = 2 * pi * point.frequency_hz;
       const double expected =
@@ -90,7 +90,7 @@ TEST(Campbell, UniformShaftOnSimpleSupportsSplitsAsItsClosedForm) {
       EXPECT_NEAR(point.forward_share, sense > 0 ? 1 : 0, 1e-6);
       EXPECT_NEAR(point.damping_ratio, 0, 1e-8);
     }
-    // Thick as it is, the split shows.
+    // The shaft is so thick that the gyroscopic split is visible.
     EXPECT_GT(sense * (mode.points.back().frequency_hz / mode.points.front().frequency_hz - 1), 1e-3);
   }
 }
@@ -118,7 +118,7 @@ TEST(Campbell, CriticalSpeedsAndShapesOfAUniformShaftAreThoseOfItsClosedForm) {
       const auto x = shape.x(static_cast<Eigen::Index>(i)), y = shape.y(static_cast<Eigen::Index>(i));
       size = std::max(size, std::abs(x));
       EXPECT_NEAR(std::abs(x), std::abs(sine), 1e-4);
-      // Forward: y lags a quarter turn behind x.
+      // In forward whirl y lags x by 90 degrees.
       EXPECT_NEAR(std::abs(y - std::complex<double>(0, shape.forward_share > 0.5 ? -1 : 1) * x), 0, 1e-6);
       sense += x.real() * sine;
     }
@@ -128,7 +128,8 @@ TEST(Campbell, CriticalSpeedsAndShapesOfAUniformShaftAreThoseOfItsClosedForm) {
 }
 
 TEST(Campbell, CriticalSpeedsSolveTheirOwnEigenproblem) {
-  // Undamped and with unequal supports: stiffness q = W^2 (mass - i gyroscopic) q has all of them at once.
+  // Undamped with unequal supports: stiffness q = W^2 (mass - i gyroscopic) q gives all critical speeds at
+  // once.
   model::RotorKit kit;
   kit.shaft = {structure::steel_segment(1.5, 0.05)};
   kit.discs = {
@@ -138,8 +139,8 @@ TEST(Campbell, CriticalSpeedsSolveTheirOwnEigenproblem) {
   for (auto& support : kit.supports) support.stiffness_y_n_per_m = 0.8e6;
   const FreeRotor rotor = free_rotor(with_kit(kit));
   const Campbell diagram = campbell(rotor, speeds(1, 150, 50), 400);
-  // stiffness^-1 (mass - i gyroscopic) q = q / W^2, by the general solver: the inertia need not be positive.
-  // In real and imaginary parts of q every value comes twice.
+  // stiffness^-1 (mass - i gyroscopic) q = q / W^2 by a general eigensolver, because the inertia may be
+  // indefinite. With separate real and imaginary parts of q each eigenvalue occurs twice.
   const Eigen::MatrixXd by_mass = numerics::dense::solve_full_pivot(rotor.full.system.stiffness,
                                                                     rotor.full.system.mass),
                         by_turning = numerics::dense::solve_full_pivot(rotor.full.system.stiffness,
@@ -174,7 +175,7 @@ TEST(Campbell, OfAJeffcottRotorIsItsDampedFrequencyAtEverySpeed) {
     EXPECT_NEAR(critical.speed_hz, damped_hz, 1e-9 * damped_hz);
 }
 
-/// Damping ratio of a whirl forward at one speed: the slowest one that there is.
+/// Damping ratio of the slowest forward whirl at one speed.
 double damping_of_forward_whirl(const model::Machine& machine, double speed_hz) {
   for (const CampbellMode& mode : campbell(free_rotor(machine), speeds(0, speed_hz, 5), 100).modes)
     if (mode.points.back().forward_share > 0.5) return mode.points.back().damping_ratio;
@@ -182,7 +183,7 @@ double damping_of_forward_whirl(const model::Machine& machine, double speed_hz) 
 }
 
 TEST(Campbell, DampingThatTurnsMakesForwardWhirlUnstableWhereItsClosedFormSays) {
-  // At w0 (1 + external / rotating damping) the two do the same work.
+  // At w0 (1 + external / rotating damping) the work of both dampings cancels.
   model::Machine machine = scene::one_side_machine();
   std::get<model::JeffcottRotor>(machine.rotor).rotating_damping_ratio = 0.01;
   EXPECT_NEAR(damping_of_forward_whirl(machine, 30 * (1 + 0.02 / 0.01)), 0, 1e-12);
@@ -201,7 +202,7 @@ TEST(Campbell, AGridThatHitsACriticalSpeedFindsItOnce) {
   EXPECT_EQ(found.critical_speeds.size(), 2u);
 }
 
-/// A short stiff rotor of the mass 2 m on two supports, each of which holds m.
+/// A short stiff rotor of mass 2 m on two supports, each of which carries m.
 model::Machine bouncing_machine(const model::SupportTable& table) {
   model::Machine machine = scene::table_machine();
   model::RotorKit& kit = *model::kit_of(machine);
@@ -213,7 +214,7 @@ model::Machine bouncing_machine(const model::SupportTable& table) {
 }
 constexpr double bouncing_mass_kg = 0.8 + pi / 4 * 0.2 * 0.2 * 0.4;
 
-/// The table of a film that is the same along x and y and couples nothing.
+/// Table of a film with equal stiffness in x and y and without cross stiffness.
 model::SupportTable round_table() {
   model::SupportTable table = scene::film_table();
   table.columns[3] = table.columns[0];
@@ -221,7 +222,8 @@ model::SupportTable round_table() {
   return table;
 }
 
-/// A short stiff rotor bounces at sqrt(2 k / m), k by a table: its critical speed is where that is the speed.
+/// A short stiff rotor bounces at sqrt(2 k / m), with k from a table: the critical speed equals this
+/// frequency.
 TEST(Campbell, CriticalSpeedsFollowTheTableOfASupport) {
   const model::SupportTable table = round_table();
   const model::Machine machine = bouncing_machine(table);
@@ -237,8 +239,8 @@ TEST(Campbell, CriticalSpeedsFollowTheTableOfASupport) {
     EXPECT_NEAR(critical.speed_hz, low, 2e-4 * low);
 }
 
-/// The damping falls through the critical one on the way, or rises through it: the mode begins or ends there,
-/// and its frequency is that of a mass on a spring and a damper.
+/// The damping passes the critical value downwards or upwards, so the mode begins or ends there. Its
+/// frequency is that of a mass on a spring and a damper.
 TEST(Campbell, FollowsModesThatBeginOrEndToOscillate) {
   model::SupportTable falling = round_table();
   const double critical = std::sqrt(2 * 3e4 * bouncing_mass_kg) / 2;
@@ -259,7 +261,7 @@ TEST(Campbell, FollowsModesThatBeginOrEndToOscillate) {
       expected += square > 0 ? 2 : 0;
       for (const CampbellMode& mode : diagram.modes) {
         for (const CampbellPoint& point : mode.points) {
-          // Beside it the rotor rocks, at another frequency.
+          // At this speed the rotor also rocks, at another frequency.
           const double bouncing_hz = square > 0 ? std::sqrt(square) / (2 * pi) : -1;
           const bool bounces = std::abs(point.frequency_hz - bouncing_hz) < 1e-3 * bouncing_hz;
           whirls += point.speed_hz == speed_hz && bounces ? 1 : 0;
@@ -271,7 +273,7 @@ TEST(Campbell, FollowsModesThatBeginOrEndToOscillate) {
   }
 }
 
-/// A mode that makes a rotor unstable is shown, however fast it is beside the speeds that were asked for.
+/// An unstable mode is shown even if its frequency is far above the speeds of the diagram.
 TEST(Campbell, ShowsWhatGrows) {
   model::Machine machine = scene::one_side_machine();
   std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
@@ -280,7 +282,7 @@ TEST(Campbell, ShowsWhatGrows) {
   rotor.full.system.stiffness(1, 0) = -rotor.full.system.stiffness(0, 1);
   const Campbell diagram = campbell(rotor, speeds(0.1, 0.2, 2), 0.5);
   ASSERT_EQ(diagram.growth.size(), 2u);
-  // -s^2 = w^2 (1 -+ 0.1 i).
+  // The eigenvalues satisfy -s^2 = w^2 (1 -+ 0.1 i).
   const double growth = 60 * pi * std::sqrt(std::complex<double>(-1, 0.1)).real();
   EXPECT_NEAR(diagram.growth.front().growth_per_s, growth, 1e-9 * growth);
   double least = 1;
@@ -288,7 +290,7 @@ TEST(Campbell, ShowsWhatGrows) {
   EXPECT_NEAR(least, -growth / (60 * pi * std::abs(std::sqrt(std::complex<double>(-1, 0.1)))), 1e-9);
 }
 
-/// Ratios are those of all modes, not of some: of a uniform shaft at rest each is as it was said.
+/// Damping ratios apply to all modes: on a uniform shaft at rest each mode has the given ratio.
 TEST(Campbell, RatiosOfModesAreThose) {
   model::RotorKit kit = simply_supported(24);
   kit.damping_ratio = {0.01, 0.03};
@@ -296,7 +298,7 @@ TEST(Campbell, RatiosOfModesAreThose) {
     EXPECT_NEAR(mode.points.front().damping_ratio, mode.number <= 2 ? 0.01 : 0.03, 1e-9) << mode.number;
 }
 
-/// A Jeffcott rotor of 30 Hz whose whirl does not depend on the speed.
+/// A Jeffcott rotor of 30 Hz, whose whirl frequency does not depend on the speed.
 model::Machine jeffcott(double damping_ratio) {
   model::Machine machine;
   machine.rotor =

@@ -16,7 +16,7 @@ namespace {
 TEST(Experiment, FreeResponseFindsTheRotorsFrequencyAndDamping) {
   const FreeResponse response = free_response(scene::prepare_machine(scene::one_side_machine()), 1, {});
   ASSERT_EQ(response.decay.size(), 2u);
-  EXPECT_FALSE(response.decay[0]);  // the kick points along y: x sees nothing
+  EXPECT_FALSE(response.decay[0]);  // the kick acts along y, so the sensor in x shows nothing
   ASSERT_TRUE(response.decay[1]);
   EXPECT_NEAR(response.decay[1]->natural_frequency_hz, 30, 1e-6);
   EXPECT_NEAR(response.decay[1]->damping_ratio, 0.02, 1e-6);
@@ -32,16 +32,16 @@ TEST(Experiment, NoiseIsThereAndAlwaysTheSame) {
   ASSERT_TRUE(first.decay[1]);
   EXPECT_NEAR(first.decay[1]->natural_frequency_hz, 30, 0.02);
   EXPECT_NEAR(first.decay[1]->damping_ratio, 0.02, 5e-4);
-  EXPECT_FALSE(first.decay[0]);  // noise is no rotor
+  EXPECT_FALSE(first.decay[0]);  // noise must not be taken for a rotor
 }
 
 TEST(Experiment, RunUpFindsTheResonanceBehindTheLargest1X) {
   const RunUp found = run_up(scene::prepare_machine(scene::one_side_machine()), 27, 34, 0.5, 1e-5, {});
   for (std::size_t sensor = 0; sensor < 2; ++sensor) {
-    // A rising speed shifts the peak up by about the rate times the memory 1 / (zeta w0) = 0.27 s.
+    // A rising speed shifts the peak up by about the rate times the decay time 1 / (zeta w0) = 0.27 s.
     ASSERT_TRUE(found.speed_of_largest_1x_hz[sensor]);
     EXPECT_NEAR(*found.speed_of_largest_1x_hz[sensor], 30.1, 0.2);
-    // Steady: e / (2 zeta).
+    // The steady amplitude at resonance is e / (2 zeta).
     EXPECT_NEAR(found.largest_amplitude_m[sensor], 1e-5 / 0.04, 0.1 * 1e-5 / 0.04);
     EXPECT_GT(found.bode[sensor].size(), 24u);
     ASSERT_TRUE(found.resonance[sensor]);

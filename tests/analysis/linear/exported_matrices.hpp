@@ -10,8 +10,8 @@
 
 namespace rubsweep::linear {
 
-/// The matrices that --export-matrices writes of a rotor, at one speed, and their determinant by elimination:
-/// roots and their number without any eigensolver.
+/// Matrices written by --export-matrices for a rotor at one speed, and their determinant by elimination. They
+/// give the roots and their number without an eigensolver.
 class ExportedMatrices {
  public:
   ExportedMatrices(const model::Machine& machine, double speed_rad_per_s) {
@@ -23,11 +23,11 @@ class ExportedMatrices {
     unit_ = stiffness_.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
   }
 
-  /// The root that the secant method leads to from a little beside `start`.
+  /// Root found by the secant method from near `start`.
   std::complex<double> root_near(std::complex<double> start) const {
     std::complex<double> before = start * (1 + 1e-5), now = start * std::complex<double>(1, 1e-5);
     for (int step = 0; step < 40 && std::abs(now - before) > 1e-15 * std::abs(now); ++step) {
-      // Ratio of determinants: each alone may be too large.
+      // Only the ratio of the determinants is used, because each of them may overflow.
       const auto [log_a, turn_a] = determinant(before);
       const auto [log_b, turn_b] = determinant(now);
       const std::complex<double> ratio = std::polar(std::exp(log_a - log_b), turn_a - turn_b);
@@ -38,8 +38,8 @@ class ExportedMatrices {
     return now;
   }
 
-  /// Roots with an imaginary part from a thousandth of `fastest` to it: the turns of the determinant around
-  /// them.
+  /// Number of roots with an imaginary part from fastest / 1000 to `fastest`: winding number of the
+  /// determinant around this region.
   int roots_below(double fastest) const {
     constexpr double far = 1e8, hardly = 1e-3;
     double turned = 0;
@@ -53,7 +53,7 @@ class ExportedMatrices {
   }
 
  private:
-  /// Logarithm of its size and its angle.
+  /// Logarithm of the determinant's modulus, and its argument.
   std::pair<double, double> determinant(std::complex<double> rate) const {
     using Complex = std::complex<double>;
     Eigen::MatrixXcd a = (unit_.asDiagonal() * stiffness_ * unit_.asDiagonal()).cast<Complex>() +
@@ -78,12 +78,12 @@ class ExportedMatrices {
     return {log, turn};
   }
 
-  /// Angle that the determinant turns by on a straight way, in steps that its logarithmic derivative makes
-  /// short beside a root.
+  /// Change of the determinant's argument along a straight line. Its logarithmic derivative makes the steps
+  /// short near a root.
   double turn_between(std::complex<double> from, std::complex<double> to) const {
     constexpr double little = 0.4, hardly = 1e-9;
     const auto at = [&](double s) {
-      // Sizes over many decades: real parts in steps of their logarithm.
+      // Real parts cover many decades, so steps are uniform in their asinh.
       if (from.imag() != to.imag()) return from + s * (to - from);
       const double span = std::asinh(std::abs(to.real()));
       return std::complex<double>(std::sinh((to.real() > 0 ? 1 : -1) * span * (2 * s - 1)), to.imag());

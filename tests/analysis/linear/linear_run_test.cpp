@@ -22,8 +22,8 @@ using Complex = std::complex<double>;
 
 constexpr double w0 = 2 * pi * 30, zeta = 0.02;
 
-/// z'' + 2 zeta w0 z' + w0^2 z = e (phi'^2 - i phi'') e^{i phi} + pulse in y, by classical Runge-Kutta in 20
-/// steps per sample.
+/// Reference solution of z'' + 2 zeta w0 z' + w0^2 z = e (phi'^2 - i phi'') e^{i phi} + pulse in y, by the
+/// classical Runge-Kutta method with 20 steps per sample.
 std::vector<Complex> reference(const LinearRun& run, Complex z, Complex v) {
   const auto acceleration = [&](double t, Complex at, Complex speed) {
     const double rate = 2 * pi * shaft_speed_hz(run, t);
@@ -101,18 +101,20 @@ TEST(LinearRun, AtConstantSpeedAKitStaysOnItsQuietMotion) {
   ASSERT_EQ(sensors.rows.rows(), 1);
   const Eigen::MatrixXd signal = run_linear(prepared, run, sensors.rows);
   const scene::Cell cell = scene::build_cell(prepared, 50, scene::Eccentricity{1e-4});
-  // The cell starts at the smallest gap, the run at the mark: the same ellipse, seen over the same range.
+  // The cell starts at the smallest gap, the run at the mark: both follow the same ellipse with the same
+  // range.
   for (int k = 0; k < 60; ++k) EXPECT_NEAR(signal(k, 0), signal(k % 20, 0), 1e-9) << k;
   Eigen::VectorXd whole(20000);
   for (int k = 0; k < 20000; ++k) whole(k) = (sensors.rows * cell.quiet.displacement(2 * pi * k / 20000))(0);
   EXPECT_LE(signal.maxCoeff(), whole.maxCoeff() + 1e-9);
   EXPECT_GE(signal.minCoeff(), whole.minCoeff() - 1e-9);
-  // Twenty samples a turn miss the extremes by no more than 1 - cos(pi / 20) of the amplitude.
+  // Twenty samples per turn miss the extremes by at most 1 - cos(pi / 20) of the amplitude.
   EXPECT_GT(signal.maxCoeff() - signal.minCoeff(),
             std::cos(pi / 20) * (whole.maxCoeff() - whole.minCoeff()) - 1e-9);
 }
 
-/// At a constant speed the run stays on the quiet motion of both orders; the phasor of 1X knows of one.
+/// At constant speed the run stays on the quiet motion with both orders, whereas the 1X phasor contains one
+/// only.
 TEST(LinearRun, AMisalignedCouplingForcesTwicePerTurn) {
   const scene::PreparedMachine prepared = scene::prepare_machine(scene::MisalignedRotor{}.machine());
   const SensorRows sensors = sensor_rows(prepared);
@@ -135,7 +137,7 @@ TEST(LinearRun, AMisalignedCouplingForcesTwicePerTurn) {
   }
 }
 
-/// Each impulse J = 0.02 N s at 0.4 rad to x starts a free oscillation, z(t) = J / (m wd) e^{-zeta w0 t} sin
+/// Each impulse J = 0.02 N s at 0.4 rad from x starts a free vibration z(t) = J / (m wd) e^{-zeta w0 t} sin
 /// wd t.
 TEST(LinearRun, ASlowRunUpFollowsTheQuietMotionsOfSupportsByATable) {
   const scene::PreparedMachine prepared = scene::prepare_machine(scene::table_machine());
@@ -168,7 +170,7 @@ TEST(LinearRun, AFaultyBearingStrikesByTheShaftsAngle) {
     for (int k = 0; k < 300; ++k) {
       const double t = k * run.sample_s;
       for (int i = 0;; ++i) {
-        // The instant by bisection on the angle.
+        // Finds the instant of the impulse by bisection on the shaft angle.
         double low = 0, high = t;
         const double due = 2 * pi * (i + phase_periods) / multiple;
         if (shaft_angle_rad(run, t) < due) break;

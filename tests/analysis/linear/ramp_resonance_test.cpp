@@ -20,8 +20,8 @@ struct Rotor {
   Complex eccentricity_m = 1e-5, bow_m = 0, rest_m = 0;
 };
 
-/// 1X once a revolution, by classical Runge-Kutta in small fixed steps in the frame that stands still, from
-/// the quiet motion of the first speed without its bow: a free vibration is left.
+/// 1X once per revolution, by the classical Runge-Kutta method with small fixed steps in the fixed frame. It
+/// starts on the quiet motion of the first speed without the bow, so a free vibration is included.
 std::vector<BodePoint> plot_of_ramp(const Rotor& rotor, double from_hz, double to_hz, double rate_hz_per_s) {
   const double w = 2 * pi * rotor.natural_hz, damping = 2 * rotor.damping_ratio * w, h = 1e-4;
   const auto speed = [&](double t) { return 2 * pi * (from_hz + rate_hz_per_s * t); };
@@ -65,7 +65,7 @@ TEST(RampResonance, IsThatOfTheRotorHoweverFastTheRamp) {
     EXPECT_NEAR(fit->frequency_hz, 30, 3e-5) << ratio << ' ' << rate;
     EXPECT_NEAR(fit->damping_ratio, ratio, 1e-6 * ratio) << ratio << ' ' << rate;
     EXPECT_LT(fit->misfit, 1e-8);
-    // The largest 1X is a worse guess.
+    // The speed of the largest 1X is a worse estimate.
     EXPECT_GT(std::abs(speed_of_largest_hz(plot) - 30), 0.5);
   }
 }
@@ -92,10 +92,10 @@ TEST(RampResonance, NoiseIsLeftAsMisfit) {
   }
   const auto fit = fit_ramp_resonance(plot, 4);
   ASSERT_TRUE(fit);
-  // About 0.1 % and a tenth of the damping ratio.
+  // About 0.1 % of the frequency and 10 % of the damping ratio.
   EXPECT_NEAR(fit->frequency_hz, 30, 0.09);
   EXPECT_NEAR(fit->damping_ratio, 0.01, 3e-3);
-  // Two parts of one per cent each, of a signal whose root mean square is about half its largest value.
+  // Both components have 1 % noise; the signal's root mean square is about half its maximum.
   EXPECT_NEAR(fit->misfit, 0.01 * std::sqrt(2.0) / 0.55, 0.01);
 }
 
@@ -116,7 +116,7 @@ TEST(RampResonance, IsEmptyWhereThereIsNothingToFit) {
   EXPECT_FALSE(fit_ramp_resonance({}, 4));
   const auto plot = plot_of_ramp({}, 15, 45, 4);
   EXPECT_FALSE(fit_ramp_resonance(std::span(plot).first(12), 4));
-  EXPECT_FALSE(fit_ramp_resonance(plot, -4));  // the speed changes the other way
+  EXPECT_FALSE(fit_ramp_resonance(plot, -4));  // the speed changes in the opposite direction
   const std::vector<BodePoint> still(40, BodePoint{20, 0, 0});
   EXPECT_FALSE(fit_ramp_resonance(still, 4));
 }

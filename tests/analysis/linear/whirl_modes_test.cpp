@@ -18,7 +18,7 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// Bearings that couple the planes and damp, on pedestals.
+/// A machine with damped bearings that couple both planes, on pedestals.
 model::Machine coupled_machine() {
   model::RotorKit kit;
   kit.shaft = {structure::steel_segment(1.5, 0.05)};
@@ -40,7 +40,7 @@ model::Machine coupled_machine() {
 
 TEST(WhirlModes, OfSupportsByATableAreThoseOfTheNumbersTypedIn) {
   model::Machine machine = scene::table_machine();
-  // Without the damping that is said by modes, which are others at every speed.
+  // Modal damping is removed, because it refers to other modes at every speed.
   model::kit_of(machine)->damping_ratio = {0};
   const WhirlProblem problem(free_rotor(machine), scene::table_speeds_hz, 600);
   for (std::size_t row = 0; row < scene::table_speeds_hz.size(); ++row) {
@@ -58,8 +58,9 @@ TEST(WhirlModes, OfSupportsByATableAreThoseOfTheNumbersTypedIn) {
   }
 }
 
-/// One mass of 1 kg with 20 Hz on a film that damps by three times the critical, and by 0.99 of it at 25 Hz
-/// alone; beside it pairs of masses, the first one with 2 Hz, so that two modes are slow at all speeds.
+/// A mass of 1 kg with 20 Hz on a film whose damping is three times critical, but 0.99 times critical at 25
+/// Hz. Beside it stand independent pairs of masses, the first one with 2 Hz, so that two modes are slow at
+/// all speeds.
 FreeRotor on_a_film(const std::vector<double>& speeds_hz, Eigen::Index beside) {
   const double rate = 2 * pi * 20;
   model::Support film = structure::isotropic_support(0, 0);
@@ -101,17 +102,17 @@ TEST(WhirlModes, ThatStrongDampersLeaveAtOneSpeedOnlyAreFoundThere) {
   expect_the_pair_at_25_hz(WhirlProblem(rotor, std::vector<double>{10, 25, 50, 75, 90}, 4));
 }
 
-/// All rates are looked at at six of eleven speeds, and 25 Hz is between two of them.
+/// All eigenvalues are computed at six of eleven speeds; 25 Hz lies between two of these.
 TEST(WhirlModes, AreFoundBetweenTheSpeedsAtWhichAllRatesAreLookedAt) {
   const std::vector<double> speeds_hz{0, 5, 10, 15, 20, 25, 30, 50, 60, 75, 90};
   expect_the_pair_at_25_hz(WhirlProblem(on_a_film(speeds_hz, 89), speeds_hz, 4));
 }
 
-/// Roots up to `up_to_hz`, ascending by frequency, must be those of the exported matrices: each solves them,
-/// and there are no others. Without ratios of modes, which no matrix file says.
+/// Expects the roots up to `up_to_hz`, ascending by frequency, to be exactly those of the exported matrices.
+/// Modal damping is removed, because matrix files do not contain it.
 void expect_all_roots(model::Machine machine, double speed_hz, double up_to_hz) {
   model::kit_of(machine)->damping_ratio = {0};
-  model::kit_of(machine)->elements = 4;  // the determinant of many is dear
+  model::kit_of(machine)->elements = 4;  // the determinant of many elements is expensive
   const std::vector<double> speeds{speed_hz};
   const ExportedMatrices exported(machine, 2 * pi * speed_hz);
   int count = 0;
@@ -134,8 +135,8 @@ TEST(WhirlModes, AreAllRootsOfTheExportedMatrices) {
   expect_all_roots(damped_by_its_mass, 20, 200);
 }
 
-/// Dampers that hold the shaft at its bearings: what oscillates there is damped by nearly all of critical,
-/// with a rate far from its frequency.
+/// Strong dampers fix the shaft at its bearings: vibrations there are almost critically damped, so the
+/// eigenvalue's modulus is far from its frequency.
 TEST(WhirlModes, AreFoundHoweverDamped) {
   for (const double damping : {3e3, 1e5}) {
     model::Machine machine = coupled_machine();
@@ -165,7 +166,7 @@ TEST(WhirlModes, SolveTheEquationsOfMotion) {
   }
 }
 
-/// Supports without damping, equal or coupled: nothing of it grows, and rounding is no growth.
+/// Supports without damping, equal or coupled: nothing grows, and rounding must not count as growth.
 TEST(WhirlModes, OfConservativeRotorsDoNotGrow) {
   for (const double coupling : {0.0, 2e5}) {
     model::Machine machine = coupled_machine();
@@ -184,7 +185,7 @@ TEST(WhirlModes, OfConservativeRotorsDoNotGrow) {
   }
 }
 
-/// Hardly any force across, which nothing damps: growth of a mode of the stiffness k is w kxy / (2 k).
+/// A very small cross stiffness without damping: a mode of stiffness k grows at the rate w kxy / (2 k).
 TEST(WhirlModes, OfTheLeastForceAcrossGrow) {
   model::Machine machine = scene::one_side_machine();
   machine.rotor = model::JeffcottRotor{.mass_kg = 1, .natural_frequency_hz = 30, .damping_ratio = 0};
@@ -200,7 +201,7 @@ TEST(WhirlModes, DirectionIsThatOfTheOrbits) {
   const FreeRotor rotor = free_rotor(coupled_machine());
   for (const WhirlMode& mode : WhirlProblem(rotor, std::vector<double>{70}, 300).at(70).modes) {
     if (mode.frequency_hz() > 300) break;
-    // z = x + iy turns forward by (x + iy) / 2 and backward by (x* + iy*) / 2.
+    // z = x + iy consists of a forward part (x + iy) / 2 and a backward part (x* + iy*) / 2.
     const Eigen::VectorXcd x = rotor.x * mode.shape, y = rotor.y * mode.shape;
     const double forward = (x + Complex(0, 1) * y).squaredNorm(),
                  backward = (x - Complex(0, 1) * y).squaredNorm();

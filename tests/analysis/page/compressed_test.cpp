@@ -8,7 +8,7 @@ namespace rubsweep::page {
 namespace {
 
 TEST(Compressed, Base64IsThatOfTheStandard) {
-  // RFC 4648, section 10.
+  // Test vectors of RFC 4648, section 10.
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");

@@ -11,7 +11,7 @@
 
 namespace rubsweep::page {
 
-/// RFC 4648 read back bit by bit.
+/// Decodes base64 (RFC 4648) bit by bit.
 inline std::string from_base64(std::string_view text) {
   static constexpr std::string_view digits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -28,7 +28,7 @@ inline std::string from_base64(std::string_view text) {
   return bytes;
 }
 
-/// Inverse of `compressed`, at most `most` bytes.
+/// Inverse of `compressed`; returns at most `most` bytes.
 inline std::string decompressed(std::string_view text, std::size_t most = 1 << 22) {
   const std::string packed = from_base64(text);
   std::string bytes(most, '\0');
@@ -40,7 +40,7 @@ inline std::string decompressed(std::string_view text, std::size_t most = 1 << 2
   return bytes;
 }
 
-/// Numbers with the lowest byte first.
+/// Reads numbers stored with the lowest byte first.
 class Bytes {
  public:
   explicit Bytes(const std::string& bytes) : bytes_(bytes.begin(), bytes.end()) {}

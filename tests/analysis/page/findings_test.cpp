@@ -12,7 +12,8 @@ namespace {
 
 using Cells = std::vector<std::size_t>;
 
-/// 5 x 3 cells of one block on the lattice of every fourth cell, and another axis over a key.
+/// A refined grid of 5 x 3 cells in one block, with a lattice of every fourth cell, and a further axis over a
+/// key.
 sweep::Grid lattice_grid() {
   sweep::Grid grid{{10, 20, 30, 40, 50}, sweep::UnbalanceMeasure::whirl_ratio, {0.1, 0.2, 0.3}};
   grid.axes = {{{"kick.force_n"}, {1}, {100}}};
@@ -20,7 +21,7 @@ sweep::Grid lattice_grid() {
   return grid;
 }
 
-/// The rows of these cells, with a class each.
+/// A map with rows for these cells, each with its class.
 MapTable map_of(const Cells& cells, const std::vector<std::string>& classes) {
   MapTable map{"1.2.3", "digest", cells.size(), {}};
   map.columns = {{"speed_hz", {}, {}},    {"whirl_ratio", {}, {}}, {"class", {}, classes},  {"order", {}, {}},
@@ -51,7 +52,7 @@ TEST(FindingsPaintedTable, GivesTheCellsOfAUniformBlockItsClassAndNothingElse) {
   EXPECT_EQ(painted.map.word("status", 7), not_computed);
   EXPECT_FALSE(painted.map.number("revolutions", 7));
   EXPECT_EQ(painted.labels[7], sweep::unknown_label);
-  // A computed one is as it was.
+  // Computed cells are unchanged.
   EXPECT_EQ(painted.map.word("status", 10), "ok");
   EXPECT_EQ(painted.map.number("revolutions", 10), 102);
 }
@@ -66,7 +67,7 @@ TEST(FindingsPaintedTable, RefusesAMapThatLacksACell) {
 }
 
 TEST(FindingsPaintedTable, PaintsEachBlockByItself) {
-  // The right half is of another class; the middle column is where the block was split.
+  // The right half has another class; the block was split at the middle column.
   const Cells cells{0, 2, 4, 5, 7, 9, 10, 12, 14};
   std::vector<std::string> classes;
   for (const std::size_t cell : cells) classes.emplace_back(cell % 5 < 3 ? "non_contact" : "chaotic");
@@ -84,7 +85,7 @@ TEST(FindingsPaintedTable, PaintsEachBlockByItself) {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Two speeds by two whirl ratios: at rest, two motions with contact, and a chaotic one.
+/// Two speeds by two whirl ratios: one cell at rest, two motions with contact, and a chaotic one.
 MapTable four_cells() {
   return {"1",
           "d",

@@ -42,7 +42,7 @@ std::string page_of(const MapTable& map, const std::filesystem::path& directory,
       .value();
 }
 
-/// Contents of the element called `id`.
+/// Content of the page's element with this `id`.
 std::string element(const std::string& page, const std::string& id) {
   const std::string open = "<script type=\"text/plain\" id=\"" + id + "\">";
   const std::size_t begin = page.find(open);
@@ -99,7 +99,7 @@ TEST(HtmlReport, AxesAreShownAsTheyWereWritten) {
 TEST(HtmlReport, NothingOutsideIsAskedFor) {
   std::string page = page_of(map_of_study(), "/nowhere");
   EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
-  // The page without the chart library, which a comment names by its own address.
+  // The page without the chart library, because a comment in it contains a web address.
   page.erase(page.find(library.text), library.text.size());
   for (const char* pattern :
        {R"(<script[^>]+src)", R"(<(link|iframe|object|embed|base)\b)", R"(@import|@font-face)",

@@ -13,7 +13,7 @@
 namespace rubsweep::page {
 namespace {
 
-/// An ellipse of 3 by 1 mm with a wall that is open but for a few samples, two turns long.
+/// An ellipse of 3 by 1 mm over two turns, with a wall that is touched during a few samples.
 SettledOrbit ellipse() {
   SettledOrbit orbit;
   orbit.first_revolution = 70000;
@@ -60,7 +60,7 @@ TEST(OrbitsEncodeOrbit, IsReadBackWithinItsLevels) {
   EXPECT_NEAR(x[0], 3e-3, 1e-9);
   EXPECT_NEAR(x[1], -3e-3, 1e-9);
   EXPECT_NEAR(y[1], 4e-4, 1e-9);
-  // Lines -1/2, 0, 1 and 3/2; the others are below a thousandth of the largest.
+  // Lines at -1/2, 0, 1 and 3/2; all others are below a thousandth of the largest.
   EXPECT_EQ(bytes.integer(2), 2u);
   EXPECT_EQ(bytes.integer(2), 4u);
   EXPECT_FLOAT_EQ(bytes.number(), 2e-3f);
@@ -105,7 +105,7 @@ std::vector<double> circle(int steps) {
   return values;
 }
 
-/// The largest distance of a sample from the straight line between its kept neighbours, sample by sample.
+/// Largest distance of any sample from the straight line between its kept neighbours.
 double largest_distance(const std::vector<double>& signal, const std::vector<std::size_t>& kept) {
   double largest = 0;
   for (std::size_t k = 0; k < signal.size(); ++k) {
@@ -138,7 +138,7 @@ TEST(OrbitsEncodeOrbit, NoSampleIsMissedByMoreThanTheTolerance) {
 }
 
 TEST(OrbitsEncodeOrbit, ACircleTakesAboutAsManyAsItsSagittaSays) {
-  // Chords of a cosine that miss it by at most e: arcs of about sqrt(8 e) where it bends most.
+  // Chords of a cosine with an error of at most e: arcs of about sqrt(8 e) where the curvature is largest.
   const Signals signals{circle(512)};
   const auto kept = needed_samples(signals, 2.5e-3, {});
   EXPECT_GT(kept.size(), 20u);
@@ -165,7 +165,7 @@ TEST(Orbits, ALargeOneKeepsSomeAllOverIt) {
   EXPECT_GT(cells.size(), 2500u);
   EXPECT_TRUE(std::is_sorted(cells.begin(), cells.end()));
   EXPECT_LT(cells.back(), 100000u);
-  // No cell is farther from a kept one than half a stride.
+  // The distance from every cell to a kept one is at most half a stride.
   EXPECT_LT(cells.front() % 400, grid.speed_stride);
   EXPECT_GE(cells.back() % 400 + grid.speed_stride, 400u);
 }
@@ -179,7 +179,7 @@ TEST(Orbits, ALineKeepsItsOtherAxis) {
   EXPECT_EQ(thinned_grid(100, 1000, 1).cells().size(), 1u);
 }
 
-/// Over clearances; one of them is not allowed.
+/// A study over clearances, one of which is not allowed.
 sweep::Study clearance_study(std::vector<double> clearance_m) {
   sweep::Study study = sweep::one_side_study({50, 60}, {0.2});
   study.grid.axes = {{{"stops.0.clearance_m"}, {1}, std::move(clearance_m)}};

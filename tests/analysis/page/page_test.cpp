@@ -11,7 +11,7 @@
 namespace rubsweep::page {
 namespace {
 
-/// Record i of `width` bytes that were written byte plane by byte plane.
+/// Record i, of `width` bytes, in data that were stored byte plane by byte plane.
 std::uint64_t record(const std::string& planes, std::size_t width, std::size_t i) {
   std::uint64_t value = 0;
   for (std::size_t plane = 0; plane < width; ++plane)

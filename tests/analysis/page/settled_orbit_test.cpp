@@ -32,7 +32,7 @@ Recorded record(const sweep::Study& study) {
   return result;
 }
 
-/// The trajectory that a trace writes, with as many samples a turn as the orbit has steps.
+/// The trajectory written by a trace with as many samples per turn as the orbit.
 batch::CsvTable trajectory(const sweep::Study& study, const SettledOrbit& orbit) {
   response::motion::Workspace workspace;
   const scene::Cell cell =
@@ -63,7 +63,7 @@ void expect_like_the_trace(const sweep::Study& study, const SettledOrbit& orbit,
 }
 
 TEST(SettledOrbit, APeriodicMotionIsTheOneThatATraceShows) {
-  // Subharmonic 1/2 of parameter set A.
+  // A 1/2 subharmonic of parameter set A.
   sweep::Study study = sweep::one_side_study({70}, {0.2});
   study.response.max_revolutions = 400;
   const Recorded recorded = record(study);
@@ -74,7 +74,7 @@ TEST(SettledOrbit, APeriodicMotionIsTheOneThatATraceShows) {
   EXPECT_EQ(orbit.section_m.size(), static_cast<std::size_t>(orbit.turns));
   EXPECT_GE(orbit.first_revolution, recorded.row.revolutions);
   expect_like_the_trace(study, orbit, 1e-15);
-  // It closes, as finely as it was asked to.
+  // The orbit closes within the requested accuracy.
   for (const auto& signal : orbit.signals) EXPECT_NEAR(signal.front(), signal.back(), 1e-4 * 1e-3);
   EXPECT_NEAR(orbit.spectrum.amplitude(orbit.spectrum.turns), recorded.row.measures->amplitude_1x_forward_m,
               1e-4 * recorded.row.measures->contact.peak_displacement_m);
@@ -114,7 +114,7 @@ TEST(SettledOrbit, AProvenMotionWithoutAPeriodIsLookedAtOneWindowAfterItsProof) 
   const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
   const auto orbit = settled_orbit(study, prepared, 0, {"quasi_periodic", std::nullopt, 30, true}, workspace);
   ASSERT_TRUE(orbit);
-  // 30 turns, a window of 12, then two windows of which the last turns are drawn.
+  // 30 turns, a window of 12 turns, then two windows, of which the last turns are drawn.
   EXPECT_EQ(orbit->first_revolution + orbit->turns, 30 + 12 + 24);
   EXPECT_EQ(orbit->section_m.size(), 24u);
   expect_like_the_trace(study, *orbit, 1e-15);

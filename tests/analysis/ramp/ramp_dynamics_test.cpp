@@ -26,7 +26,7 @@ TEST(RampDynamics, AtTheReferenceSpeedIsThatOfASteadyShaft) {
   const auto scaled = integrate::run::scale<4>(steady), without = integrate::run::scale<4>(bare);
   integrate::law::Dynamics<4, false> expected(scaled, 0);
   RampDynamics<4> found(without, 0, forces);
-  // Pressed into the wall and sliding: the friction depends on the speed of the surface.
+  // A rotor that penetrates the wall and slides: friction depends on the surface speed.
   const std::array<double, 8> state{0.1, 1.4, 0.02, 0.3, 0.5, 0.2, -0.1, 0.1};
   const double angle = 0.7;
   std::array<double, 10> turning{}, turning_rate{};
@@ -42,7 +42,7 @@ TEST(RampDynamics, AtTheReferenceSpeedIsThatOfASteadyShaft) {
   EXPECT_EQ(turning_rate[8], 1);
   EXPECT_EQ(turning_rate[9], 0);
   EXPECT_NEAR(found.slip_m_per_s(0, turning), expected.slip_m_per_s(0, state), 1e-12);
-  // At half the speed the surface is half as fast.
+  // At half the shaft speed the surface moves half as fast.
   turning[9] = 0.5;
   EXPECT_NEAR(expected.slip_m_per_s(0, state) - found.slip_m_per_s(0, turning), 0.5 * 0.0375 * w, 1e-12);
 }

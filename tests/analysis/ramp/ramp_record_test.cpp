@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A made-up rotor: forward at 1X by 1 mm, backward at 1/3 by 0.2 mm, exactly.
+/// An artificial exact motion: forward 1X with 1 mm, backward 1/3X with 0.2 mm.
 RampSample sample_at(const SpeedRamp& ramp, double t_s) {
   const double angle = ramp.angle_rad(t_s), w = 2 * pi * ramp.speed_hz(t_s);
   const auto z = 1e-3 * std::polar(1.0, angle) + 2e-4 * std::polar(1.0, -angle / 3);
@@ -19,7 +19,7 @@ RampSample sample_at(const SpeedRamp& ramp, double t_s) {
   return {t_s, {z.real(), z.imag()}, {v.real(), v.imag()}};
 }
 
-/// Touches between 12 and 14 s and once at 20 s.
+/// Adds samples with contact between 12 and 14 s, and once at 20 s.
 void add_all(const SpeedRamp& ramp, RampRecord& record) {
   const double period_s = 1 / ramp.fastest_hz();
   const long stretches = std::lround(ramp.duration_s() / period_s);

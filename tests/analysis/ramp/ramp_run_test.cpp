@@ -24,7 +24,7 @@ using std::numbers::pi;
 using Complex = std::complex<double>;
 using integrate::run::Outcome;
 
-/// All samples of a ramp.
+/// Collects all samples of a ramp.
 std::vector<RampSample> samples_of(const model::Machine& machine, const SpeedRamp& ramp,
                                    const integrate::run::SolverOptions& solver = {
                                        .relative_tolerance = 1e-10}) {
@@ -37,7 +37,7 @@ std::vector<RampSample> samples_of(const model::Machine& machine, const SpeedRam
   return samples;
 }
 
-/// A Jeffcott rotor far inside an annular stop.
+/// A Jeffcott rotor far inside an annular stop, without contact.
 model::Machine roomy_machine(double damping_ratio) {
   model::Machine machine;
   machine.rotor =
@@ -53,7 +53,7 @@ model::Machine roomy_machine(double damping_ratio) {
 }
 
 TEST(RampRun, LargestOneXIsTheLargestRadiusOfACircularMotion) {
-  // An independent solver says 0.01147795 m at 102.573 Hz for the first one.
+  // Reference values of an independent solver, such as 0.01147795 m at 102.573 Hz for the first case.
   struct Case {
     double damping_ratio;
     SpeedRamp ramp;
@@ -76,7 +76,7 @@ TEST(RampRun, LargestOneXIsTheLargestRadiusOfACircularMotion) {
   }
 }
 
-/// Far from its stops a ramp is the one of linear::run_linear, by another right-hand side in other units.
+/// Expects a ramp far from the stops to agree with linear::run_linear, which uses other equations and units.
 void expect_as_without_stops(model::Machine machine, const SpeedRamp& ramp) {
   machine.kick.reset();
   machine.stops.front().clearance_m = 4e-3;
@@ -142,14 +142,15 @@ TEST(RampRun, EndsOfATableAndChangingMassesAreRefused) {
 TEST(RampRun, OfAGyroscopicBowedKitIsThatWithoutStops) {
   model::Machine machine = scene::light_shaft_machine();
   auto& kit = std::get<model::RotorKit>(machine.rotor);
-  kit.discs.front().position_m = 0.13;  // off the middle: the disc leans
+  kit.discs.front().position_m = 0.13;  // away from midspan, so that the disc tilts
   kit.shaft.front().density_kg_per_m3 = 7850;
   kit.modes = 2;
   kit.bow = model::Bow{model::BowMode{.mode = 1, .amplitude_m = 5e-5}, 30};
   expect_as_without_stops(machine, {20, 45, 10, 3e-5});
 }
 
-/// The same machine by classical Runge-Kutta in small steps, the law written out: z of rotor and casing.
+/// The same machine by the classical Runge-Kutta method with small steps and a separately written contact
+/// law: z of rotor and casing.
 std::vector<Complex> reference(const SpeedRamp& ramp, double sample_s, std::size_t count) {
   constexpr double m = 0.8, casing_m = 0.05, casing_k = 5e5, stiffness = 2e6, clearance = 1e-3,
                    radius = 0.0375;
@@ -166,7 +167,7 @@ std::vector<Complex> reference(const SpeedRamp& ramp, double sample_s, std::size
     const double w = 2 * pi * ramp.speed_hz(t), a = 2 * pi * ramp.rate_hz_per_s;
     const double p = (s.z - s.y).imag() - clearance, closing = (s.v - s.u).imag();
     const contact::NormalForce normal = contact::elastogap(stiffness, damping, p, closing);
-    // The tangent of a wall above is -x.
+    // The tangent of a wall above the rotor points to -x.
     const double slip = -(s.v - s.u).real() + radius * w;
     const double friction = 0.1 * std::tanh(100 * slip) * normal.spring_n;
     const Complex on_casing = Complex(-friction, normal.total_n);
@@ -178,7 +179,7 @@ std::vector<Complex> reference(const SpeedRamp& ramp, double sample_s, std::size
   const auto moved = [](const State& s, double h, const State& r) {
     return State{s.z + h * r.z, s.v + h * r.v, s.y + h * r.y, s.u + h * r.u};
   };
-  State s{{0, 0}, {0, 0}, {0, 0}, {0, 0}};  // the quiet motion reaches the wall: at rest
+  State s{{0, 0}, {0, 0}, {0, 0}, {0, 0}};  // the quiet motion would reach the wall, so it starts at rest
   EXPECT_EQ(cell.start, scene::Start::contact);
   std::vector<Complex> samples;
   constexpr int steps = 400;
@@ -198,7 +199,7 @@ std::vector<Complex> reference(const SpeedRamp& ramp, double sample_s, std::size
 TEST(RampRun, ThroughImpactsIsThatOfSmallFixedSteps) {
   const SpeedRamp ramp{28, 34, 10, 2e-4};
   const auto samples = samples_of(scene::one_side_machine(), ramp);
-  // As long as impacts have not yet made a difference of rounding large.
+  // The comparison ends before impacts amplify rounding.
   const std::size_t count = samples.size() / 2;
   const auto expected = reference(ramp, samples[1].t_s, count);
   double largest = 0;
@@ -207,7 +208,7 @@ TEST(RampRun, ThroughImpactsIsThatOfSmallFixedSteps) {
     largest = std::max(largest, std::abs(z));
     ASSERT_NEAR(std::abs(z - expected[k]), 0, 2e-5 * 1e-3) << k;
   }
-  EXPECT_GT(largest, 1.2e-3);  // the rotor hit the wall
+  EXPECT_GT(largest, 1.2e-3);  // the rotor reached the wall
 }
 
 TEST(RampRun, ASlowOneFollowsTheQuasiStaticMotionAndRubsWhereThatDoes) {
@@ -233,7 +234,7 @@ TEST(RampRun, ASlowOneFollowsTheQuasiStaticMotionAndRubsWhereThatDoes) {
         last_hz = cells[i].value;
       }
       for (const EnvelopePoint& at : record.envelope()) {
-        // Not where the ramp has just come to the wall and still swings, or jumps.
+        // Speeds are left out where the ramp has just reached the wall and still vibrates, or where it jumps.
         const double jump_hz = up ? 27.8 : 33;
         if (std::abs(at.speed_hz - cells[i].value) > 0.02 || std::abs(at.speed_hz - jump_hz) < 1.5) continue;
         ++compared;
@@ -244,8 +245,8 @@ TEST(RampRun, ASlowOneFollowsTheQuasiStaticMotionAndRubsWhereThatDoes) {
     EXPECT_GT(compared, 15);
     const auto spans = record.rubbing_spans();
     ASSERT_EQ(spans.size(), 1u);
-    // Upward it begins at the wall and never ends; downward it begins later, at the upper touch, and ends
-    // below.
+    // On the way up the rub begins at the wall and never ends. On the way down it begins at the upper touch
+    // speed and ends at the lower one.
     EXPECT_NEAR(up ? spans[0].from_hz : spans[0].to_hz, first_hz, 1.0);
     EXPECT_NEAR(up ? spans[0].to_hz : spans[0].from_hz, last_hz, 1.0);
   }
@@ -258,7 +259,7 @@ TEST(RampRun, WhatNoRampIsMadeOfIsRefused) {
   EXPECT_THROW(
       run_ramp(scene::prepare_machine(machine), {20, 40, 10, 1e-5}, {}, 32, [](const RampStretch&) {}),
       ConfigError);
-  // No quiet motion to start from: an undamped resonance.
+  // An undamped resonance has no quiet motion to start from.
   machine = scene::one_side_machine();
   machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0};
   EXPECT_THROW(
@@ -270,7 +271,7 @@ TEST(RampRun, AngleIsQuadraticAndTimeItsInverse) {
   for (const SpeedRamp& ramp : {SpeedRamp{10, 60, 2, 0}, SpeedRamp{60, 10, -2, 0}}) {
     EXPECT_DOUBLE_EQ(ramp.duration_s(), 25);
     EXPECT_DOUBLE_EQ(ramp.speed_hz(25), ramp.to_hz);
-    // The mean speed over the whole ramp.
+    // The total angle is the mean speed times the duration.
     EXPECT_NEAR(ramp.angle_rad(25), 2 * std::numbers::pi * 35 * 25, 1e-9);
     for (const double t_s : {0.0, 0.3, 11.0, 24.9})
       EXPECT_NEAR(ramp.time_s(ramp.angle_rad(t_s) / (2 * std::numbers::pi)), t_s, 1e-11);

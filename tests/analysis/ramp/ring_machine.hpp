@@ -7,7 +7,8 @@
 
 namespace rubsweep::ramp {
 
-/// A rotor of 30 Hz inside an elastic ring, four times as stiff as its shaft, without friction and damping.
+/// A rotor of 30 Hz inside an elastic ring four times stiffer than its shaft, without friction and contact
+/// damping.
 inline model::Machine ring_machine() {
   model::Machine machine = scene::one_side_machine();
   machine.rotor = model::JeffcottRotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .damping_ratio = 0.05};

@@ -15,7 +15,7 @@ namespace {
 
 using test::OneSideRotor;
 
-/// x and y of a Jeffcott rotor with one casing.
+/// Probes in x and y for a Jeffcott rotor with one casing.
 Probes probes(double sample_s, double noise_m = 0) {
   Probes both;
   both.rows = Eigen::MatrixXd::Zero(2, 4);
@@ -40,12 +40,12 @@ Trace run(const OneSideRotor& rotor, long revolutions, std::optional<Probes> pro
                     .probes = std::move(probes)});
 }
 
-/// On the quiet whirl z = i A e^{i w t}, at instants that no grid of the turn has.
+/// The quiet whirl z = i A e^{i w t}, read at instants between all grid points of a turn.
 TEST(ProbeReader, ReadsTheQuietWhirlAtItsOwnInstants) {
   const OneSideRotor rotor;
   const double sample_s = 7.77e-4, whirl_m = rotor.whirl_ratio * rotor.clearance_m;
   const Trace trace = run(rotor, 9, probes(sample_s), false);
-  // Readings before the end of the last turn, t = 0 among them.
+  // Readings from t = 0 to the end of the last turn.
   const auto count = static_cast<Eigen::Index>(std::ceil(9 / rotor.speed_hz / sample_s));
   ASSERT_EQ(trace.readings_m.rows(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -55,7 +55,7 @@ TEST(ProbeReader, ReadsTheQuietWhirlAtItsOwnInstants) {
   }
 }
 
-/// Where a reading falls on a sample of the trajectory it is that sample, contact or not.
+/// A reading at the instant of a trajectory sample equals this sample, with and without contact.
 TEST(ProbeReader, AgreesWithTheTrajectoryThroughContacts) {
   const OneSideRotor rotor;
   const Trace trace = run(rotor, 12, probes(1 / (rotor.speed_hz * 25)));
@@ -68,7 +68,7 @@ TEST(ProbeReader, AgreesWithTheTrajectoryThroughContacts) {
   }
 }
 
-/// Looking by probes changes neither what is traced nor where.
+/// Reading the probes changes neither the trace nor its instants.
 TEST(ProbeReader, LeavesTheTraceAsItIs) {
   const OneSideRotor rotor;
   const Trace with = run(rotor, 5, probes(1e-3)), without = run(rotor, 5, std::nullopt);
@@ -101,7 +101,7 @@ struct Line {
   double order = 0, amplitude_m = 0;
 };
 
-/// Readings of lines, and of noise of this standard deviation in x and in y.
+/// Readings of a sum of lines, with noise of this standard deviation in x and in y.
 std::vector<Complex> readings(const std::vector<Line>& lines, double speed_hz, double sample_s, int count,
                               double noise_m = 0) {
   std::mt19937_64 random(7);
@@ -135,7 +135,7 @@ TEST(ProbePeriodFind, OfALineWithoutARatioIsNone) {
   EXPECT_GT(found.unexplained_share, 1e-3);
 }
 
-/// The noise explains what it leaves, and no more.
+/// The known noise explains the remaining deviations, and no more.
 TEST(ProbePeriodFind, SeesThroughNoiseThatItKnowsOf) {
   const double noise_m = 2e-5;
   const auto z = readings({{1, 4e-4}, {0.5, 3e-4}}, 70, 1e-3, 914, noise_m);
@@ -146,7 +146,8 @@ TEST(ProbePeriodFind, SeesThroughNoiseThatItKnowsOf) {
   EXPECT_FALSE(find_period(z, 1e-3, 70, 0, 64, 12).period);
 }
 
-/// At 70 rev/s and 1 ms the sampling rate is 100/7 orders: a line at order 10 is read at 10 - 100/7.
+/// At 70 Hz and a reading every 1 ms the sampling rate is 100/7 orders, so a line at order 10 appears at 10 -
+/// 100/7.
 TEST(ProbePeriodFind, ALineAboveHalfTheSamplingRateIsFoldedWhereNoLineBelongs) {
   const auto z = readings({{1, 4e-4}, {10, 1e-4}}, 70, 1e-3, 914);
   EXPECT_FALSE(find_period(z, 1e-3, 70, 0, 64, 6).period);

@@ -5,7 +5,8 @@
 namespace rubsweep::trace {
 namespace {
 
-/// 4 turns of 4 samples: lines at -2X to 1.75X. `amplitude` by line.
+/// Spectrum over 4 turns of 4 samples, with lines from -2X to 1.75X. `amplitude`: pairs of line number and
+/// amplitude.
 response::spectrum::FullSpectrum spectrum_of(std::initializer_list<std::pair<int, double>> amplitude) {
   response::spectrum::FullSpectrum spectrum{
       .turns = 4, .samples_per_revolution = 4, .amplitude_m = std::vector<double>(16)};
@@ -25,9 +26,9 @@ TEST(TraceCsvTraceSummaryLargestLines, AreSortedPeaksWithoutTheMean) {
 
 TEST(TraceCsvTraceSummaryLargestLines, StopAtTheFloorOfSignificance) {
   EXPECT_EQ(largest_lines(spectrum_of({{4, 1e-3}, {-4, 0.9e-6}}), 5, 1e-6).size(),
-            1u);  // 1e-3 of the largest
+            1u);  // 1e-3 of the largest line
   EXPECT_EQ(largest_lines(spectrum_of({{4, 1e-3}, {-4, 1.1e-6}}), 5, 1e-6).size(), 2u);
-  EXPECT_EQ(largest_lines(spectrum_of({{4, 0.9e-9}}), 5, 1e-3).size(), 0u);  // 1e-6 of the clearance
+  EXPECT_EQ(largest_lines(spectrum_of({{4, 0.9e-9}}), 5, 1e-3).size(), 0u);  // below 1e-6 of the clearance
   EXPECT_EQ(largest_lines(spectrum_of({}), 5, 1e-3).size(), 0u);
   EXPECT_EQ(largest_lines({}, 5, 1e-3).size(), 0u);
 }
@@ -95,7 +96,7 @@ TEST(TraceCsvTrajectory, HasTheRotorThenEveryStop) {
   Trace trace;
   trace.stops = 2;
   trace.trajectory = {{0.0625, state_with_two_stops()}};
-  // The shortest text that reads back to the same double.
+  // Numbers are written with the fewest digits that give the same double.
   EXPECT_EQ(trajectory_csv(trace),
             "t_s,x_m,y_m,vx_m_per_s,vy_m_per_s,"
             "casing_0_x_m,casing_0_y_m,gap_0_m,normal_force_0_n,friction_force_0_n,"

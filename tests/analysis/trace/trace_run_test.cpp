@@ -53,7 +53,7 @@ TEST(TraceRun, SectionStartsWhereTheKickDoesAndFollowsTheReference) {
   EXPECT_EQ(trace.outcome, Outcome::ok);
   EXPECT_EQ(trace.revolutions, 4);
   ASSERT_EQ(trace.section.size(), 5u);
-  // z(0) = i A, on the circle of the quiet whirl; the casing rests.
+  // z(0) = i A on the circle of the quiet whirl; the casing is at rest.
   const double whirl_m = rotor.whirl_ratio * rotor.clearance_m;
   const TraceState& start = trace.section[0].state;
   EXPECT_NEAR(start.displacement_m.x(), 0, 1e-18);
@@ -79,13 +79,13 @@ TEST(TraceRun, SectionStartsWhereTheKickDoesAndFollowsTheReference) {
 
 TEST(TraceRun, SamplesLieOnTheGridAndPassThroughTheSection) {
   OneSideRotor rotor;
-  rotor.speed_hz = 70;  // 1/70 is no binary fraction
+  rotor.speed_hz = 70;  // 1/70 is not a binary fraction
   const Trace trace = run(rotor, options_for(rotor, 3));
   const auto& trajectory = trace.trajectory;
   ASSERT_EQ(trajectory.size(), 60u);
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     EXPECT_DOUBLE_EQ(trajectory[i].time_s, static_cast<double>(i) / 20 / 70);
-    // A velocity is the slope of its displacement: central difference over the neighbours, in free flight.
+    // In free flight a velocity equals the central difference of the neighbouring displacements.
     if (i == 0 || i + 1 == trajectory.size()) continue;
     const TraceState &before = trajectory[i - 1].state, &state = trajectory[i].state,
                      &after = trajectory[i + 1].state;
@@ -117,7 +117,7 @@ TEST(TraceRun, TakesAboutAsMuchMemoryAsItSays) {
     TraceOptions options = options_for(rotor, 30);
     options.trajectory_revolutions = kept;
     const Trace trace = run(rotor, options);
-    // Size of the lists; the tables made of them take about 1.5 times that again.
+    // Size of the lists; the tables made from them take about 1.5 times as much in addition.
     const double list = (sizeof(TracedState) + sizeof(StopState) + 8 * sizeof(double)) *
                         static_cast<double>(trace.trajectory.size() + trace.section.size());
     EXPECT_GT(trace_bytes(options, 1, 4), 2 * list);
@@ -143,7 +143,7 @@ TEST(TraceRun, EventsFormOneChainPerStop) {
     EXPECT_EQ(change.from, mode.at(stop)) << "at " << time_s;
     mode[stop] = change.to;
     if (change.from == Mode::open) {
-      EXPECT_EQ(change.to, Mode::clamped);  // contact begins with the damper at its limit
+      EXPECT_EQ(change.to, Mode::clamped);  // contact begins with the damper force at its limit
       ++hits[stop];
     }
   }
@@ -159,7 +159,7 @@ TEST(TraceRun, EventsAreTimedInTheirRevolution) {
   options.samples_per_revolution = 500;
   const Trace trace = run(rotor, options);
   ASSERT_GT(trace.switches.size(), 8u);
-  // At a touch the gap closes between two neighbours of the grid.
+  // At a touch the gap closes between two neighbouring samples.
   for (const auto& [time_s, change] : trace.switches) {
     if (change.from != contact::Mode::open) continue;
     const auto before = static_cast<std::size_t>(std::floor(time_s * rotor.speed_hz * 500));
@@ -177,7 +177,7 @@ TEST(TraceRunLastWindow, HoldsTheMeasuresOfTheMap) {
                     .window_revolutions = 13,
                     .floquet_proof = false,
                     .max_order = 4};
-  study.solver.method = integrate::run::Method::adaptive;  // the method of the trace of these tests
+  study.solver.method = integrate::run::Method::adaptive;  // method of the traces in these tests
   response::motion::Workspace workspace;
   const sweep::Row row = sweep::evaluate_cell(study, 0, workspace);
   ASSERT_EQ(row.order, 2);
@@ -189,7 +189,7 @@ TEST(TraceRunLastWindow, HoldsTheMeasuresOfTheMap) {
                              .trajectory_revolutions = 1};
   const Trace trace = run({}, options);
   const TraceWindow window = last_window(trace, options, row.order, workspace.spectrum);
-  EXPECT_EQ(window.turns, 12);  // whole periods of 2 in 13
+  EXPECT_EQ(window.turns, 12);  // whole periods of 2 turns within 13 turns
   EXPECT_EQ(window.contact.hits, 6);
   EXPECT_NEAR(window.contact.contact_fraction, row.measures->contact.contact_fraction, 0.1);
   EXPECT_EQ(window.contact.peak_displacement_m, row.measures->contact.peak_displacement_m);
@@ -207,11 +207,10 @@ TEST(TraceRunLastWindow, IsTheWholeRunWhereThatIsShorter) {
   response::spectrum::SpectrumWorkspace workspace;
   EXPECT_EQ(last_window(trace, options, std::nullopt, workspace).turns, 3);
   EXPECT_EQ(last_window(trace, options, 2, workspace).turns, 2);
-  EXPECT_EQ(last_window(trace, options, 5, workspace).turns, 3);  // no whole period fits
+  EXPECT_EQ(last_window(trace, options, 5, workspace).turns, 3);  // no whole period fits into the trace
 }
 
-/// A run of a point that stands still at (1, 2) length scales for `whole` turns, then fails after `samples`
-/// more.
+/// A run of a point that rests at (1, 2) length scales for `whole` turns, and fails `samples` samples later.
 integrate::run::Cursor failing_after(int whole, int samples) {
   return [whole, samples, turns = 0](const TurnRequest& asked, TurnReport& turn) mutable {
     const bool fails = turns++ == whole;
@@ -244,7 +243,7 @@ TEST(TraceRun, GoesOnToTheFailure) {
   EXPECT_EQ(trace.section.size(), 4u);
   ASSERT_EQ(trace.switches.size(), 4u);
   EXPECT_DOUBLE_EQ(trace.switches[3].time_s, 0.3 + 0.1 * 0.1 / (2 * std::numbers::pi));
-  // The spectrum is that of whole revolutions.
+  // The spectrum uses whole revolutions only.
   response::spectrum::SpectrumWorkspace workspace;
   const TraceWindow window = last_window(trace, options, std::nullopt, workspace);
   EXPECT_EQ(window.turns, 3);

@@ -27,7 +27,7 @@ constexpr integrate::run::SolverOptions located{};
 constexpr integrate::run::SolverOptions smoothed{.contact = integrate::run::ContactHandling::smoothed,
                                                  .smoothing_m = 1e-6};
 
-/// SI state as a run holds it.
+/// Converts a state from SI units to the scaled units of a run.
 std::vector<double> scaled(const OneSideState<double>& state, const OneSideRotor& rotor) {
   const double speed = 2 * std::numbers::pi * rotor.speed_hz;
   std::vector<double> result;
@@ -35,7 +35,7 @@ std::vector<double> scaled(const OneSideState<double>& state, const OneSideRotor
   return result;
 }
 
-/// A rotor about to touch, touching or just released, at any speed.
+/// A rotor close to the wall, in contact or just released, with random velocity.
 OneSideState<double> near_the_wall(std::mt19937& random) {
   std::normal_distribution<double> place(0, 2e-4), speed(0, 0.5);
   OneSideState<double> state{place(random), 1.1e-3 + place(random), place(random), place(random)};
@@ -44,7 +44,7 @@ OneSideState<double> near_the_wall(std::mt19937& random) {
 }
 
 TEST(TraceStateReader, GivesTheForcesThatTheEquationsOfMotionNeed) {
-  // Slip of either sign, and a friction that tells one slip from another.
+  // The slip has both signs, and the friction depends on it.
   const OneSideRotor rotor{.contact_radius_m = 0.0005, .friction_steepness_s_per_m = 2};
   const OneSideEquations<double> equations(rotor);
   const scene::Cell cell = test::cell_of(rotor);
@@ -55,7 +55,7 @@ TEST(TraceStateReader, GivesTheForcesThatTheEquationsOfMotionNeed) {
     const OneSideState<double> s = near_the_wall(random);
     OneSideState<double> rate;
     equations(s, rate, 1.0);
-    // Force on the casing beside its own spring and damper; the tangent is (-1, 0).
+    // Force on the casing without its own spring and damper; the tangent is (-1, 0).
     const double normal_n = equations.mc * rate[7] + equations.kc * s[3] + equations.cc * s[7];
     const double friction_n = -(equations.mc * rate[6] + equations.kc * s[2] + equations.cc * s[6]);
 
@@ -86,12 +86,12 @@ TEST(TraceStateReader, SmoothedLawDiffersAtTheCornersOnly) {
     return reader.read(scaled(state, rotor), 0).stops[0].normal_force_n;
   };
   EXPECT_EQ(force_at(sharp, 0), 0);
-  EXPECT_NEAR(force_at(soft, 0), rotor.stiffness_n_per_m * 1e-6 / 8, 1e-9);  // a parabola over the width
+  EXPECT_NEAR(force_at(soft, 0), rotor.stiffness_n_per_m * 1e-6 / 8, 1e-9);  // smoothed: a parabola near 0
   EXPECT_NEAR(force_at(soft, 1e-4), force_at(sharp, 1e-4), 1e-9);
   EXPECT_EQ(force_at(soft, -1e-4), 0);
 }
 
-/// One mass at rest in a rigid annular stop whose centre is at (-3e-4, -4e-4).
+/// A mass at rest in a rigid annular stop with its centre at (-3e-4, -4e-4).
 scene::Scene annular_scene() {
   scene::Scene scene = test::one_mass_scene(1, 1000, 0, 0.02, 1e-3);
   scene::Contact stop;
@@ -107,20 +107,20 @@ scene::Scene annular_scene() {
 
 TEST(TraceStateReader, ShowsWhatHoldsAContactThatSticks) {
   scene::Scene scene = annular_scene();
-  // The shaft's spring pulls along the normal; a force that turns acts along the tangent (-0.8, 0.6) at first
+  // The shaft's spring acts along the normal; a rotating force acts along the tangent (-0.8, 0.6) at first,
   // and against it half a turn later.
   const Eigen::Vector2d tangent(-0.8, 0.6);
   scene.harmonic_n = (70.0 * tangent).cast<std::complex<double>>();
   scene.constant_n = 20 * tangent;
   const StateReader reader(scene, located);
   const double speed = scene.speed_rad_per_s;
-  // The sliding speed of -2 m/s along the tangent is that of the surface.
+  // The rotor moves with the surface, at -2 m/s along the tangent, so it sticks.
   const std::vector<double> sticking{0.6, 0.8, 1.6 / (1e-3 * speed), -1.2 / (1e-3 * speed)};
   EXPECT_NEAR(reader.read(sticking, 0).stops.at(0).normal_force_n, 500, 1e-9);
   EXPECT_NEAR(reader.read(sticking, 0).stops.at(0).friction_force_n, 90, 1e-7);
   EXPECT_NEAR(reader.read(sticking, 7.5).stops.at(0).friction_force_n, -50, 1e-7);
   EXPECT_NEAR(reader.read(sticking, 0.25).stops.at(0).friction_force_n, 20, 1e-7);
-  // A kick of 60 N at its top, more than friction holds: the surface begins to slip forward.
+  // At its peak a kick of 60 N exceeds friction: the contact begins to slip forward.
   scene.pulses.push_back({.direction = tangent, .force_n = 60, .duration_s = 2 * scene.period_s()});
   const StateReader kicked(scene, located);
   EXPECT_NEAR(kicked.read(sticking, 1).stops.at(0).friction_force_n, 0.2 * 500, 1e-9);
@@ -140,7 +140,7 @@ TEST(TraceStateReader, ReadsARingAlongTheOffsetDisplacement) {
   const scene::Scene scene = annular_scene();
   const StateReader reader(scene, located);
   const double speed = scene.speed_rad_per_s;
-  // d = (6, 8)e-4 + (3, 4)e-4 = 1.5e-3 along n = (0.6, 0.8); closing at 1 m/s, sliding at 0.5 m/s along
+  // d = (6, 8)e-4 + (3, 4)e-4 = 1.5e-3 along n = (0.6, 0.8); closing speed 1 m/s, sliding speed 0.5 m/s along
   // (-0.8, 0.6).
   const std::vector<double> touching{0.6, 0.8, (0.6 - 0.4) / (1e-3 * speed), (0.8 + 0.3) / (1e-3 * speed)};
   const StopState stop = reader.read(touching, 0).stops.at(0);
@@ -149,7 +149,7 @@ TEST(TraceStateReader, ReadsARingAlongTheOffsetDisplacement) {
   EXPECT_NEAR(stop.friction_force_n, 0.2 * 500, 1e-9);
   EXPECT_EQ(stop.casing_m, Eigen::Vector2d(0, 0));  // rigid
 
-  // In the very centre there is no normal, and nothing touches.
+  // At the exact centre the normal is undefined, and nothing touches.
   const StopState centred = reader.read(std::vector<double>{-0.3, -0.4, 0, 0}, 0).stops.at(0);
   EXPECT_NEAR(centred.gap_m, 1e-3, 1e-18);
   EXPECT_EQ(centred.normal_force_n, 0);
@@ -164,10 +164,10 @@ TEST(TraceStateReader, RefusesAStateOfAnotherSize) {
 }
 
 struct Balance {
-  double gap_j = 0;   ///< largest difference between energy and work so far
-  double work_j = 0;  ///< integral of the powers without their signs
+  double gap_j = 0;   ///< largest difference between energy and accumulated work
+  double work_j = 0;  ///< integral of the absolute powers
   double friction_j = 0, sticking_j = 0;
-  double held_n = 0;  ///< largest friction below its limit
+  double held_n = 0;  ///< largest friction force of a sticking contact
 };
 
 double power_w(const Energy& e) { return e.forcing_w + e.damping_w + e.contact_damping_w + e.friction_w; }
@@ -204,7 +204,7 @@ Balance balance_of(const scene::Scene& scene, int samples, long turns,
   return balance;
 }
 
-/// The rule is of second order, also over the corners of the powers.
+/// The integration rule has second order, even across corners of the powers.
 void expect_closed(const scene::Scene& scene, long turns, const integrate::run::SolverOptions& solver = {}) {
   const Balance coarse = balance_of(scene, 4096, turns, solver),
                 fine = balance_of(scene, 16384, turns, solver);
@@ -235,8 +235,8 @@ TEST(TraceStateBalance, ClosesInAnOffsetAnnularStopWithDryFriction) {
 }
 
 TEST(TraceStateBalance, ClosesWhereDryFrictionHoldsARotorOnItsCasing) {
-  // Pressed on a floor that moves, whose surface stands still, by 5 N; shaken along it by less than 0.5 N
-  // at first, more beside the kick.
+  // A rotor pressed by 5 N onto a moving floor whose surface stands still, and shaken along it: by less than
+  // 0.5 N at first, by more during the kick.
   scene::Scene scene = test::cell_of({.kick_n = 0, .whirl_ratio = 0}).scene;
   scene.contacts[0].friction = model::ConstantFriction{0.1};
   scene.contacts[0].surface_speed_m_per_s = 0;

@@ -32,7 +32,7 @@ sweep::Row row_of(MotionClass motion_class, double length_m) {
   return row;
 }
 
-/// `rows` as the map of a plane, in the order of its starts, or from the last one to the first.
+/// Writes `rows` as the map of a plane, in the order of its initial states or in reverse order.
 class BasinSliceTest : public testing::Test {
  protected:
   BasinSlice read(const std::vector<sweep::Row>& rows, std::vector<double> across, std::vector<double> up,
@@ -99,7 +99,8 @@ std::vector<double> places(std::size_t count) {
   return values;
 }
 
-/// Halves parted by a straight line within a column of boxes: every sixth box is mixed, 2 to 3.
+/// Two halves divided by a straight line within a column of boxes: every sixth box is mixed, in the ratio 2
+/// to 3.
 TEST_F(BasinSliceTest, SaysTheEntropiesAndTheExponentOfALine) {
   std::vector<sweep::Row> rows;
   for (std::size_t i = 0; i < 30 * 30; ++i)

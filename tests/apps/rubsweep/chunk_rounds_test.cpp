@@ -14,8 +14,8 @@ std::vector<std::size_t> cells_from(std::size_t first, std::size_t count) {
   return cells;
 }
 
-/// Lets workers ask in turn until each has nothing left to do or waits; returns all cells that they were
-/// given, ascending.
+/// Lets the workers request chunks in turn until each is finished or waits; returns all cells dealt out,
+/// ascending.
 std::vector<std::size_t> deal(ChunkRounds& chunks, std::size_t workers) {
   std::vector<std::size_t> dealt;
   std::vector<bool> asks(workers, true);

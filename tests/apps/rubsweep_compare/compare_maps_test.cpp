@@ -43,7 +43,7 @@ Row row(double speed_hz, double whirl_ratio, response::motion::MotionClass motio
   return row;
 }
 
-/// Four cells: two motions that repeat, rest and chaos.
+/// Four cells: two periodic motions, one at rest and one chaotic.
 std::vector<Row> cells() {
   using enum response::motion::MotionClass;
   return {row(50, 0.2, subharmonic, 2), row(60, 0.2, non_contact, {}), row(50, 0.4, chaotic, {}),
@@ -176,14 +176,14 @@ TEST_F(CompareMaps, HowLongATransientLastedIsNotCompared) {
   EXPECT_TRUE(compare(cells(), other).equal());
 }
 
-/// A map of an earlier version ends before the columns that were added since.
+/// A map of an earlier version lacks the columns that were added later.
 TEST_F(CompareMaps, ColumnsThatOneMapLacksAreNotCompared) {
   const auto without = [](const std::string& text) {
     std::string older;
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t end = text.find('\n', at);
       std::string line = text.substr(at, end - at);
-      // The peaks and, behind them, the life of chaos and the kind.
+      // Removes the peaks and the columns after them: life of chaos, and kind.
       for (int column = 0; !line.starts_with('#') && column < 5; ++column) line.resize(line.rfind(','));
       older += line + '\n';
       at = end + 1;
@@ -258,7 +258,7 @@ TEST_F(CompareMaps, OfEccentricityMapsTheCellsAreFoundByEccentricity) {
     a.back().eccentricity_m = 1e-4;
   }
   auto b = a;
-  b[1].whirl_ratio *= 1 + 1e-15;  // follows from the eccentricity, by another compiler
+  b[1].whirl_ratio *= 1 + 1e-15;  // as if computed from the eccentricity by another compiler
   const MapComparison comparison = compare(a, b);
   EXPECT_EQ(comparison.axis, "eccentricity_m");
   EXPECT_TRUE(comparison.equal());

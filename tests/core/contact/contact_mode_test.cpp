@@ -17,7 +17,7 @@ std::vector<Guard> listed(const Guards& guards) {
   return {guards.list.begin(), guards.list.begin() + guards.count};
 }
 
-/// Random states: anywhere, exactly at first touch, exactly and nearly on the clamp lines d v = +-K p.
+/// Random states: anywhere, exactly at first touch, and exactly or nearly on the clamp lines d v = +-K p.
 Kinematics random_state(RandomContact& random, double stiffness, double damping, int kind) {
   Kinematics k{random.penetration(), random.speed(), random.either_sign(random.log_uniform(1e-3, 1e4))};
   if (kind % 5 == 1) k.penetration = 0;
@@ -71,7 +71,7 @@ TEST(ContactModeGuardsOf, AreBelowZeroInsideTheMode) {
   RandomContact random(2);
   for (int trial = 0; trial < 40'000; ++trial) {
     const double stiffness = random.stiffness(), damping = random_damping(random, trial);
-    Kinematics k = random_state(random, stiffness, damping, trial % 2 == 0 ? 0 : 4);  // no ties
+    Kinematics k = random_state(random, stiffness, damping, trial % 2 == 0 ? 0 : 4);  // no exact ties
     const Mode mode = mode_of(stiffness, damping, k.penetration, k.closing_speed);
     for (const Guard& guard : listed(guards_of(mode, stiffness, damping, k))) EXPECT_LT(guard.value, 0);
   }
@@ -84,7 +84,7 @@ TEST(ContactModeGuardsOf, RateIsTheDifferenceQuotientAlongAMotion) {
     const double p = random.uniform(-1, 1), v = random.uniform(-1, 1), a = random.uniform(-1, 1);
     const auto along = [=](double t) { return Kinematics{p + v * t + a * t * t / 2, v + a * t, a}; };
     for (const Mode mode : all_modes) {
-      // Values are of second degree in t, so that a central difference has no error but rounding.
+      // The guards are quadratic in t, so a central difference is exact up to rounding.
       const double h = 1e-3;
       const auto before = listed(guards_of(mode, stiffness, damping, along(-h)));
       const auto now = listed(guards_of(mode, stiffness, damping, along(0)));
@@ -112,7 +112,8 @@ TEST(ContactModeGuardsOf, OnlyThoseOfTheMode) {
 }
 
 TEST(ContactModeAfter, FollowsAnySmoothMotionThroughTheModes) {
-  // Where a motion sampled finely changes its mode, the guards of the old mode must lead to the new one.
+  // Where a finely sampled motion changes its mode, the guards of the old mode must lead to the same new
+  // mode.
   RandomContact random(4);
   int changes = 0;
   for (int motion = 0; motion < 60; ++motion) {
@@ -163,7 +164,8 @@ TEST(ContactModeAfter, AtExactZerosTheRateDecides) {
 }
 
 TEST(ContactModeAfter, HopsThroughSeveralModesAtOnce) {
-  // A contact so short that one step saw it all: K p - d v, -(K p + d v) and -p are past zero and rising.
+  // A contact that begins and ends within one step: K p - d v, -(K p + d v) and -p are all positive and
+  // rising.
   const Kinematics gone{-0.1, -1, -2};
   EXPECT_EQ(mode_after(Mode::clamped, 1, 1, gone), Mode::open);
   EXPECT_EQ(mode_after(Mode::sprung, 1, 1, gone), Mode::open);
@@ -190,7 +192,8 @@ TEST(ContactMode, Names) {
   EXPECT_EQ(to_string(Mode::released), "released");
 }
 
-/// With a damping far below rounding both guards of sprung stand at p = 0: the speed says which one it is.
+/// With a damping far below rounding, both guards of sprung are zero at p = 0: the closing speed decides
+/// between them.
 TEST(ContactModeThrough, OutOfSprungTheClosingSpeedDecides) {
   const Kinematics separating{-1e-16, -1, 0}, closing{1e-17, 1, 0};
   EXPECT_EQ(mode_through(Mode::sprung, Mode::clamped, separating), Mode::released);

@@ -41,8 +41,8 @@ model::Stop felt_stop() {
   return stop;
 }
 
-/// Restitution of a free unit mass that meets p^n (1 + x p') at unit speed, by the classical Runge-Kutta
-/// method in steps that shorten towards both ends, where p^n is not smooth.
+/// Restitution of a free unit mass that hits p^n (1 + x p') at unit speed. Classical Runge-Kutta method, with
+/// shorter steps towards both ends of the contact, where p^n is not smooth.
 double simulated_restitution(double n, double x) {
   using Real = long double;
   const auto force = [&](Real p, Real v) { return p > 0 ? -std::pow(p, Real(n)) * (1 + Real(x) * v) : 0; };
@@ -76,8 +76,8 @@ TEST(CurvedLaw, DeliveredDeliversEveryRestitution) {
 }
 
 TEST(CurvedLaw, TheOtherFormulasAgreeWithItNearOneOnly) {
-  // Series of the first integral: 1 - e = 2 x / 3 + O(x^2), which all four formulas begin with, but for
-  // Flores's 5 / 8.
+  // All four formulas have the series 1 - e = 2 x / 3 + O(x^2) of the first integral, except for the factor 5
+  // / 8 of Flores.
   constexpr double e = 0.9999;
   EXPECT_NEAR(restitution_of_factor(damping_factor(ImpactDamping::hunt_crossley, e)), e, 1e-7);
   EXPECT_NEAR(restitution_of_factor(damping_factor(ImpactDamping::lankarani_nikravesh, e)), e, 1e-7);
@@ -94,7 +94,7 @@ TEST(CurvedLaw, LineContactIsTheInverseOfItsApproach) {
   for (double force = 1e-6; force < widest_n; force *= 7)
     EXPECT_NEAR(law.force_n(hertz_approach_m(*stop.hertz, force)) / force, 1, 1e-12) << force;
   EXPECT_EQ(law.force_n(0), 0);
-  // Behind the force under which it is as wide as long it goes on by its tangent.
+  // Above the force at which the contact area is as wide as long, the law continues along its tangent.
   const double at_end = hertz_approach_m(*stop.hertz, widest_n);
   EXPECT_NEAR(law.slope_n_per_m(1.5 * at_end) / law.slope_n_per_m(0.9999 * at_end), 1, 1e-4);
   EXPECT_NEAR(law.force_n(1.1 * at_end), widest_n + 0.1 * at_end * law.slope_n_per_m(2 * at_end),
@@ -142,6 +142,16 @@ TEST(CurvedLaw, SecantIsThatAtATwentiethOfTheClearance) {
   model::Stop stop = power_stop(1e9, 1.5);
   stop.clearance_m = 1e-3;
   EXPECT_NEAR(secant_n_per_m(stop), 1e9 * std::sqrt(5e-5), 1e-3);
+}
+
+/// Hunt & Crossley print F = k p^n (1 + 3/2 a v) for a restitution of 1 - a v at small speeds v, and that is
+/// what such an impact returns, to first order in a v.
+TEST(CurvedLaw, SmallImpactsReturnWhatHuntAndCrossleyPrint) {
+  for (const double share : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    const double lost = 1 - restitution_of_factor(1.5 * share);
+    EXPECT_LT(lost, share);
+    EXPECT_GT(lost, share * (1 - share));
+  }
 }
 
 }  // namespace

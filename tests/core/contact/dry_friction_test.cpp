@@ -46,8 +46,9 @@ using Long = long double;
 using LongVector = Eigen::Matrix<Long, Eigen::Dynamic, 1>;
 using LongMatrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// The least of f.Af / 2 - b.f over the box by trying every set of surfaces that stick, the others at either
-/// side: the accelerations that are left. Of singular A every set has a minimum, too, if not one alone.
+/// Minimum of f.Af / 2 - b.f within the box, found by trying every combination of sticking surfaces and
+/// surfaces at either limit. `left` is b - A f, the remaining accelerations. For a singular A a minimum
+/// exists as well, but f is not unique.
 struct BruteForce {
   LongVector left;
   Long least = std::numeric_limits<Long>::infinity();
@@ -66,7 +67,7 @@ struct BruteForce {
         const LongVector wanted = (b - a * f)(free);
         const LongVector found = inner.completeOrthogonalDecomposition().solve(wanted);
         if ((inner * found - wanted).cwiseAbs().maxCoeff() > 1e-15L * (1 + wanted.cwiseAbs().maxCoeff()))
-          continue;  // no minimum with these free
+          continue;  // no minimum with these surfaces sticking
         f(free) = found;
       }
       if (((f.cwiseAbs() - limit).array() > 1e-14L * (1 + limit.array())).any()) continue;
@@ -81,7 +82,7 @@ struct Problem {
   StickVector acceleration, limit;
 };
 
-/// Tries an answer against the law and against brute force.
+/// Compares an answer with the friction law and with brute force.
 void expect_minimum(const Problem& p, double tolerance, int trial) {
   const SettledSlips settled = settle_slips(p.mobility, p.acceleration, p.limit);
   ASSERT_TRUE(settled.obeys_law) << trial;
@@ -105,7 +106,7 @@ void expect_minimum(const Problem& p, double tolerance, int trial) {
   EXPECT_LT(f.dot(a * f) / 2 - b.dot(f) - brute.least, 1e-12 * size * size) << trial;
 }
 
-/// Surfaces whose tangents are the columns of a matrix of `rank` rows.
+/// Surfaces whose tangent vectors are the columns of a matrix with `rank` rows.
 Problem random_problem(std::mt19937& random, int count, int rank) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> even;
@@ -113,7 +114,7 @@ Problem random_problem(std::mt19937& random, int count, int rank) {
   Problem p;
   p.mobility = tangents.transpose() * tangents;
   p.acceleration = StickVector::NullaryExpr(count, [&] { return normal(random); });
-  // Accelerations of one body, so that surfaces agree that can stick together.
+  // Accelerations that come from the motion of one body, so that dependent surfaces can stick together.
   if (even(random) < 0.5)
     p.acceleration = tangents.transpose() * StickVector::NullaryExpr(rank, [&] { return normal(random); });
   p.limit = StickVector::NullaryExpr(count, [&] { return std::abs(normal(random)); });
@@ -155,7 +156,8 @@ TEST(DryFriction, WithWeakerSlidingFrictionEachSticksThatCanAndTheRestIsPushedOn
       }
     }
     slipped += loose > 0;
-    // With the bounds that hold alone, fewer slip: one comes loose because another one does.
+    // With static limits alone fewer surfaces slip: the loss of one surface's static friction makes others
+    // slip.
     const SettledSlips held = settle_slips(p.mobility, p.acceleration, p.limit);
     followed +=
         loose > count - std::ranges::count(held.slips.begin(), held.slips.begin() + count, Slip::sticking);
@@ -175,7 +177,7 @@ TEST(DryFriction, SoAreThoseOfSurfacesMoreThanABodyCanMove) {
   }
 }
 
-/// Flat walls about one rigid rotor, the first at `angles(0)`.
+/// Flat walls around one rigid rotor; the first tangent has the angle `angles(0)`, in radians.
 Problem walls(std::mt19937& random, const std::vector<double>& angles) {
   std::normal_distribution<double> normal;
   const auto count = static_cast<Eigen::Index>(angles.size());
@@ -201,11 +203,11 @@ TEST(DryFriction, SoAreThoseOfNearlyParallelTangents) {
     while (static_cast<int>(angles.size()) < 2 + trial % 3)
       angles.push_back(angles[0] + apart * even(random) + (even(random) < 0.3 ? 3.14159265358979 : 0));
     Problem p = walls(random, angles);
-    // Along the walls, so that two of them can hold it.
+    // Accelerations along the walls, so that two walls can hold them.
     if (trial % 2 == 0)
       p.acceleration =
           p.mobility * StickVector::NullaryExpr(p.limit.size(), [&] { return even(random) - 0.5; });
-    // Rounding of A moves the answer by as much over the angle.
+    // Rounding of A changes the answer by about rounding / angle.
     expect_minimum(p, 1e-11 + 1e-15 / apart, trial);
     const SettledSlips settled = settle_slips(p.mobility, p.acceleration, p.limit);
     stuck_together += std::ranges::count(settled.slips, Slip::sticking) > 1;
@@ -225,7 +227,7 @@ TEST(DryFriction, SixteenSurfacesObeyTheLaw) {
 }
 
 TEST(DryFriction, EqualWallsThatShareTheLoadHaveAnAnswer) {
-  // Ties: all come to their sides at once.
+  // Ties: all surfaces reach their limits at the same instant.
   for (int count = 2; count <= most_sticking; ++count) {
     const StickMobility a = StickMobility::Constant(count, count, 1);
     for (const double load : {0.0, 0.3, 0.5, 1.0, 1.5, -1.0}) {
@@ -249,7 +251,7 @@ TEST(DryFriction, OfTwoWallsOfOneBodyOneSticksAndTheOtherIsPoised) {
 }
 
 TEST(DryFriction, AnInstantAtWhichTangentsAreParallelLetsOneSlip) {
-  // One slip accelerates away from the other: they cannot both stand from here on.
+  // The two slips accelerate at different rates, so both surfaces cannot keep sticking.
   const StickMobility a = StickMobility::Constant(2, 2, 1);
   StickVector b(2);
   b << 1, 1.2;

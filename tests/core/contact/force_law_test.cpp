@@ -13,7 +13,7 @@
 namespace rubsweep::contact {
 namespace {
 
-constexpr double rounding = 1e-15;  // a few units in the last place, relative to the largest term
+constexpr double rounding = 1e-15;  // a few units in the last place of the largest term
 
 struct Law {
   double stiffness, damping, width;
@@ -30,7 +30,7 @@ struct State {
   double p, v;
 };
 
-/// States where the laws bend: around first touch, around both clamp lines d v = +-K p, and anywhere.
+/// States near the corners of the law: around first touch, around both clamp lines d v = +-K p, and anywhere.
 State random_state(RandomContact& random, const Law& law, int kind) {
   const double p = random.penetration();
   const double near = 1 + random.either_sign(random.log_uniform(1e-12, 0.5));
@@ -84,8 +84,8 @@ TEST(ForceLawElastogap, FiniteAtTheCornersOfTheState) {
 }
 
 TEST(ForceLawElastogap, IsLipschitzInTheState) {
-  // Slopes are at most 2 K by p and d by v, in every mode; so no pair of states may be further apart in
-  // force.
+  // In every mode the slope with respect to p is at most 2 K, with respect to v at most d. This bounds the
+  // difference in force between any two states.
   RandomContact random(3);
   for (int trial = 0; trial < 40'000; ++trial) {
     const Law law = random_law(random);
@@ -114,8 +114,8 @@ TEST(ForceLawSmoothRamp, IsExactOutsideTheBlendAndAboveTheCornerInside) {
 TEST(ForceLawSmoothRampSlope, IsTheDifferenceQuotient) {
   for (const double width : {1e-9, 1e-3, 1.0, 1e4}) {
     for (int i = -300; i <= 300; ++i) {
-      // Off the ends of the blend, where the second derivative jumps and a central difference halves the
-      // jump.
+      // The points avoid the ends of the blend, where the second derivative jumps and a central difference
+      // would average both sides.
       const double y = (i + 0.5) / 200 * width, h = 1e-4 * width;
       const double quotient = (smooth_ramp(y + h, width) - smooth_ramp(y - h, width)) / (2 * h);
       EXPECT_NEAR(smooth_ramp_slope(y, width), quotient, 1e-11);
@@ -147,8 +147,8 @@ TEST(ForceLawSmoothedElastogap, DiffersFromTheExactLawOnlyWithinTheBlend) {
     const double spring = law.stiffness * p, damper = law.damping * v, half = law.stiffness * law.width / 2;
     const auto exact = law.exact(p, v), smooth = law.smooth(p, v);
     const double tolerance = rounding * (std::abs(spring) + std::abs(damper));
-    // Each of the three corners is off by an eighth of the width at most; the spring's counts once more in
-    // the clamp.
+    // At each of the three corners the smooth law deviates by at most an eighth of the width; inside the
+    // clamp the spring's corner counts twice.
     EXPECT_NEAR(smooth.total_n, exact.total_n, half + tolerance);
     EXPECT_NEAR(smooth.spring_n, exact.spring_n, half / 4 + tolerance);
     const bool blended = std::abs(spring) < half || std::abs(std::abs(damper) - spring) < half;
@@ -161,24 +161,24 @@ TEST(ForceLawSmoothedElastogap, DiffersFromTheExactLawOnlyWithinTheBlend) {
   EXPECT_GT(inside_blend, 1000);
 }
 
-/// Difference of the slopes just right and just left of 0, for f given around 0.
+/// Difference between the slopes just right and just left of 0 for a function f.
 double kink(const auto& f, double h) { return (f(h) - f(0)) / h - (f(0) - f(-h)) / h; }
 
 TEST(ForceLawSmoothedElastogap, HasNoKink) {
-  // In units of the contact: K = d = width = 1. Second derivatives are at most 4, so slopes may differ by 4
-  // h.
+  // In units of the contact, K = d = width = 1, second derivatives are at most 4. Slopes may therefore differ
+  // by 4 h.
   const double h = 1e-6, allowed = 4 * h + 1e-9;
   const Law law{1, 1, 1};
   for (int i = -60; i <= 120; ++i) {
     for (int j = -120; j <= 120; ++j) {
-      // Quarters of the width hit every seam of the blend exactly.
+      // Multiples of a quarter width hit every seam of the blend exactly.
       const double p = i / 40.0, v = j / 40.0;
       EXPECT_LE(std::abs(kink([&](double dp) { return law.smooth(p + dp, v).total_n; }, h)), allowed);
       EXPECT_LE(std::abs(kink([&](double dv) { return law.smooth(p, v + dv).total_n; }, h)), allowed);
       EXPECT_LE(std::abs(kink([&](double dp) { return law.smooth(p + dp, v).spring_n; }, h)), allowed);
     }
   }
-  // The same measure sees the corners of the exact law.
+  // The same measure detects the corners of the exact law.
   EXPECT_NEAR(kink([&](double dp) { return law.exact(dp, 0.5).total_n; }, h), 2, 1e-6);
   EXPECT_NEAR(kink([&](double dv) { return law.exact(1, 1 + dv).total_n; }, h), -1, 1e-6);
   EXPECT_NEAR(kink([&](double dv) { return law.exact(1, -1 + dv).total_n; }, h), 1, 1e-6);

@@ -18,10 +18,10 @@ bool brakes(const model::Friction& friction) { return contact::brakes(friction_b
 
 TEST(FrictionBounds, TellsFrictionThatDrives) {
   EXPECT_FALSE(brakes(StribeckFriction{{0, 0, 0, -0.1, 100, 0}}));
-  EXPECT_FALSE(brakes(StribeckFriction{{0, 0, 0, 0.1, -100, 0}}));  // the other sign of the same
+  EXPECT_FALSE(brakes(StribeckFriction{{0, 0, 0, 0.1, -100, 0}}));  // the same with opposite sign
   EXPECT_FALSE(brakes(StribeckFriction{{0.3, 10, 100, 0, 0, 0}}));  // a peak below zero
   EXPECT_FALSE(brakes(StribeckFriction{{0.3, 10, 100, 0.1, 1, 0}}));
-  EXPECT_FALSE(brakes(StribeckFriction{{0, 0, 0, 0.2, 50, -1e-9}}));  // negative at the fastest slips alone
+  EXPECT_FALSE(brakes(StribeckFriction{{0, 0, 0, 0.2, 50, -1e-9}}));  // negative only at the highest slip
   EXPECT_FALSE(brakes(StribeckFriction{{0, 0, 0, 11, 50, 0}}));
   EXPECT_TRUE(brakes(StribeckFriction{{0, 0, 0, 0.1, 100, 0}}));
   EXPECT_TRUE(brakes(StribeckFriction{{0, 0, 0, -0.1, -100, 0}}));

@@ -15,12 +15,12 @@ namespace {
 using Gamma = std::array<double, 6>;
 using model::StribeckFriction;
 
-/// The formula, in long double and without any shortcut.
+/// The formula in long double, without simplification.
 long double written_out(const Gamma& g, long double v) {
   return g[0] * (std::tanh(g[1] * v) - std::tanh(g[2] * v)) + g[3] * std::tanh(g[4] * v) + g[5] * v;
 }
 
-/// Size of the terms, the base of a rounding error.
+/// Size of the terms, to which rounding errors are relative.
 double size_of_terms(const Gamma& g, double v) {
   return 2 * std::abs(g[0]) + std::abs(g[3]) + std::abs(g[5] * v);
 }
@@ -30,7 +30,7 @@ Gamma random_gamma(RandomContact& random) {
           random.uniform(0, 0.5), random.log_uniform(1, 1e4), random.uniform(0, 0.01)};
 }
 
-/// A static coefficient of about 0.24 at about 0.01 m/s, a kinetic one of 0.1.
+/// A Stribeck curve with a static coefficient of about 0.24 near 0.01 m/s and a kinetic one of 0.1.
 constexpr Gamma stribeck_dip{0.15, 200, 10, 0.1, 200, 0.001};
 
 TEST(FrictionLawCoefficient, IsTheFormula) {
@@ -96,7 +96,7 @@ TEST(FrictionLawCoefficient, ExtremesStayFinite) {
   EXPECT_EQ(friction_coefficient(steep, -1e300), -0.1);
   EXPECT_EQ(friction_slope(steep, 1e300), 0);
   EXPECT_TRUE(std::isfinite(friction_coefficient(steep, smallest)));
-  // Even a product that overflows saturates.
+  // The function saturates even where the product of steepness and slip overflows.
   const StribeckFriction steepest{{0.3, 1e300, 1e290, 0.1, 1e300, 0}};
   EXPECT_EQ(friction_coefficient(steepest, -1e300), -0.1);
   EXPECT_EQ(friction_slope(steepest, 1e300), 0);

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A steel shaft of 10 mm on a brass screw of 6 mm.
+/// A steel shaft of 10 mm diameter on a brass screw of 6 mm diameter.
 model::HertzLine steel_on_brass(model::HertzShape shape = model::HertzShape::cylinder,
                                 double casing_radius_m = 3e-3) {
   return {.length_m = 0.01,
@@ -32,7 +32,7 @@ TEST(HertzLine, RelativeRadiusOfEachShape) {
 }
 
 TEST(HertzLine, HalfWidthBalancesPressureAndCurvature) {
-  // Hertz: the highest pressure 2 F / (pi b L) is also b / (2 R (k0 + k1)).
+  // Hertz: the highest pressure is both 2 F / (pi b L) and b / (2 R (k0 + k1)).
   const auto contact = steel_on_brass();
   for (const double force : {1.0, 50.0, 3000.0}) {
     const double b = hertz_half_width_m(contact, force);
@@ -42,8 +42,9 @@ TEST(HertzLine, HalfWidthBalancesPressureAndCurvature) {
 }
 
 TEST(HertzLine, ApproachIsTheDisplacementInTheMiddleOfTheStrip) {
-  // Two half-spaces under Hertz's pressure on L x 2b: u = k / pi * integral of pressure / distance. Over the
-  // length in closed form, 2 asinh(L / 2|x|); over the width x = b sin(phi) by the midpoint rule.
+  // Two half-spaces under Hertz's pressure on an area L x 2b: u = k / pi * integral of pressure / distance.
+  // The integral over the length is 2 asinh(L / 2|x|); the one over the width, with x = b sin(phi), uses the
+  // midpoint rule.
   for (const double force : {1.0, 200.0}) {
     const auto contact = steel_on_brass();
     const double b = hertz_half_width_m(contact, force), length = contact.length_m;
@@ -64,7 +65,7 @@ TEST(HertzLine, SecantStiffnessReturnsTheDesignForce) {
   const auto contact = steel_on_brass();
   const double stiffness = hertz_stiffness_n_per_m(contact);
   EXPECT_NEAR(stiffness * hertz_approach_m(contact, 200), 200, 1e-10);
-  EXPECT_GT(stiffness, 5e7);  // the size that steel on brass has
+  EXPECT_GT(stiffness, 5e7);  // typical size for steel on brass
   EXPECT_LT(stiffness, 1.7e8);
   // A line contact hardens: a larger design force gives a larger stiffness.
   auto harder = contact;
@@ -95,7 +96,7 @@ TEST(HertzLine, AContactWiderThanLongIsRefused) {
   EXPECT_THROW(hertz_stiffness_n_per_m(contact), ConfigError);
 }
 
-/// At the limit the secant is as much stiffer as is tolerated, by the approach itself.
+/// At the force limit the secant stiffness exceeds the design stiffness by the tolerated tenth.
 TEST(HertzLine, TheForceLimitIsWhereTheSecantIsATenthStiffer) {
   using enum model::HertzShape;
   for (const auto shape : {cylinder, flat, hole}) {

@@ -4,9 +4,9 @@
 
 namespace rubsweep::contact {
 
-/// Speed of a free unit mass after it has met a wall of unit stiffness at unit speed: p'' = -force(p, p'),
-/// p(0) = p0, p'(0) = 1, by the classical Runge-Kutta method in `steps` equal steps up to `duration`. Knows
-/// no modes and no events, so every corner of the force costs it a local error of second order.
+/// Final speed of a free unit mass that hits a wall of unit stiffness at unit speed: p'' = -force(p, p'),
+/// p(0) = p0, p'(0) = 1. Classical Runge-Kutta method in `steps` equal steps up to `duration`. It ignores
+/// modes and events, so every corner of the force causes a local error of second order.
 double speed_after_impact(const auto& force, double p0, double duration, int steps) {
   const double h = duration / steps;
   double p = p0, v = 1;

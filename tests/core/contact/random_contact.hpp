@@ -5,7 +5,7 @@
 
 namespace rubsweep::contact {
 
-/// Draws contacts and their states over many orders of magnitude; the same ones in every run.
+/// Draws random contacts and states over many orders of magnitude, the same in every run.
 class RandomContact {
  public:
   explicit RandomContact(unsigned seed) : random_(seed) {}

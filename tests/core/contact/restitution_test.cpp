@@ -31,7 +31,7 @@ TEST(RestitutionNominalDampingRatio, LimitsAreNoDampingAndCriticalDamping) {
 }
 
 TEST(RestitutionDelivered, OfTheNominalDamping) {
-  // Four digits that other codes of the clamped law agree on.
+  // Four-digit values on which other codes with the clamped law agree.
   EXPECT_NEAR(delivered_restitution(nominal_damping_ratio(0.3)), 0.479, 5e-4);
   EXPECT_NEAR(delivered_restitution(nominal_damping_ratio(0.5)), 0.597, 5e-4);
   EXPECT_NEAR(delivered_restitution(nominal_damping_ratio(0.7)), 0.736, 5e-4);
@@ -41,7 +41,7 @@ TEST(RestitutionDelivered, OfTheNominalDamping) {
 TEST(RestitutionDelivered, IsWhatASimulatedImpactReturns) {
   for (const double zeta : {0.0, 1e-3, 0.02, 0.11, 0.13498, 0.32671, 0.5, 0.8, 0.99, 0.999999}) {
     const auto clamped = [zeta](double p, double v) { return elastogap(1, 2 * zeta, p, v).total_n; };
-    // After pi / sqrt(1 - zeta^2) at the latest the mass flies free, and a free mass keeps its speed.
+    // The contact ends after pi / sqrt(1 - zeta^2) at the latest; the free mass then keeps its speed.
     const double rebound = -speed_after_impact(clamped, 0, 6, 100'000);
     EXPECT_NEAR(delivered_restitution(zeta), rebound, 5e-10) << "zeta = " << zeta;
   }
@@ -59,7 +59,7 @@ TEST(RestitutionDelivered, FallsWithDampingAndNeverBelowTheNominal) {
 }
 
 TEST(RestitutionDelivered, AtCriticalDampingByHand) {
-  // tan(clamp phase) = 2 sqrt 2, so p = 2/3 and v = 1/3 where the clamp lets go; then p = e^{-t} (2/3 + t),
+  // tan(clamp phase) = 2 sqrt 2, so p = 2/3 and v = 1/3 where the clamp ends. Then p = e^{-t} (2/3 + t),
   // whose acceleration vanishes at t = 4/3 with v = -e^{-4/3}.
   EXPECT_NEAR(delivered_restitution(1 - 1e-9), std::exp(-4.0 / 3), 1e-8);
 }
@@ -91,7 +91,7 @@ TEST(RestitutionDampingRatioDelivering, OutsideWhatTheClampCanDeliverIsAnError) 
 }
 
 TEST(RestitutionDampingConstant, IsCriticalAtRatioOne) {
-  // s^2 m + s d + K has a double root: d^2 = 4 m K.
+  // Critical damping: m s^2 + d s + K has a double root for d^2 = 4 m K.
   const double d = damping_constant(1, 0.8, 2e6);
   EXPECT_NEAR(d * d / (4 * 0.8 * 2e6), 1, 1e-15);
   EXPECT_DOUBLE_EQ(damping_constant(0.25, 0.8, 2e6), d / 4);

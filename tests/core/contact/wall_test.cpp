@@ -13,7 +13,7 @@ const Wall hole = AnnularWall{{0.3, -0.4}};
 
 TEST(Wall, IsThatOfTheStop) {
   const Wall up = wall_of(model::OneSideGeometry{.angle_deg = 90});
-  EXPECT_EQ(first_direction(up), Eigen::Vector2d(0, 1));  // exactly: x is not coupled into y by rounding
+  EXPECT_EQ(first_direction(up), Eigen::Vector2d(0, 1));  // exact: rounding must not couple x into y
   EXPECT_TRUE(linear(up));
   const Wall annular = wall_of(model::AnnularGeometry{.offset_m = {1e-3, 2e-3}});
   EXPECT_EQ(offset(annular), Eigen::Vector2d(1e-3, 2e-3));
@@ -39,7 +39,7 @@ TEST(Wall, IsTheSameByShapeAndNumbers) {
   EXPECT_FALSE(same(FlatWall{}, AnnularWall{}));
 }
 
-/// The kinematics of a contact are the derivatives of the penetration along a motion d(t).
+/// The kinematics of a contact equal the derivatives of the penetration along a motion d(t).
 TEST(Wall, KinematicsAreThePenetrationsDerivatives) {
   const auto d = [](double t) { return Eigen::Vector2d(0.8 * std::cos(t) + 0.1 * t, 0.9 * std::sin(2 * t)); };
   const auto v = [](double t) { return Eigen::Vector2d(-0.8 * std::sin(t) + 0.1, 1.8 * std::cos(2 * t)); };
@@ -58,7 +58,7 @@ TEST(Wall, KinematicsAreThePenetrationsDerivatives) {
         EXPECT_NEAR(now.closing_speed, (after.penetration - before.penetration) / (2 * h), 1e-6);
         EXPECT_NEAR(now.closing_acceleration, (after.closing_speed - before.closing_speed) / (2 * h), 1e-4);
         const double penetration = at(wall, t, false).penetration;
-        EXPECT_EQ(now.penetration > 0, penetration > 0) << "at " << t;  // what stands for it changes its sign
+        EXPECT_EQ(now.penetration > 0, penetration > 0) << "at " << t;  // open: only the sign must agree
       }
     }
   }
@@ -76,7 +76,7 @@ TEST(Wall, ShareOfTheWayEndsOnIt) {
   EXPECT_NEAR(first_direction(flat).dot(to_flat * way), 0.5, 1e-15);
   EXPECT_NEAR((to_hole * way + offset(hole)).norm(), 0.6, 1e-15);
   EXPECT_GT(to_hole, 0);
-  // The outline is the same place in another way.
+  // The outline describes the same wall in another form.
   EXPECT_FALSE(outline(flat).around);
   EXPECT_NEAR(outline(flat).normal.dot(to_flat * way), 0.5, 1e-15);
   EXPECT_TRUE(outline(hole).around);

@@ -26,7 +26,7 @@ std::atomic<long> allocations{0};
 
 extern "C" void* __libc_malloc(std::size_t size);
 
-/// Eigen asks malloc, not operator new.
+/// Eigen calls malloc instead of operator new, so malloc counts the allocations.
 extern "C" void* malloc(std::size_t size) {
   allocations.fetch_add(1, std::memory_order_relaxed);
   return __libc_malloc(size);
@@ -35,7 +35,7 @@ extern "C" void* malloc(std::size_t size) {
 namespace rubsweep::integrate {
 namespace {
 
-/// By turns, watched in every way, of a run that has made its plans and its room before.
+/// Allocations over several turns with all kinds of observation, after first turns have prepared the run.
 long allocations_of(const scene::Scene& scene, const run::SolverOptions& options, bool by_series = false) {
   exact::modes::ModeCache modes;
   const run::Run run = start(scene, options, modes);
@@ -74,7 +74,7 @@ TEST(Allocation, NoneInTheTimeLoopOfTheExactSolver) {
   EXPECT_EQ(allocations_of(kit_scene(70, 0.7), {}), 0);
 }
 
-/// Three of them all the time, and the kick before.
+/// Three pulses act all the time, after the kick.
 TEST(Allocation, NoneWhilePulsesAct) {
   scene::Scene scene = test::cell_of({}).scene;
   for (int k = 0; k < 3; ++k) {
@@ -88,7 +88,8 @@ TEST(Allocation, NoneWhilePulsesAct) {
 }
 
 TEST(Allocation, NoneInTaylorPieces) {
-  // Elastic, so that the rotor goes on touching: an annular stop; a flat one whose friction never saturates.
+  // Elastic contacts keep the rotor in touch: an annular stop, and a flat stop whose friction never
+  // saturates.
   scene::Scene annular = test::annular_scene(1, 0, 1.3, 0.4, 0, 40, 0);
   test::start_at(annular, 0.5, {0.3, 0.8});
   EXPECT_EQ(allocations_of(annular, {}, true), 0);

@@ -24,7 +24,7 @@ Complex position(const std::vector<double>& states, std::size_t row = 0) {
   return {states[4 * row], states[4 * row + 1]};
 }
 
-/// Peak-to-peak of the vertical motion at `order`, over 64 turns after 300.
+/// Peak-to-peak amplitudes of the vertical motion at these orders, over 64 turns after 300 turns.
 std::vector<double> vertical_lines(const scene::Scene& scene, const std::vector<double>& orders) {
   constexpr int samples = 128, turns = 64;
   const run::Cursor advance = adaptive::start_adaptive(scene, {});
@@ -108,8 +108,8 @@ TEST(AnnularFullRub, IsReachedFromNearby) {
 }
 
 TEST(AnnularDryWhip, WhirlsBackwardAtItsClosedFormFrequency) {
-  // Without unbalance: w = zeta/mu + sqrt((zeta/mu)^2 + 1), r = 1 / (1 - 2 zeta w / (mu b)), for
-  // mu > 2 zeta sqrt(1 + b) / b.
+  // Circular dry whip without unbalance: w = zeta/mu + sqrt((zeta/mu)^2 + 1), r = 1 / (1 - 2 zeta w / (mu
+  // b)), for mu > 2 zeta sqrt(1 + b) / b.
   const double zeta = 0.05, mu = 0.2, b = 20;
   ASSERT_GT(mu, 2 * zeta * std::sqrt(1 + b) / b);
   const double w = zeta / mu + std::sqrt(zeta * zeta / (mu * mu) + 1);
@@ -127,8 +127,8 @@ TEST(AnnularDryWhip, WhirlsBackwardAtItsClosedFormFrequency) {
 }
 
 TEST(AnnularDryWhip, FeedsItselfOnlyAboveItsLeastFriction) {
-  // Deep in the annular stop z'' + 2 zeta z' + (1 + b (1 + i mu)) z = 0 but for a constant: a backward whirl
-  // grows when mu > 2 zeta sqrt(1 + b) / b.
+  // Deep in the annular stop z'' + 2 zeta z' + (1 + b (1 + i mu)) z = const. A backward whirl grows when mu >
+  // 2 zeta sqrt(1 + b) / b.
   const double zeta = 0.05, b = 20, least = 2 * zeta * std::sqrt(1 + b) / b, whirl = std::sqrt(1 + b);
   for (const double share : {0.9, 1.1}) {
     auto scene = annular_scene(1, zeta, 1, 0, 0, b, share * least);
@@ -136,7 +136,7 @@ TEST(AnnularDryWhip, FeedsItselfOnlyAboveItsLeastFriction) {
     const run::Cursor advance = adaptive::start_adaptive(scene, {});
     run::TurnReport turn;
     for (int k = 0; k < 10; ++k) ASSERT_EQ(advance({}, turn), run::Outcome::ok);
-    // The slower of the two whirls dies out; |z| of the other changes as e^{(mu b / (2 whirl) - zeta) t}.
+    // The forward whirl dies out; |z| of the backward whirl changes as e^{(mu b / (2 whirl) - zeta) t}.
     const double rate = share * least * b / (2 * whirl) - zeta;
     EXPECT_NEAR(std::log(std::abs(position(turn.section)) / 1e4) / (20 * pi), rate, 0.05 * std::abs(rate))
         << share;
@@ -144,8 +144,8 @@ TEST(AnnularDryWhip, FeedsItselfOnlyAboveItsLeastFriction) {
 }
 
 TEST(AnnularStop, OffsetMovesTheWall) {
-  // A rotor at rest offset by 0.6 towards +x in an annular stop of 1, moving slowly outwards: touches at x =
-  // 0.4, -x at -1.6.
+  // A slow rotor, offset by 0.6 towards +x in an annular stop of radius 1, moves outwards: it touches at x =
+  // 0.4 or, in the other direction, at x = -1.6.
   for (const int sign : {1, -1}) {
     auto scene = test::one_mass_scene(1, 1e-6, 0, 1, 1);
     scene::Contact stop;
@@ -171,7 +171,7 @@ TEST(AnnularStop, PassingThroughTheCentreIsHarmless) {
   stop.clearance_m = 1;
   stop.stiffness_n_per_m = 1e4;
   scene.contacts.push_back(stop);
-  scene.velocity_m_per_s << 3, 0;  // amplitude 0.47, straight through d = 0 for ever
+  scene.velocity_m_per_s << 3, 0;  // amplitude 0.47 on a straight line through d = 0
   for (const auto contact : {run::ContactHandling::located, run::ContactHandling::smoothed}) {
     run::SolverOptions options;
     options.contact = contact;

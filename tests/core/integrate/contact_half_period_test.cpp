@@ -1,5 +1,5 @@
-// A free rotor mass against a free casing mass: contact lasts pi / sqrt(K (1/m + 1/m_C)) and exchanges speeds
-// as an elastic impact does.
+// A free rotor mass hits a free casing mass: the contact lasts pi / sqrt(K (1/m + 1/m_C)) and changes the
+// speeds as an elastic impact does.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace rubsweep::integrate {
 namespace {
 
-/// Mass m at x = 0, moving at `speed` towards a casing of mass m_C at rest behind a gap.
+/// Mass m at x = 0 moves at `speed` towards a casing of mass m_C, at rest behind a gap.
 scene::Scene two_free_masses(double m, double m_casing, double stiffness, double gap, double speed) {
   auto scene = test::one_mass_scene(m, 0, 0, 1, gap);
   auto& system = scene.structure;

@@ -1,6 +1,6 @@
-// Coulomb sliding, code_aster test SDND104: m = 1 kg without spring, pressed on a wall by N = 10 N, mu = 0.1,
-// driven along it by A sin 2 pi t: mean wear power (of unit wear coefficient) N mean|v| = 0.409062 W at A
-// = 1.5 N. The tanh law approaches it.
+// Coulomb sliding, code_aster test SDND104: m = 1 kg without a spring, pressed onto a wall by N = 10 N, mu =
+// 0.1, driven along it by A sin 2 pi t. The mean wear power for unit wear coefficient, N mean|v|, is 0.409062
+// W at A = 1.5 N. The tanh law approaches this value.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,14 +31,14 @@ double mean_wear_power(double steepness_s_per_m, run::Stepper stepper) {
   run::TurnReport turn;
   constexpr int samples = 2000;
   asked.samples_per_revolution = samples;
-  for (int k = 0; k < 40; ++k) EXPECT_EQ(advance(asked, turn), run::Outcome::ok);  // the drift dies out
+  for (int k = 0; k < 40; ++k) EXPECT_EQ(advance(asked, turn), run::Outcome::ok);  // until the drift dies out
   double sum = 0;
   for (std::size_t j = 0; j < samples; ++j) sum += std::abs(turn.samples[4 * j + 3]);
   return normal_n * sum / samples * scene.length_scale_m * scene.speed_rad_per_s;
 }
 
 TEST(CoulombSliding, TanhLawApproachesThePublishedWearPower) {
-  // Sticking becomes a creep of about 1 / steepness: the excess falls with it.
+  // Instead of sticking the mass creeps at about 1 / steepness, so the excess falls likewise.
   double excess = 1;
   for (const double steepness : {1e2, 1e3, 1e4, 1e5}) {
     const double now = mean_wear_power(steepness, run::Stepper::rosenbrock4) - published_w;

@@ -1,5 +1,6 @@
-// Dry friction, a set at slip zero: closed forms of sliding, sticking and sliding back; the Taylor pieces
-// against Odeint with located events; derivatives across stops and releases against differences.
+// Dry friction, which is set-valued at zero slip: closed forms of sliding, sticking and reversing, Taylor
+// pieces compared with Odeint with located events, and derivatives across stops and releases compared with
+// differences.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -30,8 +31,8 @@ run::SolverOptions stepper(run::Stepper which, double tolerance) {
   return options;
 }
 
-/// Unit mass on a unit spring along y, pressed by N on a wall across x whose surface moves: slip = y' + V,
-/// friction -mu N on the mass while it is positive. A revolution lasts `revolution`.
+/// Unit mass on a unit spring along y, pressed by N onto a wall across x with a moving surface: slip = y' +
+/// V. Friction on the mass is -mu N for positive slip. A revolution lasts `revolution` seconds.
 struct Belt {
   double normal = 2, mu = 0.25, damping = 0, surface = 0, revolution = 1;
 
@@ -50,7 +51,7 @@ struct Belt {
   }
 };
 
-/// y and y' after `turns` revolutions.
+/// Position y and velocity y' after `turns` revolutions.
 std::pair<double, double> after(const scene::Scene& scene, const run::SolverOptions& options, int turns,
                                 run::TurnReport& report) {
   exact::modes::ModeCache modes;
@@ -60,11 +61,11 @@ std::pair<double, double> after(const scene::Scene& scene, const run::SolverOpti
 }
 
 TEST(DryFriction, AFreeVibrationLosesTheSameAmplitudeInEveryHalfPeriodAndThenSticks) {
-  // From 2.2 by 1.0 a half period (2 mu N / k) to -1.2, 0.2: there the spring is weaker than friction.
+  // Each half period loses 2 mu N / k = 1: from 2.2 to -1.2 to 0.2, where the spring is weaker than friction.
   const Belt belt{.revolution = pi / 2};
   run::TurnReport report;
   const auto taylor = after(belt.scene(2.2, 0), {}, 3, report);
-  EXPECT_NEAR(taylor.first, -0.5, 1e-14);  // a quarter period after -1.2, about the centre -mu N
+  EXPECT_NEAR(taylor.first, -0.5, 1e-14);  // a quarter period after -1.2, at the centre -mu N
   EXPECT_GT(report.effort.taylor_turns, 0);
   EXPECT_EQ(report.effort.adaptive_turns, 0);
   for (const int turns : {4, 5, 40}) {
@@ -80,15 +81,15 @@ TEST(DryFriction, AFreeVibrationLosesTheSameAmplitudeInEveryHalfPeriodAndThenSti
 }
 
 TEST(DryFriction, ABeltCarriesTheMassUntilTheSpringIsAsStrongAsFriction) {
-  // Carried at -V from y = 0 until k y = -mu N, then free about that place, from its speed -V, with damping:
-  // y = -mu N + damped sine. It does not come back to the belt's speed.
+  // The belt carries the mass at -V from y = 0 to k y = -mu N. Then it swings freely about that place with
+  // damping, from speed -V, and does not reach the belt's speed again.
   const double v = 0.8, damping = 0.1, limit = 0.5;
   const Belt belt{.damping = damping, .surface = v, .revolution = 1};
-  // With damping the belt has to give -k y + c V: it lets go at y = -(mu N - c V).
+  // With damping, the belt must supply -k y + c V: the mass slips from y = -(mu N - c V) on.
   const double let_go = -(limit - damping * v), leaves = -let_go / v;
   const double decay = damping / 2, rate = std::sqrt(1 - decay * decay);
   const auto slid = [&](double t) {
-    const double from = let_go + limit, s = t - leaves;  // friction of about -mu N
+    const double from = let_go + limit, s = t - leaves;  // displacement from the centre at about -mu N
     const double b = (-v + decay * from) / rate;
     const double e = std::exp(-decay * s), cosine = std::cos(rate * s), sine = std::sin(rate * s);
     return std::pair{-limit + e * (from * cosine + b * sine),
@@ -135,8 +136,8 @@ TEST(DryFriction, ASlipThatComesToZeroInTheFirstStepOfARunSticks) {
   }
 }
 
-/// `contact` in two, with these shares of its stiffness and other coefficients of friction: what the two do
-/// together is what the one does.
+/// `contact` split into two parallel ones with shares of its stiffness and different friction coefficients,
+/// which together act like the original one.
 std::pair<scene::Contact, scene::Contact> split(const scene::Contact& contact, double share, double more) {
   const double mu = contact::dry_coefficient(contact.friction);
   std::pair parts(contact, contact);
@@ -149,7 +150,8 @@ std::pair<scene::Contact, scene::Contact> split(const scene::Contact& contact, d
   return parts;
 }
 
-/// Largest distance of the sections of `scene` and of the same with its first stop in two, over `turns`.
+/// Largest difference of the sections, over `turns`, between `scene` and the same scene with its first stop
+/// split in two.
 double split_apart(const scene::Scene& scene, const std::pair<scene::Contact, scene::Contact>& parts,
                    const run::SolverOptions& options, int turns) {
   scene::Scene two = scene;
@@ -168,7 +170,7 @@ double split_apart(const scene::Scene& scene, const std::pair<scene::Contact, sc
 }
 
 TEST(DryFriction, TwoWallsOfOneRigidCasingHoldWhatOneDoes) {
-  // Which of the two holds how much is open; what the mass does is not.
+  // The distribution of friction between the two walls is not unique, but the motion of the mass is.
   const Belt carried{.damping = 0.1, .surface = 0.8, .revolution = 1};
   const Belt stops{.normal = 2, .mu = 0.25, .revolution = pi / 2};
   for (const double share : {0.5, 0.2, 0.9}) {
@@ -226,13 +228,13 @@ TEST(DryFriction, RollingInAnAnnularStopKeepsItsClosedForm) {
   EXPECT_EQ(turn.effort.switches, 0);
 }
 
-/// A rotor on two flat walls or in an annular stop, with dry friction and slow surfaces, driven so that slips
-/// stop and reverse.
+/// A rotor on two flat walls or in an annular stop, with dry friction and slow surfaces; the excitation makes
+/// slips stop and reverse.
 scene::Scene random_scene(std::mt19937& random, bool annular, int stops) {
   const auto even = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  // One after the other: in which order arguments are evaluated is the compiler's choice.
+  // Drawn in separate statements, because compilers may evaluate arguments in any order.
   const double damping = even(0.02, 0.2), speed = even(0.8, 3);
   auto scene = test::one_mass_scene(1, 1, damping, 2 * pi / speed, 1);
   const double force = even(0.5, 3);
@@ -268,7 +270,8 @@ TEST(DryFriction, StopsInTwoDoWhatTheyDoInOne) {
 
 TEST(DryFriction, NearlyParallelWallsDoNearlyWhatOneDoes) {
   for (const double apart_deg : {0.3, 0.01, 1e-4, 1e-6}) {
-    // A rotor that its weight presses on the floor, kicked along it, with slow surfaces: it sticks and slips.
+    // A rotor pressed onto the floor by its weight and kicked along it, with slow surfaces: it sticks and
+    // slips.
     auto scene = test::one_mass_scene(1, 1, 0.05, 2 * pi / 0.15, 1);
     scene.harmonic_n << 0.2, std::complex<double>(0, -0.2);
     scene.constant_n << 0, -1.8;
@@ -285,7 +288,7 @@ TEST(DryFriction, NearlyParallelWallsDoNearlyWhatOneDoes) {
     auto parts = split(floor, 0.5, 1);
     parts.first.wall = contact::FlatWall{contact::direction(-90 - apart_deg)};
     parts.second.wall = contact::FlatWall{contact::direction(-90 + apart_deg)};
-    // Their penetrations differ by the angle times the way along the floor.
+    // The penetrations of both walls differ by the angle times the displacement along the floor.
     const double angle = apart_deg * pi / 180;
     EXPECT_LT(split_apart(scene, parts, {}, 4), 4 * angle + 1e-9) << apart_deg;
     EXPECT_LT(split_apart(scene, parts, stepper(run::Stepper::dopri5, 1e-9), 1), 4 * angle + 1e-6)
@@ -294,7 +297,7 @@ TEST(DryFriction, NearlyParallelWallsDoNearlyWhatOneDoes) {
 }
 
 TEST(DryFriction, AWallWhoseTangentTheRingsPassesLetsTheRunGoOn) {
-  // Rolls in a ring past a flat wall of the same radius and clearance: both slips are zero where the tangents
+  // The rotor rolls in a ring past a flat wall at the same distance: both slips are zero where the tangents
   // are parallel.
   for (const double share : {0.5, 0.8, 1.0}) {
     test::RollingScene rolling = test::rolling_scene(1e3);
@@ -344,7 +347,7 @@ TEST_P(DryFrictionRandom, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDiff
       EXPECT_LT(largest_difference(a.section, b.section), 2e-8) << "cell " << cell << " turn " << k;
       if (const Eigen::MatrixXd* moved = a.tangent_vectors.get()) {
         const Eigen::MatrixXd by_solver = *moved;
-        stuck += std::abs(by_solver.determinant()) < 1e-9;  // a contact that sticks takes a rank away
+        stuck += std::abs(by_solver.determinant()) < 1e-9;  // a sticking contact reduces the rank
         asked.tangent_vectors.resize(4, 0);
         double worst = 0;
         for (Eigen::Index j = 0; j < 4; ++j) {
@@ -372,7 +375,7 @@ TEST_P(DryFrictionRandom, TaylorPiecesAgreeWithOdeintAndTheirDerivativesWithDiff
   }
   EXPECT_GT(stuck, 150);
   EXPECT_GT(compared, 150);
-  // A difference that straddles a graze is no derivative.
+  // Differences across a grazing contact are not derivatives.
   EXPECT_GE(good, compared - compared / 25) << compared;
 }
 
@@ -380,7 +383,7 @@ INSTANTIATE_TEST_SUITE_P(Stops, DryFrictionRandom,
                          testing::Values(std::pair{false, 1}, std::pair{false, 2}, std::pair{true, 1}));
 
 TEST(DryFriction, RollingHasTheDerivativeOfDifferences) {
-  // Starts off the rolling motion, so that the stop comes first; rank is lost there.
+  // The start is off the rolling motion, so the slip stops first; the rank drops there.
   scene::Scene scene = rolling(1.02);
   exact::modes::ModeCache modes;
   const run::Run run = start(scene, {}, modes);

@@ -1,6 +1,6 @@
-// Reference trajectory of Modelica.Mechanics.Translational.Examples.ElastoGap by Dymola, from the Modelica
-// Association's reference results (MAP-LIB): m = 1 kg, s(0) = 2 m, v(0) = 0, walls at |s| = 0.5 m, c = 10
-// N/m, d = 1.5 N s/m. elastoGap1.v_rel = ds/dt, elastoGap2.s_rel = 2 - s.
+// Reference trajectory of Modelica.Mechanics.Translational.Examples.ElastoGap by Dymola, from the reference
+// results of the Modelica Association (MAP-LIB): m = 1 kg, s(0) = 2 m, v(0) = 0, walls at |s| = 0.5 m, c = 10
+// N/m, d = 1.5 N s/m. elastoGap1.v_rel is ds/dt, elastoGap2.s_rel is 2 - s.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ Deviation from_reference(const run::SolverOptions& options) {
   const auto distance = batch::column(table, "elastoGap2.s_rel");
   const scene::Scene scene = elastogap_scene();
   const double unit_speed = scene.length_scale_m * scene.speed_rad_per_s;
-  constexpr int per_second = 200;  // the reference has a row every 5 ms
+  constexpr int per_second = 200;  // the reference has one row every 5 ms
   const run::Cursor advance = adaptive::start_adaptive(scene, options);
   run::TurnRequest asked;
   run::TurnReport turn;
@@ -45,7 +45,7 @@ Deviation from_reference(const run::SolverOptions& options) {
     EXPECT_EQ(advance(asked, turn), run::Outcome::ok);
     for (int k = 0; k < per_second; ++k) {
       const double t = second + double(k) / per_second;
-      // Dymola adds rows at events; the grid rows are the ones that fall on multiples of 5 ms.
+      // Dymola adds rows at events; only rows at multiples of 5 ms are compared.
       while (row < table.rows.size() && batch::number(table, row, time) < t - 1e-9) ++row;
       if (row >= table.rows.size() || std::abs(batch::number(table, row, time) - t) > 1e-9) continue;
       const double* state = turn.samples.data() + 4 * k;
@@ -59,8 +59,8 @@ Deviation from_reference(const run::SolverOptions& options) {
   return worst;
 }
 
-// All steppers agree with each other to better than 1e-7 m/s; the 3.11e-5 m/s that separate every one of them
-// from the reference at t = 1.02 s are the reference's own integration error.
+// All steppers agree with each other within 1e-7 m/s. Each differs from the reference by 3.11e-5 m/s at t =
+// 1.02 s, which is the integration error of the reference.
 constexpr double reference_error_m_per_s = 3.12e-5;
 
 TEST(ElastoGapReference, EveryStepperMeetsIt) {

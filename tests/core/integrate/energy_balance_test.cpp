@@ -15,7 +15,7 @@ using test::OneSideEquations;
 using test::OneSideState;
 
 struct Power {
-  double input = 0;      ///< unbalance and kick
+  double input = 0;      ///< work of unbalance and kick
   double structure = 0;  ///< dissipated by rotor and casing mounts
   double normal = 0;     ///< taken from the motion by the normal force
   double friction = 0;   ///< taken from the motion by friction; negative when the shaft drives the rotor
@@ -48,7 +48,7 @@ struct Balance {
   double normal_loss = 0;
 };
 
-/// Integrates the powers over six turns of the rubbing 1/2 motion from samples, by the trapezoidal rule.
+/// Integrates the powers from samples over six turns of the rubbing 1/2 motion, by the trapezoidal rule.
 Balance balance(run::ContactHandling contact, double smoothing_m, int samples) {
   const test::OneSideRotor rotor;
   const OneSideEquations<double> equations(rotor);
@@ -92,9 +92,9 @@ Balance balance(run::ContactHandling contact, double smoothing_m, int samples) {
 TEST(EnergyBalance, ClosesOverARubbingRun) {
   const Balance coarse = balance(run::ContactHandling::located, 1e-7, 4096);
   const Balance fine = balance(run::ContactHandling::located, 1e-7, 16384);
-  EXPECT_GT(fine.throughput, 0.1);  // joules: the run does rub
+  EXPECT_GT(fine.throughput, 0.1);  // joules: the rotor does rub
   EXPECT_LT(fine.defect, 1e-6 * fine.throughput);
-  // The remaining error is that of the trapezoidal rule, not of the run.
+  // The remaining error comes from the trapezoidal rule, not from the run.
   EXPECT_LT(fine.defect, coarse.defect / 4);
 }
 
@@ -103,8 +103,8 @@ TEST(EnergyBalance, TheNormalForceOnlyDissipates) {
 }
 
 TEST(EnergyBalance, SmoothingChangesTheForceByItsWidthOnly) {
-  // The blended force is not the one the balance is drawn up with: a defect of its own that shrinks with the
-  // width.
+  // The balance uses the exact force, the run the smoothed one. This causes an error that shrinks with the
+  // width of the smoothing.
   const Balance wide = balance(run::ContactHandling::smoothed, 1e-5, 16384);
   const Balance narrow = balance(run::ContactHandling::smoothed, 1e-6, 16384);
   EXPECT_LT(narrow.defect, 1e-4 * narrow.throughput);

@@ -9,8 +9,7 @@
 namespace rubsweep::integrate {
 namespace {
 
-/// Inside an annular stop the rotor's free vibration has a closed form; a touch must hand over to the
-/// adaptive solver.
+/// Free vibration inside an annular stop has a closed form; at contact the adaptive solver must take over.
 scene::Scene annular_scene(double start_x, double start_vy) {
   auto scene = test::one_mass_scene(1, 400, 1, 0.25, 1);
   scene.displacement_m << start_x, 0;

@@ -34,7 +34,7 @@ TEST(ExactKit, TurnsInContactHaveClosedFormsAndAgreeWithTheAdaptiveSolver) {
   }
 }
 
-/// Section after one turn from the quiet motion, no kick but what `change` adds.
+/// Section after one turn from the quiet motion, without a kick except what `change` adds.
 std::vector<double> section_with(const std::function<void(model::Machine&)>& change) {
   model::Machine machine = scene::light_shaft_machine();
   model::kit_of(machine)->shaft[0].density_kg_per_m3 = 7850;
@@ -64,7 +64,7 @@ TEST(ExactKit, AFaultOfABearingIsAShortKickThere) {
   EXPECT_LT(largest_difference(struck, kicked), 1e-5);
 }
 
-/// Between a shaft and a pedestal that a stiff bearing holds together, the impulse and its reaction cancel.
+/// A stiff bearing connects shaft and pedestal, so the impulse and its reaction cancel.
 TEST(ExactKit, AFaultStrikesThePedestalTheOtherWay) {
   const auto held = [](double bearing_n_per_m, bool faulty) {
     return section_with([=](model::Machine& machine) {

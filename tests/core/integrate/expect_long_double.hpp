@@ -8,7 +8,7 @@
 
 namespace rubsweep::integrate {
 
-/// Compares the section after each turn with one in long double of fixed steps, and returns the last turn.
+/// Compares the section after each turn with fixed steps in long double; returns the report of the last turn.
 inline run::TurnReport expect_long_double(const test::OneSideRotor& rotor, int turns, int steps,
                                           double bound) {
   const auto reference = test::long_double_sections(rotor, turns, steps);

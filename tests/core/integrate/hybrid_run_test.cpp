@@ -62,14 +62,14 @@ TEST(HybridRunExact, ACriticallyDampedCasing) {
 }
 
 TEST(HybridRunExact, ACasingTunedToTheRotor) {
-  test::OneSideRotor rotor;  // 30 Hz, and the same damping: every mode of the free structure is double
+  test::OneSideRotor rotor;  // 30 Hz and equal damping: every mode of the free structure is double
   rotor.casing_mass_kg = 0.8;
   rotor.casing_stiffness_n_per_m = 0.8 * std::pow(2 * std::numbers::pi * 30, 2);
   rotor.casing_damping_ratio = 0.02;
   expect_reference(rotor, 6, 1500, 1e-12);
 }
 
-/// The kick's end falls on the end of a turn, where the run goes on without finding its mode anew.
+/// The kick ends together with a turn; the run continues without searching for its mode again.
 TEST(HybridRunExact, AKickThatEndsWithATurn) {
   for (const int turns : {1, 2}) {
     model::Machine machine = test::machine_of({});
@@ -81,7 +81,7 @@ TEST(HybridRunExact, AKickThatEndsWithATurn) {
   }
 }
 
-/// Any number of stops at any angle, with gravity: against rkf78 at a tight tolerance.
+/// Several stops at any angle, with gravity, compared with rkf78 at a tight tolerance.
 TEST(HybridRunExact, StopsAllAround) {
   model::Machine machine = test::machine_of({});
   machine.gravity_m_per_s2 = 9.81;
@@ -136,7 +136,7 @@ TEST(HybridRunExact, TransitionIsTheDerivativeOfTheSection) {
   }
 }
 
-/// No tangent vectors are better than wrong ones, or than those of the turn before.
+/// Turns that do not propagate tangent vectors report none, neither wrong ones nor those of the turn before.
 TEST(HybridRunExact, TangentVectorsThatWereNotMovedAreNotThere) {
   test::OneSideRotor rotor;
   exact::modes::ModeCache modes;
@@ -146,9 +146,10 @@ TEST(HybridRunExact, TangentVectorsThatWereNotMovedAreNotThere) {
   int with = 0, without = 0;
   rotor.friction_steepness_s_per_m = 5;
   for (const double radius_m :
-       {0.0375, 1e-3}) {  // a fast surface, whose friction stays saturated, and a slow one
+       {0.0375, 1e-3}) {  // a fast surface, which keeps friction saturated, and a slow one
     rotor.contact_radius_m = radius_m;
-    // Stepper by name: it makes the turns without a closed form, and moves no tangent vectors.
+    // A stepper given by name computes the turns without a closed form, and does not propagate tangent
+    // vectors.
     const auto run = start_hybrid(test::cell_of(rotor).scene, {.stepper = run::Stepper::dopri5}, modes);
     long before = 0;
     for (int k = 0; k < 12; ++k) {
@@ -176,7 +177,7 @@ TEST(HybridRunExact, TangentVectorsThatWereNotMovedAreNotThere) {
   EXPECT_GT(made.effort.taylor_turns, 0);
   EXPECT_EQ(made.effort.adaptive_turns, 0);
   ASSERT_EQ(start_hybrid(test::cell_of({}).scene, {}, modes).advance({}, turn), run::Outcome::ok);
-  EXPECT_EQ(turn.tangent_vectors.get(), nullptr);  // none were asked for
+  EXPECT_EQ(turn.tangent_vectors.get(), nullptr);  // none were requested
 }
 
 TEST(HybridRunExact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
@@ -210,7 +211,7 @@ TEST(HybridRunExact, SamplesPeaksAndSwitchesAreThoseOfTheAdaptiveSolver) {
   }
 }
 
-/// Looking closer must not change the motion.
+/// Observing a turn must not change the motion.
 TEST(HybridRunExact, WatchingDoesNotMoveTheRotor) {
   const auto scene = test::cell_of({}).scene;
   exact::modes::ModeCache modes;
@@ -226,7 +227,7 @@ TEST(HybridRunExact, WatchingDoesNotMoveTheRotor) {
   EXPECT_LT(difference(a, b), 1e-12);
 }
 
-/// The force may be falling from the first instant on, and largest there.
+/// The contact force may decrease from the first instant on, so its peak is at the start.
 TEST(HybridRunExact, PeakForceOfATurnThatStartsInContact) {
   const auto scene = [] {
     auto without_kick = test::cell_of({}).scene;
@@ -254,8 +255,8 @@ TEST(HybridRunExact, PeakForceOfATurnThatStartsInContact) {
   }
 }
 
-/// A casing that rings a hundred times a turn where nothing touches it: x = (x0 cos + (v0 + z w x0) / wd sin)
-/// e^{-z w t} has its largest value at tan(wd t) = wd v0 / (w (w x0 + z v0)).
+/// A casing that rings freely a hundred times per turn: x = (x0 cos + (v0 + z w x0) / wd sin) e^{-z w t},
+/// whose maximum is at tan(wd t) = wd v0 / (w (w x0 + z v0)).
 TEST(HybridRunExact, PeakOfACasingThatRings) {
   scene::Scene scene = test::cell_of({}).scene;
   scene.pulses.clear();
@@ -264,7 +265,7 @@ TEST(HybridRunExact, PeakOfACasingThatRings) {
     scene.structure.stiffness(k, k) = mass * rate * rate;
     scene.structure.damping(k, k) = 2 * ratio * mass * rate;
   }
-  // Away from the rotor, across and towards the wall.
+  // The casing starts away from the rotor and moves towards the wall.
   const double x0 = 3e-5, v0 = 0.2;
   scene.displacement_m(2) = x0;
   scene.velocity_m_per_s(2) = v0;
@@ -305,7 +306,7 @@ TEST(HybridRunExact, PeaksDoNotDependOnSamples) {
 
 TEST(HybridRunExact, FrictionThatIsNotSaturatedGoesToTaylorPiecesAndBack) {
   test::OneSideRotor rotor;
-  rotor.contact_radius_m = 1e-3;  // slip of 0.5 m/s, tanh of 100 s/m times less where the rotor moves back
+  rotor.contact_radius_m = 1e-3;  // slip of 0.5 m/s; tanh falls where the rotor moves with the surface
   rotor.friction_steepness_s_per_m = 5;
   const auto scene = test::cell_of(rotor).scene;
   run::SolverOptions options;
@@ -315,9 +316,9 @@ TEST(HybridRunExact, FrictionThatIsNotSaturatedGoesToTaylorPiecesAndBack) {
   EXPECT_LT(difference(exact, adaptive), 1e-7);
 }
 
-/// A slip bound that just holds and one that just fails give the same section to the tolerance. The casings
-/// of the two stiff stops have modes that nearly cancel in the slip, so that bounds on its rate are a hundred
-/// times too large. The slip never comes near the end of saturation, and no turn may be given up for it.
+/// The casings of the two stiff stops have modes that almost cancel in the slip, so bounds on its rate are a
+/// hundred times too large. The slip is far from the end of saturation, so no turn may be left to another
+/// solver.
 TEST(HybridRunExact, LooseBoundsOnTheSlipShortenStretchesInsteadOfGivingTheTurnUp) {
   test::OneSideRotor rotor;
   rotor.damping_ratio = 0.01;
@@ -359,7 +360,7 @@ TEST(HybridRunExact, NearlySaturatedFrictionChangesTheSectionByTheTolerance) {
   EXPECT_GT(most, 0);
 }
 
-/// The rotor bounces for ever between undamped walls, and its energy stays.
+/// The rotor bounces between undamped walls and keeps its energy.
 TEST(HybridRunExact, EnergyStaysOverTenThousandTurns) {
   auto scene = test::one_mass_scene(1, 400, 0, 0.25, 1);
   scene.displacement_m << -1.5, 0.2;
@@ -373,7 +374,7 @@ TEST(HybridRunExact, EnergyStaysOverTenThousandTurns) {
   EXPECT_NEAR(energy, 200 * (1.5 * 1.5 + 0.04) + 5e3 * 0.25, 1e-7);
 }
 
-/// A half subharmonic: an even number of turns apart.
+/// A half subharmonic: sections an even number of turns apart agree.
 TEST(HybridRunExact, APeriodicMotionStaysOnItsSectionForAHundredThousandTurns) {
   const auto scene = test::cell_of({}).scene;
   exact::modes::ModeCache modes;
@@ -416,7 +417,7 @@ TEST(HybridRunExact, TooFewStepsAreSaid) {
   EXPECT_EQ(turn.effort.steps, 3);
 }
 
-/// A kick as long as half a free oscillation that nothing damps has no closed form; the turns after it have.
+/// An undamped system has no closed form during a kick of half a free period; later turns have one.
 TEST(HybridRunExact, AKickAtAResonanceHasNoClosedFormWhileItLasts) {
   const auto scene =
       test::cell_of({.damping_ratio = 0, .kick_n = 20, .kick_s = 1 / 60.0, .speed_hz = 75}).scene;

@@ -8,7 +8,7 @@
 
 namespace rubsweep::integrate {
 
-/// Largest difference between two lists of numbers, one by one, which are expected to be equally long.
+/// Largest difference between corresponding numbers of two lists, which must have equal length.
 template <class A, class B = A>
 double largest_difference(const A& a, const B& b) {
   EXPECT_EQ(a.size(), b.size());

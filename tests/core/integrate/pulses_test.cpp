@@ -22,13 +22,13 @@ struct HalfSine {
   double force_n = 0, start_s = 0, duration_s = 0;
 };
 
-/// Displacement and velocity of the oscillator, at rest before, by one half-sine: inside it
-/// x = Im(A (e^{i w t} - c1 e^{lambda t} - ...)) is written with the two eigenvalues of m x'' + c x' + k x,
-/// and afterwards it swings freely.
+/// Displacement and velocity of the oscillator, first at rest, under one half-sine pulse. During the pulse x
+/// = Im(A (e^{i w t} - c1 e^{lambda t} - ...)) with the two eigenvalues of m x'' + c x' + k x, afterwards it
+/// vibrates freely.
 std::array<double, 2> response_to(const HalfSine& pulse, double t_s) {
   const double delta = damping / (2 * mass_kg), wd = std::sqrt(stiffness / mass_kg - delta * delta);
   const auto free = [&](double x0, double v0, double t) -> std::array<double, 2> {
-    // x + i-component of (x0 + i (v0 + delta x0) / wd) e^{(-delta - i wd) t}
+    // x is the real part of (x0 + i (v0 + delta x0) / wd) e^{(-delta - i wd) t}
     const Complex z = Complex(x0, (v0 + delta * x0) / wd) * std::exp(Complex(-delta, -wd) * t);
     return {z.real(), (Complex(-delta, -wd) * z).real()};
   };
@@ -53,8 +53,8 @@ scene::Scene oscillator(const std::vector<HalfSine>& pulses) {
   return scene;
 }
 
-/// Overlapping, one after the other in the same turn, over several turns, far apart, and one that has been
-/// acting before the run began is left out: the oscillator of the closed form is at rest at 0.
+/// Overlapping pulses, consecutive pulses in one turn, long pulses over several turns, and pulses far apart.
+/// A pulse that acts before the run begins is not included, because the closed form starts at rest.
 const std::array<std::vector<HalfSine>, 5> cases{
     {{{.force_n = 0.9, .start_s = 0, .duration_s = 0.1},
       {.force_n = -0.7, .start_s = 0.04, .duration_s = 0.15}},
@@ -94,11 +94,11 @@ TEST(Pulses, OfAFreeOscillatorAddUpByTheClosedForm) {
       }
     }
     EXPECT_EQ(a.effort.taylor_turns + a.effort.adaptive_turns, 0);
-    EXPECT_GT(a.section[0] * a.section[0] + a.section[2] * a.section[2], 1e-6);  // the rotor still swings
+    EXPECT_GT(a.section[0] * a.section[0] + a.section[2] * a.section[2], 1e-6);  // the rotor still moves
   }
 }
 
-/// The kick, and a second pulse that finds the rotor bouncing on its stop.
+/// A scene with the kick and a second pulse, which comes while the rotor bounces on its stop.
 scene::Scene kicked_twice(double start_turns, double duration_turns, double force_n) {
   auto scene = test::cell_of({}).scene;
   scene::Pulse second = scene.pulses.front();
@@ -144,13 +144,13 @@ TEST(Pulses, BothSolversAgreeInContact) {
   }
 }
 
-/// A run that another solver takes over in the middle of a pulse, or before one begins, goes on as it was.
+/// Another solver that takes over during or before a pulse continues the same motion.
 TEST(Pulses, GoOnWhereAnotherSolverTakesOver) {
   test::OneSideRotor rotor;
   rotor.contact_radius_m = 1e-3;
   rotor.friction_steepness_s_per_m = 5;
   auto scene = test::cell_of(rotor).scene;
-  // The first turn is a quiet one, and the kick comes in the second.
+  // The first turn is quiet; the kick comes in the second.
   scene.pulses.front().elapsed_s = -1.2 * scene.period_s();
   scene::Pulse second = scene.pulses.front();
   second.elapsed_s = -2.3 * scene.period_s();
@@ -174,7 +174,7 @@ TEST(Pulses, GoOnWhereAnotherSolverTakesOver) {
   }
 }
 
-/// A force in two halves is the force; the one pulse of a kick is what it always was.
+/// Two half-strength kicks act like one kick.
 TEST(Pulses, HalvesOfAKickAreTheKick) {
   const auto whole = test::cell_of({}).scene;
   auto halves = whole;

@@ -26,7 +26,7 @@ model::Machine at_rest(model::Machine machine) {
   return machine;
 }
 
-/// Observed point after each turn.
+/// Displacement of the observed point after each turn.
 std::vector<Eigen::Vector2d> places_m(const scene::Scene& scene, run::Method method, int turns) {
   run::SolverOptions options{.method = method, .relative_tolerance = 1e-12};
   exact::modes::ModeCache modes;
@@ -41,7 +41,7 @@ std::vector<Eigen::Vector2d> places_m(const scene::Scene& scene, run::Method met
   return places;
 }
 
-/// A damped oscillator at rest that a constant and a turning acceleration begin to drive at t = 0.
+/// A damped oscillator at rest, on which constant and rotating accelerations act from t = 0 on.
 struct Oscillator {
   double rad_per_s, ratio;
 
@@ -76,7 +76,7 @@ TEST(RestStart, OfALinearRotorIsItsClosedForm) {
   }
 }
 
-/// Fixed steps of the classical fourth order.
+/// One fixed step of the classical fourth-order Runge-Kutta method.
 Eigen::Vector4d stepped(const auto& rate, Eigen::Vector4d state, double t, double h) {
   const Eigen::Vector4d a = rate(state, t), b = rate(state + h / 2 * a, t + h / 2),
                         c = rate(state + h / 2 * b, t + h / 2), d = rate(state + h * c, t + h);
@@ -119,7 +119,7 @@ TEST(RestStart, OfARotorThatFallsOnARingIsThatOfFixedSteps) {
   EXPECT_GT(furthest_m, 1.21e-3);
 }
 
-/// exp(A t) by squarings of a series.
+/// Matrix exponential exp(A t) by scaling and squaring of its series.
 Eigen::MatrixXd exponential(const Eigen::MatrixXd& a, double t) {
   int squarings = 0;
   double h = t;
@@ -130,7 +130,7 @@ Eigen::MatrixXd exponential(const Eigen::MatrixXd& a, double t) {
   return sum;
 }
 
-/// A kit whose planes differ and are coupled, with two discs, all of whose modes are kept.
+/// A kit with two discs and different, coupled planes; all modes are kept.
 model::Machine coupled_kit() {
   model::Machine machine = scene::light_shaft_machine();
   model::RotorKit& kit = *model::kit_of(machine);
@@ -152,13 +152,14 @@ model::Machine coupled_kit() {
   return at_rest(machine);
 }
 
-/// The observed place of full matrices written in the tests, after each turn from rest.
+/// Position of the observed point after each turn from rest, computed with full matrices that the tests
+/// assemble.
 std::vector<Eigen::Vector2d> written_places_m(const model::Machine& machine, double speed_hz, double e_m,
                                               int turns) {
   const model::RotorKit& kit = *model::kit_of(machine);
   const structure::WrittenRotor full(kit, structure::assemble_beam_shaft(kit, {0.2}));
   const Eigen::Index n = full.mass().rows();
-  const double w = 2 * pi * speed_hz, unit = 1000;  // displacements in units of velocities
+  const double w = 2 * pi * speed_hz, unit = 1000;  // displacements are scaled to have the size of velocities
   Eigen::VectorXcd unbalance = Eigen::VectorXcd::Zero(n);
   Eigen::VectorXd along_y = Eigen::VectorXd::Zero(n);
   for (Eigen::Index i = 2; i < n; i += 4) along_y(i) = 1;
@@ -168,7 +169,7 @@ std::vector<Eigen::Vector2d> written_places_m(const model::Machine& machine, dou
     unbalance(full.at(disc.position_m)) += force;
     unbalance(full.at(disc.position_m) + 2) -= Complex(0, 1) * force;
   }
-  // States, and after them cosine and sine of the shaft's angle and 1.
+  // The state is followed by cosine and sine of the shaft angle and by 1.
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n + 3, 2 * n + 3);
   const Eigen::MatrixXd inverse = full.mass().inverse();
   a.block(0, n, n, n).diagonal().setConstant(unit);
@@ -199,7 +200,7 @@ TEST(RestStart, OfAKitIsThatOfItsFullMatrices) {
     model::kit_of(machine)->clearances_from_sag = from_sag;
     const auto prepared = scene::prepare_machine(machine);
     const scene::Cell cell = scene::build_cell(prepared, speed_hz, scene::Eccentricity{e_m});
-    // Displacements that count from the sag begin above it.
+    // Displacements measured from the sag start above it.
     const auto& observed =
         cell.scene.structure.points[static_cast<std::size_t>(cell.scene.observed_point)].map;
     const Eigen::Vector2d begin_m = observed * cell.scene.displacement_m;

@@ -1,5 +1,5 @@
-// Slips that reverse between flat stops: closed forms on either side of the reversal, Taylor pieces in
-// between, against long double, against Taylor pieces alone and against differences.
+// Slips that reverse between flat stops: closed forms before and after the reversal, Taylor pieces in
+// between. They are compared with long double, with Taylor pieces alone and with differences.
 #include <gtest/gtest.h>
 
 #include "core/integrate/expect_long_double.hpp"
@@ -12,7 +12,7 @@
 namespace rubsweep::integrate {
 namespace {
 
-/// A thin shaft, whose surface goes at 0.24 m/s: the rotor in contact goes back faster, for a while.
+/// A thin shaft with a surface speed of 0.24 m/s: in contact the rotor temporarily moves backwards faster.
 test::OneSideRotor thin_shaft(double steepness_s_per_m, double radius_m = 5e-4) {
   test::OneSideRotor rotor;
   rotor.contact_radius_m = radius_m;
@@ -20,7 +20,7 @@ test::OneSideRotor thin_shaft(double steepness_s_per_m, double radius_m = 5e-4) 
   return rotor;
 }
 
-/// The same with dry friction.
+/// The same scene with dry friction.
 scene::Scene dry_scene() {
   model::Machine machine = test::machine_of(thin_shaft(100, 3e-4));
   machine.stops[0].friction = model::ConstantFriction{0.1};
@@ -29,7 +29,7 @@ scene::Scene dry_scene() {
 
 void expect_reversals(const run::TurnReport& turn) {
   EXPECT_GT(turn.effort.taylor_turns, 0);
-  EXPECT_GT(turn.effort.steps, turn.effort.taylor_pieces);  // some of the way is by closed forms
+  EXPECT_GT(turn.effort.steps, turn.effort.taylor_pieces);  // closed forms cover a part of the motion
   EXPECT_EQ(turn.effort.adaptive_turns, 0);
 }
 
@@ -41,7 +41,8 @@ TEST(ReversingSlip, AgainstLongDoubleWhereHardlyAnythingIsSaturated) {
   expect_long_double(thin_shaft(30), 6, 3000, 1e-12);
 }
 
-/// Turn by turn from the same sections, with all that a turn may be asked for.
+/// Compares each turn with Taylor pieces alone from the same sections, with all results that a turn can
+/// report.
 void expect_pieces_alone(const scene::Scene& scene, int turns, double bound, double tangent_bound) {
   exact::modes::ModeCache modes;
   const auto run = start_hybrid(scene, {}, modes);
@@ -85,7 +86,7 @@ TEST(ReversingSlip, TanhIsAsByPiecesAlone) {
 
 TEST(ReversingSlip, DryIsAsByPiecesAlone) { expect_pieces_alone(dry_scene(), 12, 1e-11, 1e-9); }
 
-/// A stop on either side, whose slips go opposite ways at equal rotation.
+/// Stops on two sides, whose slips have opposite directions under the same rotation.
 TEST(ReversingSlip, BetweenTwoStops) {
   model::Machine machine = test::machine_of(thin_shaft(300));
   machine.stops.push_back(machine.stops[0]);
@@ -107,8 +108,7 @@ TEST(ReversingSlip, BetweenTwoStops) {
   EXPECT_LT(a.effort.taylor_pieces, b.effort.steps);
 }
 
-/// A belt that runs backwards has a slip that never goes forward, saturated all the time: no turn needs a
-/// piece.
+/// A surface that always slips backwards, with saturated friction: no turn needs a Taylor piece.
 TEST(ReversingSlip, AlwaysBackwardHasClosedForms) {
   scene::Scene scene = test::cell_of(thin_shaft(100)).scene;
   scene.contacts[0].surface_speed_m_per_s = -16;

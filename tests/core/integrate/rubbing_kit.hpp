@@ -5,8 +5,8 @@
 
 namespace rubsweep::integrate {
 
-/// A shaft that leans with its disc and rubs a stiff wall beside it: gyroscopic, and the modes with the
-/// contact released are as good as dependent.
+/// A gyroscopic shaft whose disc tilts and rubs on a stiff wall. With the contact released, its modes are
+/// almost linearly dependent.
 inline scene::Scene kit_scene(double speed_hz, double whirl_ratio) {
   model::Machine machine = scene::light_shaft_machine();
   model::kit_of(machine)->shaft[0].density_kg_per_m3 = 7850;

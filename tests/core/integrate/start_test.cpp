@@ -43,7 +43,7 @@ TEST(Start, ARestartedRunHasNoMemory) {
     run.restart(run::scaled_initial_state(scene));
     run::TurnReport again;
     ASSERT_EQ(run.advance({}, again), run::Outcome::ok);
-    EXPECT_EQ(again.section, first.section);  // the kick with it
+    EXPECT_EQ(again.section, first.section);  // including the kick
   }
 }
 

@@ -1,5 +1,5 @@
-// Friction that holds harder than it slides: closed forms of stick-slip on a belt and on a ramp, long doubles
-// of its own for one to three walls and a ring, Odeint, differences for the derivatives.
+// Static friction above sliding friction: closed forms of stick-slip on a belt and on a ramp, an independent
+// reference in long double for one to three walls and a ring, Odeint, and differences for the derivatives.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -32,7 +32,7 @@ run::SolverOptions adaptive(run::Stepper which, double tolerance) {
   return options;
 }
 
-/// Unit mass on a unit spring along y, pressed by N on a wall across x whose surface moves at V.
+/// Unit mass on a unit spring along y, pressed by N onto a wall across x, whose surface moves at V.
 struct Belt {
   model::Friction friction = StaticFriction{0.6, 0.25};
   double normal = 2, damping = 0, surface = 0.3, revolution = 1;
@@ -69,8 +69,8 @@ Motion run_of(const scene::Scene& scene, const run::SolverOptions& options, int 
   return motion;
 }
 
-/// Closed form of stick-slip without damping, y and y': carried at -V to -mu_s N, then a circle about
-/// (-mu_k N, 0) until it is as far on the other side and as fast as the belt.
+/// Closed form of undamped stick-slip in (y, y'): the belt carries the mass at -V to -mu_s N. Then it moves
+/// on a circle about (-mu_k N, 0) until it reaches the belt's speed on the opposite side.
 struct StickSlip {
   double surface, centre, excess;
 
@@ -82,7 +82,7 @@ struct StickSlip {
   double carried() const { return 2 * excess / surface; }
   double period() const { return carried() + 2 * pi - 2 * std::atan(excess / surface); }
   double amplitude() const { return std::hypot(excess, surface); }
-  /// From the start of the straight line on.
+  /// State at time t after the beginning of sticking.
   std::pair<double, double> at(double t) const {
     t = std::fmod(t, period());
     if (t < carried()) return {centre + excess - surface * t, -surface};
@@ -107,7 +107,7 @@ TEST(StaticFriction, StickSlipOnABeltIsALineAndTheArcOfACircle) {
         of_steps = std::max(
             {of_steps, std::abs(steps.states[k].first - y), std::abs(steps.states[k].second - rate)});
       }
-      // A wrong period or amplitude would add up over the turns.
+      // Errors of period or amplitude would accumulate over the turns.
       EXPECT_LT(error, 1e-12) << surface << ' ' << mu_k;
       EXPECT_LT(of_steps, 1e-8) << surface << ' ' << mu_k;
       EXPECT_EQ(pieces.last.effort.adaptive_turns, 0);
@@ -132,13 +132,13 @@ TEST(StaticFriction, PeriodAndAmplitudeAreThoseOfTheClosedForm) {
     }
     EXPECT_NEAR(turn.section[1], closed.at(0).first, 1e-13);
     EXPECT_NEAR((high - low) / 2, closed.amplitude(), 1e-6);
-    EXPECT_NEAR(static_cast<double>(turn.effort.switches), 2 * (k + 1), 1);  // one falls on the section
+    EXPECT_NEAR(static_cast<double>(turn.effort.switches), 2 * (k + 1), 1);  // one is at the section
   }
 }
 
 TEST(StaticFriction, WithDampingItSlidesForEverAboveTheSpeedOfTheClosedForm) {
-  // Let go at z = cV - excess from the centre with z' = -V. It slides on if the damped swing does not come
-  // back to -V: at its next fastest return, where z'' = 0.
+  // The mass is released at z = cV - excess, relative to the centre, with z' = -V. It slides on if the damped
+  // motion does not reach -V again; the closest approach is at z'' = 0.
   const double c = 0.2, excess = 0.7, decay = c / 2, rate = std::sqrt(1 - decay * decay);
   const auto fastest_return = [&](double v) {
     const double from = c * v - excess, b = (-v + decay * from) / rate;
@@ -170,7 +170,7 @@ TEST(StaticFriction, WithDampingItSlidesForEverAboveTheSpeedOfTheClosedForm) {
 }
 
 TEST(StaticFriction, SteadySlidingOnAFallingCurveIsStableAboveTheSpeedWhereDampingOutweighsTheFall) {
-  // c = N (mu_s - mu_k) / v_s exp(-V / v_s), and for exponent 2 with the factor 2 V / v_s.
+  // Critical damping c = N (mu_s - mu_k) / v_s exp(-V / v_s); for exponent 2 an additional factor 2 V / v_s.
   const double c = 0.1, normal = 2, drop = 0.3, fall = 0.5;
   for (const int exponent : {1, 2}) {
     const auto slope = [&](double v) {
@@ -199,7 +199,8 @@ TEST(StaticFriction, SteadySlidingOnAFallingCurveIsStableAboveTheSpeedWhereDampi
 }
 
 TEST(StaticFriction, BetweenRabinowiczTwoCoefficientsARestingBlockStaysAndAMovingOneGoesOn) {
-  // A block on a ramp, whose slope is between both coefficients: pressed by N, pulled by slope N.
+  // A block on a ramp whose slope lies between both friction coefficients: N acts normal to it, slope N along
+  // it.
   for (const double slope : {0.3, 0.59}) {
     const Belt ramp{.surface = 0, .revolution = 0.5, .spring = 0, .along = 2 * slope};
     EXPECT_EQ(run_of(ramp.scene(0, 0), {}, 20).states.back(), (std::pair{0.0, 0.0}));
@@ -207,7 +208,7 @@ TEST(StaticFriction, BetweenRabinowiczTwoCoefficientsARestingBlockStaysAndAMovin
     const double a = 2 * (slope - 0.25), t = 3;
     EXPECT_NEAR(moving.states.back().first, 1e-3 * t + a * t * t / 2, 1e-12);
     EXPECT_NEAR(moving.states.back().second, 1e-3 + a * t, 1e-12);
-    // Up the ramp it stops, and stays.
+    // Moving up the ramp, it stops and stays.
     const Motion up = run_of(ramp.scene(0, -1), {}, 20);
     EXPECT_NEAR(up.states.back().first, -1 / (4 * (slope + 0.25)), 1e-12);
     EXPECT_EQ(up.last.effort.switches, 1);
@@ -227,7 +228,7 @@ TEST(StaticFriction, EqualCoefficientsAreDryFriction) {
 }
 
 TEST(StaticFriction, TwoWallsOfOneRigidCasingHoldWhatOneDoes) {
-  // Which of the two holds how much is open; that they hold up to both bounds is not.
+  // The distribution of friction between the two walls is not unique, but their joint limit is.
   for (const model::Friction& friction :
        {model::Friction(StaticFriction{0.6, 0.25}), model::Friction(FallingFriction{0.6, 0.25, 0.2, 1})}) {
     const Belt belt{.friction = friction, .damping = 0.05, .revolution = 0.7};
@@ -246,7 +247,7 @@ TEST(StaticFriction, TwoWallsOfOneRigidCasingHoldWhatOneDoes) {
   }
 }
 
-/// Laws of the random machines, by their number.
+/// Number of friction laws for the random machines.
 constexpr int laws = 3;
 
 struct Machine {
@@ -254,7 +255,7 @@ struct Machine {
   test::StickSlipReference reference;
 };
 
-/// One mass on walls or in a ring with slow surfaces, driven so that slips stop and reverse.
+/// One mass on walls or in a ring with slow surfaces; the excitation makes slips stop and reverse.
 Machine random_machine(std::mt19937& random, int law) {
   const auto even = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -264,7 +265,7 @@ Machine random_machine(std::mt19937& random, int law) {
   m.scene = test::one_mass_scene(1, 1, damping, 2 * pi / speed, 1);
   m.scene.harmonic_n << force, std::complex<double>(0, -force);
   m.scene.constant_n << even(0, 0.5), even(-0.5, 0.5);
-  const int kind = std::uniform_int_distribution(0, 3)(random);  // a ring, or so many walls
+  const int kind = std::uniform_int_distribution(0, 3)(random);  // 0: a ring; otherwise the number of walls
   for (int k = 0; k < std::max(1, kind); ++k) {
     scene::Contact stop;
     test::StickSlipReference::Wall wall;
@@ -308,7 +309,7 @@ Machine random_machine(std::mt19937& random, int law) {
 
 bool all_corners() { return std::getenv("RUBSWEEP_CORNERS") != nullptr; }
 
-/// The same mass pressed into a corner of two walls, which hold it together until both let go.
+/// The same mass pressed into a corner of two walls, which hold it until both release it.
 Machine random_corner(std::mt19937& random, int law) {
   Machine m = random_machine(random, law);
   while (m.scene.contacts.size() != 2) m = random_machine(random, law);
@@ -329,7 +330,7 @@ Machine random_corner(std::mt19937& random, int law) {
   return m;
 }
 
-/// The state of a section in the reference's units.
+/// Difference of a section from the reference, in the units of the reference.
 std::vector<double> difference(const std::vector<double>& section, const test::StickSlipReference& reference,
                                double speed) {
   std::vector<double> all;
@@ -346,10 +347,10 @@ double largest(const std::vector<double>& all) {
 
 struct Tally {
   int machines = 0, stops = 0, releases = 0, together = 0, sensitive = 0;
-  double worst = 0, worst_of_steps = 0;  ///< errors over growth
+  double worst = 0, worst_of_steps = 0;  ///< errors / growth
 };
 
-/// Six turns after the start: error over the growth of a small change of the start.
+/// Runs six turns; the error is divided by the growth of a small change in the initial state.
 Tally compare(int law, int machines, unsigned seed, Machine (*machine)(std::mt19937&, int) = random_machine) {
   constexpr double small = 1e-9, most_growth = 1e5;
   std::mt19937 random(seed);
@@ -378,7 +379,7 @@ Tally compare(int law, int machines, unsigned seed, Machine (*machine)(std::mt19
     ++tally.machines;
     tally.stops += m.reference.stops, tally.releases += m.reference.releases;
     tally.together += m.reference.together;
-    // A small change that decides a stop or a release differently is no measure of growth.
+    // Growth means nothing where the small change leads to different stops or releases.
     if (growth > most_growth) {
       ++tally.sensitive;
       continue;
@@ -402,7 +403,7 @@ TEST_P(StaticFrictionReference, RandomMachinesMeetLongDoubles) {
   EXPECT_LE(tally.sensitive, 1);
 }
 
-/// RUBSWEEP_CORNERS=1 for every law and a finer reference, which the falling curves need: two minutes.
+/// RUBSWEEP_CORNERS=1 tests all laws with a finer reference, which falling curves need: two minutes.
 TEST(StaticFriction, CornersWhereTwoLetGoAtOnceMeetLongDoubles) {
   for (int law = 0; law < (all_corners() ? laws : 1); ++law) {
     const Tally tally = compare(law, 8, 3, random_corner);
@@ -460,7 +461,7 @@ TEST_P(StaticFrictionTangents, AreDerivatives) {
     }
   }
   EXPECT_GT(lost, 30);
-  // A difference that straddles a graze is no derivative.
+  // Differences across a grazing contact are not derivatives.
   EXPECT_GE(good, compared - compared / 20) << compared;
 }
 

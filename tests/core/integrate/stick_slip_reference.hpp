@@ -9,10 +9,9 @@
 
 namespace rubsweep::test {
 
-/// One mass in a plane on a spring and a damper, driven by a turning force, between walls with friction that
-/// holds harder than it slides: long doubles, steps of one length by Gragg's extrapolated midpoint rule,
-/// events by regula falsi, and every choice of what sticks tried one after the other. It has nothing in
-/// common with the library.
+/// One mass in a plane on a spring and a damper, driven by a rotating force between walls with static
+/// friction. It uses long double, fixed steps of Gragg's extrapolated midpoint rule and regula falsi for
+/// events, and tries every combination of sticking walls. It shares no code with the library.
 class StickSlipReference {
  public:
   using Real = long double;
@@ -22,8 +21,8 @@ class StickSlipReference {
     bool ring = false;
     Real x = 1, y = 0;  ///< normal of a flat wall; offset in a ring
     Real clearance = 1, stiffness = 1, damping = 0, surface_speed = 0;
-    Real holds = 0, slides = 0;  ///< coefficients
-    Real fall_speed = 0;         ///< zero: the friction jumps
+    Real holds = 0, slides = 0;  ///< static and sliding coefficients of friction
+    Real fall_speed = 0;         ///< 0: friction drops at once
     int power = 1;
   };
 
@@ -31,7 +30,7 @@ class StickSlipReference {
   std::vector<Wall> walls;
   State state{};
   Real step = 0;
-  int stops = 0, releases = 0, together = 0;  ///< slips that ended and began, two or more at once
+  int stops = 0, releases = 0, together = 0;  ///< ends and starts of slips; events of two or more at once
 
   void begin() {
     contacts_.assign(walls.size(), {});
@@ -49,7 +48,7 @@ class StickSlipReference {
   enum class Zone { open, clamped, sprung, released };
   struct Contact {
     Zone zone = Zone::open;
-    int way = 0;  ///< direction of the slip; 0 sticks
+    int way = 0;  ///< direction of the slip; 0: sticking
   };
   struct Look {
     Real nx, ny, radius, depth, closing, sliding, slip;
@@ -92,7 +91,7 @@ class StickSlipReference {
   bool touches(std::size_t i) const { return contacts_[i].zone != Zone::open; }
   bool sticks(std::size_t i) const { return touches(i) && contacts_[i].way == 0; }
 
-  /// Acceleration without the friction of what sticks.
+  /// Acceleration without the friction of the sticking walls.
   Vector loose(const State& s, Real t) const {
     Vector a{constant_x + force * std::cos(turns_at * t) - spring * s[0] - damper * s[2],
              constant_y + force * std::sin(turns_at * t) - spring * s[1] - damper * s[3]};
@@ -115,7 +114,7 @@ class StickSlipReference {
     return l.nx * a.y - l.ny * a.x - (ring ? l.closing * l.sliding / l.radius : 0);
   }
 
-  /// Frictions of two walls at most that keep their slips: one, or two by Cramer's rule.
+  /// Friction forces that keep the slips of one or two walls unchanged, by Cramer's rule.
   std::vector<Real> holding(const std::vector<std::size_t>& which, const State& s, Vector a) const {
     std::vector<Look> l;
     std::vector<Real> need, f(which.size(), 0);
@@ -183,12 +182,12 @@ class StickSlipReference {
     return now;
   }
 
-  /// Value that rises through zero at an event.
+  /// Function that rises through zero at an event.
   struct Guard {
     std::size_t wall = 0;
     Zone next = Zone::open;
     int way = 0;   ///< direction of the slip after a release
-    int kind = 0;  ///< 0 a zone, 1 a stop, 2 a release
+    int kind = 0;  ///< 0: penetration, 1: stop of a slip, 2: release
     Real value = 0;
   };
 
@@ -231,7 +230,7 @@ class StickSlipReference {
     return all;
   }
 
-  /// Goes on by `h`, or to the first event before.
+  /// Advances by `h`, or up to the first event before that.
   Real advance(Real h) {
     const std::vector<Guard> before = guards(state, time_);
     State end = after(h);
@@ -250,7 +249,7 @@ class StickSlipReference {
     return first;
   }
 
-  /// Regula falsi of Illinois.
+  /// Root by regula falsi, Illinois variant.
   Real root(std::size_t guard, Real low_value, Real high, Real high_value) const {
     Real low = 0;
     for (int k = 0, side = 0; k < 80 && high - low > 1e-17L * step; ++k) {
@@ -294,7 +293,7 @@ class StickSlipReference {
     }
   }
 
-  /// Takes the way of a slip from the state, or lists it as standing.
+  /// Takes the direction of a slip from the state, or adds the wall to the ones that may stick.
   void touch(std::size_t i, std::vector<std::size_t>& standing) {
     const Real slip = look(i, state).slip;
     if (!touches(i)) return;
@@ -302,9 +301,9 @@ class StickSlipReference {
     if (std::abs(slip) < rounding) standing.push_back(i);
   }
 
-  /// Choice of what sticks from here on: all sets and ways are tried, with the static bound at first. What
-  /// slips then has its sliding friction for its bound, as has `let_go` from the start, and all are tried
-  /// again.
+  /// Chooses the sticking walls by trying all sets and directions, first with the static limits. Walls that
+  /// then slip, and `let_go` from the beginning, get the sliding friction as their limit, and all sets are
+  /// tried again.
   void settle(const std::vector<std::size_t>& standing, std::size_t let_go) {
     if (standing.empty()) return;
     std::vector<Real> bound;

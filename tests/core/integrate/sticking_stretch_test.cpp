@@ -1,6 +1,6 @@
-// Bodies that dry friction holds at stiff flat walls and at places of stiff rings: closed forms and certified
-// steps against what friction and springs say by hand, against Taylor pieces all the way, against a stepper,
-// and against fixed steps of the equations in polar coordinates.
+// Bodies held by dry friction at stiff flat walls and in stiff rings: closed forms and certified steps. They
+// are compared with static equilibrium by hand, with Taylor pieces, with a stepper, and with fixed steps in
+// polar coordinates.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Unit mass on unit springs along x and y, a stiff damped wall across x that it is pressed on, whose surface
-/// may move; one revolution lasts 2 pi seconds over `speed`.
+/// Unit mass on unit springs along x and y, pressed onto a stiff damped wall across x with a possibly moving
+/// surface; one revolution lasts 2 pi / `speed` seconds.
 struct Held {
   double stiffness = 1e8, damping = 2e3, pressed_n = 2, mu = 0.5, surface = 0, speed = 1;
   double unbalance_n = 0, structure_damping = 0.05;
@@ -53,11 +53,11 @@ TEST(StickingStretch, ABodyHeldByFrictionCostsWhatOneAtRestDoes) {
     ASSERT_EQ(turn.sample_count, 16);
     for (std::size_t s = 0; s < 16; ++s) EXPECT_NEAR(turn.samples[4 * s + 1], 0.7, 1e-14);
   }
-  // The wall's vibration turns by 6e5 radians in each of these revolutions.
+  // The wall's vibration has a phase of 6e5 radians in each of these revolutions.
   EXPECT_LT(turn.effort.steps, 20 * 10);
 }
 
-/// The same turns by the run that `start` makes and by Taylor pieces alone, of N coordinates.
+/// Compares turns of the run from `start` with Taylor pieces alone, for N coordinates.
 template <int N = 2>
 void expect_like_pieces(const scene::Scene& scene, int turns, double tolerance, long most_steps) {
   exact::modes::ModeCache modes;
@@ -76,7 +76,7 @@ void expect_like_pieces(const scene::Scene& scene, int turns, double tolerance, 
     EXPECT_NEAR(a.contact_fraction, b.contact_fraction, 1e-12) << k;
     EXPECT_EQ(a.hits, b.hits);
     ASSERT_NE(a.tangent_vectors.get(), nullptr);
-    // Pieces add 4e-12 of the vectors each.
+    // Each piece adds an error of 4e-12 of the vectors.
     const Eigen::MatrixXd &by_run = *a.tangent_vectors.get(), &by_pieces = *b.tangent_vectors.get();
     EXPECT_LT((by_run - by_pieces).norm(), 1e-7 * (1 + by_pieces.norm())) << k;
   }
@@ -90,7 +90,8 @@ TEST(StickingStretch, AHeldBodyThatUnbalancePressesMovesAsByTaylorPieces) {
 }
 
 TEST(StickingStretch, TwoWallsOfOneTangentHoldABodyAsByTaylorPieces) {
-  // The two walls share a friction of 0.9 N as they like. One is at its limit, the other one sticks.
+  // The two walls share a friction of 0.9 N in a way that is not unique: one is at its limit, the other one
+  // sticks.
   const Held held{.stiffness = 1e6, .damping = 400, .mu = 0.8};
   scene::Scene scene = held.scene(0.9, 0);
   scene.contacts.push_back(scene.contacts[0]);
@@ -100,13 +101,14 @@ TEST(StickingStretch, TwoWallsOfOneTangentHoldABodyAsByTaylorPieces) {
 }
 
 TEST(StickingStretch, ABeltCarriesTheBodyAsByTaylorPieces) {
-  // Let go where the spring asks for more than mu N = 1: y = -1 after twenty seconds, in the fourth turn.
+  // The mass is released where the spring force exceeds mu N = 1: y = -1 after twenty seconds, in the fourth
+  // turn.
   Held held{.stiffness = 1e6, .damping = 400, .surface = 0.05};
   expect_like_pieces(held.scene(0, -0.05), 3, 1e-11, 300);
 }
 
 TEST(StickingStretch, ABeltLetsTheBodyGoWhereTheSpringIsAsStrongAsFriction) {
-  // Against a damper c V the belt lets go at y = -(mu N - c V), as by a stepper.
+  // With the damper force c V the belt releases the mass at y = -(mu N - c V), as a stepper confirms.
   const Held held{.stiffness = 1e6, .damping = 400, .surface = 0.05};
   exact::modes::ModeCache modes;
   run::SolverOptions tight;
@@ -129,8 +131,9 @@ TEST(StickingStretch, ABeltLetsTheBodyGoWhereTheSpringIsAsStrongAsFriction) {
 }
 
 TEST(StickingStretch, UndampedVibrationAgainstTheWallNeitherEndsNorIsLost) {
-  // Pressed by 2 N and struck: the load swings by a tenth, friction holds all the same. The wall's spring is
-  // beside the structure's: a cosine of rate sqrt(k + K) about the position where both carry the forces.
+  // The mass is pressed by 2 N and hit: the load oscillates by a tenth, but friction holds. The springs of
+  // wall and structure act in parallel, so the motion is a cosine of angular frequency sqrt(k + K) about the
+  // static equilibrium.
   const Held held{.stiffness = 1e6, .damping = 0, .structure_damping = 0};
   scene::Scene scene = held.scene(0.4, 0);
   scene.displacement_m(0) += 2e-7;
@@ -148,12 +151,12 @@ TEST(StickingStretch, UndampedVibrationAgainstTheWallNeitherEndsNorIsLost) {
     EXPECT_NEAR(turn.section[1], 0.4, 1e-14) << k;
   }
   EXPECT_LT(turn.effort.steps, 200);
-  // A phase of 6000 radians a turn: pieces add up what each of them rounds.
+  // A phase of 6000 radians per turn, so rounding of the pieces accumulates.
   expect_like_pieces(scene, 2, 1e-9, 200);
 }
 
-/// Unit mass on unit springs in a stiff ring of radius 1 about `centre`, whose surface stands. Forces press
-/// it on the ring at the angle 0, near to which friction holds it.
+/// Unit mass on unit springs in a stiff ring of radius 1 about `centre`, whose surface does not move. Forces
+/// press it onto the ring at angle 0, and friction holds it nearby.
 struct Ringed {
   double stiffness = 1e6, damping = 400, pressed_n = 2, mu = 0.5, unbalance_n = 0.3, structure_damping = 0.05;
   Eigen::Vector2d centre{0, 0};
@@ -165,7 +168,7 @@ struct Ringed {
     return ring;
   }
 
-  /// Unit vector from the centre at `angle`, and the place there that the ring pushes back by `load_n`.
+  /// Unit vector from the centre at `angle`, and the position there at which the ring's force is `load_n`.
   static Eigen::Vector2d towards(double angle) { return {std::cos(angle), std::sin(angle)}; }
   Eigen::Vector2d place(double angle, double load_n) const {
     return centre + (1 + load_n / stiffness) * towards(angle);
@@ -187,13 +190,13 @@ TEST(StickingStretch, ARingThatHoldsABodyCostsWhatRestDoes) {
   const run::Run run = start(ringed.scene(0.3), {}, modes);
   run::TurnRequest asked{.samples_per_revolution = 16};
   run::TurnReport turn;
-  // The mass leans on the ring by what presses it there: 3 cos(0.3) - 1.
+  // The mass loads the ring by the radial force 3 cos(0.3) - 1.
   const double load = 3 * std::cos(0.3) - 1;
   double held_at = 0;
   for (int k = 0; k < 20; ++k) {
     asked.peaks = k > 0;
     ASSERT_EQ(run.advance(asked, turn), run::Outcome::ok);
-    // The first pieces round the ring's force by 1e-8 N across it.
+    // Rounding in the first pieces gives a tangential ring force of 1e-8 N.
     const double angle = std::atan2(turn.section[1], turn.section[0]);
     EXPECT_NEAR(angle, k == 0 ? 0.3 : held_at, k == 0 ? 1e-10 : 1e-14) << k;
     held_at = angle;
@@ -204,7 +207,7 @@ TEST(StickingStretch, ARingThatHoldsABodyCostsWhatRestDoes) {
       EXPECT_NEAR(turn.peak_contact_force_n, load, 1e-6);
     }
   }
-  // The ring's vibration turns by 6e4 radians in each of these revolutions: Taylor pieces are 8000.
+  // The ring's vibration has a phase of 6e4 radians per revolution; Taylor pieces would need 8000.
   EXPECT_LT(turn.effort.steps, 20 * 10);
 }
 
@@ -270,9 +273,8 @@ TEST(StickingStretch, TwoRingsHoldTwoBodiesAsByTaylorPieces) {
   expect_like_pieces<4>(scene, 4, 1e-11, 400);
 }
 
-/// The motion of a `Ringed` body in polar coordinates by Runge-Kutta steps of one size, each of which sticks
-/// or slips all along; where the slip changes its direction within one, the body stands if friction can hold
-/// it.
+/// Motion of a `Ringed` body in polar coordinates by Runge-Kutta steps of fixed length. Each step sticks or
+/// slips throughout; where the slip reverses within a step, the body sticks if friction can hold it.
 class PolarRing {
  public:
   PolarRing(const Ringed& ringed, double angle) : ringed_(ringed) {
@@ -351,7 +353,7 @@ TEST(StickingStretch, ARingHoldsABodyAndLetsItGoAsByFixedSteps) {
     }
     EXPECT_GT(steps.releases, 3);
     EXPECT_GT(steps.share_that_stands(), 0.2);
-    // Some of the steps are those of closed forms.
+    // Some of the steps use closed forms.
     EXPECT_GT(turn.effort.steps, turn.effort.taylor_pieces);
   }
 }

@@ -1,5 +1,6 @@
-// Slow turns on a belt beside a stiff wall, with friction that the slip's size decides: implicit steps where
-// the wall's vibration has died out, against Taylor pieces all the way and against an explicit stepper.
+// Slow turns on a moving belt at a stiff wall, with friction that depends on the slip. Implicit steps are
+// used after the wall's vibration has died out; they are compared with Taylor pieces and with an explicit
+// stepper.
 #include "rubsweep/core/integrate/stiff_turns.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +15,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Unit mass on unit springs, pressed by 2 N on a wall across x whose surface moves; the wall's vibration
-/// turns by ten thousand radians in each radian of the shaft.
+/// Unit mass on unit springs, pressed by 2 N onto a wall across x with a moving surface; the wall's vibration
+/// has a phase of 1e4 radians per radian of the shaft.
 struct Belt {
   double damping = 2e3, unbalance_n = 0.3, steepness = 1;
 

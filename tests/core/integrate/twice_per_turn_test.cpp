@@ -18,14 +18,14 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A scene with a force of twice the shaft's frequency that is `share` of the one that turns, in other
+/// The scene plus a force at twice the shaft's frequency, which is `share` times the rotating force, in other
 /// directions.
 scene::Scene with_second(scene::Scene scene, Complex share) {
   scene.second_harmonic_n = share * scene.harmonic_n.conjugate();
   return scene;
 }
 
-/// Turns by the solver that `options` choose, by dopri5 and in long double, from the same start.
+/// Compares turns by the solver in `options`, by dopri5 and in long double from the same start.
 run::Effort expect_agreement(const scene::Scene& scene, const run::SolverOptions& options, int turns,
                              double tolerance) {
   exact::modes::ModeCache modes;
@@ -68,7 +68,7 @@ TEST(TwicePerTurn, TaylorSeriesInAnAnnularStopAgree) {
   EXPECT_GT(effort.taylor_turns, 0);
 }
 
-/// A kick that begins and ends beside it leaves it as it is.
+/// A kick that begins and ends does not change the second harmonic.
 TEST(TwicePerTurn, APulseOfTheSceneComesAndGoesBesideIt) {
   scene::Scene scene = with_second(test::cell_of({}).scene, std::polar(0.6, 0.4));
   scene::Pulse late = scene.pulses.at(0);
@@ -77,7 +77,7 @@ TEST(TwicePerTurn, APulseOfTheSceneComesAndGoesBesideIt) {
   expect_agreement(scene, {}, 5, 1e-11);
 }
 
-/// The quiet motion of both orders stays where it is: as a closed form, and by series.
+/// The quiet motion of both orders repeats exactly: in closed form, and by series.
 TEST(TwicePerTurn, TheQuietMotionRepeats) {
   for (const bool annular : {false, true}) {
     scene::Scene scene = with_second(test::cell_of({.kick_n = 0}).scene, std::polar(0.5, 0.9));
@@ -105,7 +105,7 @@ TEST(TwicePerTurn, TheQuietMotionRepeats) {
   }
 }
 
-/// Friction that holds leaves the closed form of a stretch without slip to Taylor series.
+/// With sticking friction, the closed form for stretches without slip gives way to Taylor series.
 TEST(TwicePerTurn, AStickingContactIsLeftToSeries) {
   scene::Scene scene = test::cell_of({.kick_n = 0, .whirl_ratio = 0}).scene;
   scene.contacts[0].friction = model::ConstantFriction{0.1};
@@ -127,7 +127,7 @@ TEST(TwicePerTurn, AStickingContactIsLeftToSeries) {
   EXPECT_GT(a.effort.taylor_turns, 0);
 }
 
-/// Tangent vectors are those of finite differences in long double.
+/// Tangent vectors agree with finite differences in long double.
 TEST(TwicePerTurn, TangentVectorsAreThoseOfTheMotion) {
   const scene::Scene scene = with_second(test::cell_of({}).scene, std::polar(0.6, 0.4));
   exact::modes::ModeCache modes;

@@ -15,7 +15,7 @@ Machine jeffcott() {
           .kick = {}};
 }
 
-/// Two discs that stand off to opposite sides, on a hollow shaft of 1.5 kg.
+/// Two discs with opposite eccentricities on a hollow shaft of 1.5 kg.
 Machine kit() {
   RotorKit kit;
   kit.shaft = {{{.outer_diameter_m = 0.03,
@@ -37,12 +37,12 @@ Machine kit() {
 }
 
 TEST(Balance, TakesTheEccentricityOfAJeffcottRotorFromItsMass) {
-  // 500 g mm on 2.5 kg: 0.2 mm, exactly.
+  // 500 g mm on a rotor of 2.5 kg give an eccentricity of exactly 0.2 mm.
   EXPECT_EQ(500 / g_mm_per_metre(jeffcott()), 2e-4);
 }
 
 TEST(Balance, TakesAGradeAtItsRatedSpeed) {
-  // ISO 21940-11: G 6.3 at 3000 revolutions per minute permits 20 micrometres, whatever the mass.
+  // ISO 21940-11: G 6.3 at 3000 rpm permits an eccentricity of 20 micrometres, whatever the mass is.
   EXPECT_NEAR(6.3 / grade_per_metre(jeffcott(), 50), 20.05e-6, 0.005e-6);
   EXPECT_DOUBLE_EQ(grade_per_metre(jeffcott(), 100), 2 * grade_per_metre(jeffcott(), 50));
 }
@@ -54,7 +54,7 @@ TEST(Balance, CountsTheUnbalanceOfAKitByItsDiscs) {
 
 TEST(Balance, PermitsAKitTheUnbalanceOfItsWholeMass) {
   EXPECT_NEAR(rotor_mass_kg(kit()), 5, 1e-12);
-  // The permitted unbalance G m / w is what the discs have at the eccentricity that the grade gives.
+  // The permitted unbalance G m / w equals the discs' unbalance at the eccentricity given by the grade.
   const double w = 2 * pi * 50, eccentricity_m = 6.3 / grade_per_metre(kit(), 50);
   EXPECT_NEAR(eccentricity_m * unbalanced_mass_kg(kit()), 6.3e-3 * rotor_mass_kg(kit()) / w, 1e-15);
 }

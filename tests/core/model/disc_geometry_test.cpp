@@ -5,8 +5,8 @@
 namespace rubsweep::model {
 namespace {
 
-/// Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010), example 5.9.1, as ROSS prints its
-/// first disc: 0.07 m wide, 0.28 m across on a shaft of 0.05 m.
+/// Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010), example 5.9.1, first disc as printed
+/// by ROSS: 0.07 m wide, 0.28 m in diameter on a shaft of 0.05 m.
 TEST(DiscGeometry, GivesThePrintedDisc) {
   const DiscGeometry disc{
       .outer_diameter_m = 0.28, .inner_diameter_m = 0.05, .width_m = 0.07, .density_kg_per_m3 = 7810};

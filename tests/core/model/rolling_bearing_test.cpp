@@ -7,8 +7,8 @@
 namespace rubsweep::model {
 namespace {
 
-/// Deep groove ball bearing 6205-2RS of the bearing data centre of Case Western Reserve University, which
-/// prints these multiples of the running speed.
+/// Deep groove ball bearing 6205-2RS: multiples of the running speed as published by the bearing data centre
+/// of Case Western Reserve University.
 TEST(RollingBearing, StrikesAsOftenAsThePublishedBearing) {
   const RollingBearing bearing{
       .pitch_diameter_m = 1.537 * 0.0254, .ball_diameter_m = 0.3126 * 0.0254, .balls = 9};
@@ -18,8 +18,8 @@ TEST(RollingBearing, StrikesAsOftenAsThePublishedBearing) {
   EXPECT_NEAR(strikes_per_revolution(bearing, BearingDefect::ball), 4.7135, 1e-4);
 }
 
-/// Speeds of rolling points: the centre of a ball moves with the mean of what it touches, and the ball turns
-/// about itself by their difference.
+/// Speeds without slip: the centre of a ball moves at the mean speed of both races, and the ball spins by
+/// their difference.
 TEST(RollingBearing, RollsWithoutSlip) {
   const RollingBearing bearing{
       .pitch_diameter_m = 0.06, .ball_diameter_m = 0.01, .balls = 12, .contact_angle_deg = 25};
@@ -29,7 +29,7 @@ TEST(RollingBearing, RollsWithoutSlip) {
   EXPECT_NEAR(strikes_per_revolution(bearing, BearingDefect::cage), cage, 1e-15);
   EXPECT_NEAR(strikes_per_revolution(bearing, BearingDefect::outer_race), 12 * cage, 1e-14);
   EXPECT_NEAR(strikes_per_revolution(bearing, BearingDefect::inner_race), 12 * (1 - cage), 1e-14);
-  // Seen from the cage the outer race moves backwards past the ball, which rolls on it.
+  // Relative to the cage the outer race moves backwards, and the ball rolls on it.
   const double spin = cage * (0.06 + tilted) / 0.01;
   EXPECT_NEAR(strikes_per_revolution(bearing, BearingDefect::ball), 2 * spin, 1e-14);
 }

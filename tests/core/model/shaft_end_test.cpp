@@ -13,7 +13,7 @@
 namespace rubsweep::model {
 namespace {
 
-/// A kit of such segments with a bearing at each end, the second one at a place that is given by itself.
+/// A kit of segments with a bearing at each end; the position of the second one is given separately.
 Machine kit_of_segments(const std::vector<double>& length_m, double end_m) {
   RotorKit kit;
   for (const double length : length_m)
@@ -46,7 +46,7 @@ TEST(ShaftEnd, ABearingThereIsAllowedHoweverTheSegmentsRound) {
   };
   for (const auto& [length_m, end_m] :
        {Shaft{{0.7, 0.1}, 0.8}, Shaft{{0.229, 0.131, 0.104}, 0.464}, Shaft{{0.1, 0.7, 0.1}, 0.9}}) {
-    // The sum is less than the number that is its end, by one unit in the last place.
+    // The sum of the lengths is one unit in the last place below the given end.
     const double sum = std::accumulate(length_m.begin(), length_m.end(), 0.0);
     EXPECT_EQ(std::nextafter(sum, 1), end_m);
     EXPECT_NO_THROW(validate(kit_of_segments(length_m, end_m))) << end_m;

@@ -37,7 +37,7 @@ TEST(ShaftMatrices, CountTheUnbalanceOfANodeOnce) {
 TEST(ShaftMatrices, OfAMachineGiveItsMassesAndLength) {
   Machine machine;
   machine.rotor.emplace<RotorKit>().matrices = std::make_shared<ShaftMatrices>(structure::book_rotor());
-  // Shaft of 1.5 m and 50 mm, and both discs.
+  // Mass of the shaft of 1.5 m length and 50 mm diameter, and of both discs.
   const double shaft_kg = 7810 * 3.14159265358979323846 / 4 * 0.05 * 0.05 * 1.5;
   const double discs_kg = 32.58972765304033 + 51.52526111152619;
   EXPECT_NEAR(rotor_mass_kg(machine), shaft_kg + discs_kg, 1e-12 * discs_kg);

@@ -21,7 +21,8 @@ TEST(CertifiedStepSafe, IsTheFirstRootOfTheParabola) {
   EXPECT_FALSE(stays_below(0, -1, 1, 0.1));  // zero is not below
 }
 
-/// cos t - c with |g''| <= 1 from many instants: no safe step passes a zero, grazes (c = 1) included.
+/// cos t - c with |g''| <= 1, from many instants: no safe step passes a zero, including a grazing one (c =
+/// 1).
 TEST(CertifiedStepSafe, NeverPassesAZero) {
   for (const double c : {0.2, 0.9, 1.0, 1.0 + 1e-9}) {
     for (double t = 1.7; t < 6; t += 0.01) {
@@ -34,7 +35,7 @@ TEST(CertifiedStepSafe, NeverPassesAZero) {
 }
 
 /// Where a crossing is certain, the zero lies between the safe step and the latest crossing, and the function
-/// rises all the way.
+/// rises there throughout.
 TEST(CertifiedStepCrosses, TheZeroLiesBetweenItsBounds) {
   int certain = 0;
   for (double t = 3.2; t < 6; t += 0.01) {
@@ -68,7 +69,7 @@ TEST(CertifiedStepRootOfSeries, FindsTheZeroOfASine) {
 TEST(CertifiedStepNextRoot, IsExactForParabolas) {
   const double root = next_root(-0.5, 2, 3);
   EXPECT_NEAR(-0.5 + 2 * root + 1.5 * root * root, 0, 1e-15);
-  EXPECT_NEAR(next_root(-1, 2, -100), 0.5, 1e-15);  // no root: Newton's
+  EXPECT_NEAR(next_root(-1, 2, -100), 0.5, 1e-15);  // without a root the Newton step is taken
 }
 
 }  // namespace

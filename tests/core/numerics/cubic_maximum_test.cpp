@@ -26,7 +26,7 @@ TEST(CubicMaximum, AgreesWithFineSampling) {
   EXPECT_GT(inner, 100);
 }
 
-/// A known lower bound spares the search only where the cubic stays below it.
+/// With a known lower bound, the search may be skipped only where the cubic stays below the bound.
 TEST(CubicMaximum, IsTakenWhereItIsLargerThanWhatIsKnown) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;

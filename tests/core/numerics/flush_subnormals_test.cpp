@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#if defined(__SSE2__)  // elsewhere they do nothing
+#if defined(__SSE2__)  // on other processors they do nothing
 namespace rubsweep::numerics {
 namespace {
 
@@ -13,7 +13,7 @@ double half_of_smallest_normal() {
   return 0.5 * smallest;
 }
 
-/// Rest of 1 after `steps` steps that each take a tenth of it away.
+/// Value after `steps` steps from 1, each of which reduces it by a tenth.
 double after_decay(int steps) {
   volatile double left = 1;
   for (int k = 0; k < steps; ++k) left = 0.9 * left;

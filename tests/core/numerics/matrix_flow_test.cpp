@@ -48,7 +48,7 @@ TEST(MatrixFlow, OfTwoStretchesIsTheirProduct) {
   EXPECT_LT(apart.cwiseAbs().maxCoeff(), 1e-12);
 }
 
-/// Slow and fast, and friction-like one-way coupling: u2 is driven by u1.
+/// A slow and a fast oscillator with one-way coupling, as by friction: u1 drives u2.
 TEST(MatrixFlow, TheTableHoldsTheFlowOfEveryStep) {
   Matrix2d k, c;
   k << 4e8, 0, 3e7, 900;
@@ -67,7 +67,7 @@ TEST(MatrixFlow, TheTableHoldsTheFlowOfEveryStep) {
   }
 }
 
-/// Against a grid a hundred times finer than the one the bound is made from.
+/// Compares the bound with a grid a hundred times finer than the one it is computed from.
 TEST(MatrixFlowBound, IsNeverExceededAndNotFarAbove) {
   Matrix2d k, c;
   k << 4, -1, 30, 50;
@@ -137,7 +137,8 @@ TEST(MatrixFlowPairFlow, DoesNotOverflowWhereDampingIsHuge) {
   EXPECT_TRUE(std::isfinite(flow.vv));
 }
 
-/// Oscillators without damping, lightly, critically and otherwise damped; a spiral; two real eigenvalues.
+/// Pairs of undamped, lightly, critically and strongly damped oscillators, a spiral, and two real
+/// eigenvalues.
 const std::vector<Pair> every_kind{{0, 5, -5, 0},   {0, 5, -5, -1},  {0, 5, -5, -10},
                                    {0, 1, -25, -2}, {-1, 4, -4, -1}, {-1, 0, 0, -5}};
 

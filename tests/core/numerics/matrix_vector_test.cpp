@@ -9,7 +9,7 @@
 namespace rubsweep::numerics {
 namespace {
 
-/// Also behind a copy and a move, which have memory of their own.
+/// The alignment also holds for copies and moved matrices, which have their own memory.
 TEST(MatrixVectorAlignedMatrix, BeginsEveryColumnWithACacheLine) {
   for (const Eigen::Index rows : {1, 8, 19, 40}) {
     const AlignedMatrix made(Eigen::MatrixXd::Random(rows, 5));
@@ -33,7 +33,7 @@ TEST(MatrixVectorAlignedMatrix, HasTheNumbersOfTheMatrix) {
   }
 }
 
-/// Every number of lanes side by side and every number of rows left over, not square either.
+/// Tests every number of lanes with every remainder of rows, including non-square matrices.
 TEST(MatrixVector, HasTheBitsOfThePlainSum) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> entries(-1, 1);

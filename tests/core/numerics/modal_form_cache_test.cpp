@@ -7,7 +7,7 @@
 namespace rubsweep::numerics {
 namespace {
 
-/// A gyroscopic rotor, whose eigenvectors have to be computed.
+/// Damping of a gyroscopic rotor, whose eigenvectors must be computed.
 Eigen::Matrix2d damping(double speed) {
   Eigen::Matrix2d damping;
   damping << 0.1, speed, -speed, 0.1;

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::MatrixXd;
 
-/// basis * pairs * inverse must be the generator again.
+/// Checks that basis * pairs * inverse equals the generator.
 void expect_similar(const MatrixXd& stiffness, const MatrixXd& damping) {
   const auto form = modal_form(stiffness, damping);
   ASSERT_TRUE(form);
@@ -36,12 +36,12 @@ TEST(ModalForm, TurnsTheGeneratorIntoPairs) {
   k << 5e4, -4e4, -6e5, 7e5;
   c << 10, -3, -60, 80;
   expect_similar(k, c);
-  c *= 100;  // real eigenvalues too
+  c *= 100;  // real eigenvalues as well
   expect_similar(k, c);
   expect_similar(k, Matrix2d::Zero());
 }
 
-/// The unrounded basis turns a generator whose stiffness a double does not hold into pairs, too.
+/// The unrounded basis also gives pairs for a generator whose stiffness cannot be represented in double.
 TEST(ModalForm, KnowsMoreDigitsOfItsBasis) {
   LongMatrix k(2, 2), c(2, 2);
   k << 5e4L, -4e4L, -6e5L, 7e5L + 1e-14L;
@@ -51,7 +51,7 @@ TEST(ModalForm, KnowsMoreDigitsOfItsBasis) {
   EXPECT_EQ(form->basis, form->unrounded_basis.cast<double>());
   const LongMatrix one = form->unrounded_basis * form->unrounded_inverse - LongMatrix::Identity(4, 4);
   EXPECT_LT(one.topLeftCorner(2, 2).cwiseAbs().maxCoeff(), 1e-17L);
-  // Displacements and velocities of one vibration: its rate times the former is the latter.
+  // Displacements and velocities of one vibration: the rate times the displacements gives the velocities.
   LongMatrix generator = LongMatrix::Zero(4, 4);
   generator.topRightCorner(2, 2).setIdentity();
   generator.bottomLeftCorner(2, 2) = -k;
@@ -69,7 +69,7 @@ TEST(ModalForm, DiagonalMatricesStayThroughCriticalDamping) {
 }
 
 TEST(ModalForm, RefusesDependentEigenvectors) {
-  // One oscillator drives another of the same frequency: a Jordan block.
+  // One oscillator drives another one of equal frequency: a Jordan block.
   Matrix2d k;
   k << 4, 0, 1, 4;
   EXPECT_FALSE(modal_form(k, 0.1 * Matrix2d::Identity()));
@@ -79,12 +79,12 @@ TEST(ModalForm, RefusesDependentEigenvectors) {
 
 TEST(ModalForm, KnowsGrowth) {
   EXPECT_NEAR(modal_form(Matrix2d::Identity(), -0.1 * Matrix2d::Identity())->growth, 0.1, 1e-12);
-  Matrix2d follower;  // circulatory: flutter
+  Matrix2d follower;  // circulatory forces: flutter
   follower << 1, 0.5, -0.5, 1;
   EXPECT_GT(modal_form(follower, Matrix2d::Zero())->growth, 0.1);
 }
 
-/// Against the generator itself, and against the flow sampled.
+/// Compares with the generator itself, and with the sampled flow.
 TEST(ModalForm, RatesAndBoundsOfRows) {
   Matrix2d k, c;
   k << 5e4, -4e4, -6e5, 7e5;

@@ -7,7 +7,7 @@
 namespace rubsweep::numerics {
 namespace {
 
-/// x^2 = 2, or with `constant` < 0 an equation without a solution.
+/// The equation x^2 = 2 or, with `constant` < 0, an equation without a solution.
 struct SquareRoot {
   std::optional<double> error(int i, double) {
     iterations = i + 1;
@@ -37,7 +37,7 @@ TEST(Newton, EndsWhereTheErrorGrowsUnlessItMayAtFirst) {
   EXPECT_EQ(far.iterations, 2);
   SquareRoot free{.x = 0.1};
   EXPECT_TRUE(newton(free, {.iterations = 20, .free_iterations = 2}));
-  SquareRoot strict{.x = 10};  // each error is a little more than a quarter of the one before
+  SquareRoot strict{.x = 10};  // each error is slightly more than a quarter of the previous one
   EXPECT_FALSE(newton(strict, {.iterations = 20, .free_iterations = 0, .growth = 0.2}));
 }
 

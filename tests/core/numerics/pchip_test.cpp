@@ -17,8 +17,8 @@ std::vector<double> spaced(double from, double to, int pieces) {
   return x;
 }
 
-/// RPN 14 of Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980), with the values that the manual of NAG
-/// prints for its routine e01bec / e01bfc.
+/// Data set RPN 14 of Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980), with values printed in NAG's
+/// manual for the routines e01bec / e01bfc.
 TEST(Pchip, MeetsPublishedValues) {
   const Pchip curve({7.99, 8.09, 8.19, 8.7, 9.2, 10, 12, 15, 20},
                     {0, 0.27643e-4, 0.4375e-1, 0.16918, 0.46943, 0.94374, 0.99864, 0.99992, 0.99999});
@@ -88,7 +88,8 @@ TEST(Pchip, FewPoints) {
   EXPECT_EQ(one.slope(3), 0);
   EXPECT_DOUBLE_EQ(two(0.5), 2);
   EXPECT_DOUBLE_EQ(two.slope(1), 2);
-  // Slopes by hand: 0 at the left end (the three-point formula gives (3 * 1 - 3) / 2), 1.5 in the middle.
+  // Slopes by hand: 0 at the left end, where the three-point formula gives (3 * 1 - 3) / 2, and 1.5 in the
+  // middle.
   EXPECT_DOUBLE_EQ(three.slope(0), 0);
   EXPECT_DOUBLE_EQ(three.slope(1), 1.5);
   EXPECT_DOUBLE_EQ(three.slope(2), 4);

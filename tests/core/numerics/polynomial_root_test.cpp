@@ -27,7 +27,7 @@ std::vector<double> times(const std::vector<double>& a, const std::vector<double
 TEST(PolynomialRootFirstRise, OfSimplePolynomials) {
   EXPECT_NEAR(*first_rise_of(std::vector{-0.25, 1.0}, 0), 0.25, 1e-16);
   EXPECT_FALSE(first_rise_of(std::vector{0.25, -1.0}, 0));                   // falls
-  EXPECT_FALSE(first_rise_of(std::vector{-1.0, 0.5}, 0));                    // not yet there
+  EXPECT_FALSE(first_rise_of(std::vector{-1.0, 0.5}, 0));                    // no zero in the interval
   EXPECT_NEAR(*first_rise_of(std::vector{0.06, -0.5, 1.0}, 0), 0.3, 1e-15);  // falls at 0.2, rises at 0.3
   EXPECT_NEAR(*first_rise_of(std::vector{-0.06, 0.5, -1.0}, 0), 0.2, 1e-15);
   EXPECT_FALSE(first_rise_of(std::vector{-1.0}, 0));
@@ -40,15 +40,16 @@ TEST(PolynomialRootFirstRise, AStartAtZeroIsNoRise) {
   }
 }
 
-/// Polynomials of the length of a step's with one root: rising, and bent either way on the way up, some of
-/// which fall at first or at last.
+/// Polynomials with as many terms as a step, with one root: rising, or curved in one direction with a part
+/// that falls at the beginning or at the end.
 TEST(PolynomialRootFirstRise, OfWhatRisesOrBendsOneWay) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> part(0, 1), place(0.05, 0.95);
   for (int trial = 0; trial < 300; ++trial) {
     for (const double bend : {-1.0, 0.0, 1.0}) {
       const double root = place(random);
-      // (x - root) times a square, a constant slope, or a slope that passes zero beyond the other end.
+      // (x - root) times a square, with constant slope, or with a slope that becomes zero beyond the other
+      // end.
       std::vector<double> c = times({-root, 1.0}, {bend < 0 ? 1.2 : bend > 0 ? 0.2 : 1.0, bend});
       c.resize(24);
       for (std::size_t k = 3; k < c.size(); ++k) c[k] = 1e-3 * part(random) * std::pow(0.3, double(k));
@@ -61,7 +62,7 @@ TEST(PolynomialRootFirstRise, OfWhatRisesOrBendsOneWay) {
 }
 
 TEST(PolynomialRootFirstRise, TellsAGrazeFromATouch) {
-  // -(x - 1/3)^2 + excess: two crossings sqrt(excess) from 1/3, or none.
+  // -(x - 1/3)^2 + excess: two roots at a distance of sqrt(excess) from 1/3, or none.
   const double third = 1.0 / 3;
   for (const double excess : {1e-6, 1e-9, 1e-12}) {
     const auto rise = first_rise_of(std::vector{excess - third * third, 2 * third, -1.0}, 0);
@@ -71,7 +72,7 @@ TEST(PolynomialRootFirstRise, TellsAGrazeFromATouch) {
   }
 }
 
-/// Products of random factors with known roots, among them double ones and pairs close together.
+/// Products of random factors with known roots, including double roots and close pairs.
 TEST(PolynomialRootFirstRise, OfRandomProductsIsTheirFirstRisingRoot) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> root(-0.6, 1.6), width(0.7, 1.5);
@@ -82,14 +83,14 @@ TEST(PolynomialRootFirstRise, OfRandomProductsIsTheirFirstRisingRoot) {
       roots.push_back(root(random));
       c = times(c, {-roots.back(), 1});
     }
-    // Factors without a real root up to degree 18.
+    // Further factors without real roots, up to degree 18.
     while (c.size() < 19) {
       const double centre = root(random), apart = width(random);
       c = times(c,
                 {1 + centre * centre / (apart * apart), -2 * centre / (apart * apart), 1 / (apart * apart)});
     }
     std::ranges::sort(roots);
-    // p > 0 beyond the last root and changes its sign at every one: it rises at the last, third last, ...
+    // p > 0 beyond the last root and its sign changes at every root, so it rises at the last, third last, ...
     std::optional<double> expected;
     for (std::size_t i = 1; i < roots.size(); i += 2) {
       if (!expected && roots[i] > 0 && roots[i] <= 1) expected = roots[i];
@@ -97,7 +98,7 @@ TEST(PolynomialRootFirstRise, OfRandomProductsIsTheirFirstRisingRoot) {
     const auto found = first_rise_of(c, 0);
     ASSERT_EQ(found.has_value(), expected.has_value()) << trial;
     if (expected) {
-      // Roots close together are known less well than where the polynomial is zero.
+      // The position of close roots is less accurate than the zero of the polynomial.
       EXPECT_NEAR(*found, *expected, 1e-4) << trial;
       double size = 0;
       for (const double term : c) size += std::abs(term);
@@ -108,8 +109,8 @@ TEST(PolynomialRootFirstRise, OfRandomProductsIsTheirFirstRisingRoot) {
   EXPECT_GT(rises, 500);
 }
 
-/// However near the next root is, down to where rounding hides the rise, the residue is that of the sum
-/// itself.
+/// However close the next root is, until rounding hides the rise, the residual at the root found is only
+/// rounding.
 TEST(PolynomialRootFirstRise, IsARootToRoundingBesideAnother) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(0.1, 0.9), width(0.7, 1.5);
@@ -131,7 +132,7 @@ TEST(PolynomialRootFirstRise, IsARootToRoundingBesideAnother) {
   }
 }
 
-/// Nothing that a thousand points see is passed over.
+/// No rise that a thousand sampled points show is missed.
 TEST(PolynomialRootFirstRise, IsNotPassedOverInRandomPolynomials) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
@@ -208,7 +209,7 @@ TEST(PolynomialRootBernstein, AgreesWithFineSampling) {
 }
 
 TEST(PolynomialRootBernstein, SeesAGrazeThatEndsDisagreeOn) {
-  // -(x - 0.37)^2 + h: both ends negative, above zero only within sqrt(h) of 0.37.
+  // -(x - 0.37)^2 + h: negative at both ends, positive only within sqrt(h) of 0.37.
   const auto graze = [](double h) { return Polynomial{{h - 0.37 * 0.37, 0.74, -1, 0, 0}}; };
   const auto rise = bernstein_root(graze(1e-10).bernstein());
   ASSERT_TRUE(rise);

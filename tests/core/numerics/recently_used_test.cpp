@@ -14,7 +14,7 @@ TEST(RecentlyUsed, TheOneThatWasUsedLongestAgoIsDropped) {
   EXPECT_FALSE(finds(recent, 1));
   recent.emplace(1);
   recent.emplace(2);
-  ASSERT_TRUE(finds(recent, 1));  // used later than 2 now
+  ASSERT_TRUE(finds(recent, 1));  // used more recently than 2
   recent.emplace(3);
   recent.trim();
   EXPECT_FALSE(finds(recent, 2));

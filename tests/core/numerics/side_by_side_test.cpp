@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// As columns, of `rows` numbers each, they are rows here.
+/// Vectors given as columns of `rows` numbers and stored as rows.
 class Vectors {
  public:
   explicit Vectors(const MatrixXd& columns) : memory_(MatrixXd(columns.transpose())) {}
@@ -29,7 +29,7 @@ class Vectors {
   AlignedMatrix memory_;
 };
 
-/// As many as leave registers of every width partly filled.
+/// Tests with numbers of vectors that leave registers of every width partly empty.
 class SideBySideVectors : public testing::TestWithParam<Index> {
  protected:
   Index count() const { return GetParam(); }

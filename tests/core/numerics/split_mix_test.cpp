@@ -9,7 +9,7 @@ namespace rubsweep::numerics {
 namespace {
 
 TEST(SplitMix, NumbersAreThoseOfTheReferenceImplementation) {
-  // First numbers of splitmix64.c by Sebastiano Vigna (public domain) from the state 1234567.
+  // First numbers of Sebastiano Vigna's splitmix64.c (public domain), from the state 1234567.
   std::uint64_t state = 1234567;
   for (const std::uint64_t number :
        std::array<std::uint64_t, 5>{6457827717110365317U, 3203168211198807973U, 9817491932198370423U,
@@ -24,7 +24,7 @@ TEST(SplitMix, EveryBitMovesHalfOfTheOthers) {
   int changed = 0;
   for (int bit = 0; bit < 64; ++bit)
     changed += std::popcount(split_mix(start) ^ split_mix(start ^ (std::uint64_t{1} << bit)));
-  // 64 x 64 tosses of a coin: 2048 with a standard deviation of 32.
+  // 64 x 64 coin tosses: mean 2048, standard deviation 32.
   EXPECT_NEAR(changed, 2048, 4 * 32);
 }
 

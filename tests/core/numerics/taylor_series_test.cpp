@@ -40,7 +40,7 @@ double value(const Series& a, double t) {
   return sum;
 }
 
-/// cos(w t + start).
+/// Taylor series of cos(w t + start).
 Series cosine(double w, double start) {
   Series a;
   double size = 1;

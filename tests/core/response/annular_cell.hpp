@@ -5,8 +5,8 @@
 
 namespace rubsweep::response::testing {
 
-/// A rotor in an annular stop with well-damped mounts (parameter set C): circles at low speed, at high speed
-/// ovals that turn against the shaft's frame.
+/// A rotor with well-damped mounts in an annular stop (parameter set C): circular motion at low speed; at
+/// high speed ovals that rotate relative to the shaft.
 inline model::Machine annular_machine(double offset_y_m = 0) {
   model::Machine machine = scene::one_side_machine();
   model::Stop& stop = machine.stops[0];

@@ -22,8 +22,8 @@ namespace {
 
 constexpr int window = 64;
 
-/// Follows a map whose observed x is the first of its coordinates. `contact_ends`: turns after which there is
-/// none.
+/// Follows a map whose observed x is its first coordinate. `contact_ends`: number of turns after which there
+/// is no contact.
 Aperiodic follow(const proof::SectionMap& map, const std::vector<double>& state, int contact_ends = 1'000'000,
                  std::size_t turns_before = 0) {
   Eigen::Matrix<double, 2, Eigen::Dynamic> observed;
@@ -45,7 +45,7 @@ bool henon(std::span<double> s) {
   return true;
 }
 
-/// Turns by `angle` and is drawn to the unit circle; `stretch` < 1 makes the turning uneven.
+/// Map that rotates by `angle` and is attracted by the unit circle; `stretch` > 0 makes the rotation uneven.
 proof::SectionMap circle(double angle, double stretch) {
   return [=](std::span<double> s) {
     const double phi = std::atan2(s[1], s[0]), radius = std::hypot(s[0], s[1]);
@@ -56,7 +56,7 @@ proof::SectionMap circle(double angle, double stretch) {
   };
 }
 
-/// A strongly attracting motion of period two, and beside it a modulation that turns and grows at `rate`.
+/// A strongly attracting motion of period two with a rotating modulation that grows at `rate`.
 proof::SectionMap modulated_period_two(double rate) {
   return [=](std::span<double> s) {
     s[0] = -s[0] * (1.5 - 0.5 * s[0] * s[0]);
@@ -84,8 +84,33 @@ TEST(AperiodicClassify, ATorusIsQuasiPeriodic) {
   EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 0.05, 0, 0.1})), "quasi_periodic");
 }
 
+/// Growth of the vector along the flow of a motion that sticks (slow) for a tenth of a swing and slips (fast)
+/// for the rest: it is bounded, so that the exponent is zero. Three turns hold almost 50 swings, and the
+/// turns of a block hold the slow swing that is left once: all blocks show the same trend of 0.022 a turn.
+TEST(AperiodicClassify, SlowSwingsOfATangentVectorAreNeitherChaosNorDecay) {
+  for (const double detuning : {0.0025, 0.0027, 0.0051, 0.0053}) {
+    double phase = 0.05;
+    const auto speed = [](double at) {
+      const double place = at - std::floor(at);
+      return place < 0.1 ? -4.0 : 1 + std::sin(9 * place);
+    };
+    const Growth growth = [&](std::span<double> section) -> std::optional<double> {
+      const double before = speed(phase);
+      phase += 50.0 / 3 + detuning;
+      section[0] = std::cos(2 * std::numbers::pi * phase);
+      section[1] = std::sin(2 * std::numbers::pi * phase);
+      return speed(phase) - before;
+    };
+    const Eigen::Matrix<double, 2, Eigen::Dynamic> observed = Eigen::Vector2d(1, 0);
+    spectrum::SpectrumWorkspace workspace;
+    const Aperiodic found = classify_aperiodic(
+        growth, [] { return true; }, {1, 0}, 0, observed, window, workspace);
+    EXPECT_EQ(name(found), "quasi_periodic") << detuning;
+  }
+}
+
 TEST(AperiodicClassify, AModulationThatStillDecaysIsUnsettled) {
-  // Its exponent is as good as zero, its lines stay: only the closest return tells.
+  // The exponent is practically zero and the lines are constant: only the closest return shows the decay.
   const Aperiodic found = follow(modulated_period_two(-4e-4), {0.9, 0.05, 0, 0.1});
   EXPECT_EQ(name(found), "unsettled");
   EXPECT_NEAR(found.exponent.value().per_revolution, -4e-4, 1e-6);
@@ -119,7 +144,7 @@ TEST(AperiodicClassify, ALongPeriodIsUnsettledAndNamed) {
 }
 
 TEST(AperiodicClassify, ChaosThatEndsInAPeriodIsNotChaos) {
-  // Both companion and base count, so 700 turns of chaos are 1400 calls.
+  // Both the base and its companion call the map, so 700 turns of chaos are 1400 calls.
   int calls = 0;
   const proof::SectionMap map = [&calls](std::span<double> s) {
     if (++calls <= 1400) return henon(s);
@@ -150,7 +175,7 @@ TEST(AperiodicClassify, ChaosThatLosesContactIsNotChaos) {
   EXPECT_FALSE(found.exponent);
   EXPECT_TRUE(found.left_chaos);
   EXPECT_EQ(name(follow(henon, {0.1, 0.2}, 1280)), "chaotic");
-  // A motion that was never chaotic has left nothing.
+  // A motion that was never chaotic has not left chaos.
   EXPECT_FALSE(follow(circle(2 * std::numbers::pi / 14, 0), {1, 0}).left_chaos);
   EXPECT_FALSE(follow(modulated_period_two(0), {0.9, 0.05, 0, 0.1}, 300).left_chaos);
 }
@@ -167,7 +192,7 @@ TEST(AperiodicClassify, AShorterPauseIsContact) {
 }
 
 TEST(AperiodicClassify, AMapThatFailsLeavesNoExponent) {
-  // After the first look, which does not decide.
+  // The map fails after the first evaluation, which is undecided.
   int calls = 0;
   const proof::SectionMap map = [&calls](std::span<double> s) { return ++calls < 1500 && henon(s); };
   const Aperiodic found = follow(map, {0.1, 0.2});
@@ -177,12 +202,13 @@ TEST(AperiodicClassify, AMapThatFailsLeavesNoExponent) {
 
 TEST(AperiodicClassify, AModulationTooSmallToTellIsUnsettled) {
   EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 1e-3, 0, 0.1})), "quasi_periodic");
-  // Returns within 7e-5 after 8 turns, and within 1e-5 after none that the first look knows.
+  // It returns within 7e-5 after 8 turns, and within 1e-5 only after more turns than the first evaluation
+  // knows.
   EXPECT_EQ(name(follow(modulated_period_two(0), {0.9, 2e-4, 0, 0.1})), "unsettled");
 }
 
-/// The torus of `modulated_period_two(0)`, whose companion moreover grows by exp(growth(turn)) in a
-/// coordinate that the motion itself never uses.
+/// The torus of `modulated_period_two(0)`, with a companion that also grows by exp(growth(turn)) in a
+/// coordinate that the motion itself does not use.
 Aperiodic follow_with_growth(const std::function<double(int)>& growth, int& turns) {
   int calls = 0;
   const auto torus = modulated_period_two(0);
@@ -199,7 +225,7 @@ Aperiodic follow_with_growth(const std::function<double(int)>& growth, int& turn
 
 TEST(AperiodicClassify, AnExponentWithAWideBarIsNotZero) {
   int turns = 0;
-  // Waves longer than the blocks of every look, so that each block sees another mean.
+  // Waves longer than the blocks of any evaluation, so that each block has another mean.
   const auto slow = [](int turn) { return 0.05 * std::sin(2 * std::numbers::pi * turn / 400); };
   const Aperiodic found = follow_with_growth(slow, turns);
   EXPECT_LT(std::abs(found.exponent.value().per_revolution), found.exponent->error_bar);
@@ -217,8 +243,8 @@ TEST(AperiodicClassify, WhatOneLookLeavesOpenTheNextMayDecide) {
 }
 
 TEST(AperiodicClassify, AReturnWhoseTrendIsUnknownIsNotDecided) {
-  // Two modulations that beat, cancelling in the middle of what the first look sees: no trend, but no
-  // knowledge either.
+  // Two modulations with a beat, which cancel in the middle of the first evaluation: there is no trend, but
+  // the motion is unknown.
   constexpr double beat = 0.01, cancel = 384;
   int calls = 0;
   const proof::SectionMap map = [&](std::span<double> s) {
@@ -228,7 +254,7 @@ TEST(AperiodicClassify, AReturnWhoseTrendIsUnknownIsNotDecided) {
     s[0] = -s[0] * (1.5 - 0.5 * s[0] * s[0]);
     s[1] = size * std::cos(turn);
     s[2] = size * std::sin(turn);
-    // Keeps its distance: exponent zero.
+    // The companion keeps its distance: the exponent is zero.
     const double u = s[3], v = s[4];
     s[3] = u * std::cos(0.7) - v * std::sin(0.7);
     s[4] = u * std::sin(0.7) + v * std::cos(0.7);
@@ -240,7 +266,7 @@ TEST(AperiodicClassify, AReturnWhoseTrendIsUnknownIsNotDecided) {
 }
 
 TEST(AperiodicClassify, BroadLinesAreNoTorus) {
-  // Steps of a random walk along the circle, the same for every state: exponent zero, no lines.
+  // A random walk on the circle, with the same steps for every state: zero exponent, but no lines.
   unsigned long bits = 1;
   int calls = 0;
   double step = 0;
@@ -256,8 +282,8 @@ TEST(AperiodicClassify, BroadLinesAreNoTorus) {
   EXPECT_EQ(name(found), "unsettled");
 }
 
-/// Verdict of the watch on a made-up motion of four states, given by section and growth after each turn: the
-/// revolutions at which it was called a torus, or those at which the watch ended.
+/// Result of the watch on an artificial motion of four states, given by section and growth after each turn:
+/// the revolution at which it detected a torus, or at which it ended.
 struct Watched {
   long revolutions = 0;
   bool torus = false;
@@ -310,7 +336,8 @@ TEST(AperiodicTorusWatch, TakesNeitherPeriodsNorChaosNorSlowDecayForOne) {
   EXPECT_FALSE(watch(on_a_circle, [&](int k) { return uneven(k) + 4e-4; }).torus);
 }
 
-/// Chaos ends no run, but its exponent is known at the end; where it stops on the way, it is none.
+/// Chaos does not end a run, but its exponent is known at the end; if the chaos stops earlier, there is no
+/// exponent.
 TEST(AperiodicTorusWatch, KnowsChaosThatLastsToTheEnd) {
   int carried = 0;
   double growth_later = 0.1;
@@ -330,10 +357,10 @@ TEST(AperiodicTorusWatch, KnowsChaosThatLastsToTheEnd) {
   EXPECT_NEAR(seen.chaos->per_revolution, 0.1, 1e-3);
   growth_later = 0;
   EXPECT_FALSE(watch(wandering, growth_in).chaos);
-  // Too short to be told from a transient.
+  // The chaos is too short to differ from a transient.
   growth_later = 0.1;
   EXPECT_FALSE(watch(wandering, growth_in, 1300).chaos);
-  // A section that returns is periodic, whatever grows.
+  // A section that returns is periodic, whatever the growth is.
   const auto returning = [](int k, std::vector<double>& s) { turn_by(2 * std::numbers::pi / 7, s, k); };
   EXPECT_FALSE(watch(returning, growth_in).chaos);
 }
@@ -350,8 +377,7 @@ TEST(AperiodicTorusWatch, DoesNotBeginWhereItWouldSaveNothing) {
   EXPECT_EQ(carried, 0);
 }
 
-/// A rotor in an annular stop that is not round it: the watch ends the run sooner, with the verdict that the
-/// whole run comes to.
+/// A rotor in an eccentric annular stop: the watch ends the run early with the verdict of the whole run.
 TEST(AperiodicTorusWatch, EndsARunWithTheVerdictOfAWholeOne) {
   test::OneSideRotor rotor;
   rotor.stiffness_n_per_m = 5e6;

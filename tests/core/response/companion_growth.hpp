@@ -12,17 +12,17 @@
 
 namespace rubsweep::test {
 
-/// A second state that follows a base state through the same map, always pulled back to
-/// `response::separation` from it: what Benettin's exponents were first found with.
+/// A second state that follows a base state through the same map and is repeatedly pulled back to the
+/// distance `response::separation`: Benettin's original method for Lyapunov exponents.
 class Companion {
  public:
   explicit Companion(std::span<const double> base) : state_(base.size()) { start(base); }
 
-  /// To be advanced by one iteration, as the base is.
+  /// State that must be advanced by one iteration, like the base.
   std::span<double> state() { return state_; }
 
-  /// ln(distance from the base / separation), then pulls back along the line to the base. A distance lost in
-  /// rounding counts as 1e-15, and the companion starts anew.
+  /// Returns ln(distance from the base / separation), then pulls the state back along the line to the base. A
+  /// distance lost in rounding counts as 1e-15, and the companion starts again.
   double pull_back(std::span<const double> base) {
     double square = 0;
     for (std::size_t i = 0; i < base.size(); ++i) square += (state_[i] - base[i]) * (state_[i] - base[i]);
@@ -47,8 +47,8 @@ class Companion {
   std::vector<double> state_;
 };
 
-/// Growth of a companion of the motion that starts at `section`, followed through any map: another route to
-/// what `tangent_growth` finds, and the only one for maps that are not of a scene.
+/// Growth of a companion of the motion that starts at `section`, for any map. It is an independent check of
+/// `tangent_growth`, and the only method for maps that do not belong to a scene.
 inline response::Growth companion_growth(response::proof::SectionMap map, std::span<const double> section) {
   return [map = std::move(map),
           companion = Companion(section)](std::span<double> base) mutable -> std::optional<double> {
@@ -57,7 +57,7 @@ inline response::Growth companion_growth(response::proof::SectionMap map, std::s
   };
 }
 
-/// Exponent of the motion from `state` over `iterations`; empty when the map fails.
+/// Largest Lyapunov exponent of the motion from `state` over `iterations`; empty if the map fails.
 inline std::optional<response::motion::Exponent> largest_exponent(const response::proof::SectionMap& map,
                                                                   std::vector<double> state, int iterations) {
   const response::Growth turn = companion_growth(map, state);

@@ -1,4 +1,4 @@
-// Dry whip: friction drives the rotor backwards round the annular stop, at a frequency of its own.
+// Dry whip: friction drives the rotor backwards around the annular stop, at a self-excited frequency.
 #include <gtest/gtest.h>
 
 #include <boost/math/tools/roots.hpp>
@@ -23,7 +23,7 @@ SettledRun run(const model::Machine& machine, double speed_hz, double whirl_rati
   return settle(scene::build_cell(machine, speed_hz, scene::WhirlRatio{whirl_ratio}), {}, options, workspace);
 }
 
-/// Set A in an annular stop, friction of 0.1.
+/// Parameter set A in an annular stop with a friction coefficient of 0.1.
 model::Machine whip_machine() {
   model::Machine machine = annular_machine();
   std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0.02;
@@ -33,13 +33,13 @@ model::Machine whip_machine() {
   return machine;
 }
 
-/// Dynamic stiffness k - m w^2 - i c w of a mass that turns backwards as e^{-iwt}.
+/// Dynamic stiffness k - m w^2 - i c w of a mass in backward whirl e^{-iwt}.
 Complex backward_stiffness(double mass_kg, double stiffness, double damping_ratio, double w) {
   return stiffness - mass_kg * w * w - 2.0 * i * damping_ratio * std::sqrt(stiffness * mass_kg) * w;
 }
 
-/// Backward whirl on a circle, force K p (1 + i mu) d / |d| on the casing: d = z - z_C gives
-/// C + p = -K p (1 + i mu) (1 / Z_R + 1 / Z_C), whose imaginary part is a condition on w alone.
+/// Circular backward whirl with the force K p (1 + i mu) d / |d| on the casing. d = z - z_C gives C + p = -K
+/// p (1 + i mu) (1 / Z_R + 1 / Z_C), whose imaginary part is an equation for w alone.
 struct Whip {
   model::Machine machine = whip_machine();
   double mu = 0.1;
@@ -57,7 +57,7 @@ struct Whip {
         boost::math::tools::bisect(defect, low, high, boost::math::tools::eps_tolerance<double>(48));
     return (a + b) / 2;
   }
-  /// |z| of the rotor.
+  /// Radius |z| of the rotor's circle.
   double radius(double w) const {
     const auto& stop = machine.stops[0];
     const double k = stop.stiffness_n_per_m, gain = -((1.0 + i * mu) * compliance(w)).real();
@@ -128,10 +128,10 @@ TEST(DryWhip, OffTheCentreItTakesAnExponent) {
   EXPECT_NEAR(settled.motion.exponent.value().per_revolution, 0, 1e-3);
 }
 
-/// In a rigid annular stop nothing stops the whip but the slip, which it uses up: then it rolls, and friction
-/// is what it has to be. There w = zeta / mu + sqrt((zeta / mu)^2 + 1) and r = 1 / (1 - 2 zeta w / (mu b)),
-/// in units of the natural frequency and the clearance (b: contact over shaft stiffness), hold with the
-/// friction coefficient of the slip left.
+/// In a rigid annular stop only the slip limits the whip: it decreases until the rotor rolls, and friction
+/// takes the required value. There w = zeta / mu + sqrt((zeta / mu)^2 + 1) and r = 1 / (1 - 2 zeta w / (mu
+/// b)), in units of the natural frequency and the clearance (b: contact over shaft stiffness). mu is the
+/// friction coefficient at the remaining slip.
 TEST(DryWhip, RollsInARigidRingWithTheFrictionOfItsSlip) {
   model::Machine machine = whip_machine();
   auto& stop = machine.stops[0];

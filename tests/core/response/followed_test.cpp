@@ -13,7 +13,7 @@
 namespace rubsweep::response {
 namespace {
 
-/// Rows of a motion with a period of `period` turns and a modulation beside it that grows at `rate`.
+/// Rows of a motion that repeats after `period` turns, with a modulation that grows at `rate`.
 std::vector<double> modulated(int turns, int period, double modulation, double rate) {
   std::vector<double> rows;
   for (int k = 0; k <= turns; ++k) {
@@ -26,8 +26,8 @@ std::vector<double> modulated(int turns, int period, double modulation, double r
 }
 
 TEST(FollowedClosestReturn, OfATorusStays) {
-  // A rotation by nu turns comes back after n turns to within 2 |sin(pi n nu)|: for 13/21 - 1e-3 nearest at n
-  // = 21.
+  // A rotation by nu turns returns after n turns within 2 |sin(pi n nu)|: for nu = 13/21 - 1e-3 it is closest
+  // at n = 21.
   std::vector<double> rows;
   const double nu = 13.0 / 21 - 1e-3;
   for (int k = 0; k <= 400; ++k) {
@@ -52,8 +52,8 @@ TEST(FollowedClosestReturn, SeesAWeakModulationDieOut) {
 }
 
 TEST(FollowedClosestReturn, BarIsThatOfALineThroughEightBlocks) {
-  // Distances e^y, y = 0 0 0 0 1 1 1 1 over blocks of 8 turns: slope 8/42 per block by hand, squared
-  // residuals 2 - 64/42.
+  // Distances e^y with y = 0 0 0 0 1 1 1 1 over blocks of 8 turns. By hand: slope 8/42 per block, sum of
+  // squared residuals 2 - 64/42.
   std::vector<double> rows{0};
   for (int k = 0; k < 64; ++k) rows.push_back(rows.back() + std::exp(k < 32 ? 0 : 1));
   const auto nearest = closest_return(rows, 1, 1);
@@ -80,7 +80,8 @@ TEST(FollowedClosestReturn, RefusesRowsThatAreTooFewOrUneven) {
   EXPECT_THROW(closest_return(rows, 2, 0), SolverError);
 }
 
-/// 400 turns of an angle whose circle shrinks by `decay` a turn, beside a third number that grows by `drift`.
+/// 400 turns of a rotation whose circle shrinks by `decay` per turn, with a third number that grows by
+/// `drift`.
 Followed turning(double angle, double decay, double drift = 0) {
   Followed motion{.states = 4, .rows = {}, .contributions = {}};
   for (int k = 0; k < 400; ++k) {
@@ -114,7 +115,7 @@ TEST(Followed, AnAngleThatNeverComesRoundReturnsLikeATorus) {
   EXPECT_FALSE(like_a_torus(turning(golden_angle, 2e-3)));
 }
 
-/// As where nothing dampens the direction along a wall: no disturbance grows, but the motion does.
+/// Constant drift, as along a wall without damping: no disturbance grows, but the motion does.
 TEST(Followed, WhatGrowsWithoutAnEndIsNoTorus) {
   EXPECT_TRUE(like_a_torus(turning(golden_angle, 0, 2e-4)));
   EXPECT_FALSE(like_a_torus(turning(golden_angle, 0, 2e-3)));

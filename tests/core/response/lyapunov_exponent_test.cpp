@@ -21,7 +21,7 @@ std::vector<double> contributions(const Growth& turn, std::vector<double>& secti
   return all;
 }
 
-/// Section after so many turns, kick left out.
+/// Section after some turns, without a kick.
 std::vector<double> late_section(proof::SceneMap& map, int turns) {
   std::vector<double> section{0.5, -0.2, 0, 0, 0.1, -1.2, 0, 0};
   for (int k = 0; k < turns; ++k) EXPECT_TRUE(map(section));
@@ -29,7 +29,7 @@ std::vector<double> late_section(proof::SceneMap& map, int turns) {
 }
 
 TEST(LyapunovExponentGrowth, TangentOfAStableOrbitDecaysByItsMultiplier) {
-  // The tangential motion under a wall at 90 degrees decays by zeta omega0 T per turn.
+  // The tangential motion along a wall at 90 degrees decays by zeta omega0 T per turn.
   const test::OneSideRotor rotor;
   integrate::exact::modes::ModeCache modes;
   proof::SceneMap map(test::cell_of(rotor).scene, {}, modes);
@@ -41,7 +41,7 @@ TEST(LyapunovExponentGrowth, TangentOfAStableOrbitDecaysByItsMultiplier) {
 }
 
 TEST(LyapunovExponentGrowth, TangentAndCompanionTellTheSameExponent) {
-  test::OneSideRotor rotor;  // an irregular cell at the rim of a tongue
+  test::OneSideRotor rotor;  // an irregular cell at the edge of a resonance tongue
   rotor.speed_hz = 69;
   rotor.whirl_ratio = 0.97;
   integrate::exact::modes::ModeCache modes;
@@ -54,7 +54,7 @@ TEST(LyapunovExponentGrowth, TangentAndCompanionTellTheSameExponent) {
   EXPECT_NEAR(tangent.per_revolution, companion.per_revolution, 1e-3 + 0.2 * tangent.error_bar);
 }
 
-/// Where the turns have no closed form the tangent takes differences.
+/// Turns without a closed form use differences for the tangent vector.
 TEST(LyapunovExponentGrowth, OfTurnsByTheAdaptiveSolver) {
   integrate::run::SolverOptions adaptive;
   adaptive.method = integrate::run::Method::adaptive;
@@ -108,7 +108,7 @@ TEST(LyapunovExponentGrowthCompanion, StartsAnewWhenItFallsOntoTheBase) {
 
 constexpr double pi = std::numbers::pi;
 
-/// Within the error bar, which is to be below `largest_bar`.
+/// Expects the exponent within its error bar, which must be smaller than `largest_bar`.
 void expect_exponent(const proof::SectionMap& map, const std::vector<double>& state, int iterations,
                      double expected, double largest_bar) {
   const auto exponent = test::largest_exponent(map, state, iterations);
@@ -124,7 +124,7 @@ bool henon(double a, double b, std::span<double> s) {
   return true;
 }
 
-/// An angle on the unit circle, so that distances know nothing of where 2 pi begins.
+/// The angle is stored as a point on the unit circle, so that distances are continuous at 2 pi.
 double angle(std::span<const double> point) { return std::atan2(point[1], point[0]); }
 void set_angle(std::span<double> point, double phi) {
   point[0] = std::cos(phi);
@@ -140,7 +140,7 @@ TEST(LyapunovExponentLargest, OfTheLogisticMapIsLnTwo) {
 }
 
 TEST(LyapunovExponentLargest, OfHenonsMap) {
-  // J. C. Sprott, Chaos and Time-Series Analysis (2003): 0.41922 at a = 1.4, b = 0.3.
+  // J. C. Sprott, Chaos and Time-Series Analysis (2003): 0.41922 for a = 1.4, b = 0.3.
   expect_exponent([](std::span<double> s) { return henon(1.4, 0.3, s); }, {0.1, 0.2}, 50000, 0.41922, 0.01);
 }
 
@@ -168,7 +168,7 @@ TEST(LyapunovExponentLargest, OfARotationIsZero) {
 }
 
 TEST(LyapunovExponentLargest, OfATorusThatStretchesUnevenlyIsZeroWithinAShortBar) {
-  // Contributions of up to ln 9 either way; attracted to the circle.
+  // Contributions of up to +-ln 9; the circle attracts.
   const proof::SectionMap map = [](std::span<double> s) {
     const double phi = angle(s), radius = std::hypot(s[0], s[1]);
     set_angle(s, phi + 2 * pi * 0.381 + 0.8 * std::sin(phi));
@@ -190,7 +190,7 @@ TEST(LyapunovExponentLargest, OfAContractionIsItsSlowestRate) {
 }
 
 TEST(LyapunovExponentLargest, OfAFixedPointIsItsLargestMultiplier) {
-  // Henon's x = 1 - a x^2 + b x, multipliers -a x +- sqrt(a^2 x^2 + b).
+  // Henon's fixed point x = 1 - a x^2 + b x, with the multipliers -a x +- sqrt(a^2 x^2 + b).
   const double a = 0.2, b = 0.3;
   const double x = (-(1 - b) + std::sqrt((1 - b) * (1 - b) + 4 * a)) / (2 * a);
   const double multiplier = a * x + std::sqrt(a * a * x * x + b);
@@ -199,12 +199,12 @@ TEST(LyapunovExponentLargest, OfAFixedPointIsItsLargestMultiplier) {
 }
 
 TEST(LyapunovExponentLargest, OfAPeriodTwoOrbitIsHalfThatOfItsSecondIterate) {
-  // Henon: x1 + x2 = (1 - b) / a, x1 x2 = ((1 - b)^2 - a) / a^2; the product of the two Jacobians has trace
-  // 4 a^2 x1 x2 + 2 b and determinant b^2.
+  // Henon's orbit of period two: x1 + x2 = (1 - b) / a, x1 x2 = ((1 - b)^2 - a) / a^2. The product of the two
+  // Jacobians has the trace 4 a^2 x1 x2 + 2 b and the determinant b^2.
   const double a = 0.9, b = 0.3;
   const double half_trace = 2 * ((1 - b) * (1 - b) - a) + b;
   const double root = half_trace * half_trace - b * b;
-  // Real multipliers here, and complex ones at a = 0.6, whose modulus is b.
+  // The multipliers are real here; at a = 0.6 they are complex with modulus b.
   ASSERT_GT(root, 0);
   const double multiplier = std::abs(half_trace) + std::sqrt(root);
   const auto map = [=](double at) { return [=](std::span<double> s) { return henon(at, b, s); }; };
@@ -238,7 +238,7 @@ TEST(LyapunovExponentLargest, IsEmptyWhenTheMapFails) {
 }
 
 TEST(LyapunovExponentOf, IsTheMeanOfEightBlocksWithTheirStudentInterval) {
-  // Blocks of 10 with the values 1 ... 8 after a first fifth that must not count: mean 4.5, variance 6.
+  // Blocks of 10 with the values 1 ... 8, after a first fifth that must not count: mean 4.5, variance 6.
   std::vector<double> contributions(20, 1e6);
   for (int k = 0; k < 80; ++k) contributions.push_back(1 + k / 10);
   const motion::Exponent exponent = exponent_of(contributions);
@@ -247,7 +247,7 @@ TEST(LyapunovExponentOf, IsTheMeanOfEightBlocksWithTheirStudentInterval) {
 }
 
 TEST(LyapunovExponentOf, WeighsTheMiddleOfABlock) {
-  // A whole number of waves per block averages out; one that a flat block would cut off nearly does.
+  // Whole waves per block average out exactly; a fraction that a rectangular window would keep almost does.
   for (const double waves : {2.0, 7.0, 4.37}) {
     std::vector<double> contributions;
     for (int k = 0; k < 800; ++k) contributions.push_back(0.25 + std::sin(2 * pi * waves * k / 80));
@@ -261,8 +261,8 @@ TEST(LyapunovExponentOf, RefusesFewerThanFortyContributions) {
   EXPECT_THROW(exponent_of(std::vector<double>(39)), SolverError);
 }
 
-/// The mean of an oscillation that never comes round: smooth weights find it to a millionth where equal ones
-/// are a thousandth off.
+/// Mean of an oscillation that never repeats: smooth weights find it within 1e-6, equal weights only within
+/// 1e-3.
 TEST(LyapunovExponentBumpMean, ConvergesFastOnQuasiPeriodicContributions) {
   std::vector<double> contributions;
   double sum = 0;

@@ -16,7 +16,7 @@ inline constexpr double clearance_m = 1e-3;
 inline constexpr motion::ContactFacts touching{
     .hits = 1, .contact_fraction = 0.1, .peak_displacement_m = 1.1e-3, .peak_contact_force_n = 200};
 
-/// Owns what a Window looks at.
+/// Owns the data of a Window.
 struct Recording {
   std::vector<Complex> displacement_m;
   std::vector<double> section_rows;
@@ -37,7 +37,7 @@ struct Recording {
   }
 };
 
-/// z(turn) in metres, seen from `first_turn` on.
+/// Samples z(turn), in metres, beginning at `first_turn`.
 inline Recording record(const TimeFunction& z, double first_turn = 0) {
   return {.displacement_m = sample(z, first_turn, turns, per_turn),
           .section_rows = section(z, first_turn, turns, clearance_m)};

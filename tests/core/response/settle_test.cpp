@@ -34,7 +34,7 @@ TEST(Settle, TheHalfSubharmonicOfSetAIsProven) {
   EXPECT_EQ(proven.proof, motion::Proof::floquet);
   EXPECT_EQ(proven.motion.order, 2);
   EXPECT_LT(proven.revolutions, 100);
-  // Nothing damps the rotor's tangential motion but its own damper: e^{-zeta w0 2T} over two turns.
+  // Only the rotor's damper damps its tangential motion: e^{-zeta w0 2T} over two turns.
   const double decay = 0.02 * 2 * std::numbers::pi * 30 * 2 / 75;
   EXPECT_NEAR(proven.floquet_modulus.value(), std::exp(-decay), 1e-9);
   const motion::Measures &a = proven.motion.measures, &b = observed.motion.measures;
@@ -56,7 +56,7 @@ TEST(Settle, BothSolversProveTheSameOrbit) {
   EXPECT_NEAR(a.motion.measures.amplitude_1x_forward_m, b.motion.measures.amplitude_1x_forward_m, 1e-12);
 }
 
-/// The rotor measured in other units of time, length and mass.
+/// The rotor with other units of time, length and mass.
 test::OneSideRotor in_units(test::OneSideRotor rotor, double time, double length, double mass) {
   const double stiffness = mass / (time * time), force = stiffness * length;
   for (double* x : {&rotor.mass_kg, &rotor.casing_mass_kg}) *x *= mass;
@@ -69,7 +69,7 @@ test::OneSideRotor in_units(test::OneSideRotor rotor, double time, double length
   return rotor;
 }
 
-/// Nothing in a solver is a number of seconds, metres or kilograms.
+/// No constant in a solver has the unit of seconds, metres or kilograms.
 TEST(Settle, UnitsOfTimeLengthAndMassAreNoMatter) {
   for (const double speed_hz : {50.0, 75.0, 110.0}) {
     for (const double whirl_ratio : {0.2, 0.6}) {
@@ -85,7 +85,7 @@ TEST(Settle, UnitsOfTimeLengthAndMassAreNoMatter) {
         EXPECT_EQ(b.motion.order, a.motion.order);
         EXPECT_EQ(b.proof, a.proof);
         EXPECT_EQ(b.revolutions, a.revolutions);
-        // Rounding differs, and a long transient makes it visible.
+        // Rounding differs, and a long transient amplifies it.
         EXPECT_NEAR(static_cast<double>(b.last_contact_revolution.value_or(0)),
                     static_cast<double>(a.last_contact_revolution.value_or(0)), 2);
         const double peak_m = a.motion.measures.contact.peak_displacement_m,
@@ -118,8 +118,8 @@ TEST(Settle, ImpulsesThatRepeatEveryTurnLeaveTheProof) {
             1e-9);
 }
 
-/// 2.5 impulses a turn repeat after two turns and 1 / 3 of one after three: one turn says nothing of the
-/// next.
+/// 2.5 impulses per turn repeat after two turns, 1 / 3 impulse per turn after three: consecutive turns
+/// differ.
 TEST(Settle, OtherImpulsesOnlyLetTheMotionBeObserved) {
   for (const auto& [multiple, order] : {std::pair{2.5, 2}, std::pair{1.0 / 3, 6}}) {
     const auto settled = run_struck(multiple, {});
@@ -139,11 +139,11 @@ TEST(Settle, TheHalfSubharmonicOfSetA) {
   EXPECT_EQ(settled.motion.order, 2);
   EXPECT_EQ(settled.proof, motion::Proof::observed);
   EXPECT_EQ(settled.revolutions, 600);
-  EXPECT_GE(settled.last_contact_revolution.value_or(0), 599);  // a hit in every other turn, to the end
+  EXPECT_GE(settled.last_contact_revolution.value_or(0), 599);  // impacts in every second turn, to the end
   const motion::Measures& measures = settled.motion.measures;
   EXPECT_EQ(measures.contact.hits, measures.turns / 2);
   EXPECT_NEAR(std::abs(measures.dominant.value().order), 0.5, 1e-12);
-  // Above the wall by its penetration, on the far side free.
+  // The peak is at the wall plus the penetration; the motion on the far side is free.
   EXPECT_GT(measures.contact.peak_displacement_m, 1e-3);
   EXPECT_GT(measures.contact.peak_contact_force_n, 10);
 }
@@ -173,7 +173,7 @@ TEST(Settle, AWeakKickIsProvenToRestInTheClosedFormCircle) {
               1e-15);
 }
 
-/// 600 turns of the section without any proof.
+/// Runs 600 turns without a proof and expects the quiet motion.
 void expect_quiet_long_run(const test::OneSideRotor& rotor) {
   const auto cell = test::cell_of(rotor);
   motion::Workspace workspace;
@@ -193,7 +193,7 @@ TEST(Settle, ProvenRestIsWhatALongRunShows) {
   rotor.whirl_ratio = 0.05;
   const auto proven = run(rotor, {});
   EXPECT_EQ(proven.proof, motion::Proof::rest);
-  rotor.casing_damping_ratio = 1;  // a double mode is no obstacle
+  rotor.casing_damping_ratio = 1;  // equal natural frequencies are allowed
   EXPECT_EQ(run(rotor, {}).proof, motion::Proof::rest);
   expect_quiet_long_run(rotor);
 }
@@ -207,7 +207,7 @@ TEST(Settle, FailuresNameTheirOutcome) {
   EXPECT_FALSE(settled.proof);
 }
 
-/// A rotor in a soft undamped ring, whose chaotic transients last for a thousand turns and die on to ovals.
+/// A rotor in a soft undamped ring: its chaotic transients last for a thousand turns before an oval motion.
 scene::Cell cell_of_long_transients(double eccentricity_m) {
   model::Stop ring;
   ring.geometry = model::AnnularGeometry{{0, 0}};
@@ -225,7 +225,7 @@ scene::Cell cell_of_long_transients(double eccentricity_m) {
   return cell;
 }
 
-/// Largest distance from the centre in the last 64 turns of a run of that many.
+/// Largest distance from the centre in the last 64 of `turns` turns.
 double largest_distance_m(const scene::Scene& scene, long turns,
                           const integrate::run::SolverOptions& solver = {}) {
   integrate::exact::modes::ModeCache modes;
@@ -263,7 +263,7 @@ TEST(Settle, ClassAndNumbersAreOfOneMotion) {
   EXPECT_GT(tori, 4);
 }
 
-/// A whirl that grows from rounding until the tolerance sees its many vibrations in a turn.
+/// A whirl grows from rounding until the solver has to resolve its many vibrations per turn.
 TEST(Settle, ARunThatWorkEndsKeepsTheMeasuresOfItsLastWindows) {
   test::OneSideRotor rotor;
   scene::Cell cell = test::cell_of(rotor);
@@ -308,7 +308,7 @@ TEST(Settle, NoUnbalanceRestsWithoutAnyLine) {
 
 std::string name(const SettledRun& settled) { return std::string(to_string(settled.motion.motion_class)); }
 
-/// By the adaptive solver alone, whose transients lead to the motions that the tests name.
+/// Run with the adaptive solver alone, whose transients lead to the motions named by the tests.
 SettledRun run_annular(double speed_hz, double whirl_ratio, double offset_y_m = 0,
                        const motion::ResponseOptions& options = {}) {
   motion::Workspace workspace;
@@ -344,7 +344,7 @@ TEST(Settle, TheAnnulusTurnsOvalsAtHighSpeed) {
     EXPECT_EQ(settled.proof, motion::Proof::observed);
     EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::oval);
     EXPECT_FALSE(settled.motion.order || settled.motion.exponent);
-    // The largest line is 1X or the next of the comb; the window's bins are 1/64 wide.
+    // The largest line is 1X or the next line of the comb; the window's bins are 1/64 wide.
     const double spacing = settled.motion.measures.comb_spacing.value();
     const double off_1x = std::abs(settled.motion.measures.dominant.value().order - 1);
     EXPECT_NEAR(off_1x / spacing, std::round(off_1x / spacing), 1.0 / 64 / spacing);
@@ -360,8 +360,8 @@ TEST(Settle, ACombWhoseLinesOverlapIsAnOvalToo) {
   EXPECT_EQ(settled.motion.measures.orbit, spectrum::OrbitKind::oval);
 }
 
-/// The same motion: after 600 turns it still comes back best after three periods, in the end after one (a run
-/// of 1200 shows so).
+/// The same motion: after 600 turns it still returns best after three periods, finally after one, as a run of
+/// 1200 turns shows.
 TEST(Settle, AProofTellsAPeriodFromASlowTransient) {
   const auto settled = run_annular(120, 0.3231578947368421);
   EXPECT_EQ(settled.proof, motion::Proof::floquet_observed);
@@ -398,10 +398,10 @@ TEST(Settle, AnOrderAboveTheLargestIsUnsettledAndSaysSo) {
   EXPECT_EQ(name(settled), "unsettled");
   EXPECT_EQ(to_string(settled.motion.status), "order_above_max");
   EXPECT_FALSE(settled.proof);
-  // The slowest decay is that of the rotor's tangential motion or faster: see section_map_test.
+  // The slowest decay is at least that of the rotor's tangential motion: see section_map_test.
   EXPECT_LT(settled.motion.exponent.value().per_revolution, -0.03);
 
-  // A proof may name it nevertheless.
+  // A proof may still find it.
   const auto proven = run(rotor, {});
   EXPECT_EQ(proven.motion.order, 14);
   EXPECT_EQ(proven.proof, motion::Proof::floquet);
@@ -418,7 +418,7 @@ TEST(Settle, WhileItSettlesItIsNeverCalledAnythingElse) {
     if (name(settled) == "subharmonic") break;
     EXPECT_EQ(name(settled), "unsettled") << options.max_revolutions;
     EXPECT_EQ(to_string(settled.motion.status), "ok");
-    // Where the newer window has a period and the older one not yet, no exponent is asked for.
+    // Where only the newer window has a period, no exponent is computed.
     (settled.motion.exponent ? measured : not_measured) += 1;
   }
   EXPECT_LT(options.max_revolutions, 400);

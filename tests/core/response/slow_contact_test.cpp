@@ -1,5 +1,5 @@
-// A rotor that lies on a stiff damped stop and turns slowly, its friction decided by the size of the slip: a
-// turn holds fifty thousand radians of the stop's vibration, which dies out in the first of them.
+// A rotor lies on a stiff damped stop and turns slowly; friction depends on the slip. A turn contains 5e4
+// radians of the stop's vibration, which dies out at the very beginning.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ model::Machine machine() {
 
 scene::Cell cell() { return scene::build_cell(machine(), 0.06, scene::Eccentricity{2e-5}); }
 
-/// Without the proof that would end the run after a few turns.
+/// Runs without the proof that would end it after a few turns.
 TEST(SlowContact, ARubOnAStiffStopIsDecidedByItsWindows) {
   motion::Workspace workspace;
   motion::ResponseOptions options;

@@ -11,15 +11,16 @@ namespace rubsweep::response {
 namespace {
 
 TEST(Survival, ItsBoundIsThatOfThePoissonLaw) {
-  // exp(-turns / life) = 0.05 without an escape; (1 + m) exp(-m) = 0.05 at m = 4.7439 with one.
+  // Without an escape exp(-turns / life) = 0.05; with one escape (1 + m) exp(-m) = 0.05 at m = 4.7439.
   EXPECT_NEAR((Survival{.turns = 1000, .escapes = 0}.least_mean_life()), 1000 / std::log(20.0), 1e-9);
   const double mean = 1000 / Survival{.turns = 1000, .escapes = 1}.least_mean_life();
   EXPECT_NEAR((1 + mean) * std::exp(-mean), 0.05, 1e-9);
   EXPECT_EQ((Survival{}.least_mean_life()), 0);
 }
 
-/// The tent map of slope s > 2: an even density on [0, 1] stays even on what is left of it, and 1 - 2 / s of
-/// it leaves every turn, so that the mean life is s / (s - 2) turns. What left goes on without contact.
+/// The tent map of slope s > 2: a uniform density on [0, 1] stays uniform, and the share 1 - 2 / s of it
+/// escapes every turn. The mean life is therefore s / (s - 2) turns. States that escaped continue without
+/// contact.
 class Tent {
  public:
   explicit Tent(double slope) : slope_(slope) {}
@@ -27,7 +28,7 @@ class Tent {
   bool operator()(std::span<double> s) {
     inside_ = s[0] >= 0 && s[0] <= 1;
     if (inside_) s[0] = slope_ * std::min(s[0], 1 - s[0]);
-    // An even density in binary digits would run out of them.
+    // The small term replaces the binary digits that the map would lose.
     if (inside_) s[0] += 1e-13 * std::sin(1e6 * s[0]);
     return true;
   }
@@ -38,7 +39,7 @@ class Tent {
   bool inside_ = false;
 };
 
-/// A stretch of the motion from `start`; empty where it leaves.
+/// Chaotic motion from `start`; empty where it escapes.
 Followed chaos_from(double start, double slope, int turns) {
   Tent tent(slope);
   Followed motion{.states = 1, .rows = {}, .contributions = {}};
@@ -70,7 +71,7 @@ TEST(SurvivalSurvive, CountsTheEscapesOfTheTentMapAtItsRate) {
     }
     ASSERT_GT(escapes, 50) << slope;
     EXPECT_NEAR(turns / escapes / life, 1, 4 / std::sqrt(escapes)) << slope;
-    // The bound holds for 95 % of the trials, or for more, because companions share a part of their way.
+    // The bound holds in at least 95 % of the trials; in more, because companions share part of their path.
     EXPECT_GT(below, 0.92 * trials) << slope;
   }
 }
@@ -92,7 +93,7 @@ TEST(SurvivalSurvive, ChaosThatIsAnAttractorHasNoEscape) {
   EXPECT_EQ(seen.turns, 500 - 64 + 2 * (320 - 64));
 }
 
-/// Beyond its interior crisis chaos of the logistic map falls into the window of period three.
+/// Beyond the interior crisis, chaos of the logistic map falls into the window of period three.
 TEST(SurvivalSurvive, APeriodIsAnEscapeToo) {
   const auto logistic = [](std::span<double> s) {
     s[0] = 3.8325 * s[0] * (1 - s[0]);

@@ -11,21 +11,22 @@ namespace rubsweep::response::testing {
 
 using Complex = std::complex<double>;
 
-/// exp(2 pi i order turn); whole turns of the phase are taken out first, so that late samples are as exact as
-/// early ones.
+/// exp(2 pi i order turn). Whole turns of the phase are removed first, so that late samples are as accurate
+/// as early ones.
 inline Complex phasor(double order, double turn) {
   const double phase = order * turn;
   return std::polar(1.0, 2 * std::numbers::pi * (phase - std::floor(phase)));
 }
 
-/// One line of a motion: amplitude times phasor(numerator / denominator, turn), with exact phases on a grid.
+/// One line of a motion: amplitude times phasor(numerator / denominator, turn), with exact phases at the
+/// samples.
 struct Line {
   int numerator = 1;
   int denominator = 1;
   Complex amplitude = 1;
 };
 
-/// Samples of a sum of lines, `per_turn` of them in each of `turns` turns.
+/// Samples of a sum of lines: `per_turn` samples in each of `turns` turns.
 inline std::vector<Complex> sample(const std::vector<Line>& lines, int turns, int per_turn) {
   std::vector<Complex> z(static_cast<std::size_t>(turns * per_turn));
   for (std::size_t j = 0; j < z.size(); ++j) {
@@ -38,7 +39,7 @@ inline std::vector<Complex> sample(const std::vector<Line>& lines, int turns, in
   return z;
 }
 
-/// Samples of z(turn), any function of time counted in turns.
+/// Samples of any function z(turn).
 inline std::vector<Complex> sample(const std::function<Complex(double)>& z, double first_turn, int turns,
                                    int per_turn) {
   std::vector<Complex> samples(static_cast<std::size_t>(turns * per_turn));
@@ -48,8 +49,8 @@ inline std::vector<Complex> sample(const std::function<Complex(double)>& z, doub
   return samples;
 }
 
-/// Section rows (x, y, x', y') / scale of z(turn) at whole turns; velocities, per radian of shaft angle, by
-/// central difference of a step that no test can tell from the derivative.
+/// Section rows (x, y, x', y') / scale of z(turn) at whole turns. Velocities, per radian of shaft angle, come
+/// from a central difference whose error is negligible.
 inline std::vector<double> section(const std::function<Complex(double)>& z, double first_turn, int turns,
                                    double scale) {
   constexpr double step = 1e-4;

@@ -27,13 +27,13 @@ Complex start_velocity(const Cell& cell) {
   return {cell.scene.velocity_m_per_s(0), cell.scene.velocity_m_per_s(1)};
 }
 
-/// Whirl amplitude of a Jeffcott rotor, from the textbook.
+/// Whirl amplitude of a Jeffcott rotor from the textbook formula.
 double whirl_amplitude(const model::JeffcottRotor& rotor, double speed_hz, double eccentricity_m) {
   const double s = speed_hz / rotor.natural_frequency_hz;
   return eccentricity_m * s * s / std::hypot(1 - s * s, 2 * rotor.damping_ratio * s);
 }
 
-/// `normal . z` is largest at the start among all instants of the quiet motion.
+/// Expects `normal . z` to be larger at the start than at any other instant of the quiet motion.
 void expect_smallest_gap_at_start(const Cell& cell) {
   const auto& contact = cell.scene.contacts.front();
   const Eigen::RowVectorXd row =
@@ -72,7 +72,8 @@ TEST(BuildSceneCell, IsTheSceneOfTheEquationsWrittenByHand) {
   EXPECT_EQ(scene.contacts[0].clearance_m, by_hand.clearance);
   EXPECT_EQ(scene.length_scale_m, by_hand.clearance);
   for (const double phase : {0.0, 0.4, 2.2, 5.0}) {
-    // The force by hand: the rates of a rotor at rest at the origin, times the mass; past the kick.
+    // Force from the hand-written equations, after the kick: accelerations of a rotor at rest at the origin,
+    // times the mass.
     test::OneSideState<double> rate;
     by_hand({}, rate, (phase + 20 * pi) / by_hand.omega);
     const Eigen::VectorXd force = (scene.harmonic_n * std::polar(1.0, phase)).real();
@@ -174,7 +175,7 @@ TEST(BuildSceneCell, SagThroughTheStopHasNoWhirlRatioButStartsAtTheWall) {
   EXPECT_EQ(by_eccentricity.start, Start::contact);
   EXPECT_TRUE(std::isnan(by_eccentricity.whirl_ratio));
   EXPECT_EQ(by_eccentricity.eccentricity_m, 1e-5);
-  // As far down as rotor and casing get before they meet.
+  // Rotor and casing have sunk as far as possible before they touch.
   const auto& scene = by_eccentricity.scene;
   const Eigen::Vector2d apart = relative_map(scene.structure, scene.contacts[0]) * scene.displacement_m;
   EXPECT_NEAR(apart.y(), -1e-4, 1e-18);
@@ -191,7 +192,7 @@ TEST(BuildSceneCell, WhereTheQuietWhirlTouchesItStartsAtRestAndIsNotKicked) {
   EXPECT_TRUE(above.scene.pulses.empty());
   EXPECT_EQ(above.start, Start::contact);
   EXPECT_TRUE(can_run(above.start));
-  // At rest in the static position, with the unbalance where it would be in any other cell.
+  // At rest in the static position; the unbalance has the same phase as in other cells.
   EXPECT_EQ(above.scene.displacement_m, above.quiet.mean);
   EXPECT_TRUE(above.scene.velocity_m_per_s.isZero(0));
   EXPECT_TRUE((above.scene.harmonic_n / 1.2).isApprox(below.scene.harmonic_n / 0.9, 1e-14));
@@ -237,7 +238,7 @@ TEST(BuildSceneCell, UnreachableAtAnUndampedResonance) {
   model::Machine machine = one_side_machine();
   std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    // Whatever the rounding of K and w^2 M.
+    // The result must not depend on the rounding of K and w^2 M.
     std::get<model::JeffcottRotor>(machine.rotor).mass_kg = std::uniform_real_distribution(0.1, 5.0)(random);
     std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz =
         std::uniform_real_distribution(5.0, 100.0)(random);
@@ -300,7 +301,7 @@ TEST(BuildSceneCell, InARingKickAndPhaseGoAlongOffsetPlusSag) {
   const double w = 2 * std::numbers::pi * 30, sag_m = 9.81 / (w * w);
   const Eigen::Vector2d along = Eigen::Vector2d(3e-4, 1e-4 - sag_m).normalized();
   EXPECT_LE((cell.scene.pulses.at(0).direction.head(2) - along).norm(), 1e-12);
-  // The quiet whirl is farthest along this direction at t = 0.
+  // At t = 0 the quiet whirl is farthest out in this direction.
   const auto excursion = [&](double phase) { return along.dot(relative * cell.quiet.displacement(phase)); };
   for (double phase = 0.05; phase < 6.25; phase += 0.05) EXPECT_LT(excursion(phase), excursion(0));
   EXPECT_NEAR(along.dot(relative * cell.quiet.velocity(0)), 0, 1e-16);
@@ -317,7 +318,7 @@ TEST(BuildSceneCell, EveryStopHasItsContactAndTheMovingOnesTheirCasing) {
   EXPECT_EQ(scene.structure.coordinates(), 6);
   ASSERT_EQ(scene.contacts.size(), 3u);
   EXPECT_FALSE(scene.contacts[1].casing_point);
-  // The third stop feels coordinates 4 and 5 of the second moving casing.
+  // The third stop depends on coordinates 4 and 5, those of the second moving casing.
   const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(6, 1, 6);
   EXPECT_EQ(relative_map(scene.structure, scene.contacts[0]) * q, Eigen::Vector2d(1 - 3, 2 - 4));
   EXPECT_EQ(relative_map(scene.structure, scene.contacts[1]) * q, Eigen::Vector2d(1, 2));
@@ -332,7 +333,7 @@ TEST(BuildSceneCell, DampingTakesTheReducedMassOfRotorAndCasing) {
   const auto damping = [&] {
     return build_cell(machine, 75, WhirlRatio{0.4}).scene.contacts[0].damping_ns_per_m;
   };
-  // d = sqrt(4 ln^2 e m K / (pi^2 + ln^2 e)).
+  // Damping constant d = sqrt(4 ln^2 e m K / (pi^2 + ln^2 e)).
   const double log_e = std::log(0.7);
   const auto nominal = [&](double mass) {
     return std::sqrt(4 * log_e * log_e * mass * 2e6 / (pi * pi + log_e * log_e));
@@ -352,8 +353,8 @@ TEST(BuildSceneCell, DampingTakesTheReducedMassOfRotorAndCasing) {
 
 TEST(BuildSceneCell, DampingWithTheMassOfTheRotorDeliversLessAgainstALightCasing) {
   model::Machine machine = one_side_machine();
-  // Against a casing of m_c the same d is sqrt(m / m') times nearer to critical. By hand from the closed
-  // form.
+  // With a casing of mass m_c the reduced mass is m', and the same d is sqrt(m / m') times closer to
+  // critical. Values by hand from the closed form.
   struct Case {
     double nominal, casing_kg, delivered;
   };
@@ -368,7 +369,7 @@ TEST(BuildSceneCell, DampingWithTheMassOfTheRotorDeliversLessAgainstALightCasing
     EXPECT_NEAR(contact::delivered_restitution(damping / (2 * std::sqrt(reduced * 2e6))), one.delivered,
                 0.005);
   }
-  // A mass of one's own takes the place of the rotor's, and a rigid casing leaves nothing to reduce.
+  // A given contact mass replaces the rotor's mass, and with a rigid casing nothing is reduced.
   machine.stops[0].contact_mass_kg = 0.3;
   machine.stops[0].damping = model::RestitutionByRotorMass{0.7};
   const auto damping = [&] {
@@ -390,7 +391,7 @@ TEST(BuildSceneCell, QuarterTurnsAreExact) {
     EXPECT_EQ(contact::first_direction(scene.contacts[0].wall), quarters[(quarter + 12) % 4]) << quarter;
     EXPECT_EQ(Eigen::Vector2d(scene.pulses.at(0).direction.head(2)), quarters[(quarter + 12) % 4]) << quarter;
   }
-  // A wall above does not feel x, nor does the structure couple it to y.
+  // A wall above does not depend on x, and the structure does not couple x to y.
   machine.stops[0].geometry = model::OneSideGeometry{90};
   const Scene scene = build_cell(machine, 75, WhirlRatio{0.4}).scene;
   const Eigen::RowVectorXd row = contact::first_direction(scene.contacts[0].wall).transpose() *

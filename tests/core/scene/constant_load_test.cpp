@@ -10,7 +10,7 @@ namespace {
 
 constexpr double gravity = 9.81;
 
-/// Without the casing, which would sag as well.
+/// The machine without its casing, which would sag, too.
 model::Machine light() {
   model::Machine machine = light_shaft_machine();
   machine.stops[0].casing.reset();
@@ -23,7 +23,7 @@ model::Machine heavy() {
   return machine;
 }
 
-/// Sag of a disc in the middle of a light shaft of 10 mm and 0.4 m on two springs.
+/// Sag of a disc at the centre of a light shaft of 10 mm diameter and 0.4 m length on two springs.
 double sag_of_the_disc_m() {
   const model::RotorKit kit = *model::kit_of(light_shaft_machine());
   const double moment = 3.14159265358979323846 / 64 * 1e-8, area = 3.14159265358979323846 / 4 * 1e-4;
@@ -49,7 +49,7 @@ TEST(ConstantLoadStatic, OfTheWeightMovesTheShaftAsTheWeightDoes) {
   EXPECT_NEAR(sag_m(prepare_machine(machine), 0).x(), 7 / (0.8 * gravity) * sag_of_the_disc_m(), 1e-12);
 }
 
-/// A wall over the sagged shaft is one over the straight one, farther away by the sag.
+/// A clearance measured from the sagged shaft equals one from the straight axis, increased by the sag.
 TEST(ConstantLoad, ClearancesFromTheSagAreOthersFromTheAxis) {
   model::Machine from_sag = heavy(), from_axis = heavy();
   model::kit_of(from_sag)->clearances_from_sag = true;

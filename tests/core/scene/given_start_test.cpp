@@ -42,7 +42,7 @@ TEST(GivenStart, OfACasingMovesThatCasingAlone) {
   machine.start = {.casings = {std::nullopt, model::BodyState{.y_m = 2e-5, .vx_m_per_s = 0.1}}};
   const Scene scene = build_cell(machine, 75, ratio).scene;
   Eigen::VectorXd displacement_m = quiet.displacement_m, velocity_m_per_s = quiet.velocity_m_per_s;
-  displacement_m(5) = 2e-5;  // rotor, first casing, second casing
+  displacement_m(5) = 2e-5;  // coordinates: rotor, first casing, second casing
   velocity_m_per_s(4) = 0.1;
   EXPECT_LT((scene.displacement_m - displacement_m).norm(), 1e-18);
   EXPECT_LT((scene.velocity_m_per_s - velocity_m_per_s).norm(), 1e-15);
@@ -57,7 +57,8 @@ TEST(GivenStart, AnEmptyOneIsTheQuietWhirl) {
   EXPECT_EQ(scene.velocity_m_per_s, quiet.velocity_m_per_s);
 }
 
-/// The shaft follows as a force at the point bends it, and an impulse there moves it.
+/// A displacement of one point bends the shaft like a static force there; a velocity acts like an impulse
+/// there.
 TEST(GivenStart, OfARotorKitIsAStaticDeflectionAndAnImpulse) {
   model::Machine machine = light_shaft_machine();
   machine.kick.reset();

@@ -5,8 +5,8 @@
 
 namespace rubsweep::scene {
 
-/// The one-side machine as a rotor kit: a shaft almost without mass on springs at its ends, the disc in the
-/// middle under the wall. In bending it is a Jeffcott rotor.
+/// The one-side machine as a rotor kit: an almost massless shaft on springs at both ends, with the disc at
+/// the centre under the wall. In bending it is a Jeffcott rotor.
 inline model::Machine light_shaft_machine() {
   model::Machine machine = one_side_machine();
   model::RotorKit kit;

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Euler-Bernoulli with Cowper's shear: stiffness in the middle of the light shaft and its springs.
+/// Bending stiffness at the centre of the light shaft and its springs: Euler-Bernoulli plus Cowper's shear.
 double middle_stiffness(const model::RotorKit& kit) {
   const auto& s = kit.shaft.front();
   const double area = pi / 4 * s.outer_diameter_m * s.outer_diameter_m;
@@ -92,7 +92,7 @@ TEST(KitScene, BowIsFixedAndTheUnbalanceMakesUpTheWhirlRatio) {
     // The gap is smallest at t = 0.
     const double up = (cell.scene.structure.points[0].map * cell.scene.displacement_m).y();
     EXPECT_NEAR(up, 0.5e-3, 1e-12);
-    // Said the other way it is the same cell.
+    // Defined by its eccentricity, it is the same cell.
     const Cell back = build_cell(machine, speed_hz, Eccentricity{cell.eccentricity_m});
     EXPECT_NEAR(back.whirl_ratio, 0.5, 1e-12);
     expect_near(back.scene.displacement_m, cell.scene.displacement_m, 1e-12);
@@ -117,7 +117,7 @@ TEST(KitScene, ABowAcrossTheUnbalanceCannotBeMadeSmaller) {
   model::kit_of(machine)->bow =
       model::Bow{.shape = model::BowMode{.mode = 1, .amplitude_m = 4e-4}, .phase_deg = 90};
   EXPECT_EQ(build_cell(machine, 10, WhirlRatio{0.1}).start, Start::unreachable);
-  // Against the unbalance it can: then two eccentricities do it, and the larger is taken.
+  // A bow opposite to the unbalance can be compensated: two eccentricities do so, and the larger one is used.
   model::kit_of(machine)->bow->phase_deg = 180;
   const Cell cell = build_cell(machine, 10, WhirlRatio{0.1});
   EXPECT_EQ(cell.start, Start::quiet);
@@ -130,13 +130,13 @@ TEST(KitScene, TorsionIsACoordinateThatTurnsTheUnbalance) {
       model::Torsion{.drive_stiffness_nm_per_rad = 50, .drive_damping_nms_per_rad = 0.01};
   const Cell cell = build_cell(machine, 60, WhirlRatio{0.3});
   const auto& scene = cell.scene;
-  ASSERT_EQ(scene.structure.coordinates(), 5);  // x, y, angle, casing x, y
+  ASSERT_EQ(scene.structure.coordinates(), 5);  // x, y, twist angle, casing x and y
   EXPECT_NEAR(scene.structure.mass(2, 2), 4e-4, 1e-12);
   EXPECT_EQ(scene.structure.stiffness(2, 2), 50);
   ASSERT_TRUE(scene.twist);
   EXPECT_EQ(scene.twist->coordinate, 2);
   EXPECT_EQ(scene.twist->contact_radius_m, std::vector<double>{0.0375});
-  // The unbalance that turns with the angle is that of the quiet whirl.
+  // The unbalance of the twisting shaft is that of the quiet whirl.
   const double w = scene.speed_rad_per_s;
   EXPECT_NEAR((w * w * scene.twist->unbalance_kg_m - scene.harmonic_n).norm(), 0,
               1e-12 * scene.harmonic_n.norm());

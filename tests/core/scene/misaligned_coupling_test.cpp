@@ -16,8 +16,8 @@ using std::numbers::pi;
 
 Complex turned(double degrees) { return std::polar(1.0, degrees * pi / 180); }
 
-/// Force of twice the speed on the end behind the coupling, as a phasor that turns at 2 w: the coupling is
-/// strained by the share of the misalignment that the soft bearing behind it takes from it.
+/// Force of twice the speed on the shaft end behind the coupling, as a phasor that rotates at 2 w. The
+/// coupling is strained by the part of the misalignment that the soft bearing behind it resists.
 Complex force_n(const MisalignedRotor& rotor) {
   const Complex strained = rotor.misalignment_m * turned(rotor.misalignment_deg) * rotor.behind_n_per_m /
                            (rotor.coupling_n_per_m + rotor.behind_n_per_m);
@@ -25,7 +25,8 @@ Complex force_n(const MisalignedRotor& rotor) {
          std::conj(strained);
 }
 
-/// Phasor of the disc at 2 w, in x; y lags by a quarter: half of the force reaches the middle of the shaft.
+/// Phasor of the disc's displacement at 2 w in x; y lags by 90 degrees. Half of the force reaches the middle
+/// of the shaft.
 Complex disc_m(const MisalignedRotor& rotor, double speed_rad_per_s) {
   const double r = 2 * speed_rad_per_s / rotor.natural_rad_per_s();
   return force_n(rotor) / (2 * (rotor.coupling_n_per_m + rotor.behind_n_per_m)) /
@@ -43,7 +44,7 @@ TEST(MisalignedCoupling, ItsLineAtTwiceTheSpeedIsThatOfAJeffcottRotor) {
   const PreparedMachine prepared = prepare_machine(rotor.machine());
   const Eigen::Index n = prepared.assembly.system.coordinates();
   for (const double share :
-       {0.2, 0.45, 0.5, 0.55, 0.8}) {  // shares of the critical speed; resonance at one half
+       {0.2, 0.45, 0.5, 0.55, 0.8}) {  // ratios to the critical speed; resonance at one half
     const double w = share * rotor.natural_rad_per_s();
     const QuietMotion motion =
         quiet_motion(structure::system_at(prepared.assembly, w), w, Eigen::VectorXcd::Zero(n),
@@ -67,7 +68,8 @@ TEST(MisalignedCoupling, ThePositionAtRestIsThatOfSpringsInSeries) {
   EXPECT_LT(std::abs(Complex(middle.x(), middle.y()) - end / 2.0), 1e-3 * std::abs(end));
 }
 
-/// A shaft that may follow the misalignment strains nothing, and one that weight bends shakes without any.
+/// A shaft that can follow the misalignment causes no strain; a shaft bent by its weight vibrates even
+/// without misalignment.
 TEST(MisalignedCoupling, TheStrainOfTheCouplingDecides) {
   MisalignedRotor free;
   free.behind_n_per_m = 1e-3;
@@ -81,7 +83,7 @@ TEST(MisalignedCoupling, TheStrainOfTheCouplingDecides) {
   EXPECT_EQ(prepare_machine(machine).assembly.second_n.norm(), 0);
   machine.gravity_m_per_s2 = 9.81;
   const PreparedMachine prepared = prepare_machine(machine);
-  const double w = heavy.natural_rad_per_s() / 2;  // the critical speed by weight
+  const double w = heavy.natural_rad_per_s() / 2;  // half of the critical speed: weight-excited resonance
   const Eigen::Index n = prepared.assembly.system.coordinates();
   const QuietMotion motion =
       quiet_motion(structure::system_at(prepared.assembly, w), w, Eigen::VectorXcd::Zero(n),
@@ -99,7 +101,8 @@ TEST(MisalignedCoupling, EqualStiffnessAllAroundForcesNothingTwicePerTurn) {
   EXPECT_EQ(build_cell(prepared, 20, WhirlRatio{0.3}).scene.second_harmonic_n.size(), 0);
 }
 
-/// The run starts at the smallest gap of a motion that is no ellipse, and the whirl ratio is what it says.
+/// The run starts at the smallest gap of a motion that is not an ellipse, and the whirl ratio is the given
+/// one.
 TEST(MisalignedCoupling, TheWhirlRatioIsThatOfBothOrders) {
   const MisalignedRotor rotor;
   const PreparedMachine prepared = prepare_machine(rotor.machine());
@@ -116,12 +119,12 @@ TEST(MisalignedCoupling, TheWhirlRatioIsThatOfBothOrders) {
     EXPECT_NEAR((height(0) - mean) / (contact.clearance_m - mean), 0.4, 1e-12) << share;
     for (int k = 1; k < 1000; ++k) EXPECT_LT(height(2 * pi * k / 1000), height(0)) << share << ' ' << k;
     EXPECT_NEAR(build_cell(prepared, speed_hz, Eccentricity{cell.eccentricity_m}).whirl_ratio, 0.4, 1e-12);
-    // The second order has not vanished beside the first.
+    // The second order is not negligible compared with the first.
     EXPECT_GT(cell.quiet.second_amplitude.norm(), 1e-3 * cell.quiet.amplitude.norm());
   }
 }
 
-/// The phase of both orders between themselves is the one that the mark on the shaft has.
+/// The phase between both orders is fixed by the mark on the shaft.
 TEST(MisalignedCoupling, TheKicksPhaseTurnsBothOrdersTogether) {
   model::Machine machine = MisalignedRotor{}.machine();
   const Cell early = build_cell(machine, 15, WhirlRatio{0.4});
@@ -137,8 +140,9 @@ TEST(MisalignedCoupling, TheKicksPhaseTurnsBothOrdersTogether) {
             1e-12 * prepared.assembly.second_n.norm());
 }
 
-/// The whole rotor with a coupling whose stiffness turns, nothing left out: m z'' + c z' = -P, with the end
-/// behind the coupling at rest under P / 2 and the springs. Phasors of a steady turn by orders.
+/// The complete rotor with a coupling of rotating stiffness, without approximation: m z'' + c z' = -P. The
+/// shaft end behind the coupling is in equilibrium under P / 2 and the springs. Returns phasors by order in
+/// the steady state.
 class TurningStiffness {
  public:
   explicit TurningStiffness(const MisalignedRotor& rotor, double speed_rad_per_s)
@@ -165,8 +169,8 @@ class TurningStiffness {
   }
 
  private:
-  /// K e + K' conj(e) = P / 2 - k delta - k ratio e^{2 i angle} conj(delta) with the end e, P = (z - e / 2) /
-  /// f.
+  /// The shaft end e satisfies K e + K' conj(e) = P / 2 - k delta - k ratio e^{2 i angle} conj(delta), with P
+  /// = (z - e / 2) / f.
   Complex acceleration(Complex z, Complex v, double t) const {
     const double k = rotor_.coupling_n_per_m;
     const double flexibility = rotor_.bent_m_per_n() + 1 / (4 * rotor_.end_n_per_m);
@@ -175,7 +179,7 @@ class TurningStiffness {
     const Complex apart = rotor_.misalignment_m * turned(rotor_.misalignment_deg);
     const double own = k + rotor_.behind_n_per_m + 1 / (4 * flexibility);
     const Complex side = z / (2 * flexibility) - k * apart - axis * std::conj(apart);
-    // own e + axis conj(e) = side.
+    // Solves own e + axis conj(e) = side.
     const Complex end = (own * side - axis * std::conj(side)) / (own * own - std::norm(axis));
     const double damping = 2 * rotor_.damping_ratio * rotor_.natural_rad_per_s();
     return -(z - end / 2.0) / flexibility / rotor_.mass_kg - damping * v;
@@ -185,7 +189,7 @@ class TurningStiffness {
   double speed_;
 };
 
-/// The part of the force that is left out is of second order in the asymmetry.
+/// The neglected part of the force is quadratic in the asymmetry.
 TEST(MisalignedCoupling, FirstOrderIsEnoughForTheLineAtTwiceTheSpeed) {
   for (const double share : {0.2, 0.5, 0.8}) {
     for (const double ratio : {0.05, 0.1, 0.2}) {

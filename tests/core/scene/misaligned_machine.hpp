@@ -7,9 +7,9 @@
 
 namespace rubsweep::scene {
 
-/// A rigid shaft that drives a light one with a disc in its middle through a coupling that does not resist
-/// tilting. The light shaft stands on a soft bearing right behind the coupling and on another one at its end,
-/// so that machines out of line strain the coupling. In bending it is a Jeffcott rotor.
+/// A rigid shaft that drives a light one, with a disc in its middle, through a coupling that does not resist
+/// tilting. The light shaft has a soft bearing directly behind the coupling and another one at its end, so
+/// that misalignment strains the coupling. In bending it is a Jeffcott rotor.
 struct MisalignedRotor {
   double coupling_n_per_m = 2e5, behind_n_per_m = 5e4, end_n_per_m = 3e4;
   double length_m = 0.4, mass_kg = 0.8, damping_ratio = 0.02;
@@ -54,8 +54,7 @@ struct MisalignedRotor {
     return machine;
   }
 
-  /// Displacement of the middle against the line through both ends per newton there: bending and Cowper's
-  /// shear.
+  /// Compliance of the middle relative to the line through both ends, m/N: bending and Cowper's shear.
   double bent_m_per_n() const {
     constexpr double pi = std::numbers::pi, diameter = 0.01, young = 2.1e11, shear = 8.1e10;
     const double area = pi / 4 * diameter * diameter, moment = area * diameter * diameter / 16,
@@ -63,7 +62,7 @@ struct MisalignedRotor {
     return length_m * length_m * length_m / (48 * young * moment) +
            length_m / (4 * coefficient * shear * area);
   }
-  /// Stiffness against the disc, with equal stiffness all around.
+  /// Stiffness at the disc, equal in all directions.
   double stiffness_n_per_m() const {
     return 1 / (1 / (4 * (coupling_n_per_m + behind_n_per_m)) + 1 / (4 * end_n_per_m) + bent_m_per_n());
   }

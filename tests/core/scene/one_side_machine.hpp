@@ -4,8 +4,7 @@
 
 namespace rubsweep::scene {
 
-/// A soft-mounted rotor under one wall, kicked: the machine of `test::OneSideRotor` in the library's own
-/// words.
+/// A soft-mounted rotor under one wall, kicked: `test::OneSideRotor` as a machine of the library.
 inline model::Machine one_side_machine() {
   model::Stop stop;
   stop.geometry = model::OneSideGeometry{90};
@@ -22,7 +21,7 @@ inline model::Machine one_side_machine() {
   return machine;
 }
 
-/// The same with a wall on the other side too, each on a casing of its own.
+/// The same machine with a second wall on the opposite side; each wall has its own casing.
 inline model::Machine both_sides_machine() {
   model::Machine machine = one_side_machine();
   machine.stops.push_back(machine.stops.front());

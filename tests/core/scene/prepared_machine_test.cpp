@@ -96,7 +96,7 @@ TEST(PreparedMachinePrepare, AnotherKickMustBeAllowed) {
       std::string::npos);
 }
 
-/// Every number at either end of what is allowed, one at a time: a prepared machine or a refusal.
+/// Sets every number to either end of its allowed range, one at a time; the machine is prepared or refused.
 TEST(PreparedMachinePrepare, TakesOrRefusesEveryAllowedExtreme) {
   const auto with_a_few_of_everything = [] {
     model::Machine machine = light_shaft_machine();

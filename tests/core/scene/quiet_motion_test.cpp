@@ -16,7 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-/// A structure without any symmetry: full stiffness, damping with a gyroscopic part.
+/// A structure without any symmetry: a full stiffness matrix, and damping with a gyroscopic part.
 structure::LinearSystem full_system(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -43,7 +43,7 @@ TEST(QuietMotion, IsTheClosedFormOfTheJeffcottRotor) {
     const auto system = structure::assemble_jeffcott(rotor, {}).system;
     const QuietMotion motion =
         quiet_motion(system, w, e * w * w * system.unbalance_kg, Eigen::Vector2d::Zero());
-    // z = A e^{i (w t + psi)}, so x = Re z has amplitude A e^{i psi} and y = Im z has -i A e^{i psi}.
+    // z = A e^{i (w t + psi)}, so x = Re z has the phasor A e^{i psi} and y = Im z has -i A e^{i psi}.
     const double zeta = rotor.damping_ratio;
     const double a = e * s * s / std::hypot(1 - s * s, 2 * zeta * s);
     const Complex whirl = std::polar(a, -std::atan2(2 * zeta * s, 1 - s * s));
@@ -84,7 +84,7 @@ TEST(QuietMotion, VelocityIsTheDifferenceQuotientOfTheDisplacement) {
 }
 
 TEST(QuietMotion, AnUndampedPartAtItsOwnFrequencyRestsUnlessDriven) {
-  // The second mass is at resonance, undamped and undriven: it rests; driven, it has no steady motion.
+  // The second mass is undamped and at resonance. Without a force it rests; with one it has no steady motion.
   structure::LinearSystem system;
   system.mass = Eigen::Matrix2d::Identity();
   system.damping = Eigen::Vector2d(0.1, 0).asDiagonal();
@@ -132,7 +132,7 @@ TEST(QuietMotionPenetration, IsTheLargestOfTheSampledMotion) {
   }
 }
 
-/// An annular stop around a point that moves freely in the plane, as q itself.
+/// An annular stop around a point that moves freely in the plane; its coordinates are q itself.
 struct InsideAnnularStop {
   structure::LinearSystem structure;
   Contact contact;
@@ -143,7 +143,7 @@ struct InsideAnnularStop {
     contact.clearance_m = 2;
   }
 
-  /// Largest penetration |d| - clearance over one turn of phase.
+  /// Largest penetration |d| - clearance over one turn.
   double largest_sampled(const QuietMotion& motion) const {
     double largest = -1e9;
     for (int i = 0; i < 20'000; ++i) {

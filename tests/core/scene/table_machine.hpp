@@ -6,10 +6,11 @@
 
 namespace rubsweep::scene {
 
-/// Speeds of the table below.
+/// Speeds of the rows in the table below.
 inline const std::vector<double> table_speeds_hz{20, 40, 55, 80, 120};
 
-/// A support by a table: stiffer and less damped with the speed, its film pushing sideways more and more.
+/// A support given by a table: with the speed its stiffness and the sideways force of its film rise, its
+/// damping falls.
 inline model::SupportTable film_table() {
   model::SupportTable table;
   table.speed_hz = table_speeds_hz;
@@ -26,7 +27,7 @@ inline model::SupportTable film_table() {
   return table;
 }
 
-/// The light shaft with films of oil at both ends. `modes` as in model::RotorKit.
+/// The light shaft with oil films at both ends. `modes` as in model::RotorKit.
 inline model::Machine table_machine(std::optional<int> modes = 2) {
   model::Machine machine = light_shaft_machine();
   model::RotorKit& kit = *model::kit_of(machine);
@@ -36,7 +37,7 @@ inline model::Machine table_machine(std::optional<int> modes = 2) {
   return machine;
 }
 
-/// The same with the numbers of the table's row typed in.
+/// The same machine with constant supports from one row of the table.
 inline model::Machine typed_machine(std::size_t row, std::optional<int> modes = 2) {
   model::Machine machine = table_machine(modes);
   const model::SupportTable table = film_table();

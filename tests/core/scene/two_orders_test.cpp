@@ -20,11 +20,11 @@ TEST(TwoOrders, OneOrderHasItsAmplitude) {
   EXPECT_NEAR(first.phase_rad, 2 * pi - 0.7, 1e-14);
   const TopOfMotion second = largest_value(0, std::polar(2.0, -1.0));
   EXPECT_NEAR(second.value, 2, 1e-15);
-  EXPECT_NEAR(second.phase_rad, 0.5, 1e-14);  // the first of two
+  EXPECT_NEAR(second.phase_rad, 0.5, 1e-14);  // the first of two maxima
   EXPECT_EQ(largest_value(0, 0).value, 0);
 }
 
-/// cos x + a cos 2x with a > 1/4 has its least value -a - 1/(8a) at cos x = -1/(4a).
+/// cos x + a cos 2x with a > 1/4 has the minimum -a - 1/(8a) at cos x = -1/(4a).
 TEST(TwoOrders, TheLeastValueOfTwoCosinesIsKnown) {
   for (const double a : {0.3, 0.5, 2.0}) {
     const TopOfMotion top = largest_value(-1, -a);
@@ -33,8 +33,7 @@ TEST(TwoOrders, TheLeastValueOfTwoCosinesIsKnown) {
   }
 }
 
-/// A forward circle at 1X and one at 2X: |r1 e^{i x} + r2 e^{2 i x + i d}| = r1 + r2 where they point the
-/// same way.
+/// Forward circles at 1X and 2X: |r1 e^{i x} + r2 e^{2 i x + i d}| = r1 + r2 where both vectors are parallel.
 TEST(TwoOrders, TwoCirclesReachTheSumOfTheirRadii) {
   const double r1 = 0.8, r2 = 0.5, d = 1.1;
   const Complex i(0, 1), turned = std::polar(r2, d);
@@ -43,7 +42,7 @@ TEST(TwoOrders, TwoCirclesReachTheSumOfTheirRadii) {
   EXPECT_NEAR(std::cos(top.phase_rad + d), 1, 1e-14);
 }
 
-/// No phase of a fine grid is above the top, and the top is met.
+/// No value on a fine grid exceeds the maximum, and the maximum is reached.
 TEST(TwoOrders, NothingIsAboveTheTop) {
   for (int seed = 0; seed < 40; ++seed) {
     const auto number = [&](int k) { return std::polar(1 + std::sin(seed + 3.0 * k), 1.7 * seed * k + k); };

@@ -26,7 +26,7 @@ Assembly jeffcott(double mass_kg, double natural_frequency_hz, double casing_mas
 
 TEST(AssemblyRefuseUnusable, TakesWhatCanBeComputed) {
   EXPECT_NO_THROW(refuse_unusable(jeffcott(0.8, 30)));
-  // However far apart the masses of bodies are that do not share one.
+  // Separate bodies may have very different masses.
   EXPECT_NO_THROW(refuse_unusable(jeffcott(1e9, 30, 1e-9)));
 }
 
@@ -46,7 +46,7 @@ TEST(AssemblyRefuseUnusable, NumbersThatOverflow) {
 
 using std::numbers::pi;
 
-/// Unbalance response of the stop's place, x and y.
+/// Unbalance response at the stop's position, x and y.
 Eigen::Vector2cd response_of(const Assembly& assembly, double speed_rad_per_s) {
   const LinearSystem system = system_at(assembly, speed_rad_per_s);
   const std::complex<double> i(0, 1);
@@ -58,13 +58,13 @@ Eigen::Vector2cd response_of(const Assembly& assembly, double speed_rad_per_s) {
                                 Eigen::VectorXcd(speed_rad_per_s * speed_rad_per_s * system.unbalance_kg));
 }
 
-/// The machine without the damping that is said by modes, which are others at every speed.
+/// The machine without its modal damping, which refers to other modes at every speed.
 model::Machine without_modal_damping(model::Machine machine) {
   model::kit_of(machine)->damping_ratio = {0};
   return machine;
 }
 
-/// One set of shapes for all speeds must answer as the shapes of each speed do.
+/// A fixed set of mode shapes must give the same response as the shapes of each speed.
 TEST(AssemblySystemAt, AnswersAsAMachineThatIsBuiltForTheSpeed) {
   const Assembly all_speeds = assemble_rotor_kit(without_modal_damping(scene::table_machine(4))).assembly;
   for (std::size_t row = 0; row < scene::table_speeds_hz.size(); ++row) {
@@ -77,7 +77,7 @@ TEST(AssemblySystemAt, AnswersAsAMachineThatIsBuiltForTheSpeed) {
 }
 
 /// A short stiff rotor on two equal films: m z'' + 2 c z' + 2 (k - i q) z = m e w^2 e^{iwt}, z = x + i y,
-/// where kxy = q = -kyx.
+/// with the cross stiffnesses kxy = q = -kyx.
 TEST(AssemblySystemAt, ShortRotorIsTheClosedFormAtEverySpeed) {
   model::Machine machine = scene::table_machine(2);
   model::RotorKit& kit = *model::kit_of(machine);
@@ -105,7 +105,7 @@ TEST(AssemblySystemAt, ShortRotorIsTheClosedFormAtEverySpeed) {
     const Eigen::Vector2cd found = response_of(assembly, w);
     EXPECT_LT(std::abs(found(0) - expected), 1e-4 * std::abs(expected)) << hz;
     EXPECT_LT(std::abs(found(1) + i * expected), 1e-4 * std::abs(expected)) << hz;
-    // Whirl r of m r^2 + 2 c r + 2 (k - i q) = 0.
+    // Eigenvalue r from m r^2 + 2 c r + 2 (k - i q) = 0.
     const std::complex<double> half = curves[4](hz) / mass_kg;
     const std::complex<double> root =
         std::sqrt(half * half - 2.0 * (curves[0](hz) - i * curves[1](hz)) / mass_kg);
@@ -120,7 +120,7 @@ const model::JeffcottRotor rotor{.mass_kg = 0.8, .natural_frequency_hz = 30, .da
 const model::Casing first{.mass_kg = 0.05, .stiffness_n_per_m = 5e5, .damping_ratio = 0.1};
 const model::Casing second{.mass_kg = 0.03, .stiffness_n_per_m = 1.18e6, .damping_ratio = 0};
 
-/// Every entry of `matrix` is zero but the diagonal, which is `diagonal`.
+/// Expects a diagonal matrix with these entries.
 void expect_diagonal(const Eigen::MatrixXd& matrix, const std::vector<double>& diagonal) {
   const auto n = static_cast<Eigen::Index>(diagonal.size());
   ASSERT_EQ(matrix.rows(), n);
@@ -136,7 +136,7 @@ void expect_diagonal(const Eigen::MatrixXd& matrix, const std::vector<double>& d
   }
 }
 
-/// The point moves with coordinates `x` and `x + 1` and with nothing else.
+/// Expects the point to move with coordinates `x` and `x + 1` only.
 void expect_point_at(const Point& point, Eigen::Index x, Eigen::Index n) {
   ASSERT_EQ(point.map.cols(), n);
   for (Eigen::Index column = 0; column < n; ++column) {
@@ -149,7 +149,7 @@ TEST(AssemblyJeffcott, EveryEntryOfTheMatrices) {
   const LinearSystem system = assemble_jeffcott(rotor, {first, std::nullopt, second}).system;
   EXPECT_EQ(system.coordinates(), 6);
   expect_diagonal(system.mass, {0.8, 0.8, 0.05, 0.05, 0.03, 0.03});
-  // m (2 pi f)^2 and 2 zeta m 2 pi f of the rotor, 2 zeta sqrt(k m) of the casings; digits by hand.
+  // m (2 pi f)^2 and 2 zeta m 2 pi f for the rotor, 2 zeta sqrt(k m) for the casings; digits by hand.
   expect_diagonal(system.stiffness, {28424.460675137347, 28424.460675137347, 5e5, 5e5, 1.18e6, 1.18e6});
   expect_diagonal(system.damping,
                   {6.031857894892402, 6.031857894892402, 31.622776601683796, 31.622776601683796, 0, 0});

@@ -22,7 +22,7 @@ TEST(BeamElementMesh, HasNodesAtPartsAndTwoAtACoupling) {
   kit.discs = {{.position_m = 0.3}};
   kit.couplings = {{.position_m = 0.8}};
   const BeamMesh mesh = mesh_of(kit, {0.3 + 1e-12, 1});
-  // The longest element is 0.25 m: 0 to 0.3 and 0.4 to 0.8 are cut in two.
+  // The longest allowed element is 0.25 m: 0 to 0.3 and 0.4 to 0.8 are halved.
   const std::vector<double> expected{0, 0.15, 0.3, 0.4, 0.6, 0.8, 0.8, 1};
   ASSERT_EQ(mesh.node_position_m.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
@@ -45,7 +45,7 @@ TEST(BeamElementMesh, TakesThePointsOfABow) {
 
 using std::numbers::pi;
 
-/// A line of equal elements; `fixed` coordinates are struck out. Frequencies in rad/s, ascending.
+/// Natural frequencies in rad/s, ascending, of a line of equal elements; `fixed` coordinates are removed.
 Eigen::VectorXd frequencies(const model::ShaftSegment& segment, int elements, const std::vector<int>& fixed) {
   const BeamElement beam = timoshenko_element(segment, segment.length_m / elements);
   const Eigen::Index n = 2 * (elements + 1);
@@ -62,8 +62,8 @@ Eigen::VectorXd frequencies(const model::ShaftSegment& segment, int elements, co
   return numerics::spectral::generalized_eigenvalues(k, m).cwiseMax(0).cwiseSqrt();
 }
 
-/// Simply supported Timoshenko beam: lower root of
-/// rho^2 I / (k G) w^4 - (rho A + rho I (1 + E / (k G)) a^2) w^2 + E I a^4 = 0, a = n pi / L.
+/// Simply supported Timoshenko beam: lower root of rho^2 I / (k G) w^4 - (rho A + rho I (1 + E / (k G)) a^2)
+/// w^2 + E I a^4 = 0 with a = n pi / L.
 double simply_supported(const model::ShaftSegment& s, int mode) {
   const double area = section_area_m2(s), moment = section_moment_m4(s), rho = s.density_kg_per_m3;
   const double shear = shear_coefficient(s) * s.shear_modulus_pa, a = mode * pi / s.length_m;
@@ -140,7 +140,7 @@ TEST(BeamElementTimoshenko, SimplySupportedBeamConvergesWithFourthOrderInBending
 }
 
 TEST(BeamElementTimoshenko, SlenderCantileverAndFreeBeamAreThoseOfEuler) {
-  // First roots of cosh b cos b = -1 and of cosh b cos b = 1.
+  // First roots of cosh b cos b = -1 (cantilever) and of cosh b cos b = 1 (free).
   const double cantilever[] = {1.8751040687119611, 4.694091132974175, 7.854757438237613};
   const double free[] = {4.730040744862704, 7.853204624095838, 10.995607838001671};
   const auto segment = steel_segment(2, 0.002);
@@ -166,7 +166,7 @@ TEST(BeamElementShearCoefficient, OfHutchinsonIsThePublishedOne) {
   EXPECT_NEAR(shear_coefficient(segment), 1.3 / 2.3, 1e-6);
 }
 
-/// Euler's beam without rotary inertia, as textbooks print it.
+/// An Euler beam without rotary inertia, as in textbooks.
 model::ShaftSegment euler(double length_m) {
   auto segment = steel_segment(length_m, 0.05);
   segment.shear_coefficient = model::ShearCoefficient::none;
@@ -247,9 +247,9 @@ model::ShaftSegment printed_taper() {
   return segment;
 }
 
-/// ROSS (github.com/petrobras/ross), ross/shaft_element.py: the element that its documentation prints. The
-/// stiffness by the midpoint rule of 2000 points along the true section: that program took its share of shear
-/// by the section of the left end there.
+/// Element printed in the documentation of ROSS (github.com/petrobras/ross), ross/shaft_element.py. The
+/// stiffness is integrated by the midpoint rule with 2000 points over the true section; for the shear ROSS
+/// used the section at the left end.
 TEST(BeamElementTimoshenko, ATaperIsThePrintedOne) {
   const BeamElement beam = timoshenko_element(printed_taper(), 0.5);
   EXPECT_NEAR(beam.mass(0, 0), 11.36986417, 5e-9);
@@ -275,8 +275,8 @@ TEST(BeamElementTimoshenko, ATaperThatDoesNotTaperIsTheStraightOne) {
   EXPECT_NEAR(a.polar_inertia_kg_m2, b.polar_inertia_kg_m2, 1e-13 * a.polar_inertia_kg_m2);
 }
 
-/// Parts of a solid cone give way at its tip as the whole one does: 64 F l^3 / (3 pi E d^3 D) by bending and
-/// 4 F l / (pi k G d D) by shear, clamped where it is D thick.
+/// Parts of a solid cone have the same tip compliance as the whole cone: 64 F l^3 / (3 pi E d^3 D) by bending
+/// and 4 F l / (pi k G d D) by shear. The cone is clamped at its thick end D.
 TEST(BeamElementTimoshenko, PartsOfATaperBendAsTheCone) {
   auto cone = steel_segment(0.4, 0.06);
   cone.outer_diameter_end_m = 0.03;
@@ -319,8 +319,8 @@ TEST(BeamElementTimoshenko, ATaperIsTheMatrixWrittenDown) {
   expect_written(timoshenko_element(taper, 0.3), written_taper);
 }
 
-/// Each section has flags and damping of its own: the sleeve turns without rotary inertia and damps by its
-/// mass, the tube under it has no gyroscopic moment and damps by its stiffness.
+/// Each section has its own flags and damping: the sleeve has no rotary inertia and mass-proportional
+/// damping; the tube has no gyroscopic moment and stiffness-proportional damping.
 TEST(BeamElementLayered, ATubeInASleeveIsTheSumWrittenDown) {
   auto segment = tube();
   segment.gyroscopic = false;

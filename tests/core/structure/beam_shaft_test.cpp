@@ -14,7 +14,7 @@
 namespace rubsweep::structure {
 namespace {
 
-/// A stepped, coupled shaft with everything on it.
+/// A stepped, coupled shaft with all kinds of parts.
 model::RotorKit everything() {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.3, 0.02), steel_segment(0.5, 0.03, 0.01), steel_segment(0.2, 0.02)};
@@ -77,7 +77,7 @@ TEST(BeamShaft, DeflectionsAreReciprocal) {
 }
 
 TEST(BeamShaft, SagAndPointLoadAreExactAtEveryNode) {
-  // Uniform shaft on springs k at its ends under its weight and a force at a; nodes where they happen to be.
+  // A uniform shaft on springs k at its ends, under its weight and a force at a; the nodes may lie anywhere.
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.4, 0.01), steel_segment(0.16, 0.01)};
   const double l = 0.56, k = 1e5, a = 0.15, force = 7, g = 9.81;
@@ -126,7 +126,7 @@ TEST(BeamShaft, LeastBentLineOfThreePointsIsTheBeamBentOverThem) {
   const BeamShaft shaft = assemble_beam_shaft(kit, {0.1});
   const Eigen::VectorXd line = least_bent_line(shaft, points);
   EXPECT_NEAR(line(shaft.deflection(0.25)), 1e-4, 1e-15);
-  // Three-point bending with its shear, whose share of the middle is 12 E I / (k G A l^2).
+  // Three-point bending with shear; the ratio of shear to bending in the middle is 12 E I / (k G A l^2).
   const auto& s = kit.shaft[0];
   const double p = 12 * s.youngs_modulus_pa * section_moment_m4(s) /
                    (shear_coefficient(s) * s.shear_modulus_pa * section_area_m2(s) * 0.25);
@@ -151,8 +151,8 @@ TEST(BeamShaft, CouplingOpensTheShaftByItsOwnFlexibility) {
   EXPECT_NEAR(tip(), whole + 1e-6 + 0.2 * 0.2 / 1e4, 1e-9 * whole);
 }
 
-/// A bearing on a housing on another one on the ground, both with other masses in y, as a matrix written
-/// down: the coordinates of the housings come last.
+/// A bearing on a housing on another housing on the ground, both with different masses in y, compared with a
+/// hand-written matrix. The coordinates of the housings come last.
 TEST(BeamShaft, AChainOfHousingsIsItsMatrixWrittenDown) {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.5, 0.05)};
@@ -168,7 +168,7 @@ TEST(BeamShaft, AChainOfHousingsIsItsMatrixWrittenDown) {
   kit.supports[0].stiffness_xy_n_per_m = 5e5;
   kit.supports[1].damping_y_ns_per_m = 30;
   const BeamShaft shaft = assemble_beam_shaft(kit, {});
-  ASSERT_EQ(shaft.coordinates(), 6);  // two nodes of (w, s), two housings
+  ASSERT_EQ(shaft.coordinates(), 6);  // two nodes with (w, s) each, and two housings
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(6, 6), cross = stiffness, damping = stiffness;
   stiffness(0, 0) = 1e6;
   stiffness(0, 4) = stiffness(4, 0) = -1e6;

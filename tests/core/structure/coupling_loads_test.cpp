@@ -14,7 +14,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Two shafts on a coupling at 0.2 m, each on bearings of its own.
+/// Two shafts joined by a coupling at 0.2 m, each on its own bearings.
 model::RotorKit two_shafts(const model::Coupling& coupling) {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.2, 0.02), steel_segment(0.3, 0.02)};
@@ -26,7 +26,7 @@ model::RotorKit two_shafts(const model::Coupling& coupling) {
 
 constexpr double lateral = 1e7, angular = 1e4;
 
-/// A coupling that is bored off its centre rests where its second half stands beside the first.
+/// With an eccentric coupling, the second shaft rests beside the first one.
 TEST(CouplingLoads, CouplingsOutOfLineRestWithTheirEndsApart) {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.2, 0.02), steel_segment(0.3, 0.02)};
@@ -50,7 +50,7 @@ TEST(CouplingLoads, CouplingsOutOfLineRestWithTheirEndsApart) {
   EXPECT_LT((shaft.elastic * line - load).norm(), 1e-9 * load.norm());
 }
 
-/// Each side rests on its own axis where the coupling gives way without force.
+/// If the coupling deforms without force, each shaft rests on its own axis.
 TEST(CouplingLoads, MachinesOutOfLinePullTheEndsTowardsEachOther) {
   const model::RotorKit kit = two_shafts({.position_m = 0.2,
                                           .lateral_stiffness_n_per_m = lateral,
@@ -61,8 +61,8 @@ TEST(CouplingLoads, MachinesOutOfLinePullTheEndsTowardsEachOther) {
                                           .angular_misalignment_angle_deg = 90});
   const BeamShaft shaft = assemble_beam_shaft(kit, {});
   const Eigen::VectorXcd load = standing_misalignment_load(shaft, kit);
-  // In one frame the shafts are one line: the second one seen from its own axis is moved back by the
-  // misalignment.
+  // In a common frame both shafts form one line: positions of the second shaft, relative to its own axis, are
+  // shifted by the misalignment.
   const Eigen::Index behind = shaft.deflection(0.2) + 2;
   Eigen::VectorXcd offset = Eigen::VectorXcd::Zero(shaft.coordinates());
   for (Eigen::Index w = behind; w < shaft.coordinates(); w += 2) {
@@ -73,8 +73,8 @@ TEST(CouplingLoads, MachinesOutOfLinePullTheEndsTowardsEachOther) {
   EXPECT_LT((shaft.elastic * offset + load).norm(), 1e-9 * load.norm());
 }
 
-/// Energy of a spring with k (1 + ratio) along an axis that has turned, differentiated by hand: rotate in,
-/// pull, rotate out.
+/// Energy of a spring k (1 + ratio) along a rotated axis, differentiated by hand: rotate, multiply, rotate
+/// back.
 TEST(CouplingLoads, AnAsymmetricCouplingPushesAsASpringThatTurns) {
   const double ratio = 0.1, axis_deg = 25;
   const model::RotorKit kit = two_shafts({.position_m = 0.2,
@@ -116,7 +116,7 @@ TEST(CouplingLoads, TheAngularPartGoesByTheLeanAlone) {
   EXPECT_EQ(load(w + 2), Complex(0));
 }
 
-/// Unequal supports with cross stiffness: the position satisfies both planes' equations.
+/// Unequal supports with cross stiffness: the rest position satisfies the equations of both planes.
 TEST(CouplingLoads, ThePositionAtRestBalancesTheLoad) {
   model::RotorKit kit = two_shafts(
       {.position_m = 0.2, .lateral_stiffness_n_per_m = lateral, .angular_stiffness_nm_per_rad = angular});

@@ -13,14 +13,15 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Masses of 2 kg on springs and dampers to the ground, one beside the other: each has roots by itself.
+/// Independent masses of 2 kg, each on a spring and damper to the ground, so that each has its own
+/// eigenvalues.
 SpeedMatrices side_by_side(const Eigen::VectorXd& stiffness, double damping = 4) {
   const Eigen::Index n = stiffness.size();
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(n, n);
   return {2 * one, damping * one, stiffness.asDiagonal()};
 }
 
-/// The root of one with positive imaginary part.
+/// Eigenvalue of a single mass, with positive imaginary part.
 Complex root_of(double stiffness, double damping = 4) {
   return {-damping / 4, std::sqrt(stiffness / 2 - damping * damping / 16)};
 }
@@ -33,7 +34,7 @@ Eigen::Index times(const Eigen::VectorXcd& rates, Complex root) {
 TEST(FreeModes, InADiscAreAllAndNoOthers) {
   const SpeedMatrices matrices = side_by_side(Eigen::Vector4d{1e4, 4e4, 4e4, 1e8});
   const FreeModes modes = free_modes(matrices, {0, 1000});
-  EXPECT_EQ(modes.rate_per_s.size(), 6);  // conjugates too, the double one twice, not that of 7071 1/s
+  EXPECT_EQ(modes.rate_per_s.size(), 6);  // conjugates and a double one count; 7071 1/s is out of range
   for (const Complex root : {root_of(1e4), std::conj(root_of(1e4))})
     EXPECT_EQ(times(modes.rate_per_s, root), 1);
   EXPECT_EQ(times(modes.rate_per_s, root_of(4e4)), 2);
@@ -59,7 +60,7 @@ TEST(FreeModes, OfADiscAsideAreThoseAboutItsCentre) {
 TEST(FreeModes, ACoordinateWithoutMassHasNone) {
   SpeedMatrices matrices = side_by_side(Eigen::Vector2d{1e4, 3e4});
   matrices.mass(1, 1) = matrices.damping(1, 1) = 0;
-  matrices.stiffness(0, 1) = matrices.stiffness(1, 0) = -1e4;  // the second spring in series
+  matrices.stiffness(0, 1) = matrices.stiffness(1, 0) = -1e4;  // second spring in series
   const Complex root = root_of(1e4 - 1e8 / 3e4);
   EXPECT_EQ(free_modes(matrices, {0, 1e3}).rate_per_s.size(), 2);
   EXPECT_EQ(times(free_modes(matrices, {0, 1e3}).rate_per_s, root), 1);

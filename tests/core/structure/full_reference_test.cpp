@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A shaft with a stop in the middle. A seal beside it feeds the first bending in the plane of its own, or
+/// A shaft with a stop in the middle and a seal beside it. The seal destabilises the first bending mode or
 /// the second one, which has its node at the stop.
 model::Machine fed_by_a_seal(double seal_at_m, double cross_n_per_m) {
   model::RotorKit kit;
@@ -25,7 +25,7 @@ model::Machine fed_by_a_seal(double seal_at_m, double cross_n_per_m) {
   kit.supports = {isotropic_support(0, 2e5), isotropic_support(0.6, 2e5), isotropic_support(seal_at_m, 0)};
   for (model::Support& support : kit.supports) {
     support.damping_x_ns_per_m = support.damping_y_ns_per_m = 20;
-    // The first bending, which moves the seal least, is damped by the bearings far more than it is fed.
+    // The first bending mode, which moves the seal least, is damped much more than the seal drives it.
   }
   kit.supports[2].stiffness_xy_n_per_m = cross_n_per_m, kit.supports[2].stiffness_yx_n_per_m = -cross_n_per_m;
   kit.modes_up_to_hz = 400;
@@ -45,13 +45,13 @@ bool mistaken(const model::Machine& machine, const KitAssembly& kit) {
 }
 
 TEST(FullReference, TellsGrowthThatTheModesOfAKitLack) {
-  // Against the shaft's own turning: what grows whirls backward, in all modes that move the seal.
+  // Against the shaft's rotation: the seal drives backward whirl in all modes that move it.
   model::Machine machine = fed_by_a_seal(0.15, 1e5);
   EXPECT_FALSE(mistaken(machine, assemble_rotor_kit(machine)));
   KitAssembly other = assemble_rotor_kit(fed_by_a_seal(0.15, 0));
   EXPECT_TRUE(mistaken(machine, other));
   EXPECT_TRUE(mistaken(fed_by_a_seal(0.15, 100), assemble_rotor_kit(machine)));
-  // Nothing feeds by these matrices: no look is needed.
+  // These matrices contain no destabilising forces, so no check is needed.
   EXPECT_FALSE(mistaken(fed_by_a_seal(0.15, 0), other));
 }
 
@@ -64,7 +64,7 @@ TEST(FullReference, AnAutomaticNumberOfModesThatIsNotEnoughIsRefused) {
 }
 
 TEST(FullReference, AFixedNumberOfModesThatMistakesStabilityIsRefused) {
-  // The seal stands at the node of the first bending of a shaft that hangs over: the second one grows.
+  // The seal is at the node of the first bending mode of an overhung shaft: the second mode grows.
   model::Machine machine = fed_by_a_seal(0.15, 3e4);
   model::RotorKit& kit = *model::kit_of(machine);
   for (std::size_t i = 0; i < 2; ++i)

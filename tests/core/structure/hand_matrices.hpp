@@ -11,7 +11,7 @@
 
 namespace rubsweep::structure {
 
-/// Degrees of freedom x, y, rx, ry of nodes at these places, named from 1 on.
+/// Degrees of freedom x, y, rx, ry of nodes at these positions, numbered from 1 on.
 inline std::vector<model::DegreeOfFreedom> freedoms_at(const std::vector<double>& position_m) {
   std::vector<model::DegreeOfFreedom> all;
   for (std::size_t i = 0; i < position_m.size(); ++i) {
@@ -22,7 +22,7 @@ inline std::vector<model::DegreeOfFreedom> freedoms_at(const std::vector<double>
   return all;
 }
 
-/// Matrices of these degrees of freedom without any number.
+/// Zero matrices for these degrees of freedom.
 inline model::ShaftMatrices empty_matrices(std::vector<model::DegreeOfFreedom> freedoms) {
   const auto n = static_cast<Eigen::Index>(freedoms.size());
   model::ShaftMatrices matrices;
@@ -32,8 +32,8 @@ inline model::ShaftMatrices empty_matrices(std::vector<model::DegreeOfFreedom> f
   return matrices;
 }
 
-/// Disc of 2 kg that moves in x and y alone, and a bracket of 5 kg beside the shaft; all numbers differ. The
-/// disc is cross-coupled by 3e3 and -4e3 N/m.
+/// A disc of 2 kg that moves only in x and y, and a bracket of 5 kg beside the shaft; all numbers are
+/// different. The disc is cross-coupled by 3e3 and -4e3 N/m.
 inline model::ShaftMatrices disc_and_bracket() {
   using model::Direction;
   model::ShaftMatrices matrices = empty_matrices({{"disc", Direction::x, 0.5, {}},
@@ -47,9 +47,9 @@ inline model::ShaftMatrices disc_and_bracket() {
   return matrices;
 }
 
-/// One element of Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010), equations 5.41
-/// to 5.48, of a solid round steel shaft, in the order of their coordinates u, v, theta, psi at both ends.
-/// Written down from the formulas in terms of Phi, with the shear coefficient of Cowper.
+/// One element of a solid round steel shaft by Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines
+/// (2010), equations 5.41 to 5.48. Coordinates u, v, theta, psi at both ends. The formulas use Phi with
+/// Cowper's shear coefficient.
 struct BookElement {
   Eigen::Matrix<double, 8, 8> mass, gyroscopic, stiffness;
 };
@@ -61,7 +61,7 @@ inline BookElement book_element(double length, double diameter) {
   const double poisson = young / (2 * shear) - 1;
   const double kappa = 6 * (1 + poisson) / (7 + 6 * poisson);
   const double p = 12 * young * moment / (kappa * shear * area * length * length), l = length;
-  // One plane, deflection and slope at both ends, all multiplied by the common factor behind it.
+  // Matrices of one plane, with deflection and slope at both ends; a common factor follows.
   Eigen::Matrix4d k, m, r;
   k << 12, 6 * l, -12, 6 * l,                           //
       6 * l, (4 + p) * l * l, -6 * l, (2 - p) * l * l,  //
@@ -85,7 +85,7 @@ inline BookElement book_element(double length, double diameter) {
   r *= density * moment / (30 * (1 + p) * (1 + p) * l);
   BookElement element;
   element.mass.setZero(), element.gyroscopic.setZero(), element.stiffness.setZero();
-  // Places of x and its slope psi, and of y and its slope -theta.
+  // Indices of x and its slope psi, and of y and its slope -theta.
   constexpr std::array<int, 4> x{0, 3, 4, 7}, y{1, 2, 5, 6};
   constexpr std::array<double, 4> sign{1, -1, 1, -1};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -95,7 +95,8 @@ inline BookElement book_element(double length, double diameter) {
       element.mass(y[i], y[j]) = sign[i] * sign[j] * (m(a, b) + r(a, b));
       element.stiffness(x[i], x[j]) = k(a, b);
       element.stiffness(y[i], y[j]) = sign[i] * sign[j] * k(a, b);
-      // The polar inertia is twice the diametral one: x feels + speed times the rate in y.
+      // The polar inertia is twice the diametral one: x is coupled to the rate in y by the speed, with
+      // positive sign.
       element.gyroscopic(x[i], y[j]) = 2 * sign[j] * r(a, b);
       element.gyroscopic(y[i], x[j]) = -2 * sign[i] * r(a, b);
     }
@@ -103,8 +104,8 @@ inline BookElement book_element(double length, double diameter) {
   return element;
 }
 
-/// Example 5.9.1 of the same book, put together element by element: two discs on a shaft of 1.5 m and 50 mm
-/// in six elements, on two bearings of 1 MN/m.
+/// Example 5.9.1 of the same book, assembled element by element: two discs on a shaft of 1.5 m length and 50
+/// mm diameter in six elements, on two bearings of 1 MN/m.
 inline model::ShaftMatrices book_rotor() {
   model::ShaftMatrices rotor = empty_matrices(freedoms_at({0, 0.25, 0.5, 0.75, 1, 1.25, 1.5}));
   const BookElement element = book_element(0.25, 0.05);
@@ -122,7 +123,8 @@ inline model::ShaftMatrices book_rotor() {
     const Eigen::Index x = 4 * disc.node, y = x + 1, rx = x + 2, ry = x + 3;
     rotor.mass(x, x) += disc.mass, rotor.mass(y, y) += disc.mass;
     rotor.mass(rx, rx) += disc.diametral, rotor.mass(ry, ry) += disc.diametral;
-    // About x and y: I_p w turns the one rate into a moment about the other.
+    // Gyroscopic coupling of the rotations about x and y: I_p w turns one rate into a moment about the other
+    // axis.
     rotor.gyroscopic(rx, ry) += disc.polar, rotor.gyroscopic(ry, rx) -= disc.polar;
     rotor.unbalance_kg(x) = disc.mass, rotor.unbalance_kg(y) = std::complex<double>(0, -disc.mass);
   }

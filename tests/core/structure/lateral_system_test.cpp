@@ -31,7 +31,7 @@ Eigen::VectorXd whirl(const model::RotorKit& kit, double rpm) {
   return whirl_rad_per_s(full(kit), rpm * pi / 30);
 }
 
-/// Disc cut from the shaft's steel, keyed on a shaft of 50 mm.
+/// A disc of the shaft's steel on a shaft of 50 mm diameter.
 model::Disc keyed_disc(double position_m, double diameter_m, double width_m) {
   const double hole = 0.05, area = pi / 4 * (diameter_m * diameter_m - hole * hole);
   const double polar = pi / 32 * (std::pow(diameter_m, 4) - std::pow(hole, 4)) * 7810 * width_m;
@@ -70,7 +70,7 @@ TEST(LateralSystemWhirlFrequencies, OfTheTwoDiscRotorAsRossPrintsThem) {
 }
 
 TEST(LateralSystemWhirlFrequencies, OfAnisotropicBearingsAsTheBookPrintsThem) {
-  // Example 5.9.2 of the same book: 0.8 MN/m in y; four digits.
+  // Example 5.9.2 of the same book, with 0.8 MN/m in y; four digits.
   expect_lowest(whirl(two_discs(1e6, 0.8e6), 0), {82.65, 86.66, 254.52, 274.31, 679.49, 716.79}, 1e-4);
   expect_lowest(whirl(two_discs(1e6, 0.8e6), 4000), {82.33, 86.86, 239.64, 287.25, 583.49, 806.89}, 1e-4);
 }
@@ -105,7 +105,7 @@ TEST(LateralSystemWhirlFrequencies, OverhungDiscOnALightShaftSplitsAsItsClosedFo
   const Eigen::Matrix2d stiffness = flexibility.inverse();
   const double speed = 700;
   const BeamShaft shaft = assemble_beam_shaft(kit, {});
-  const PlaneModes modes = plane_modes(shaft.mass, shaft.plane_stiffness(0), 2);  // all that have mass
+  const PlaneModes modes = plane_modes(shaft.mass, shaft.plane_stiffness(0), 2);  // all modes with mass
   const LateralSystem system = project(shaft, {modes.shape, modes.shape});
   const Eigen::VectorXd found = whirl_rad_per_s(system, speed);
   ASSERT_EQ(found.size(), 4);
@@ -114,7 +114,7 @@ TEST(LateralSystemWhirlFrequencies, OverhungDiscOnALightShaftSplitsAsItsClosedFo
       return (stiffness(0, 0) - m * w * w) * (stiffness(1, 1) - diametral * w * w + polar * speed * w) -
              stiffness(0, 1) * stiffness(1, 0);
     };
-    // Forward (w > 0) or backward (w < 0): one of them is a root, by a change of sign close by.
+    // Forward whirl (w > 0) or backward whirl (w < 0): a change of sign nearby shows that w is a root.
     const double w = found(i);
     const auto changes = [&](double sign) {
       return characteristic(sign * w * (1 - 1e-7)) * characteristic(sign * w * (1 + 1e-7)) < 0;
@@ -175,7 +175,7 @@ TEST(LateralSystemProject, CrossTermsKeepTheirPlaces) {
   const LateralSystem system = full(kit);
   EXPECT_EQ(system.stiffness(0, 1), 3e5);
   EXPECT_EQ(system.stiffness(1, 0), -2e5);
-  const Eigen::Index last = 2 * (2 * 7 - 2);  // deflection of the last of seven nodes, x plane
+  const Eigen::Index last = 2 * (2 * 7 - 2);  // deflection of the last of seven nodes in the x plane
   EXPECT_EQ(system.damping(last + 1, last), 70);
   EXPECT_EQ(system.damping(last, last + 1), 0);
 }
@@ -191,7 +191,7 @@ TEST(LateralSystemPlaneModes, NumbersWithoutModesAreRefused) {
   EXPECT_NE(message(0 * one, one).find("too far apart to have modes"), std::string::npos);
 }
 
-/// Overhung disc, unequal dampers, a seal that drives, tabled bearing or not.
+/// An overhung disc with unequal dampers, a destabilising seal, and a constant or tabulated bearing.
 model::RotorKit seal_kit() {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.3, 0.02), steel_segment(0.2, 0.015)};

@@ -66,7 +66,8 @@ TEST(MatrixShaft, TurnsAnglesAboutXIntoSlopes) {
   model::ShaftMatrices matrices = empty_matrices(freedoms_at({0.3}));
   matrices.mass.diagonal() << 3, 3, 0.1, 0.1;
   matrices.stiffness.diagonal() << 1e6, 1e6, 1e3, 1e3;
-  // The disc at the end of a cantilever of length l, E I = l = 1: K_ws = -6, by 1e2. In y the slope is -rx.
+  // A disc at the end of a cantilever with E I = l = 1 and K_ws = -6, multiplied by 1e2. In y the slope is
+  // -rx.
   matrices.stiffness(0, 3) = matrices.stiffness(3, 0) = -6e2;
   matrices.stiffness(1, 2) = matrices.stiffness(2, 1) = 6e2;
   matrices.gyroscopic(2, 3) = 0.2, matrices.gyroscopic(3, 2) = -0.2;
@@ -117,9 +118,9 @@ TEST(MatrixShaft, ThrowsTheFirstProblemToUsersOfTheLibrary) {
             "rotor.mass: is zero, allowed: a positive definite matrix");
 }
 
-/// Kit with all that matrices can say: unequal, cross-coupled and damped bearings, fluid in one, a pedestal,
-/// a housing, a straight coupling, skewed and unbalanced discs, point masses, material damping, a static load
-/// and a sensor.
+/// Kit with everything that matrices can express: unequal, cross-coupled and damped bearings, one with fluid,
+/// a pedestal, a housing, an aligned coupling, skewed and unbalanced discs, point masses, material damping, a
+/// static load and a sensor.
 model::Machine rich_machine() {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.5, 0.03), steel_segment(0.3, 0.025)};
@@ -202,7 +203,7 @@ TEST(MatrixShaftExport, KeepsSupportsThatFollowATable) {
   const Assembly typed = assemble_rotor_kit(machine).assembly, read = assemble_rotor_kit(exported).assembly;
   ASSERT_EQ(read.tables.size(), 1U);
   const auto relative = [](const auto& x, const auto& y) { return (x - y).norm() / x.norm(); };
-  // The matrices hold the sum of all other parts: what is added to it is rounded in another order.
+  // The matrices contain the sum of all other parts; further terms are added, and rounded, in another order.
   EXPECT_LT(relative(typed.system.stiffness, read.system.stiffness), 1e-9);
   EXPECT_LT(relative(typed.system.mass, read.system.mass), 1e-9);
   EXPECT_LT(relative(typed.tables[0].map, read.tables[0].map), 1e-9);

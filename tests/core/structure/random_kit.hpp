@@ -10,7 +10,8 @@
 
 namespace rubsweep::structure {
 
-/// The machine with its tables read as straight lines of the speed, which those of the random kits are.
+/// The machine with its tables replaced by their values at a speed; in random kits they are linear in the
+/// speed.
 inline model::Machine with_lines_at(model::Machine machine, double hz) {
   for (model::Support& support : model::kit_of(machine)->supports) {
     if (!support.table) continue;
@@ -25,7 +26,7 @@ inline model::Machine with_lines_at(model::Machine machine, double hz) {
   return machine;
 }
 
-/// Kits of random numbers with all that acts on one.
+/// Random kits with all kinds of parts and loads.
 class RandomKit {
  public:
   explicit RandomKit(unsigned seed) : random_(seed) {}
@@ -67,7 +68,7 @@ class RandomKit {
     return machine;
   }
 
-  /// A speed that the tables reach, if there are any, else one up to the frequency of the claim.
+  /// A speed within the tables; without tables, one up to the kit's highest claimed frequency.
   double speed_hz(const model::RotorKit& kit) {
     if (!model::has_tables(kit)) return between(0, kit.modes_up_to_hz);
     const model::Range range = model::table_speeds_hz(kit);
@@ -80,7 +81,7 @@ class RandomKit {
   int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
  private:
-  /// Half of all places are those where symmetric shapes have their nodes.
+  /// Half of all positions are nodes of symmetric mode shapes.
   double place(double length_m) {
     return length_m * (below(2) ? 0.25 * (1 + below(3)) : between(0.05, 0.95));
   }
@@ -103,7 +104,8 @@ class RandomKit {
     return one;
   }
 
-  /// Fluid films: stiffer or softer, and with more or less cross stiffness, as the speed rises.
+  /// Adds tables of fluid films: with rising speed they become stiffer or softer, with more or less cross
+  /// stiffness.
   void add_tables(model::RotorKit& kit) {
     const double low_hz = between(5, 20), high_hz = between(60, 300);
     for (model::Support& support : kit.supports) {

@@ -21,7 +21,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A symmetric shaft whose stop and sensor stand at the node of every second mode; dampers couple these in.
+/// A symmetric shaft with stop and sensor at the node of every second mode; dampers couple these modes in.
 model::Machine halves(double damper_ns_per_m, double seal_n_per_m) {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.6, 0.015)};
@@ -45,7 +45,7 @@ model::Machine halves(double damper_ns_per_m, double seal_n_per_m) {
   return machine;
 }
 
-/// Motion of the stop, x, by an unbalance of 1 kg m.
+/// Displacement of the stop in x due to an unbalance of 1 kg m.
 std::complex<double> response_of(const KitAssembly& kit, double w) {
   const LinearSystem system = system_at(kit.assembly, w);
   Eigen::MatrixXcd dynamic = (system.stiffness - w * w * system.mass).cast<std::complex<double>>();
@@ -84,7 +84,7 @@ TEST(RandomKitsUnseenModes, OneThatASealFeedsGrows) {
     EXPECT_NEAR(growth_per_s(assemble_rotor_kit(machine).assembly, 2 * pi * 60), rates.real().maxCoeff(),
                 0.02 * rates.real().maxCoeff());
   }
-  // Both bearings drive: what grows may move nothing where the stop stands.
+  // Both bearings destabilise: the growing mode may have no motion at the stop.
   model::Machine machine = halves(20, 3e4);
   model::RotorKit& kit = *model::kit_of(machine);
   kit.supports[0] = kit.supports[1];
@@ -93,7 +93,7 @@ TEST(RandomKitsUnseenModes, OneThatASealFeedsGrows) {
   EXPECT_NEAR(growth_per_s(assemble_rotor_kit(machine).assembly, 2 * pi * 60), growth, 0.02 * growth);
 }
 
-/// The full matrices at a speed of its tables, if it has any.
+/// The full matrices at this speed, with its tables evaluated.
 WrittenRotor written_at(const model::Machine& machine, double speed_rad_per_s) {
   const model::RotorKit& kit = *model::kit_of(machine);
   return {*model::kit_of(with_lines_at(machine, speed_rad_per_s / (2 * pi))),
@@ -105,8 +105,8 @@ Eigen::MatrixXcd dynamic_stiffness(const LinearSystem& system, double w) {
   return dynamic + std::complex<double>(0, w) * system.damping.cast<std::complex<double>>();
 }
 
-/// Motion of stop and sensors (rows: x and y) of the reduced rotor under what acts on it: unit forces at the
-/// stop, the fault of a bearing, unbalance, and the static loads, if any.
+/// Displacements of stop and sensors (rows: x and y) in the reduced rotor. Columns: unit forces at the stop,
+/// a bearing fault, unbalance, and static loads, if any.
 Eigen::MatrixXcd reduced_motion(const Assembly& assembly, double w, double speed) {
   const LinearSystem system = system_at(assembly, speed);
   std::vector<int> points = assembly.rotor_points;
@@ -125,7 +125,7 @@ Eigen::MatrixXcd reduced_motion(const Assembly& assembly, double w, double speed
   return maps * numerics::dense::solve(dynamic_stiffness(system, w), forces);
 }
 
-/// The same of the full matrices.
+/// The same displacements by the full matrices.
 Eigen::MatrixXcd full_motion(const model::Machine& machine, const WrittenRotor& full, double w,
                              double speed) {
   const model::RotorKit& kit = *model::kit_of(machine);
@@ -148,9 +148,9 @@ Eigen::MatrixXcd full_motion(const model::Machine& machine, const WrittenRotor& 
   return motion;
 }
 
-/// Largest difference over the claim, of each column against its largest nearby, at random frequencies: at
-/// rest (or a speed of the tables), turning with the force, turning half as fast as it (a force twice per
-/// turn).
+/// Largest difference at random frequencies, divided by the claimed accuracy; each column is relative to its
+/// largest value nearby. Three cases: at rest (or a speed of the tables), shaft at the force's frequency,
+/// shaft at half of it (2X).
 double beyond_claim(const model::Machine& machine, const KitAssembly& kit, RandomKit& random) {
   const model::RotorKit& given = *model::kit_of(machine);
   const bool tables = model::has_tables(given);
@@ -162,7 +162,7 @@ double beyond_claim(const model::Machine& machine, const KitAssembly& kit, Rando
     if (tables) {
       speed = 2 * pi * random.speed_hz(given);
       if (turns > 0) w = std::min(speed / turns, 2 * pi * given.modes_up_to_hz);
-      turns = 0;  // neighbours have other supports: this speed for all
+      turns = 0;  // supports depend on the speed, so all neighbours use this speed
     }
     const WrittenRotor full = written_at(machine, speed);
     Eigen::RowVectorXd size = Eigen::RowVectorXd::Zero(5);
@@ -173,8 +173,7 @@ double beyond_claim(const model::Machine& machine, const KitAssembly& kit, Rando
     const Eigen::RowVectorXd off =
         (reduced_motion(kit.assembly, w, speed) - full_motion(machine, full, w, speed)).colwise().norm();
     for (Eigen::Index c = 0; c < off.size(); ++c) {
-      constexpr Eigen::Index unbalance =
-          3;  // row of the unbalance, which turns with the shaft and at no other speed
+      constexpr Eigen::Index unbalance = 3;  // column of the unbalance, which always rotates with the shaft
       if (size(c) > 0 && (c != unbalance || w == speed))
         worst = std::max(worst, off(c) * share_beside / size(c) / kit.reduction.receptance_error);
     }
@@ -182,7 +181,7 @@ double beyond_claim(const model::Machine& machine, const KitAssembly& kit, Rando
   return worst;
 }
 
-/// Rates of free vibrations of the reduced rotor.
+/// Eigenvalues of the reduced rotor's free vibrations.
 Eigen::VectorXcd reduced_rates(const Assembly& assembly, double speed) {
   const LinearSystem system = system_at(assembly, speed);
   const Eigen::Index n = system.coordinates();
@@ -195,9 +194,9 @@ Eigen::VectorXcd reduced_rates(const Assembly& assembly, double speed) {
   return numerics::dense::eigenvalues(generator);
 }
 
-constexpr double surely = 1e-3, hardly = 2e-4;  ///< growth as a share of the frequency
+constexpr double surely = 1e-3, hardly = 2e-4;  ///< limits of clear and of possible growth / frequency
 
-/// Fastest growth of vibrations up to a frequency that surely grow.
+/// Growth rate of the fastest clearly growing vibration up to a frequency.
 double fastest_growth(const Eigen::VectorXcd& rates, double within_rad_per_s) {
   double fastest = 0;
   for (const std::complex<double>& rate : rates) {
@@ -211,7 +210,7 @@ bool any_grows(const Eigen::VectorXcd& rates) {
   return std::ranges::any_of(rates, [](const auto& rate) { return rate.real() > hardly * std::abs(rate); });
 }
 
-/// Whether what grows at a speed, in the full matrices, grows as fast in the reduced rotor, and nothing else.
+/// Whether the reduced rotor grows as fast as the full matrices at a speed, and is stable where they are.
 bool grows_as_well(const KitAssembly& kit, const WrittenRotor& full, double speed, double within_rad_per_s) {
   const Eigen::VectorXcd exact = full.rates(speed), found = reduced_rates(kit.assembly, speed);
   const double growth = fastest_growth(exact, within_rad_per_s);

@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A small rotor kit: 10 mm shaft, one disc, stop beside it, sensor at the far side.
+/// A small rotor kit: a shaft of 10 mm, one disc, a stop beside it, and a sensor on the far side.
 model::RotorKit small_kit() {
   model::RotorKit kit;
   kit.shaft = {steel_segment(0.5, 0.01)};
@@ -34,8 +34,8 @@ PlaneBases identity(const BeamShaft& shaft) {
   return {one, one};
 }
 
-/// Displacements (rows) of `responses_m` by harmonic unit forces (columns) at `forces_m`, both in x and y, x
-/// first at each place: (stiffness + i w (damping + speed gyroscopic) - w^2 mass)^-1 between them, in m/N.
+/// Displacements (rows) at `responses_m` due to harmonic unit forces (columns) at `forces_m`, in m/N; x and y
+/// at each position, x first. Matrix: (stiffness + i w (damping + speed gyroscopic) - w^2 mass)^-1.
 Eigen::MatrixXcd receptance(const BeamShaft& shaft, const PlaneBases& bases, const LateralSystem& system,
                             double rad_per_s, double speed_rad_per_s, const std::vector<double>& responses_m,
                             const std::vector<double>& forces_m) {
@@ -102,8 +102,8 @@ TEST(Reduction, AutomaticNumberOfModesAnswersAsTheFullModel) {
   const auto kept = reduction.mode_number[0].size();
   EXPECT_GE(kept, 3U);
   EXPECT_LE(kept, 12U);
-  // The full finite-element model itself, between the frequencies that were compared; the modal damping of
-  // the small one differs from none only near its peaks.
+  // Compares with the full finite-element model between resonances; modal damping of this small size matters
+  // only near peaks.
   model::RotorKit undamped = kit;
   undamped.damping_ratio = {0};
   const LateralSystem full = project(shaft, identity(shaft)),
@@ -125,7 +125,7 @@ TEST(Reduction, OneModeFewerIsNotEnough) {
 }
 
 TEST(Reduction, LeavesOutModesThatNoStopOrSensorSees) {
-  // Everything in the middle of a symmetric rotor: the antisymmetric modes 2, 4, ... are never seen.
+  // Everything is in the middle of a symmetric rotor: the antisymmetric modes 2, 4, ... are never excited.
   model::RotorKit kit = small_kit();
   kit.modes = 3;
   const std::vector<double> middle{0.25};

@@ -23,8 +23,8 @@ Assembly damped_jeffcott(double stationary, double rotating) {
                            {model::Casing{.mass_kg = 0.05, .stiffness_n_per_m = 5e5, .damping_ratio = 0.1}});
 }
 
-/// m z'' + c z' + c_r (z' - i w z) + k z = 0 has a forward whirl at sqrt(k/m) without growth where c w_n =
-/// c_r (w - w_n).
+/// m z'' + c z' + c_r (z' - i w z) + k z = 0 has a forward whirl at w_n = sqrt(k/m) that neither grows nor
+/// decays where c w_n = c_r (w - w_n).
 TEST(StabilityInstabilityHz, OfAJeffcottRotorIsTheClosedForm) {
   for (const auto& [stationary, rotating] : {std::pair{0.02, 0.01}, {0.01, 0.04}, {0.05, 0.05}}) {
     const auto found = instability_hz(damped_jeffcott(stationary, rotating), 400);
@@ -37,7 +37,7 @@ TEST(StabilityInstabilityHz, OfAJeffcottRotorIsTheClosedForm) {
   EXPECT_FALSE(instability_hz(damped_jeffcott(0.1, 0.005), 600)) << "630 Hz";
 }
 
-/// Roots of s^2 + 2 (z + zr) s + 1 - 2 i zr w = 0 in units of the natural frequency.
+/// Roots of s^2 + 2 (z + zr) s + 1 - 2 i zr w = 0, in units of the natural frequency.
 TEST(StabilityGrowthPerS, IsTheRootOfTheComplexEquation) {
   const double stationary = 0.02, rotating = 0.03, natural = 60 * pi;
   for (const double speed : {0.0, 0.7, 1.6, 1.7, 5.0}) {
@@ -48,9 +48,8 @@ TEST(StabilityGrowthPerS, IsTheRootOfTheComplexEquation) {
   }
 }
 
-/// A slender shaft in bearings that hardly move, with ratios that are the same for every mode: its first mode
-/// is a Jeffcott rotor of its own, but for the little that discs in its middle and the thin shaft turn about
-/// a diameter.
+/// A slender shaft in nearly rigid bearings, with equal damping ratios for all modes. Its first mode is a
+/// Jeffcott rotor, apart from the small rotary inertia of the central discs and the thin shaft.
 TEST(StabilityInstabilityHz, OfARotorKitIsThatOfItsFirstMode) {
   model::RotorKit kit;
   kit.shaft = {{{.outer_diameter_m = 0.01,
@@ -85,8 +84,8 @@ TEST(StabilityInstabilityHz, OfARotorKitIsThatOfItsFirstMode) {
   EXPECT_EQ(assemble_rotor_kit(machine).assembly.circulatory.size(), 0);
 }
 
-/// A kit that conserves energy, its planes coupled by equal cross stiffnesses: rounding is no growth. The
-/// least force across that is more than rounding is.
+/// A conservative kit whose planes are coupled by equal cross stiffnesses: rounding must not count as growth.
+/// The smallest circulatory force exceeds rounding.
 TEST(StabilityGrows, AboveRoundingAlone) {
   model::RotorKit kit;
   kit.shaft = {{{.outer_diameter_m = 0.03,

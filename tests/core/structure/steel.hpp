@@ -4,7 +4,8 @@
 
 namespace rubsweep::structure {
 
-/// The steel of the examples of Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010).
+/// Steel shaft segment as in the examples of Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines
+/// (2010).
 inline model::ShaftSegment steel_segment(double length_m, double outer_diameter_m,
                                          double inner_diameter_m = 0) {
   return {{.outer_diameter_m = outer_diameter_m,

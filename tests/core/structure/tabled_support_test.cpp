@@ -51,6 +51,34 @@ TEST(TabledSupport, LacksNothingAtTheSpeedThatIsBuiltIn) {
   EXPECT_NEAR(some.damping(1, 1), 45 - 65, 1e-12);
 }
 
+/// A support of a shaft in all its coordinates moves with a few of them, one of reduced coordinates with all.
+TEST(TabledSupport, AddsTheSameToFewCoordinatesAsToAll) {
+  model::Support support;
+  support.position_m = 0;
+  TabledSupport tabled = tabled_support(model::with_table(support, scene::film_table()));
+  const double w = 2 * std::numbers::pi * 120;
+  for (const bool few : {true, false}) {
+    tabled.map = Eigen::MatrixXd::Constant(2, 8, few ? 0.0 : 0.3);
+    tabled.map(0, 1) = 1, tabled.map(1, 4) = -2;
+    Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(8, 8), damping = mass, stiffness = mass;
+    add_lacking(tabled, w, mass, damping, stiffness);
+    const SupportMatrices lacking = tabled.lacking(w);
+    for (Eigen::Index i = 0; i < 8; ++i) {
+      for (Eigen::Index k = 0; k < 8; ++k) {
+        double force = 0, by_rate = 0;
+        for (Eigen::Index a = 0; a < 2; ++a) {
+          for (Eigen::Index b = 0; b < 2; ++b) {
+            force += tabled.map(a, i) * lacking.stiffness(a, b) * tabled.map(b, k);
+            by_rate += tabled.map(a, i) * lacking.damping(a, b) * tabled.map(b, k);
+          }
+        }
+        EXPECT_NEAR(stiffness(i, k), force, 1e-9);
+        EXPECT_NEAR(damping(i, k), by_rate, 1e-9);
+      }
+    }
+  }
+}
+
 TEST(TabledSupportRefuseChangingMass, LetsAMassThatStaysTheSamePass) {
   model::Machine machine = scene::table_machine();
   model::SupportTable& table = *model::kit_of(machine)->supports[1].table;

@@ -12,14 +12,14 @@
 
 namespace rubsweep::structure {
 
-/// The rotor in all its coordinates.
+/// The rotor without reduction, in all its coordinates.
 inline LateralSystem full(const model::RotorKit& kit) {
   const BeamShaft shaft = assemble_beam_shaft(kit, {});
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(shaft.coordinates(), shaft.coordinates());
   return project(shaft, {identity, identity});
 }
 
-/// Eigenvalues with a positive imaginary part at a shaft speed, by it: one of each pair of conjugates.
+/// Eigenvalues with positive imaginary part at a shaft speed: one of each conjugate pair.
 inline std::vector<std::complex<double>> whirl_eigenvalues(const LateralSystem& system,
                                                            double speed_rad_per_s) {
   const Eigen::Index n = system.coordinates();
@@ -28,7 +28,7 @@ inline std::vector<std::complex<double>> whirl_eigenvalues(const LateralSystem& 
     const Eigen::MatrixXd half = mass.solve_lower(matrix);
     return Eigen::MatrixXd(mass.solve_lower(half.transpose()).transpose());
   };
-  // Displacements in units in which they are as large as velocities: otherwise slow modes lose their digits.
+  // Displacements are scaled to the size of velocities; otherwise slow modes would lose their digits.
   const Eigen::MatrixXd stiffness = normalised(system.stiffness);
   const Eigen::VectorXd rate = stiffness.diagonal().cwiseSqrt();
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);

@@ -5,10 +5,10 @@
 
 namespace rubsweep::structure {
 
-/// Element matrices of one plane in the order deflection and angle of the near end, then of the far end, as
-/// numbers. They are integrals in rational numbers over the deflection w(z) of a Timoshenko beam without
-/// load, of third degree, and the angle w' + E I / (k G A) times the third derivative of w, with the section
-/// at half length: not from the closed forms.
+/// Numerical element matrices of one plane; coordinates: deflection and angle of the near end, then of the
+/// far end. They are exact integrals in rational numbers and do not use closed-form elements. The deflection
+/// w(z) of an unloaded Timoshenko beam is cubic; the angle is w' + E I / (k G A) times the third derivative
+/// of w, with the section at half length.
 struct WrittenElement {
   Eigen::Matrix4d translation, rotary, stiffness;
 };
@@ -24,9 +24,9 @@ inline Eigen::Matrix4d symmetric(const std::array<double, 10>& upper) {
   return matrix;
 }
 
-// Elements of 0.3 m; steel of 211 GPa, 81.2 GPa and 7810 kg/m3 where nothing else is said.
+// Elements of 0.3 m length; steel with E = 211 GPa, G = 81.2 GPa and 7810 kg/m3 unless stated otherwise.
 
-/// Outer diameter 50 mm, inner diameter 20 mm, shear coefficient of Cowper.
+/// Outer diameter 50 mm, inner diameter 20 mm, Cowper's shear coefficient.
 inline const WrittenElement written_tube{
     .translation = symmetric({1.42132676955663, 0.059448893614996, 0.510870522125598, -0.0371609709691156,
                               0.00324459139461462, 0.0371609709691156, -0.00255200048043208, 1.42132676955663,
@@ -39,7 +39,7 @@ inline const WrittenElement written_tube{
                             787116.361165888, -3845735.76057246, 366604.367005852, 25638238.4038164,
                             -3845735.76057246, 787116.361165888})};
 
-/// The same with the shear coefficient of Hutchinson.
+/// The same tube with Hutchinson's shear coefficient.
 inline const WrittenElement written_hutchinson_tube{
     .translation = symmetric({1.42200897598572, 0.0595106780573721, 0.510188315696514, -0.0370991865267395,
                               0.00324777708267306, 0.0370991865267395, -0.00254881479237364, 1.42200897598572,
@@ -52,7 +52,7 @@ inline const WrittenElement written_hutchinson_tube{
                             789763.652758242, -3863384.37118816, 369251.658598206, 25755895.8079211,
                             -3863384.37118816, 789763.652758242})};
 
-/// From 60 mm and 10 mm to 40 mm and 20 mm, Cowper.
+/// Taper from 60 mm / 10 mm to 40 mm / 20 mm (outer / inner diameter), Cowper's shear coefficient.
 inline const WrittenElement written_taper{
     .translation = symmetric({1.9801888254467, 0.076681718158547, 0.554038923346449, -0.0420490759366377,
                               0.00396315764477672, 0.0384653870154333, -0.00276590149067022, 1.14416549059291,
@@ -65,7 +65,7 @@ inline const WrittenElement written_taper{
                             1236310.8250747, -5595875.13157486, 442451.714397757, 29929892.8016615,
                             -3383092.70892358, 572476.098279317})};
 
-/// Sleeve of 80 mm over 50 mm with 70 GPa, 26 GPa and 2700 kg/m3, Cowper.
+/// Sleeve of 80 mm over 50 mm with 70 GPa, 26 GPa and 2700 kg/m3, Cowper's shear coefficient.
 inline const WrittenElement written_sleeve{
     .translation = symmetric({0.895042880516567, 0.036604611816622, 0.345493518569702, -0.0254222081376915,
                               0.00200774632514025, 0.0254222081376915, -0.00171386287211856,

@@ -13,13 +13,13 @@
 
 namespace rubsweep::structure {
 
-/// A kit of solid segments, discs and supports in full matrices with elements written here: coordinates node
-/// by node x, slope dx/dz, y, slope dy/dz, the nodes those of the mesh.
+/// A kit of solid segments, discs and supports, assembled here into full matrices. Coordinates per node of
+/// the mesh: x, slope dx/dz, y, slope dy/dz.
 class WrittenRotor {
  public:
   WrittenRotor(const model::RotorKit& kit, const BeamShaft& shaft) : WrittenRotor(kit, shaft, kit) {}
 
-  /// `middle`: the kit whose modes the ratios of damping are those of.
+  /// `middle`: the kit whose modes define the damping ratios.
   WrittenRotor(const model::RotorKit& kit, const BeamShaft& shaft, const model::RotorKit& middle)
       : places_m_(shaft.node_position_m) {
     const auto n = static_cast<Eigen::Index>(4 * places_m_.size());
@@ -45,7 +45,7 @@ class WrittenRotor {
     }
     for (const model::Support& s : middle.supports) hold(conservative, s);
     damping_ += of_all_modes(conservative, mass_, kit.damping_ratio.front());
-    // Damping that turns with the shaft is that of the modes of the x plane, in both planes.
+    // Rotating damping uses the modes of the x plane, in both planes.
     circulatory_ = Eigen::MatrixXd::Zero(n, n);
     const std::vector<Eigen::Index> x = plane(0), y = plane(2);
     const Eigen::MatrixXd turning =
@@ -54,12 +54,12 @@ class WrittenRotor {
     circulatory_(x, y) += turning, circulatory_(y, x) -= turning;
   }
 
-  /// mass q'' + (damping + speed gyroscopic) q' + stiffness q = forces.
+  /// Matrices of mass q'' + (damping + speed gyroscopic) q' + stiffness q = forces.
   const Eigen::MatrixXd& mass() const { return mass_; }
   const Eigen::MatrixXd& stiffness() const { return stiffness_; }
   const Eigen::MatrixXd& damping() const { return damping_; }
   const Eigen::MatrixXd& gyroscopic() const { return gyroscopic_; }
-  /// Coordinate of the displacement in x at a place; that in y is the second one after it.
+  /// Index of the x displacement at a position; the index of y is larger by 2.
   Eigen::Index at(double place_m) const {
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < places_m_.size(); ++i) {
@@ -68,7 +68,7 @@ class WrittenRotor {
     return static_cast<Eigen::Index>(4 * nearest);
   }
 
-  /// Displacements in x and y at places by unit forces in x and y at others.
+  /// Displacements in x and y at some positions due to unit forces in x and y at others.
   Eigen::MatrixXcd receptance(double rad_per_s, double speed_rad_per_s,
                               const std::vector<double>& responses_m,
                               const std::vector<double>& forces_m) const {
@@ -80,11 +80,11 @@ class WrittenRotor {
     return unit(responses_m).transpose() * found;
   }
 
-  /// Rates of free vibrations at a speed.
+  /// Eigenvalues of free vibrations at a speed.
   Eigen::VectorXcd rates(double speed_rad_per_s) const {
     const Eigen::Index n = mass_.rows();
     const numerics::dense::LuFactors mass(mass_);
-    constexpr double unit_rad_per_s = 1000;  // displacements as large as velocities
+    constexpr double unit_rad_per_s = 1000;  // scales displacements to the size of velocities
     Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     generator.topRightCorner(n, n).diagonal().setConstant(unit_rad_per_s);
     generator.bottomLeftCorner(n, n) =
@@ -102,7 +102,7 @@ class WrittenRotor {
     matrix(y + 1, y + 1) += s.angular_stiffness_nm_per_rad;
   }
 
-  /// 2 ratio (K M^-1)^(1/2) M: the same ratio for all modes.
+  /// 2 ratio (K M^-1)^(1/2) M: damping with the same ratio for all modes.
   static Eigen::MatrixXd of_all_modes(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass,
                                       double ratio) {
     const numerics::dense::CholeskyFactors factor(mass);
@@ -114,7 +114,7 @@ class WrittenRotor {
     return 2 * ratio * turned * modes.values.cwiseAbs().cwiseSqrt().asDiagonal() * turned.transpose();
   }
 
-  /// Coordinates of one plane: `first` is 0 for x, 2 for y.
+  /// Indices of the coordinates of one plane: `first` is 0 for x, 2 for y.
   std::vector<Eigen::Index> plane(Eigen::Index first) const {
     std::vector<Eigen::Index> all;
     for (Eigen::Index i = first; i < mass_.rows(); i += 4) all.insert(all.end(), {i, i + 1});

@@ -8,7 +8,8 @@ namespace rubsweep::basin {
 namespace {
 
 TEST(BasinEntropy, OfHalvesAndWholes) {
-  // Two boxes of 2 x 2: one of a single label, one half and half; the fifth column is no box.
+  // Two boxes of 2 x 2: one with a single label, one with two labels in equal parts; the fifth column belongs
+  // to no box.
   const LabelGrid grid{5, 2, {1, 1, 1, 2, 7, 1, 1, 2, 1, 7}};
   const BasinEntropy entropy = basin_entropy(grid, 2);
   EXPECT_NEAR(entropy.all, std::log(2) / 2, 1e-15);
@@ -38,7 +39,7 @@ TEST(BasinEntropy, OfALineIsOne) {
   EXPECT_LT(exponent->standard_error, 0.02);
 }
 
-/// Stripes whose edges are the Cantor set without middle halves: the boundary has the dimension 1 + 1/2.
+/// Stripes whose edges form the Cantor set without middle halves: the boundary has the dimension 1 + 1/2.
 TEST(BasinEntropy, OfACantorSetIsItsCodimension) {
   const auto removed_at = [](std::size_t i) {
     for (std::size_t level = 0, digit_place = 1024; level < 6; ++level, digit_place /= 4) {

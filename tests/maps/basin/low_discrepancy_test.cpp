@@ -11,7 +11,7 @@ TEST(LowDiscrepancy, BeginsWithTheMirroredDigits) {
   EXPECT_EQ(low_discrepancy_point(0, 2), (std::vector<double>{0.5, 1.0 / 3}));
   EXPECT_EQ(low_discrepancy_point(1, 1), std::vector<double>{0.25});
   EXPECT_EQ(low_discrepancy_point(2, 1), std::vector<double>{0.75});
-  EXPECT_NEAR(low_discrepancy_point(3, 2)[1], 1.0 / 9 + 1.0 / 3, 1e-15);  // 4 = 11 in base 3
+  EXPECT_NEAR(low_discrepancy_point(3, 2)[1], 1.0 / 9 + 1.0 / 3, 1e-15);  // 4 is 11 in base 3
 }
 
 TEST(LowDiscrepancy, CountsAQuarterDiscBetterThanItsStandardError) {

@@ -1,5 +1,4 @@
-// Numbers that were published of other systems, counted here by the same functions that count motions of a
-// rotor.
+// Published numbers for other systems, reproduced with the functions that evaluate the motions of a rotor.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +16,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Both ends of both axes included.
+/// Grid of labels; both axes include both ends.
 template <class Label>
 LabelGrid grid_over(std::size_t side, double x0, double x1, double y0, double y1, const Label& label) {
   LabelGrid grid{side, side, {}};
@@ -34,7 +33,7 @@ double share_of(const LabelGrid& grid, int label) {
   return fraction(static_cast<std::size_t>(std::ranges::count(grid.labels, label)), grid.labels.size());
 }
 
-/// Attractors.jl: of 100 x 100 starts on [-2, 2]^2 the share 0.575 diverges.
+/// Attractors.jl: of 100 x 100 initial states on [-2, 2]^2 a share of 0.575 diverges.
 TEST(Published, HenonsMapDivergesFromMoreThanHalf) {
   const LabelGrid grid = grid_over(100, -2, 2, -2, 2, [](double x, double y) {
     for (int i = 0; i < 1000; ++i) {
@@ -49,7 +48,7 @@ TEST(Published, HenonsMapDivergesFromMoreThanHalf) {
   EXPECT_NEAR(share_of(grid, 1), 0.425, 0.005);
 }
 
-/// Grebogi, McDonald, Ott and Yorke 1983: exponent about 0.2.
+/// Grebogi, McDonald, Ott and Yorke 1983: an uncertainty exponent of about 0.2.
 int grebogi_label(double theta, double x) {
   for (int i = 0; i < 100; ++i) {
     const double next = theta + 1.32 * std::sin(2 * theta) - 0.9 * std::sin(4 * theta) - x * std::sin(theta);
@@ -84,7 +83,7 @@ TEST(Published, NewtonsMapForThreeRoots) {
 
 using State = std::array<double, 2>;
 
-/// Classical Runge-Kutta of x'' = force(t, x, x').
+/// Classical Runge-Kutta method for x'' = force(t, x, x').
 template <class Force>
 State integrated(State y, double from, double to, int steps, const Force& force) {
   const double h = (to - from) / steps;
@@ -101,14 +100,14 @@ State integrated(State y, double from, double to, int steps, const Force& force)
   return y;
 }
 
-/// Stender and Hoffmann, bSTAB: five attractors of x'' + 0.08 x' + x^3 = 0.2 cos t.
+/// bSTAB (Stender and Hoffmann): five attractors of x'' + 0.08 x' + x^3 = 0.2 cos t.
 TEST(Published, FiveAttractorsOfDuffingsOscillator) {
   constexpr std::size_t samples = 1500;
   constexpr std::array<State, 5> templates{
       {{-0.21, 0.02}, {1.05, 0.77}, {-0.67, 0.02}, {-0.46, 0.30}, {-0.43, 0.12}}};
   constexpr std::array published{0.2027, 0.4950, 0.0288, 0.0257, 0.2478};
   const auto force = [](double t, double x, double v) { return 0.2 * std::cos(t) - 0.08 * v - x * x * x; };
-  // Sections that follow each other in a period; a template is one of them.
+  // State after some turns of the forcing; one section of each attractor is its template.
   const auto after = [&](State y, int turns) { return integrated(y, 0, 2 * pi * turns, 60 * turns, force); };
   std::array<State, 5> orbits;
   for (std::size_t k = 0; k < 5; ++k) orbits[k] = after(templates[k], 60);
@@ -116,7 +115,7 @@ TEST(Published, FiveAttractorsOfDuffingsOscillator) {
   for (std::size_t i = 0; i < samples; ++i) {
     const auto point = low_discrepancy_point(i, 2);
     State y = after({-1 + 2 * point[0], -0.5 + 1.5 * point[1]}, 60);
-    // Up to six turns on, a motion of period 1, 2 or 3 comes to the section that the template came to.
+    // Within six turns, a motion of period 1, 2 or 3 passes the section that its template passed.
     double best = 1e300;
     std::size_t nearest = 0;
     for (int turn = 0; turn < 6; ++turn) {
@@ -135,7 +134,7 @@ TEST(Published, FiveAttractorsOfDuffingsOscillator) {
   }
 }
 
-/// bSTAB: of the pendulum y'' = -0.1 y' + 0.5 - sin y the share 0.152 comes to rest, the others rotate.
+/// bSTAB: for the pendulum y'' = -0.1 y' + 0.5 - sin y a share of 0.152 comes to rest, the others rotate.
 TEST(Published, PendulumRestsOrRotates) {
   constexpr std::size_t samples = 2000;
   const auto force = [](double, double y, double v) { return -0.1 * v + 0.5 - std::sin(y); };
@@ -150,8 +149,8 @@ TEST(Published, PendulumRestsOrRotates) {
   EXPECT_NEAR(share, 0.152, 3 * standard_error(0.152, samples));
 }
 
-/// x'' + 0.1 x' + x + sgn(v) mu(v) = 0 with v = x' - belt and mu = 0.5 + 0.5 exp(-2 |v|), 1 at most where it
-/// sticks; bSTAB's friction oscillator. Rest under the sliding belt is x = mu(belt), x' = 0.
+/// bSTAB's friction oscillator: x'' + 0.1 x' + x + sgn(v) mu(v) = 0 with v = x' - belt and mu = 0.5 + 0.5
+/// exp(-2 |v|), where sticking friction is at most 1. It rests on the sliding belt at x = mu(belt), x' = 0.
 struct FrictionOscillator {
   double belt = 0;
 
@@ -159,7 +158,7 @@ struct FrictionOscillator {
   double rest() const { return coefficient(belt); }
   bool sticks(double x) const { return std::abs(x + 0.1 * belt) <= coefficient(0); }
 
-  /// Runs on until it first sticks, or comes as near to rest as `near`, or to the time `end`.
+  /// Runs until the mass sticks, comes within `near` of the rest position, or the time reaches `end`.
   enum class Ending { sticks, rests, neither };
   Ending run(State& y, double end, double near) const {
     constexpr double step = 0.02;
@@ -174,8 +173,8 @@ struct FrictionOscillator {
   }
 };
 
-/// bSTAB: from [-2, 2] x [0, 2] the share 0.312 comes to rest at a belt of 1.5. All that stick once leave the
-/// belt at one and the same place, and so lead to one motion.
+/// bSTAB: from [-2, 2] x [0, 2] a share of 0.312 comes to rest at a belt speed of 1.5. All motions that stick
+/// once leave the belt at the same place, so they are one attractor.
 TEST(Published, FrictionOscillatorRestsOrSticksAndSlips) {
   constexpr std::size_t samples = 2000;
   const FrictionOscillator oscillator{1.5};
@@ -192,7 +191,8 @@ TEST(Published, FrictionOscillatorRestsOrSticksAndSlips) {
   EXPECT_NEAR(fraction(rest, samples), 0.312, 3 * standard_error(0.312, samples));
 }
 
-/// Rest is stable where 0.1 - exp(-2 belt) > 0. Of starts beside it none comes nearer before, all do behind.
+/// The rest position is stable where 0.1 - exp(-2 belt) > 0: below this speed no nearby motion approaches it,
+/// above it all do.
 TEST(Published, FrictionOscillatorsRestBecomesStableAtItsClosedForm) {
   const auto coming_nearer = [](double belt) {
     const FrictionOscillator oscillator{belt};

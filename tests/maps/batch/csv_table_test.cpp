@@ -25,7 +25,7 @@ namespace {
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
-/// Reads `text` as the content of a file table.csv.
+/// Parses `text` as the content of a file table.csv.
 CsvTable parse(const std::string& text) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "table.csv";
@@ -33,13 +33,13 @@ CsvTable parse(const std::string& text) {
   return read_csv(path);
 }
 
-/// The message without the directory in front of "table.csv".
+/// The error message without the directory before "table.csv".
 std::string fault(const std::string& text) {
   const auto message = message_of<IoError>([&] { parse(text); });
   return message.substr(message.find("table.csv"));
 }
 
-/// Whoever reads a table, nobody gets a number that was not written.
+/// No reader of a table may return a number that was not written.
 TEST(CsvTable, IsNotReadWhereItsSumIsWrong) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "table.csv";

@@ -20,7 +20,7 @@ int fail() {
 FailingStat::FailingStat() { failing = true; }
 FailingStat::~FailingStat() { failing = false; }
 
-// Found before those of the C library, also by the C++ library.
+// The linker finds this function before that of the C library, for calls from the C++ library as well.
 extern "C" int stat(const char* path, struct stat* facts) noexcept {
   return failing ? fail() : ::fstatat(AT_FDCWD, path, facts, 0);
 }

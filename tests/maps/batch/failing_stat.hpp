@@ -1,7 +1,6 @@
 #pragma once
 
-/// While it lives, the system cannot tell anything about files: stat and fstat of this process fail with EIO,
-/// as on a disk or a network in trouble.
+/// Makes stat and fstat of this process fail with EIO during its lifetime, as with a faulty disk or network.
 class FailingStat {
  public:
   FailingStat();

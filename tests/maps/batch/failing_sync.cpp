@@ -21,7 +21,7 @@ FailingSync::~FailingSync() { failing = false; }
 
 int FailingSync::calls() const { return count; }
 
-// Found before that of the C library.
+// The linker finds this function before that of the C library.
 extern "C" int fdatasync(int descriptor) {
   if (!failing) return static_cast<int>(::syscall(SYS_fdatasync, descriptor));
   ++count;

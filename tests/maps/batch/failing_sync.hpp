@@ -1,7 +1,7 @@
 #pragma once
 
-/// While it lives, fdatasync of this process fails with EIO, as on a disk that has lost what it was given, and
-/// calls are counted.
+/// Makes fdatasync of this process fail with EIO during its lifetime, as on a disk that lost data, and counts
+/// the calls.
 class FailingSync {
  public:
   FailingSync();

@@ -32,7 +32,7 @@ class FileLockCases : public testing::Test {
   const std::filesystem::path path_ = directory_.path() / "map.lock";
 };
 
-/// A name that leads to somebody's file, and a file of somebody under our name.
+/// A lock must overwrite neither the target of a link with its name nor a foreign file with its name.
 TEST_F(FileLockCases, NeverWritesOverWhatIsNotOurs) {
   const auto precious = directory_.path() / "thesis.txt";
   write_whole_file(precious, "precious\n");
@@ -51,7 +51,7 @@ TEST_F(FileLockCases, NeverWritesOverWhatIsNotOurs) {
               std::string::npos);
     EXPECT_EQ(read_whole_file(path_), text);
   }
-  write_whole_file(path_, "");  // of one that was killed before it wrote its line
+  write_whole_file(path_, "");  // left by a process that was killed before it wrote its line
   const FileLock lock(path_, LockMode::exclusive, "first");
 }
 
@@ -78,7 +78,8 @@ TEST_F(FileLockCases, CanBeShared) {
   EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
-/// The last to leave holds it alone to remove the file, which must not refuse one who comes meanwhile.
+/// The last process to leave takes an exclusive lock to remove the file; others that come meanwhile must not
+/// be refused.
 TEST_F(FileLockCases, SharedByThoseWhoComeAndGoIsNeverRefused) {
   const auto come_and_go = [&] {
     for (int i = 0; i < 3000; ++i) const FileLock lock(path_, LockMode::shared, "first");
@@ -111,7 +112,7 @@ TEST_F(FileLockCases, FreedAtAnyMomentIsEitherHeldOrNot) {
       }
     }
   });
-  // An IoError of either of them ends the test.
+  // An IoError in either process ends the test.
   for (int i = 0; i < 1000; ++i) {
     try {
       const FileLock lock(path_, LockMode::exclusive, "other");
@@ -145,7 +146,7 @@ TEST_F(FileLockCases, OfAnotherDirectoryUnderTheSameNameIsLeftAlone) {
   EXPECT_TRUE(lock_holder(path).has_value());
 }
 
-/// Without the rights of root, if this test has them.
+/// Gives up root rights, if this test has them.
 class OrdinaryUser {
  public:
   OrdinaryUser() { EXPECT_EQ(root_ ? ::seteuid(65534) : 0, 0); }

@@ -4,7 +4,8 @@
 
 #include <csignal>
 
-/// While it lives, no file of this process may grow beyond `bytes`; writing more fails with "File too large".
+/// Limits the size of all files of this process during its lifetime; writing more fails with "File too
+/// large".
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : old_handler_(::signal(SIGXFSZ, SIG_IGN)) {

@@ -124,11 +124,11 @@ TEST_F(JournalFile, WithoutAWholeHeaderIsRefused) {
             path_.string() + ":1: not a journal of this program, or a damaged one");
 }
 
-/// The file with one letter of line `number`, from 1, changed.
+/// The text with one letter of line `number`, counted from 1, changed.
 std::string damaged(std::string text, int number) {
   std::size_t place = 0;
   for (; number > 1; --number) place = text.find('\n', place) + 1;
-  text[place + 9] ^= 1;  // a byte behind the checksum
+  text[place + 9] ^= 1;  // a byte after the checksum
   return text;
 }
 
@@ -140,7 +140,7 @@ TEST_F(JournalFile, ADamagedHeaderCostsNothingWhereTheRestSaysEnough) {
   }
   const std::string whole = read_whole_file(path_);
   const Cells all{{3, "three"}, {12, "twelve"}};
-  // First line, digest of the study, study, line before the records.
+  // The first line, the digest of the study, the study, and the line before the records.
   for (const int line : {1, 2, 5, 6, 7}) {
     write_whole_file(path_, damaged(whole, line));
     const JournalHeader read = read_journal_header(path_);
@@ -151,7 +151,7 @@ TEST_F(JournalFile, ADamagedHeaderCostsNothingWhereTheRestSaysEnough) {
     Journal(path_, header);
     EXPECT_EQ(read_whole_file(path_), damaged(whole, line)) << line;
   }
-  // Digest of the program, number of cells, digest and study at once, every line end.
+  // The program's digest, the number of cells, digest and study together, and every line end.
   std::vector<std::string> hopeless{damaged(whole, 3), damaged(whole, 4), damaged(damaged(whole, 2), 5)};
   for (std::size_t end = whole.find('\n'); hopeless.size() < 6; end = whole.find('\n', end + 1)) {
     hopeless.push_back(whole);

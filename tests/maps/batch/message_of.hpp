@@ -4,7 +4,7 @@
 
 #include <string>
 
-/// Runs `act`, which must throw an Error, and returns its message.
+/// Runs `act`, which must throw an exception of type Error, and returns its message.
 template <typename Error>
 std::string message_of(const auto& act) {
   try {

@@ -15,7 +15,7 @@ TEST(OpenedFileDirectoryMake, MakesThoseAboveAsWell) {
   for (const char* name : {"a/b/c", "a/b/c/", "./d/../e"}) {
     make_directory(directory.path() / name);
     EXPECT_TRUE(std::filesystem::is_directory(directory.path() / name)) << name;
-    make_directory(directory.path() / name);  // a directory that is there
+    make_directory(directory.path() / name);  // the directory already exists
   }
   std::filesystem::create_directory_symlink("a/b", directory.path() / "link");
   make_directory(directory.path() / "link/f");

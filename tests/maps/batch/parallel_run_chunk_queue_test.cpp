@@ -54,12 +54,12 @@ TEST(ParallelRunChunkQueue, AChunkIsSpreadOverAllCells) {
     chunk.push_back(0);
     chunk.push_back(count);
     std::sort(chunk.begin(), chunk.end());
-    // Sixteen points at multiples of the golden section leave no gap above two and a half sixteenths.
+    // Sixteen points at multiples of the golden ratio leave no gap larger than 2.5 / 16.
     for (std::size_t i = 1; i < chunk.size(); ++i) EXPECT_LE(16 * (chunk[i] - chunk[i - 1]), 5 * count / 2);
   }
 }
 
-/// Sizes of `count` chunks of one worker whose cells take `cell_time` each.
+/// Sizes of `count` consecutive chunks of one worker, if each of its cells takes `cell_time`.
 std::vector<std::size_t> sizes(ChunkQueue& queue, std::size_t worker, ChunkQueue::Clock::duration cell_time,
                                int count) {
   std::vector<std::size_t> result;
@@ -89,7 +89,7 @@ TEST(ParallelRunChunkQueue, CellsThatTakeLongComeOneByOne) {
 
 TEST(ParallelRunChunkQueue, ChunksShrinkTowardsTheEnd) {
   ChunkQueue queue(cells_from(0, 100), 2);
-  // An eighth of what is left.
+  // A chunk contains an eighth of the remaining cells.
   EXPECT_EQ(sizes(queue, 0, 1us, 4), (std::vector<std::size_t>{12, 11, 9, 8}));
   while (!queue.next(1, start).empty()) {
   }

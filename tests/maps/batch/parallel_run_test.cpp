@@ -25,7 +25,7 @@ namespace {
 const std::atomic<bool> never = false;
 const auto ignore = [](std::size_t) {};
 
-/// Work whose length differs by a factor of 100 between cells.
+/// Work whose duration differs between cells by a factor of 100.
 double uneven_work(std::size_t cell) {
   double x = 0.3 + 1e-3 * static_cast<double>(cell);
   for (int i = 0; i < (cell % 10 == 3 ? 20000 : 200); ++i) x = 3.9 * x * (1 - x);
@@ -51,7 +51,8 @@ TEST(ParallelRun, OneThreadIsTheCallers) {
       100, 1, [&](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), caller); }, ignore, never);
 }
 
-/// As many cells as threads, each waiting until all have started: passes only if they really run together.
+/// Starts as many cells as threads, each of which waits for all others: passes only if they run at the same
+/// time.
 void expect_all_at_once(int threads) {
   std::mutex mutex;
   std::condition_variable started;
@@ -67,7 +68,7 @@ void expect_all_at_once(int threads) {
 
 TEST(ParallelRun, UsesEveryThreadAskedFor) {
   expect_all_at_once(2);
-  expect_all_at_once(8);  // also where there are fewer processors
+  expect_all_at_once(8);  // also on fewer processors
 }
 
 TEST(ParallelRun, NeverUsesMoreThreadsThanAskedFor) {
@@ -91,8 +92,7 @@ TEST(ParallelRun, ReportsEachFinishedCellOnceAndOneAtATime) {
   std::vector<double> results(200, 0);
   const auto on_finished = [&](std::size_t cell) {
     EXPECT_EQ(++inside, 1);
-    std::this_thread::sleep_for(
-        std::chrono::microseconds(50));  // long enough for another call to meet this one
+    std::this_thread::sleep_for(std::chrono::microseconds(50));  // long enough for another call to overlap
     EXPECT_EQ(results[cell], uneven_work(cell));
     reported.push_back(cell);
     --inside;
@@ -110,8 +110,7 @@ TEST(ParallelRun, StopLetsRunningCellsFinishAndStartsNoNewOnes) {
     std::atomic<std::size_t> begun = 0, begun_after_stop = 0;
     std::size_t reported = 0;
     const auto run_cell = [&](std::size_t) {
-      // A cell may have passed the check for `stop` just before another one set it, one cell per other
-      // thread.
+      // A cell may have checked `stop` just before another cell set it: at most one cell per other thread.
       if (stop) ++begun_after_stop;
       if (++begun == 20) stop = true;
       std::this_thread::sleep_for(std::chrono::microseconds(100));
@@ -140,7 +139,7 @@ TEST(ParallelRun, OtherCellsRunAndTheFirstFailureByIndexIsThrown) {
     const auto run_cell = [&](std::size_t cell) {
       ++ran;
       if (cell == 17)
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));  // thrown last, reported first
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));  // thrown last, but reported first
       if (cell % 20 == 17) throw IoError("no file for " + std::to_string(cell));
     };
     const auto message = message_of<IoError>([&] {
@@ -198,7 +197,7 @@ TEST(ParallelRunRequireThreads, TellsWhatTheSystemDoesNotLetUsStart) {
   require_threads(8);
   const pid_t child = ::fork();
   if (child == 0) {
-    // Root has no limit; a user whose only process this is may have as many threads as his limit says.
+    // Root has no limit; a user without other processes may start as many threads as the limit allows.
     if (::geteuid() == 0 && ::setuid(54321) != 0) ::_exit(2);
     const rlimit few{.rlim_cur = 1, .rlim_max = 1};
     ::setrlimit(RLIMIT_NPROC, &few);

@@ -55,7 +55,7 @@ TEST(ProgressLine, IsFullOnlyAtTheEnd) {
   EXPECT_EQ(progress_line(1000, 1000, 10), "1000/1000 cells, 100%, 100 cells/s, 0:00:00 left");
 }
 
-/// A pseudo terminal that hands over what is written to it as it is.
+/// A pseudo terminal that returns what is written to it without changes.
 class Terminal {
  public:
   Terminal() : main_end_(::posix_openpt(O_RDWR | O_NOCTTY)) {
@@ -76,7 +76,7 @@ class Terminal {
 
   std::FILE* stream() const { return stream_; }
 
-  /// All that was written so far.
+  /// All text written so far.
   std::string text() {
     std::fflush(stream_);
     std::string all;
@@ -95,7 +95,7 @@ class Terminal {
   std::FILE* stream_;
 };
 
-/// Output of `steps` steps of a progress of `total` on a terminal.
+/// Output on a terminal for `steps` steps of a progress with `total` cells.
 std::string written_to_terminal(std::size_t total, std::size_t steps, std::chrono::milliseconds pause) {
   Terminal terminal;
   {
@@ -108,7 +108,7 @@ std::string written_to_terminal(std::size_t total, std::size_t steps, std::chron
   return terminal.text();
 }
 
-/// Output of `steps` steps of a progress of `total` in a file.
+/// Output in a file for `steps` steps of a progress with `total` cells.
 std::string written_to_file(ProgressMode mode, std::size_t total, std::size_t steps,
                             std::chrono::milliseconds pause = {}) {
   std::FILE* file = std::tmpfile();
@@ -141,7 +141,7 @@ TEST(Progress, RewritesItsLineAtMostTenTimesASecond) {
   const std::string text = written_to_terminal(200, 200, std::chrono::milliseconds(2));
   const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto drawn = std::ranges::count(text, '\r');
-  EXPECT_GE(drawn, 3);  // first, last and at least one in 0.4 s
+  EXPECT_GE(drawn, 3);  // the first, the last and at least one in 0.4 s
   EXPECT_LE(static_cast<double>(drawn), 2 + elapsed_s / 0.1);
 }
 
@@ -151,8 +151,8 @@ TEST(Progress, SaysWhatASlowCellThatIsRunningCosts) {
   progress.advance(1000);
   std::this_thread::sleep_for(std::chrono::milliseconds(1600));
   progress.refresh();
-  progress.refresh();  // too soon
-  // The average cell would promise the end in no time.
+  progress.refresh();  // too early for another line
+  // Computed from the average cell, the remaining time would be almost zero.
   const std::string text = terminal.text();
   EXPECT_TRUE(std::regex_match(text, std::regex("\r0/1001 cells, 0%\r1000/1001 cells, 99%, [0-9.]+ cells/s, "
                                                 "(0:00:0[1-9]|0:[0-9:]+[1-9][0-9]) left")))
@@ -206,18 +206,18 @@ TEST(Progress, AreAsTheOthersWhereAllAreAlike) {
   EXPECT_EQ(cells.finished_s(), 4);
   cells.finish(1, {});
   EXPECT_NEAR(*cells.one_by_one_s(), 24, 1e-12);
-  EXPECT_EQ(cells.finished_s(), 6);  // the third as the two
+  EXPECT_EQ(cells.finished_s(), 6);  // the third row counts like the other two
 }
 
 TEST(Progress, AreAsTheirNeighbours) {
-  // Quick on the left, slow on the right, where all are left.
+  // Cells are quick on the left and slow on the right, where all remaining cells are.
   CellsLeft cells(8, 4, all_of(32));
   for (const std::size_t row : {0u, 1u, 2u, 3u})
     for (const std::size_t column : {0u, 1u, 2u, 3u}) cells.finish(8 * row + column, 1);
   cells.finish(8 + 5, 100);
   cells.finish(8 * 2 + 6, 100);
   EXPECT_GT(*cells.one_by_one_s(), 14 * 60);
-  EXPECT_LT(*cells.one_by_one_s(), 14 * 100);  // where the mean of all promises 14 * 12
+  EXPECT_LT(*cells.one_by_one_s(), 14 * 100);  // the mean of all cells would give 14 * 12
 }
 
 TEST(Progress, LargeMapsAreTiled) {
@@ -227,8 +227,8 @@ TEST(Progress, LargeMapsAreTiled) {
   EXPECT_NEAR(*cells.one_by_one_s() / expected, 1, 1e-3);
 }
 
-/// Seconds of a cell of a made-up map of 40 speeds and 25 unbalances: quiet below, rubbing above, and in a
-/// tongue on top of it long chaotic ones.
+/// Seconds per cell of an artificial map with 40 speeds and 25 unbalances: quiet below, rubbing above, and on
+/// top a tongue with slow chaotic cells.
 double seconds_of(std::size_t cell) {
   const auto speed = static_cast<double>(cell % 40);
   const std::size_t unbalance = cell / 40;
@@ -237,8 +237,8 @@ double seconds_of(std::size_t cell) {
   return unbalance >= 12 ? 0.08 + 0.002 * speed : 0.001;
 }
 
-/// A sweep on one thread as rubsweep does it: 32 cells spread over the map, then the others row by row, so
-/// that the slow ones come last.
+/// Order of cells in a sweep of rubsweep on one thread: 32 cells spread over the map, then the others row by
+/// row, so that the slow ones come last.
 std::vector<std::size_t> order_of_sweep() {
   std::vector<std::size_t> order, others;
   for (std::size_t cell = 0; cell < 1000; ++cell) (cell * 32 % 1000 < 32 ? order : others).push_back(cell);
@@ -278,8 +278,8 @@ TEST(ProgressTime, CountsTheThreadsThatWereBusy) {
   CellsLeft cells(10, 10, all_of(100));
   EXPECT_FALSE(time_left_s(cells, 1, 0).has_value());
   for (std::size_t cell = 0; cell < 40; ++cell) cells.finish(cell, 1);
-  EXPECT_NEAR(*time_left_s(cells, 10, 0), 15, 1e-9);  // four threads
-  EXPECT_NEAR(*time_left_s(cells, 80, 0), 60, 1e-9);  // never less than one
+  EXPECT_NEAR(*time_left_s(cells, 10, 0), 15, 1e-9);  // with four threads
+  EXPECT_NEAR(*time_left_s(cells, 80, 0), 60, 1e-9);  // never less than one thread
   for (std::size_t cell = 40; cell < 98; ++cell) cells.finish(cell, 1);
   EXPECT_NEAR(*time_left_s(cells, 24.5, 0), 1, 1e-9);  // two cells for four threads
 }
@@ -304,7 +304,7 @@ TEST(ProgressLapTime, CountsFromTheLastTaskOfTheSameThread) {
   EXPECT_GE(time.lap_s(), 0.02);
   double of_other_s = 0;
   std::thread([&] { of_other_s = time.lap_s(); }).join();
-  EXPECT_GE(of_other_s, 0.08);  // begun when the time was
+  EXPECT_GE(of_other_s, 0.08);  // since `time` was made
 }
 
 TEST(ProgressLapTime, ForgetsWhatWasBeforeIt) {

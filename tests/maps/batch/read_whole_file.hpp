@@ -7,7 +7,7 @@
 
 namespace rubsweep::batch {
 
-/// The whole content of a file; of one that cannot be read, an exception.
+/// The whole content of a file; throws where it cannot be read.
 inline std::string read_whole_file(const std::filesystem::path& path) {
   std::ifstream file;
   file.exceptions(std::ios::failbit | std::ios::badbit);

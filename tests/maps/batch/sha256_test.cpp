@@ -16,7 +16,7 @@ std::string digits_of(std::string_view text, std::size_t piece) {
   return sum.digits();
 }
 
-/// The examples of FIPS 180-4 and of NIST's file of them.
+/// Examples from FIPS 180-4 and from NIST's file of examples.
 TEST(Sha256, HasTheDigitsOfTheStandard) {
   const std::pair<std::string, std::string> examples[]{
       {"", "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"},
@@ -30,7 +30,7 @@ TEST(Sha256, HasTheDigitsOfTheStandard) {
   }
 }
 
-/// The length fills the last block, or needs one more.
+/// The text length fits into the last block, or needs one more.
 TEST(Sha256, OfTextsAroundTheEndOfABlock) {
   EXPECT_EQ(digits_of(std::string(55, 'x'), 55),
             "d5e285683cd4efc02d021a5c62014694958901005d6f71e89e0989fac77e4072");
@@ -42,7 +42,7 @@ TEST(Sha256, OfTextsAroundTheEndOfABlock) {
 
 constexpr std::string_view page = "<!doctype html>\n<p>1.5\n</html>\n";
 
-/// The sum is that of `sed '/^<!-- sha256 /d' page.html | sha256sum`.
+/// The checksum equals that of `sed '/^<!-- sha256 /d' page.html | sha256sum`.
 TEST(Sha256PageSum, StandsInTheSecondLine) {
   EXPECT_EQ(with_page_sum(page),
             "<!doctype html>\n"
@@ -51,7 +51,7 @@ TEST(Sha256PageSum, StandsInTheSecondLine) {
   EXPECT_EQ(check_page(with_page_sum(page)), PageSum::right);
   EXPECT_EQ(check_page(page), PageSum::none);
   EXPECT_EQ(check_page(""), PageSum::none);
-  EXPECT_EQ(check_page(with_page_sum("<html>")), PageSum::none);  // no line, no place for it
+  EXPECT_EQ(check_page(with_page_sum("<html>")), PageSum::none);  // no line end, so no place for it
 }
 
 TEST(Sha256PageSum, EveryOtherByteIsFound) {

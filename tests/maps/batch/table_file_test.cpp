@@ -26,7 +26,7 @@ class TableFileTest : public testing::Test {
 
   void put(const std::string& text) const { std::ofstream(path_, std::ios::binary) << text; }
 
-  /// The table with `what` in place of the first `old`.
+  /// The table with the first `old` replaced by `what`.
   std::string changed(const std::string& old, const std::string& what) const {
     std::string text = read_whole_file(path_);
     return text.replace(text.find(old), old.size(), what);
@@ -36,7 +36,7 @@ class TableFileTest : public testing::Test {
   std::filesystem::path path_ = directory_.path() / "table.csv";
 };
 
-/// The sum is that of `sed '/^# sha256 /d' table.csv | sha256sum`.
+/// The checksum equals that of `sed '/^# sha256 /d' table.csv | sha256sum`.
 TEST_F(TableFileTest, HasAHeadWithTheSumOfAllOtherLines) {
   write("# along x\na,b\n1,2\n", {"rubline 1.2.3", "abc", {"config.yaml", "table.csv"}});
   EXPECT_EQ(read_whole_file(path_),
@@ -60,8 +60,7 @@ TEST_F(TableFileTest, AnyOtherByteIsFound) {
     std::string other = whole;
     other[i] = other[i] == '7' ? '8' : '7';
     put(other);
-    // Without its mark the line of the sum is a comment like any other, but the format says that there is
-    // one.
+    // Without its keyword the checksum's line is an ordinary comment, but the format requires a checksum.
     EXPECT_THROW(check_table(path_), IoError) << i;
     if (i + 1 == whole.size()) break;
     put(whole.substr(0, i + 1));
@@ -90,7 +89,7 @@ TEST_F(TableFileTest, AMessageSaysWhatIsWrong) {
             path_.string() + ": is a table of format 2, allowed: those up to 1, or a later program");
 }
 
-/// As git checks out on another system.
+/// Line ends may change when git checks out files on another system.
 TEST_F(TableFileTest, EndsOfLinesInCrLfChangeNothing) {
   write("a,b\n1,\"x\ny\"\n", {"rubline 1.2.3", "abc", {}});
   std::string text = read_whole_file(path_), other;
@@ -102,7 +101,7 @@ TEST_F(TableFileTest, EndsOfLinesInCrLfChangeNothing) {
   put(other);
   EXPECT_THROW(check_table(path_), DamagedTable);
   EXPECT_THROW(check_table_text(other, path_), DamagedTable);
-  put(text.insert(text.find("a,b") + 3, "\r"));  // one line alone
+  put(text.insert(text.find("a,b") + 3, "\r"));  // in a single line
   EXPECT_THROW(check_table(path_), DamagedTable);
 }
 
@@ -139,7 +138,7 @@ TEST(TableFileResultFiles, ATableTellsTheSumOfWhatHasNoPlaceForIt) {
   write_result_files({{"a.csv", "x\n1\n"}, {"config.yaml", "mass_kg: 1\n"}}, names, directory.path(),
                      {"rubtest", "0123", {}, {"map.csv"}});
   const std::string table = read_whole_file(directory.path() / "a.csv");
-  // printf 'mass_kg: 1\n' | sha256sum
+  // from: printf 'mass_kg: 1\n' | sha256sum
   EXPECT_NE(table.find("\n# files a.csv config.yaml map.csv\n# sum config.yaml "
                        "888f12b1da7b03f43005841318ad34d884a973aeb34ec063086ce4eecf99333a\n"),
             std::string::npos)

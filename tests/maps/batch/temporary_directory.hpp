@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-/// A new empty directory that goes away with everything in it.
+/// A new empty directory, which the destructor removes with its content.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {

@@ -29,7 +29,7 @@ TEST(WholeFileLineLog, EachLineIsThereAtOnce) {
   EXPECT_EQ(read_whole_file(path), "a,b\n\n1,2\n");
 }
 
-/// The last line is asked for once its time is over, whether or not another one comes, and only then.
+/// The last line is synced when its time has passed, with or without another line, and not earlier.
 TEST(WholeFileLineLog, RefreshSyncsWhatWasAppendedOnceItsTimeIsOver) {
   const TemporaryDirectory directory;
   LineLog log(directory.path() / "map.partial.csv", std::chrono::milliseconds(50));

@@ -1,4 +1,4 @@
-// Every file of bad/ with the complete message beside it: the message is the interface.
+// Compares the complete message for every file of bad/ with the text beside it: the message is the interface.
 #include <algorithm>
 #include <filesystem>
 
@@ -19,7 +19,7 @@ std::vector<std::string> stems(const std::string& extension) {
 class BadFilesEach : public testing::TestWithParam<std::string> {};
 
 TEST_P(BadFilesEach, GivesExactlyTheExpectedMessage) {
-  // Bases are relative to the file, whose name in the message is its own alone.
+  // Bases are relative to the file, whose name appears in the message without a directory.
   std::filesystem::current_path(std::string(CONFIG_TEST_DATA) + "/bad");
   const std::string name = GetParam() + ".yaml";
   EXPECT_EQ(message_of(test_file("bad/" + name), {}, name) + "\n",

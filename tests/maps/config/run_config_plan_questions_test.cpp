@@ -10,7 +10,7 @@ std::vector<std::string> asked(const std::vector<std::string>& overrides) {
   return read_run_config_text(test_file("minimal.yaml"), "test.yaml", overrides).questions;
 }
 
-/// The one question, without its place.
+/// The single question about the overrides, without its place.
 std::string of(const std::vector<std::string>& overrides, const std::string& key) {
   const auto all = asked(overrides);
   if (all.size() != 1) return std::to_string(all.size()) + " questions";
@@ -49,7 +49,7 @@ TEST(RunConfigPlanQuestions, AKickThatNoCellTakes) {
       asked({"kick={force_n: 100, duration_s: 0.005}", "sweep.whirl_ratio={values: [0.9, 1.5]}"}).empty());
 }
 
-/// The sag is g / w^2: 9.81 / (2 pi 5)^2 = 9.94 mm.
+/// The sag g / w^2 is 9.81 / (2 pi 5)^2 = 9.94 mm.
 TEST(RunConfigPlanQuestions, ARotorThatSagsOntoAStop) {
   const std::vector<std::string> low{"gravity_m_per_s2=9.81", "rotor.natural_frequency_hz=5",
                                      "sweep.speed_hz={from: 10, to: 50, count: 3}"};
@@ -57,6 +57,12 @@ TEST(RunConfigPlanQuestions, ARotorThatSagsOntoAStop) {
   below.emplace_back("stops.0.angle_deg=270");
   EXPECT_TRUE(of(below, "gravity_m_per_s2").starts_with("the rotor sags by 0.00994 m and rests on stop 0, "))
       << of(below, "gravity_m_per_s2");
+  auto placed = below;
+  placed.emplace_back("start={x_m: 0, y_m: -0.0012, vx_m_per_s: 0, vy_m_per_s: 0}");
+  EXPECT_TRUE(asked(placed).empty()) << asked(placed).front();
+  auto free = below;
+  free.emplace_back("start={x_m: 0, y_m: 0, vx_m_per_s: 0, vy_m_per_s: 0}");
+  EXPECT_EQ(asked(free).size(), 1U);
   auto above = low;
   above.emplace_back("stops.0.angle_deg=90");
   EXPECT_TRUE(asked(above).empty());
@@ -77,7 +83,7 @@ TEST(RunConfigPlanQuestions, AreNoneOfShippedConfigurations) {
     const std::string name = entry.path().filename().string();
     const bool of_ring = name.starts_with("ring_") || entry.path().parent_path().filename() == "ring";
     if (entry.path().extension() != ".yaml" || name == "stop.yaml" || of_ring) continue;
-    if (entry.path().parent_path().filename() == "recordings") continue;  // of rubdata, rubdiagnose
+    if (entry.path().parent_path().filename() == "recordings") continue;  // not for rubsweep
     const auto questions = read_run_config(entry.path(), {}).questions;
     EXPECT_TRUE(questions.empty()) << questions.front();
     ++count;

@@ -22,7 +22,7 @@ void expect_round_trip(const RunConfig& config) {
   EXPECT_EQ(print_config(again), printed);
 }
 
-/// Positive doubles over most of the exponents, so that nearly every one needs 17 digits.
+/// Random positive doubles over most exponents, almost all of which need 17 digits.
 double awkward(std::mt19937_64& random) {
   return std::ldexp(1 + std::ldexp(static_cast<double>(random() >> 12), -52),
                     static_cast<int>(random() % 160) - 80);
@@ -56,7 +56,7 @@ RunConfig awkward_config(std::mt19937_64& random) {
     if (random() % 2 == 0) stop.casing = model::Casing{awkward(random), awkward(random), awkward(random)};
     config.study.machine.stops.push_back(stop);
   }
-  // No number may look like one in another unit.
+  // No number may look like one in a wrong unit.
   const double frequency_hz = std::get<model::JeffcottRotor>(config.study.machine.rotor).natural_frequency_hz;
   if (random() % 2 == 0)
     config.study.machine.kick =
@@ -68,7 +68,7 @@ RunConfig awkward_config(std::mt19937_64& random) {
   config.study.grid.unbalance = {0.9e30, 0, awkward(random)};
   config.study.solver.method = integrate::run::Method(random() % 3);
   config.study.solver.stepper = integrate::run::Stepper(random() % 6);
-  // The exact solver knows no smoothed law.
+  // The exact solver has no smoothed law.
   const bool smoothed = config.study.solver.method != integrate::run::Method::exact && random() % 2 == 1;
   config.study.solver.contact =
       smoothed ? integrate::run::ContactHandling::smoothed : integrate::run::ContactHandling::located;
@@ -147,7 +147,7 @@ TEST(RunConfigPrintConfigStudy, IsTheConfigurationWithoutItsOutput) {
   EXPECT_EQ(print_study(config.study), study) << "no part of the digest";
 }
 
-/// The minimal configuration, which ends with its sweep and its output, with another sweep.
+/// The minimal configuration, which ends with sweep and output, with another sweep.
 RunConfig with_sweep(const std::string& speed, const std::string& unbalance) {
   std::string text = test_file("minimal.yaml");
   text = replaced(text, "speed_hz: {from: 60, count: 1}", speed);
@@ -181,7 +181,7 @@ TEST(RunConfigPrintConfig, SaysInSiWhatOtherUnitsDoNot) {
   RunConfig config =
       with_sweep("speed_rpm: {from: 3000, to: 9000, count: 3}", "whirl_ratio: {values: [0.5]}");
   config.study.grid.speed_hz = {
-      50, std::nextafter(50.0, 51.0)};  // two speeds that 15 digits of rpm do not tell apart
+      50, std::nextafter(50.0, 51.0)};  // two speeds that are equal in rpm with 15 digits
   EXPECT_NE(print_config(config).find("speed_hz:\n    values: [50, 50.00000000000001]"), std::string::npos);
   expect_round_trip(config);
 }

@@ -148,7 +148,7 @@ TEST(RunConfigRead, ReportsAllProblemsOfAFileAtOnce) {
       "gravity_m_per_s2, sweep, study, solver, response, output, title, author, note");
 }
 
-/// One to four random edits: a byte changed, inserted or removed, a stretch doubled or removed.
+/// The text after one to four random edits: a byte changed, inserted or removed, a part doubled or removed.
 std::string mutated(std::string text, std::mt19937_64& random) {
   static const std::string likely = "\n\n  :-,[]{}&*!|>'\"%#?0123456789.eE~\t\r";
   const std::size_t edits = 1 + random() % 4;

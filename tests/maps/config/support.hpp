@@ -20,7 +20,7 @@ inline std::string test_file(const std::string& name) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The complete message of the ConfigError; "no error" when the text was taken.
+/// The complete message of the ConfigError; "no error" if the text was accepted.
 inline std::string message_of(const std::string& text, const std::vector<std::string>& overrides = {},
                               const std::string& name = "test.yaml") {
   try {
@@ -31,7 +31,7 @@ inline std::string message_of(const std::string& text, const std::vector<std::st
   return "no error";
 }
 
-/// The same about the rotor kit of rotor_kit.yaml.
+/// The same for the rotor kit of rotor_kit.yaml.
 inline std::string kit_message(const std::vector<std::string>& overrides) {
   return message_of(test_file("rotor_kit.yaml"), overrides, "kit.yaml");
 }
@@ -43,8 +43,8 @@ inline std::string replaced(std::string text, const std::string& from, const std
   return text.replace(at, from.size(), to);
 }
 
-/// Every number of a configuration in a fixed order, as bits: alternatives by index, optional ones with a
-/// flag. An equality that shares nothing with the printer.
+/// All numbers of a configuration in a fixed order as bits: alternatives as an index, optional numbers with a
+/// flag. This comparison shares no code with the printer.
 inline std::vector<std::uint64_t> bits_of(const RunConfig& config) {
   std::vector<std::uint64_t> bits;
   const auto put = [&](double value) { bits.push_back(std::bit_cast<std::uint64_t>(value)); };

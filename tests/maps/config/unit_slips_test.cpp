@@ -16,7 +16,7 @@ std::vector<std::string> of_kit(const std::string& override) {
   return questions("rotor_kit.yaml", {override});
 }
 
-/// The one question about an override, without its place.
+/// The single question about an override, without its place.
 std::string asked(const std::vector<std::string>& all, const std::string& override) {
   if (all.size() != 1) return std::to_string(all.size()) + " questions";
   const std::string place = "--set " + override + ": ";
@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{
             "stops.0.friction={coefficient: 10}",
             "stops.0.friction.coefficient: 10 is more friction than surfaces have that slide on (per cent?)"},
-        // 2 F T / (pi m w) = 1 mm for 47.4 N and 5 ms.
+        // 2 F T / (pi m w) is 1 mm for 47.4 N and 5 ms.
         Case{"kick={force_n: 2.0e4, duration_s: 0.005}",
              "kick.force_n: 20000 N would move the rotor by 422 clearances (millinewtons?)"},
         Case{"start.x_m=0.5", "start.x_m: 0.5 m is 500 clearances (millimetres?)"}));
@@ -105,7 +105,7 @@ TEST(UnitSlips, OfAKitAreRefusedAsThoseOfAJeffcottRotor) {
               "rotor.shaft.0.youngs_modulus_pa: 205 Pa is softer than any solid (gigapascals?), allowed: at "
               "least 100000"),
       std::string::npos);
-  // A kick longer than the run is another problem.
+  // A kick longer than the run is a different problem.
   EXPECT_NE(message_of(test_file("rotor_kit.yaml"),
                        {"kick={force_n: 1, duration_s: 20}", "response.max_revolutions=100000"})
                 .find("periods of the rotor are no kick (milliseconds?)"),

@@ -22,7 +22,7 @@ class EarlierResultsJournalHeaderOfAStudy : public testing::Test {
 
   void write(const batch::JournalHeader& header) const { batch::Journal(path_, header).append(0, "text"); }
 
-  /// Writes over so many bytes at the beginning of the file.
+  /// Overwrites this number of bytes at the beginning of the file.
   void damage(std::size_t bytes) const {
     std::string text = batch::read_whole_file(path_);
     std::fill_n(text.begin(), bytes, '\1');

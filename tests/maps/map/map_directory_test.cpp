@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Cells = std::vector<std::size_t>;
 
-/// Names of the files that are left, locks apart.
+/// Names of the remaining files, except locks.
 std::vector<std::string> files_in(const fs::path& directory) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(directory))

@@ -23,11 +23,11 @@ TEST(MapFilesShare, CellsOfAWholeMapAreDealtOutInTurn) {
 }
 
 TEST(MapFilesShare, CellsOfALatticeAreSpreadOverAllShares) {
-  // Every eighth cell, of which plain remainders would give all to one share of eight.
+  // Every eighth cell: a division with remainder would give all of them to one of eight shares.
   constexpr std::size_t shares = 8, cells = 8000;
   std::vector<std::size_t> counts(shares);
   for (std::size_t i = 0; i < cells; ++i) ++counts[share_of(8 * i, shares, true)];
-  // Standard deviation of a fair deal: sqrt(8000 * 1/8 * 7/8), about 30.
+  // Standard deviation of a random distribution: sqrt(8000 * 1/8 * 7/8), about 30.
   for (const std::size_t count : counts) EXPECT_NEAR(static_cast<double>(count), 1000, 150);
 }
 

@@ -13,8 +13,7 @@
 namespace rubsweep::map {
 namespace {
 
-/// Adds the wanted cells with the order that `order_of` gives them, until no more are wanted; returns their
-/// number.
+/// Adds the wanted cells, with orders from `order_of`, until no more are wanted; returns their number.
 template <class OrderOf>
 std::size_t cells_wanted(const sweep::Grid& grid, const OrderOf& order_of) {
   RefinedCells known(grid);
@@ -51,10 +50,10 @@ TEST(RefinedCells, ReadWhatAnyJournalOfTheDirectoryHolds) {
 
 const batch::TableSource source{"test 1", "0123", {}};
 
-/// Subharmonic of order 2 in the last two columns of the grid, synchronous elsewhere.
+/// Order 2 in the last two columns of the grid, order 1 elsewhere.
 int order_of(std::size_t cell) { return cell % 5 < 3 ? 1 : 2; }
 
-/// Writes the rows that the refinement of a grid asks for; returns how many there are.
+/// Writes the rows that the refinement of a grid needs; returns their number.
 std::size_t write_refined_map(const std::filesystem::path& file, const sweep::Grid& grid) {
   RefinedCells known(grid);
   std::ofstream map(file);

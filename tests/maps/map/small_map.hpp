@@ -15,7 +15,7 @@
 
 namespace rubsweep::map {
 
-/// A map of four cells, none of which is computed: tests say what they hold.
+/// A map of four cells, none of which is computed; tests write their content.
 struct SmallMap {
   TemporaryDirectory temporary;
   std::filesystem::path path = temporary.path() / "map";
@@ -32,14 +32,14 @@ output: {directory: results}
                                         "small.yaml", overrides);
   }
 
-  /// Overrides that make it a refined map of 25 cells.
+  /// Overrides that turn the map into a refined one with 25 cells.
   static std::vector<std::string> refined() {
     return {
         "sweep={speed_hz: {from: 60, to: 100, count: 5}, "
         "whirl_ratio: {from: 0.1, to: 0.5, count: 5}, refine: {levels: 1}}"};
   }
 
-  /// The text of a table as a version without checksums wrote it.
+  /// The text of a table as written by a version without checksums.
   static std::string without_checksum(std::string table) {
     for (const std::string_view line : {"# format ", "# sha256 "}) {
       const std::size_t at = table.find(line);
@@ -48,7 +48,7 @@ output: {directory: results}
     return table;
   }
 
-  /// Replaces the rows of the whole map by others, without its checksum.
+  /// Replaces the rows of the complete map, and removes its checksum.
   void give_rows(const std::vector<std::string>& rows) const {
     const std::string table = without_checksum(batch::read_whole_file(path / "map.csv"));
     const std::size_t header = table.find("\nspeed_hz") + 1;
@@ -62,7 +62,7 @@ output: {directory: results}
     return MapDirectory(path, config(overrides), part, fresh, "test");
   }
 
-  /// The line of a cell whose motion is synchronous, or subharmonic of this order.
+  /// The line of a cell with a synchronous motion, or with a subharmonic one of order `order`.
   static std::string line(std::size_t cell, int order = 1) {
     sweep::Row row;
     row.speed_hz = cell % 2 == 0 ? 60 : 70;
@@ -75,7 +75,7 @@ output: {directory: results}
     return report::map_line(row, config().study);
   }
 
-  /// Makes the whole map, without journals.
+  /// Writes the complete map without journals.
   void finish() const {
     const MapDirectory directory = begin();
     for (const std::size_t cell : directory.missing()) directory.journal().append(cell, line(cell));

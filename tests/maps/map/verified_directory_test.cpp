@@ -26,7 +26,7 @@ VerifiedConfiguration read(const std::filesystem::path& file) {
 
 DirectoryVerdict verdict_on(const SmallMap& map) { return verify_directory(map.path, read); }
 
-/// The one fault that must be there.
+/// The fault found; there must be exactly one.
 std::string fault_of(const SmallMap& map) {
   const DirectoryVerdict verdict = verdict_on(map);
   EXPECT_EQ(verdict.faults.size(), 1u);
@@ -53,7 +53,7 @@ TEST(VerifiedDirectory, KnowsCellsByTheirValuesInAnyOrder) {
   map.give_rows({SmallMap::line(3), SmallMap::line(0), SmallMap::line(2), SmallMap::line(1)});
   const DirectoryVerdict verdict = verdict_on(map);
   EXPECT_TRUE(verdict.faults.empty()) << verdict.faults.front();
-  EXPECT_EQ(verdict.remarks.size(), 1u);  // no checksum
+  EXPECT_EQ(verdict.remarks.size(), 1u);  // the missing checksum
   map.give_rows({SmallMap::line(3), SmallMap::line(0), SmallMap::line(2)});
   expect_fault(map, "there is no row of speed_hz 70, whirl_ratio 0.25");
   map.give_rows(
@@ -103,7 +103,7 @@ TEST(VerifiedDirectory, SeesTablesOfAnotherStudyAndThoseThatAreGone) {
   EXPECT_EQ(verdict_on(map).faults.size(), 2u);
 }
 
-/// Files that a program wrote without a map; `program` tells which.
+/// Files written by a program without a map; `program` is its name.
 struct Written {
   TemporaryDirectory directory;
   const std::filesystem::path& path = directory.path();
@@ -127,7 +127,7 @@ struct Written {
   }
 };
 
-/// The configuration of a fit is the one that was found, not the one that was read.
+/// A fit's directory contains the resulting configuration, not the one that was read.
 TEST(VerifiedDirectory, OfAFitIsWhole) {
   const Written fit("rubfit");
   EXPECT_TRUE(fit.verdict().faults.empty()) << fit.verdict().faults.front();
@@ -141,7 +141,7 @@ TEST(VerifiedDirectory, OfAFitIsWhole) {
 TEST(VerifiedDirectory, LooksAtFilesThatHaveNoPlaceForASum) {
   const Written fit("rubfit");
   fit.put("answer.json", "{\"probability\": 0}\r\n");
-  EXPECT_TRUE(fit.verdict().faults.empty());  // checked out on another system
+  EXPECT_TRUE(fit.verdict().faults.empty());  // after a checkout on another system
   fit.put("answer.json", "{\"probability\": 1}\n");
   fit.expect_fault("answer.json: is not as it was written: its sha256 is ");
   std::filesystem::remove(fit.path / "answer.json");
@@ -205,7 +205,7 @@ TEST(VerifiedDirectory, APageIsCheckedByItsSumAndItsMap) {
   expect_fault(map, "report.html: belongs to another map");
 }
 
-/// Tables of one recording, of two calls, beside a map: they belong to no study.
+/// Tables of a recording, written by two calls, beside a map: they belong to no study.
 TEST(VerifiedDirectory, TablesOfARecordingBelongToNoStudy) {
   const SmallMap map;
   map.finish();

@@ -14,7 +14,7 @@
 
 namespace rubsweep::matlab {
 
-/// A MATLAB file that libmatio writes, variable by variable.
+/// A MATLAB file written by libmatio, variable by variable.
 class MatioFile {
  public:
   MatioFile(std::filesystem::path path, mat_ft version, matio_compression compression = MAT_COMPRESSION_NONE)
@@ -41,7 +41,7 @@ class MatioFile {
     write(Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims.data(), &both, MAT_F_COMPLEX));
   }
   void text(const char* name) { write(variable<char>(name, MAT_C_CHAR, MAT_T_UINT8, 1, 3, {'a', 'b', 'c'})); }
-  /// {{1, -3}, {0, 4.5}}
+  /// Writes the sparse matrix {{1, -3}, {0, 4.5}}.
   void sparse(const char* name) {
     std::array<std::size_t, 2> size{2, 2};
     std::array<mat_uint32_t, 3> rows{0, 0, 1}, begins{0, 1, 3};
@@ -51,7 +51,7 @@ class MatioFile {
     stored.ir = rows.data(), stored.njc = 3, stored.jc = begins.data(), stored.data = values.data();
     write(Mat_VarCreate(name, MAT_C_SPARSE, MAT_T_DOUBLE, 2, size.data(), &stored, MAT_F_DONT_COPY_DATA));
   }
-  /// A structure with x, a vector of 1 and 2, and note, a text.
+  /// Writes a structure with x, a vector of 1 and 2, and note, a text.
   void structure(const char* name) {
     std::array<const char*, 2> names{"x", "note"};
     std::array<std::size_t, 2> size{1, 1};
@@ -68,7 +68,7 @@ class MatioFile {
     Mat_VarFree(made);
   }
 
-  /// Ends the file; its bytes.
+  /// Closes the file and returns its bytes.
   std::string close() {
     if (file_ != nullptr) Mat_Close(file_);
     file_ = nullptr;
@@ -89,7 +89,7 @@ inline const Variable& find(const std::vector<Variable>& variables, const std::s
   return *std::ranges::find(variables, name, &Variable::name);
 }
 
-/// Fault of bytes, or "nothing".
+/// The fault found in the bytes, or "nothing".
 inline std::string fault(std::string_view bytes) {
   try {
     read_all(bytes);

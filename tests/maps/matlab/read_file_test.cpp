@@ -56,7 +56,7 @@ TEST_P(ReadFile, APieceOfAFileIsRefused) {
   file.doubles("matrix", 10, 10, values);
   const std::string bytes = file.close();
   for (std::size_t size = 1; size < bytes.size(); size += 1 + bytes.size() / 50) {
-    if (size == 128 && GetParam().version == MAT_FT_MAT5) continue;  // a file without variables
+    if (size == 128 && GetParam().version == MAT_FT_MAT5) continue;  // a valid file without variables
     EXPECT_NE(fault(bytes.substr(0, size)), "nothing") << size;
   }
 }
@@ -74,7 +74,7 @@ TEST(ReadFileOfNone, IsRefused) {
   EXPECT_EQ(fault(std::string(4096, 'x')), "is no MATLAB file, or a damaged one");
 }
 
-/// A number as a machine with the large end first wrote it.
+/// A number in big-endian byte order.
 template <class Number>
 std::string large_end_first(Number number) {
   std::string raw(reinterpret_cast<const char*>(&number), sizeof number);

@@ -118,7 +118,7 @@ TEST(Version5, RefusesWhatIsLongerOrDamaged) {
   EXPECT_THROW(inflate_all(packed(std::string(100000, 'a')), 99999), FileError);
   EXPECT_THROW(inflate_all(good.substr(0, good.size() - 1), 100), FileError);
   std::string changed = good;
-  changed.back() = static_cast<char>(changed.back() ^ 1);  // a bit of the checksum
+  changed.back() = static_cast<char>(changed.back() ^ 1);  // one bit of the checksum
   EXPECT_THROW(inflate_all(changed, 100), FileError);
   EXPECT_THROW(inflate_all("", 100), FileError);
 }

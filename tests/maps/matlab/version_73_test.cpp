@@ -11,7 +11,7 @@
 namespace rubsweep::matlab {
 namespace {
 
-/// A file of HDF5 behind the words of MATLAB, which a test fills.
+/// An HDF5 file after MATLAB's header text, which a test fills.
 class Hdf5File {
  public:
   explicit Hdf5File(const std::filesystem::path& path) : path_(path) {

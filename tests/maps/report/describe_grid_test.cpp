@@ -9,7 +9,7 @@
 namespace rubsweep::report {
 namespace {
 
-/// Two speeds, `unbalances` and `forces` values of the other two axes.
+/// A grid of two speeds and these numbers of values on its other two axes.
 sweep::Grid grid_of(std::size_t unbalances, std::size_t forces) {
   sweep::Grid grid;
   grid.speed_hz = {60, 70};

@@ -15,11 +15,12 @@ TEST(ExplainMachine, MovingCasing) {
   EXPECT_TRUE(
       says(text, "rotor: Jeffcott, moves in x and y (2 coordinates), 0.8 kg, 30 Hz, damping ratio 0.02\n"));
   EXPECT_TRUE(says(text, "stop 0 (kicked): one side at 90 degrees, clearance 0.001 m\n"));
-  // sqrt(5e5 / 0.05) / (2 pi) Hz; pi sqrt(0.8 * 0.05 / 0.85 / 2e6) s.
+  // Casing frequency sqrt(5e5 / 0.05) / (2 pi) Hz; contact half-period pi sqrt(0.8 * 0.05 / 0.85 / 2e6) s.
   EXPECT_TRUE(says(text,
                    "casing: moves in x and y (2 coordinates), 0.05 kg, 503.3 Hz, damping ratio 0.1; contact "
                    "half-period 0.482 ms\n"));
-  // Nominal 0.7: |ln 0.7| / sqrt(pi^2 + ln^2 0.7) = 0.11282, of which the clamp returns 0.736.
+  // Nominal restitution 0.7: damping ratio |ln 0.7| / sqrt(pi^2 + ln^2 0.7) = 0.11282, with which the clamped
+  // law gives 0.736.
   EXPECT_TRUE(says(text, "clamped ElastoGap, 2000000 N/m, 69.2161 N s/m"));
   EXPECT_TRUE(says(text, "(damping ratio 0.1128; a free impact returns 0.736"));
   EXPECT_TRUE(says(text, "kick: half-sine, 200 N for 0.005 s\n"));
@@ -93,10 +94,10 @@ TEST(ExplainMachineExplainStop, AContactThatIsFasterThanTheModesAreChosenForIsSa
 
 TEST(ExplainMachineExplainStop, FrictionSaturatedOrNotAtTheStatedSpeed) {
   model::Machine machine = scene::one_side_machine();
-  // 0.0375 m at 2 pi 45 rad/s are 10.603 m/s.
+  // Surface speed: 0.0375 m times 2 pi 45 rad/s is 10.603 m/s.
   EXPECT_TRUE(says(explained(machine, 45),
                    "friction: Stribeck, 0.1 at the surface speed 10.6 m/s of the lowest speed (saturated"));
-  // tanh(100 * 0.0375 * 2 pi * 0.1) is not yet 1.
+  // tanh(100 * 0.0375 * 2 pi * 0.1) is still below 1.
   EXPECT_TRUE(says(explained(machine, 0.1), "(depends on the slip)"));
   machine.stops[0].friction = model::ConstantFriction{0.25};
   EXPECT_TRUE(says(explained(machine, 45),
@@ -129,7 +130,7 @@ TEST(ExplainMachineExplainStop, ACurvedLawAndWhatItsDampingReturns) {
   law.approach_speed_m_per_s = 0.2;
   const std::string text = explained(machine, 45);
   EXPECT_TRUE(says(text, "  force law: 300000000 N/m^1.5 p^1.5; secant at a twentieth of the clearance "));
-  // 3 (1 - 0.7) / 2.
+  // Damping factor 3 (1 - 0.7) / 2.
   EXPECT_TRUE(
       says(text, "  contact damping: hunt_crossley with restitution 0.7, 1 + 0.45 p' / v0, v0 0.2 m/s\n"));
   EXPECT_FALSE(says(text, "the motion goes by how each contact began"));

@@ -60,7 +60,7 @@ TEST(ExplainStudy, SaysWhichStepperAutoTakesAndWhy) {
   EXPECT_FALSE(says(explain_study(study), "stepper auto"));
   study.solver.method = integrate::run::Method::adaptive;
   EXPECT_TRUE(says(explain_study(study), "stepper auto: rosenbrock4 (implicit"));
-  // 4 tolerance^(-1/4)
+  // The limit is 4 tolerance^(-1/4).
   EXPECT_TRUE(says(explain_study(study), "change the slip 400 times faster than the contact spring"));
   study.solver.relative_tolerance = 1e-4;
   EXPECT_TRUE(says(explain_study(study), "change the slip 40 times faster"));

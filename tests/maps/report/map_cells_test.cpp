@@ -29,7 +29,7 @@ class MapCells : public ::testing::Test {
   const TemporaryDirectory directory_;
 };
 
-/// Two speeds at two whirl ratios: the eccentricity is another one in every cell.
+/// Two speeds at two whirl ratios: the eccentricity differs in every cell.
 TEST_F(MapCells, TheAxisIsWhatComesAgain) {
   const std::string by_ratio = "50,0.2,1\n60,0.2,2\n50,0.4,3\n60,0.4,4\n",
                     by_eccentricity = "50,1,0.2\n60,2,0.2\n50,3,0.4\n60,4,0.4\n";
@@ -37,13 +37,13 @@ TEST_F(MapCells, TheAxisIsWhatComesAgain) {
   EXPECT_EQ(axis_of(by_eccentricity, by_eccentricity), "eccentricity_m");
 }
 
-/// At one speed every measure holds as many values as the other.
+/// At a single speed, both measures have equally many values.
 TEST_F(MapCells, TheAxisIsWhatTwoMapsHaveInCommon) {
   EXPECT_EQ(axis_of("50,1,0.2\n50,3,0.4\n", "50,1.1,0.2\n50,3.3,0.4\n"), "eccentricity_m");
   EXPECT_EQ(axis_of("50,0.2,1\n50,0.4,2\n", "50,0.2,1.1\n50,0.4,2.2\n"), "whirl_ratio");
 }
 
-/// A rotor that gravity presses on its stop has no whirl ratio.
+/// A rotor that rests on its stop by gravity has no whirl ratio.
 TEST_F(MapCells, WhatIsEmptyIsNoAxis) {
   const std::string pressed = "50,,0.2\n60,,0.2\n50,,0.4\n60,,0.4\n";
   EXPECT_EQ(axis_of(pressed, pressed), "eccentricity_m");
@@ -79,7 +79,8 @@ TEST_F(MapCells, ACellThatIsThereTwiceIsAnError) {
             path.string() + ":4: this cell is in the map twice");
 }
 
-/// Two speeds, falling, three eccentricities in no order, and an axis of two keys, the first of which stays.
+/// Two descending speeds, three unordered eccentricities, and an axis of two keys, the first of which is
+/// constant.
 const sweep::Grid grid{{60, 50},
                        sweep::UnbalanceMeasure::eccentricity_m,
                        {1e-5, 3e-5, 2e-5},
@@ -92,7 +93,7 @@ std::string row(std::size_t cell) {
          (cell % 2 == 0 ? "60" : "50.0") + "\n";
 }
 
-/// The cells of the rows of a map, which must be all when `whole`.
+/// The cells of a map's rows; with `whole`, all cells must be present.
 std::vector<std::size_t> cells_of(const std::string& rows, bool whole = false) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "map.csv";

@@ -25,7 +25,7 @@ namespace {
 
 using sweep::Row;
 
-/// Cells of a line by the name of their column.
+/// Cells of a line by their column names.
 std::map<std::string, std::string> by_column(const std::string& line) {
   const auto split = [](const std::string& text) {
     std::vector<std::string> cells(1);
@@ -230,7 +230,8 @@ TEST(MapCsvMapColumns, OfEachComparison) {
   EXPECT_EQ(columns_compared(Comparison::text), "orbit, whirl");
 }
 
-/// Numbers that depend on how long one looked, or on how well a proof succeeded, are no property of the cell.
+/// Numbers that depend on the length of observation or on the success of a proof are not properties of the
+/// cell.
 TEST(MapCsvMapColumns, NumbersOfTheWayToTheVerdictAreNotCompared) {
   for (const char* name : {"proof", "floquet_modulus", "lyapunov_per_revolution", "last_contact_revolution",
                            "revolutions", "status", "start"})
@@ -242,7 +243,7 @@ std::string document(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A column that the reference does not explain, or a class that the guide does not.
+/// Every column must be explained in the reference, and every class in the guide.
 TEST(MapCsvMapColumns, AndClassesStandInTheDocumentsAndInTheHelp) {
   const std::string columns_page = document("reference/columns.md"),
                     guide = document("guide/reading-a-map.md");

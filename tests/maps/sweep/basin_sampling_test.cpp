@@ -40,7 +40,7 @@ TEST(BasinSampling, CountsWhatItsSamplesLeadTo) {
   EXPECT_NEAR(static_cast<double>(basins.failed), 400, 4);
 }
 
-/// By another route: every sample as a cell of its own study.
+/// Independent check: every sample is simulated as a cell of its own study.
 TEST(BasinSampling, OfACellCountsItsOwnRuns) {
   Study study = one_side_study({75}, {0.4});
   study.basin = BasinSampling{24, {{"kick.force_n", 0, 300, false}}};

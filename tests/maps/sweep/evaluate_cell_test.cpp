@@ -39,7 +39,7 @@ TEST(EvaluateCellRowOf, NothingThatIsNotFiniteIsOk) {
     EXPECT_FALSE(row.measures);
     EXPECT_FALSE(row.order);
   }
-  // A finite peak over a clearance that is next to nothing.
+  // A finite peak divided by an extremely small clearance.
   run.motion.measures.contact.peak_contact_force_n = 1;
   scene::Cell narrow = cell;
   narrow.scene.length_scale_m = 1e-320;
@@ -80,8 +80,8 @@ TEST(EvaluateCellRowOf, SaysThatTheRunEndedBeforeItsKick) {
   EXPECT_EQ(row_of(cell, 75, study.machine, &run).status, "kick_unfinished");
 }
 
-/// The one-side rotor by the other route: equations written by hand, classical Runge-Kutta in small equal
-/// steps straight through every corner of the force.
+/// Independent model of the one-side rotor: hand-written equations and the classical Runge-Kutta method in
+/// small equal steps, across all corners of the force.
 class ByHand {
  public:
   using State = test::OneSideState<double>;
@@ -157,7 +157,7 @@ TEST(EvaluateCell, AboveAWhirlRatioOfOneTheRotorRubsWithoutAKick) {
   EXPECT_GT(row.revolutions, 0);
   EXPECT_TRUE(row.last_contact_revolution);
   EXPECT_NE(row.proof, response::motion::Proof::rest);
-  // The kick has no part in it.
+  // The kick has no influence.
   study.machine.kick->force_n = 1e4;
   EXPECT_EQ(report::map_line(evaluate(study)), report::map_line(row));
   study.machine.kick.reset();
@@ -173,7 +173,7 @@ TEST(EvaluateCell, SaysHowItStarted) {
   EXPECT_EQ(evaluate(study).start, RunStart::quiet);
 }
 
-/// By another route: a kick that is over at once gives the rotor its impulse / mass.
+/// Independent check: a kick of negligible duration gives the rotor the velocity impulse / mass.
 TEST(EvaluateCell, AGivenVelocityIsAKickOfNoLength) {
   constexpr double duration_s = 1e-10;
   const Study quiet = one_side_study({75}, {0.4});
@@ -199,8 +199,8 @@ TEST(EvaluateCell, AGivenVelocityIsAKickOfNoLength) {
   EXPECT_GT(rubs, 0);
 }
 
-/// Behind the wall and in front of it, where the quiet whirl reaches the wall: there the rotor rests without
-/// a given start.
+/// Starts inside and in front of the wall, where the quiet whirl reaches the wall. Without a given start the
+/// rotor would begin at rest.
 TEST(EvaluateCell, MayStartInTheWall) {
   Study study = one_side_study({75}, {1.2});
   study.machine.kick.reset();
@@ -219,7 +219,7 @@ TEST(EvaluateCell, MayStartInTheWall) {
 TEST(EvaluateCell, WhatCannotBeRunIsNot) {
   Study study = one_side_study({75}, {0.5});
   study.machine.stops[0].geometry = model::OneSideGeometry{-90};
-  study.machine.gravity_m_per_s2 = 1e3;  // sags through the stop: no unbalance gives any whirl ratio
+  study.machine.gravity_m_per_s2 = 1e3;  // sags beyond the stop, so no whirl ratio exists
   const Row row = evaluate(study);
   EXPECT_EQ(to_string(row.motion_class), "initial_contact");
   EXPECT_EQ(row.status, "ok");
@@ -248,7 +248,7 @@ TEST(EvaluateCell, WithoutAKickTheQuietWhirlIsProvenAtOnce) {
   EXPECT_EQ(row.revolutions, 1);
   EXPECT_FALSE(row.last_contact_revolution);
   EXPECT_FALSE(row.order);
-  // A = e s^2 / sqrt((1 - s^2)^2 + (2 zeta s)^2) is the whirl ratio's share of the clearance.
+  // A = e s^2 / sqrt((1 - s^2)^2 + (2 zeta s)^2) equals whirl ratio x clearance.
   const double s = 75.0 / 30;
   EXPECT_NEAR(row.eccentricity_m, 0.4e-3 * std::hypot(1 - s * s, 2 * 0.02 * s) / (s * s), 1e-17);
   ASSERT_TRUE(row.measures);
@@ -299,7 +299,7 @@ TEST(EvaluateCell, LastContactBeforeRestIsTheLastOneEver) {
 TEST(EvaluateCell, SubharmonicRowHoldsTheNumbersOfTheMotionByHand) {
   Study study = one_side_study({75}, {0.4});
   study.response.max_revolutions = 300;
-  study.response.samples_per_revolution = 128;  // 32 would fold orders about 32 onto the lines, 1e-6 of them
+  study.response.samples_per_revolution = 128;  // with 32, orders near 32 would be aliased onto the lines
   study.response.floquet_proof = false;
   const Row row = evaluate(study);
   EXPECT_EQ(to_string(row.motion_class), "subharmonic");
@@ -360,7 +360,7 @@ TEST(EvaluateCell, StepLimitIsAFailedRowWithoutMeasures) {
 TEST(EvaluateCell, ReversedSlipIsAStatusOfOneWayFrictionAlone) {
   Study study = one_side_study({75}, {0.4});
   auto& stop = study.machine.stops[0];
-  stop.contact_radius_m = 0;  // slip is what the rotor and the casing do, of either sign
+  stop.contact_radius_m = 0;  // the slip comes from rotor and casing only, and has either sign
   stop.friction = model::OneWayFriction{0.1};
   EXPECT_EQ(evaluate(study).status, "slip_reversal");
   stop.friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};
@@ -375,7 +375,7 @@ TEST(EvaluateCell, ReversedSlipIsAStatusOfOneWayFrictionAlone) {
 }
 
 TEST(EvaluateCell, SeveralStatusesAreJoined) {
-  // Among these limits some are enough for the first contacts and not for what follows.
+  // Some of these limits suffice for the first contacts, but not for later ones.
   Study study = one_side_study({75}, {0.4});
   study.machine.stops[0].contact_radius_m = 0;
   study.machine.stops[0].friction = model::OneWayFriction{0.1};
@@ -392,14 +392,14 @@ TEST(EvaluateCell, SeveralStatusesAreJoined) {
 }
 
 TEST(EvaluateCell, AReversalInTheFirstTurnIsNamedWhereThatFails) {
-  // Starts pressed into the wall and slides back along it faster than the surface goes forward.
+  // Starts pressed into the wall and slides backwards along it, faster than the surface moves forward.
   Study study = one_side_study({75}, {0.4});
   model::Stop& stop = study.machine.stops[0];
   stop.friction = model::OneWayFriction{0.3};
   stop.contact_radius_m = 1e-4;
   study.machine.kick.reset();
   const double slow_m_per_s = -2 * stop.contact_radius_m * 2 * std::numbers::pi * 75;
-  // The wall's tangent, wherever it stands.
+  // Tangential direction of the wall at any angle.
   const double angle = std::get<model::OneSideGeometry>(stop.geometry).angle_deg * std::numbers::pi / 180;
   study.machine.start = model::Start{.rotor = {.x_m = 1.2 * stop.clearance_m * std::cos(angle),
                                                .y_m = 1.2 * stop.clearance_m * std::sin(angle),
@@ -424,7 +424,7 @@ TEST(EvaluateCell, DependsOnItsArgumentsAlone) {
   EXPECT_EQ(report::map_line(evaluate_cell(study, 0, workspace)), fresh);
 }
 
-/// A casing that nothing touches hangs on its spring.
+/// A casing without contact hangs on its spring.
 TEST(EvaluateCell, ACasingAtRestHangsByItsWeight) {
   Study study = one_side_study({75}, {0.4});
   study.machine.kick.reset();
@@ -436,7 +436,8 @@ TEST(EvaluateCell, ACasingAtRestHangsByItsWeight) {
   EXPECT_NEAR(row.measures->contact.peak_casing_displacement_m, sag_m, 1e-12 * sag_m);
 }
 
-/// The word comes and goes with the force for which the stiffness was made; the stiffness itself stays.
+/// The status depends on the force for which the stiffness was linearised; the stiffness itself stays the
+/// same.
 TEST(EvaluateCell, BeyondHertzIsAStatusOfForcesAboveTheDesignForce) {
   Study study = one_side_study({75}, {0.4});
   const double peak_n = evaluate(study).measures->contact.peak_contact_force_n;
@@ -453,7 +454,7 @@ TEST(EvaluateCell, BeyondHertzIsAStatusOfForcesAboveTheDesignForce) {
   EXPECT_EQ(row.measures->contact.peak_contact_force_n, peak_n);
 }
 
-/// Above the threshold 30 Hz (1 + 0.02 / 0.04) the quiet whirl does not last, kick or no kick.
+/// Above the threshold 30 Hz (1 + 0.02 / 0.04) the quiet whirl is unstable, with or without a kick.
 TEST(EvaluateCell, DampingThatTurnsWithTheShaftLeavesNoQuietWhirlAboveItsThreshold) {
   Study study = one_side_study({40, 50}, {0.2});
   auto& rotor = std::get<model::JeffcottRotor>(study.machine.rotor);
@@ -472,7 +473,7 @@ TEST(EvaluateCell, DampingThatTurnsWithTheShaftLeavesNoQuietWhirlAboveItsThresho
   EXPECT_EQ(to_string(early.motion_class), "unsettled");
 }
 
-/// The circulatory stiffness is not symmetric: all solvers must agree on what it does.
+/// The circulatory stiffness is not symmetric: all solvers must agree about its effect.
 TEST(EvaluateCell, SolversAgreeWithDampingThatTurns) {
   Study study = one_side_study({75, 110}, {0.4});
   auto& rotor = std::get<model::JeffcottRotor>(study.machine.rotor);
@@ -493,8 +494,8 @@ TEST(EvaluateCell, SolversAgreeWithDampingThatTurns) {
   }
 }
 
-/// A weight of four clearances of sag on a floor, without unbalance: nothing moves, and the spring of the
-/// stop carries what that of the rotor does not. With unbalance it moves on the floor.
+/// On a floor, a weight whose sag would be four clearances, without unbalance: nothing moves, and the stop
+/// carries what the rotor's spring does not. With unbalance the rotor moves on the floor.
 TEST(EvaluateCell, ARotorThatRestsOnAStopIsCalledSo) {
   Study study = one_side_study({60}, {0});
   study.machine.kick.reset();

@@ -38,7 +38,7 @@ std::size_t bytes_beyond(const Study& study, const Study& less) {
          24 * cell_count(study.grid) + 24 * cell_count(less.grid);
 }
 
-/// Gyroscopic forces make another machine of a kit at each speed, and axes over its keys do.
+/// Gyroscopic forces make a kit a different machine at each speed; axes over its keys do, too.
 TEST(Footprint, CountsTheFlowsOfEveryMachineUpToWhatIsKept) {
   Study one = one_side_study({50}, {0.1, 0.2}), more = one;
   more.grid.speed_hz = {50, 60, 70};

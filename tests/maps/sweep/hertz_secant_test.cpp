@@ -25,7 +25,7 @@ using std::numbers::pi;
 
 constexpr double within_tolerance = contact::hertz_secant_tolerance + 1e-12;
 
-/// Steel on flat brass, linearised at a force far below those of the tests.
+/// Steel on flat brass, linearised at a force far below the forces of the tests.
 model::HertzLine steel_on_brass(double design_force_n) {
   return {.length_m = 0.006,
           .rotor = {.radius_m = 5e-3, .youngs_modulus_pa = 2.06e11, .poisson_ratio = 0.3},
@@ -42,7 +42,7 @@ void make_rigid_and_frictionless(model::Stop& stop, double design_force_n) {
   stop.contact_radius_m = 0.005;
 }
 
-/// The one-side machine with such a stop.
+/// A study of the one-side machine with such a stop.
 Study study_with(double design_force_n, int iterations) {
   Study study = one_side_study({75}, {0.4});
   make_rigid_and_frictionless(study.machine.stops[0], design_force_n);
@@ -57,7 +57,7 @@ Row row_with_force(double force_n) {
   return row;
 }
 
-/// Where the force of `force_of(stiffness)` is the one that the stiffness is the secant of, by bisection.
+/// Force at which `force_of(stiffness)` equals the force of the secant stiffness, by bisection.
 template <class ForceOf>
 double fixed_point_n(const model::HertzLine& contact, const ForceOf& force_of, double low_n, double high_n) {
   const auto excess = [&](double force_n) {
@@ -69,7 +69,7 @@ double fixed_point_n(const model::HertzLine& contact, const ForceOf& force_of, d
 }
 
 TEST(HertzSecant, ComesToTheFixedPointOfAKnownForce) {
-  // An impact of a mass at a speed: F = speed sqrt(mass K).
+  // Impact of a mass: F = speed sqrt(mass K).
   const Study study = study_with(20, 6);
   const model::HertzLine& contact = *study.machine.stops[0].hertz;
   const auto force_of = [](double stiffness) { return 0.3 * std::sqrt(0.8 * stiffness); };
@@ -126,7 +126,7 @@ TEST(HertzSecant, AnotherProgramMakesTheMachineOfARowFromItsForce) {
 }
 
 TEST(HertzSecant, SaysSoWhereItDoesNotCome) {
-  // A force that jumps to and fro, and one under which the contact is wider than long.
+  // A force that alternates between two values, and a force that makes the contact wider than long.
   const Study study = study_with(20, 3);
   int runs = 0;
   const Row jumping = with_hertz_iterations(
@@ -143,7 +143,8 @@ TEST(HertzSecant, SaysSoWhereItDoesNotCome) {
   EXPECT_TRUE(takes_secants_anew(study));
 }
 
-/// A whole circle in a frictionless rigid ring: (k - m w^2 + i c w) r + K (r - C) = m e w^2 in modulus.
+/// Full annular rub in a frictionless rigid ring: the modulus of (k - m w^2 + i c w) r + K (r - C) equals m e
+/// w^2.
 TEST(HertzSecant, FullAnnularRubHasTheForceOfItsOwnSecant) {
   Study study = study_with(1, 4);
   study.machine.stops[0].geometry = model::AnnularGeometry{};
@@ -179,7 +180,7 @@ TEST(HertzSecant, FullAnnularRubHasTheForceOfItsOwnSecant) {
       1, within_tolerance);
 }
 
-/// Largest force of one turn from the kick on, with the stiffness of the machine.
+/// Largest force in one turn from the kick on, with the machine's constant stiffness.
 double linear_force_n(const model::Machine& machine) {
   const scene::Cell cell = scene::build_cell(machine, 75, scene::WhirlRatio{0.4});
   response::motion::Workspace workspace;
@@ -189,14 +190,14 @@ double linear_force_n(const model::Machine& machine) {
   return turn.peak_contact_force_n;
 }
 
-/// The same turn with the force that Hertz' approach belongs to, not linear at all, by Odeint: only y moves
-/// against a frictionless wall above the rotor.
+/// The same turn with the nonlinear force of Hertz' approach, by Odeint: only y moves, against a frictionless
+/// wall above the rotor.
 double nonlinear_force_n(const model::HertzLine& contact) {
   const double w = 2 * pi * 75, w0 = 2 * pi * 30, m = 0.8, c = 2 * 0.02 * m * w0, k = m * w0 * w0;
   const double clearance = 1e-3, whirl = 0.4 * clearance;
   const auto force_of = [&](double penetration) {
     if (penetration <= 0) return 0.0;
-    // The approach grows with the force; any force is below this bound, the stiffest of all secants.
+    // The approach increases with the force; every force is below this bound from the stiffest secant.
     double low = 0, high = 4e8 * penetration;
     for (int i = 0; i < 60; ++i) {
       const double middle = (low + high) / 2;

@@ -12,7 +12,7 @@
 namespace rubsweep::sweep {
 namespace {
 
-/// A heavy disc on a 10 mm shaft that rubs beside it; damped enough to settle soon.
+/// A 10 mm shaft with a heavy disc that rubs beside it; strongly damped, so that it settles quickly.
 Study kit_study(double speed_hz, double whirl_ratio) {
   Study study;
   study.machine = scene::light_shaft_machine();
@@ -36,7 +36,7 @@ int modes_of(const Study& study) {
   return static_cast<int>(scene::prepare_machine(study.machine).reduction->mode_number[0].size());
 }
 
-/// Observed displacement once the motion has settled, by its 1/2 motion's section.
+/// Displacement of the observed point after the 1/2 motion has settled, at its section.
 Eigen::Vector2d settled_section(const Study& study) {
   const scene::Cell cell =
       scene::build_cell(study.machine, study.grid.speed_hz[0], scene::WhirlRatio{study.grid.unbalance[0]});
@@ -64,7 +64,7 @@ TEST(KitModes, SectionsConvergeWithTheNumberOfModes) {
   EXPECT_LT(errors[2], errors[1] / 2);
 }
 
-/// Two tongues and what is below their tips.
+/// A map of two tongues and the region below their tips.
 TEST(KitModes, MoreModesChangeNoLabelOfAMap) {
   Study study = kit_study(70, 0.7);
   study.grid.speed_hz = {66, 100};

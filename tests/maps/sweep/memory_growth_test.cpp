@@ -16,14 +16,14 @@
 namespace rubsweep::sweep {
 namespace {
 
-/// Memory that this process holds.
+/// Resident memory of this process, bytes.
 std::size_t resident_bytes() {
   std::size_t total = 0, resident = 0;
   std::ifstream("/proc/self/statm") >> total >> resident;
   return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Cells of every kind, over and over: rest, rub with and without a period, initial contact.
+/// A study with cells of every kind: rest, periodic and aperiodic rubs, initial contact.
 Study study_of_everything() {
   Study study = one_side_study({50, 60, 66, 75, 90, 105}, {0, 0.2, 0.4, 0.55, 0.8, 1.2});
   study.response.window_revolutions = 12;
@@ -33,7 +33,7 @@ Study study_of_everything() {
 }
 
 TEST(MemoryGrowth, OfASweepThatRunsForEverThereIsNone) {
-  // The allocator takes a page or two at any time; a leak grows in every stretch.
+  // The allocator may take a page or two at any time; a leak would grow in every stretch.
   constexpr std::size_t warm = 2000, stretch = 2000, stretches = 2, allowed_bytes = 64 * 1024;
   const Study study = study_of_everything();
   std::vector<std::size_t> cells(warm + stretches * stretch);

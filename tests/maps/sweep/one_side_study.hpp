@@ -8,7 +8,7 @@
 
 namespace rubsweep::sweep {
 
-/// A sweep of the one-side machine that settles within a blink: short windows, coarse samples.
+/// A sweep of the one-side machine that settles quickly: short windows, coarse samples.
 inline Study one_side_study(std::vector<double> speed_hz, std::vector<double> whirl_ratio) {
   Study study;
   study.machine = scene::one_side_machine();

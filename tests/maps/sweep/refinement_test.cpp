@@ -31,7 +31,7 @@ int truth_of(const Grid& grid, const Truth& truth, std::size_t cell) {
   return truth(static_cast<double>(speed), static_cast<double>(unbalance));
 }
 
-/// Labels of a complete refined map, its cells computed round by round.
+/// Labels of a complete refined map whose cells are computed round by round.
 std::vector<int> refined(const Grid& grid, const Truth& truth) {
   std::vector<int> labels(cell_count(grid), unknown_label);
   for (auto wanted = wanted_cells(grid, labels); !wanted.empty(); wanted = wanted_cells(grid, labels)) {
@@ -70,7 +70,7 @@ TEST(Refinement, ShowsForEachCellOneThatWasComputedAndHasItsPaintedLabel) {
   }
 }
 
-/// The state after a kill, with other threads or another order of cells changes nothing.
+/// The wanted cells do not depend on an interrupt, the number of threads or the order of the cells.
 TEST(Refinement, WantsTheSameCellsInWhateverOrder) {
   const Grid grid = grid_of(70, 53, {3, 2});
   const std::vector<int> at_once = refined(grid, disc);
@@ -107,7 +107,7 @@ TEST(Refinement, AlongOneAxisMissesNoIslandAsLongAsItsBound) {
       const Grid grid = speeds ? grid_of(65, 1, {4, probes}) : grid_of(1, 65, {4, probes});
       const auto length = static_cast<double>(island_bound(grid));
       EXPECT_EQ(length == 16, probes == 0);
-      int missed = 0;  // number of islands that are shorter by one
+      int missed = 0;  // number of islands shorter by one cell
       for (double x = 0; x + length <= 65; ++x) {
         const auto along = [=](double i, double j, double cells) {
           return std::max(i, j) >= x && std::max(i, j) < x + cells ? 1 : 0;

@@ -88,7 +88,7 @@ std::optional<bool> robust(Study study) {
 }
 
 TEST(RobustnessEvaluateCell, SaysWhetherItIsRobustWhenAsked) {
-  // At rest again after a few turns, in the middle of the 1/2 tongue, and nothing to kick.
+  // A motion that is at rest after a few turns, one in the middle of the 1/2 tongue, and one without a kick.
   EXPECT_EQ(robust(one_side_study({50}, {0.1})), true);
   EXPECT_EQ(robust(one_side_study({75}, {0.4})), true);
   EXPECT_EQ(robust(one_side_study({75}, {1.2})), std::nullopt);

@@ -28,11 +28,11 @@ TEST(StudyWarningsUntouchedWalls, WithoutAKickNothingTouches) {
   study.machine.kick.reset();
   EXPECT_TRUE(why(study).starts_with("no kick: "));
   EXPECT_NE(report::explain_study(study).find(why(study)), std::string::npos);
-  // Nothing is said of a given start, nor that a kick is missed.
+  // With a given start there is no warning, not even about a missing kick.
   study.machine.start = {.rotor = {.y_m = 1e-5}};
   EXPECT_EQ(why(study), "");
   study.machine.start.reset();
-  // From a whirl ratio of 1 no kick is needed.
+  // For whirl ratios above 1 no kick is needed.
   study.grid.unbalance = {1.2};
   EXPECT_EQ(why(study), "");
 }
@@ -45,13 +45,13 @@ TEST(StudyWarningsUntouchedWalls, AWeakKickIsNamedAndReallyTouchesNothing) {
   for (const std::size_t cell : {0U, 1U, 4U, 5U}) {
     EXPECT_FALSE(evaluate_cell(study, cell, workspace).last_contact_revolution) << cell;
   }
-  // One cell near enough to the wall, or one speed, is enough to say nothing.
+  // One cell close enough to the wall, or one such speed, suppresses the warning.
   study.grid.unbalance = {0.1, 0.999};
   EXPECT_EQ(why(study), "");
 }
 
-/// A Jeffcott rotor is thrown no farther than v / w by an impulse of m v, so that 2 F T / (pi m w) is the
-/// clearance that the whirl leaves.
+/// An impulse m v moves a Jeffcott rotor by v / w at most, so 2 F T / (pi m w) equals the clearance left by
+/// the whirl.
 TEST(StudyWarningsUntouchedWalls, TheLeastForceIsThatOfTheImpulse) {
   Study study = one_side_study({75}, {0.4});
   study.machine.kick->force_n = 2;
@@ -61,14 +61,14 @@ TEST(StudyWarningsUntouchedWalls, TheLeastForceIsThatOfTheImpulse) {
   const double impulse_force_n = left_m * std::numbers::pi * m * w / (2 * study.machine.kick->duration_s);
   const auto least = least_kick_force_n(study, scene::prepare_machine(study.machine));
   ASSERT_TRUE(least);
-  // The whirl adds to the velocity, too, and damping takes a little: the same within a third.
+  // The whirl also adds to the velocity, and damping reduces it slightly: the results agree within a third.
   EXPECT_GT(*least, impulse_force_n / 1.5);
   EXPECT_LT(*least, impulse_force_n * 1.1);
   study.machine.kick->force_n = *least;
   EXPECT_EQ(why(study), "");
   study.machine.kick->force_n = *least / 1.02;
   EXPECT_NE(why(study), "");
-  // Nothing is asked for where the kick is strong enough, or is none.
+  // There is no question if the kick is strong enough or absent.
   study.machine.kick->force_n = 1000;
   EXPECT_FALSE(least_kick_force_n(study, scene::prepare_machine(study.machine)));
   study.machine.kick->force_n = 0;
@@ -114,7 +114,7 @@ TEST(StudyWarningsIdleTorsionWhyIs, SaysSoWhereNoFrictionAsksForTheSlip) {
 }
 
 TEST(StudyWarningsIdleTorsionWhyIs, AsksEveryStop) {
-  // The smaller of two radii changes the slip by less and by more of itself.
+  // For the smaller of two radii the slip changes less in absolute and more in relative terms.
   model::Machine machine = twisting(model::OneWayFriction{0.005});
   machine.stops.push_back(machine.stops[0]);
   machine.stops[1].contact_radius_m *= 0.4;
@@ -124,7 +124,7 @@ TEST(StudyWarningsIdleTorsionWhyIs, AsksEveryStop) {
   EXPECT_EQ(why_torsion_is_idle(scene::prepare_machine(machine), 50), "");
 }
 
-/// The statement is true: the row is nearly that of the rotor without torsion.
+/// The warning is true: the row is nearly that of the rotor without torsion.
 TEST(StudyWarningsIdleTorsionWhyIs, TheMotionIsTheSameWithoutTorsion) {
   ASSERT_NE(why(model::StribeckFriction{{0, 0, 0, 0.005, 100, 0}}, 60), "");
   Study study;
@@ -148,8 +148,8 @@ std::string where(const Study& study) {
   return where_rotor_is_unstable(study, scene::prepare_machine(study.machine));
 }
 
-/// A shaft that hardly bends in two equal bearings bounces as one mass: m z'' + 2 c z' + (2 k - 2 i q) z = 0
-/// has a forward whirl that grows where q > c sqrt(2 k / m).
+/// A nearly rigid shaft in two equal bearings bounces as one mass: m z'' + 2 c z' + (2 k - 2 i q) z = 0. Its
+/// forward whirl grows where q > c sqrt(2 k / m).
 Study bouncing_shaft(double cross_n_per_m) {
   Study study = one_side_study({20, 50}, {0.3});
   model::RotorKit kit;
@@ -188,7 +188,7 @@ TEST(StudyWarningsUnstableRotor, CrossCoupledBearingsAreNamedFromTheirLimitOn) {
   EXPECT_NE(report::explain_study(study).find(where(study)), std::string::npos);
 }
 
-/// A reduced rotor without its seal, which feeds a bending by the full matrices.
+/// A reduced rotor without its seal, which destabilises a bending mode according to the full matrices.
 TEST(StudyWarningsUnstableRotor, AReductionThatTheFullMatricesContradictIsNoBasisOfAWord) {
   Study study = bouncing_shaft(0);
   model::RotorKit& kit = *model::kit_of(study.machine);
@@ -224,7 +224,8 @@ TEST(StudyWarningsUnstableRotor, EveryRowSaysSoWhateverItsClassAndStart) {
   EXPECT_EQ(evaluate_cell(study, 0, workspace).status.find(unstable_rotor), std::string::npos);
 }
 
-/// Films by a table that push sideways more and more with the speed pass the limit between two speeds.
+/// Films given by a table, whose cross stiffness rises with the speed and passes the stability limit between
+/// two speeds.
 TEST(StudyWarningsUnstableRotor, FollowsTheTableOfASupport) {
   Study study = bouncing_shaft(0);
   const double limit = limit_n_per_m();
@@ -248,7 +249,7 @@ TEST(StudyWarningsUnstableRotor, FollowsTheTableOfASupport) {
   }
 }
 
-/// 30 Hz, 0.02 against 0.05: unstable from 42 Hz on.
+/// 30 Hz, damping ratio 0.02, rotating damping ratio 0.05: unstable above 42 Hz.
 TEST(StudyWarningsUnstableRotor, OnlyTheSpeedsAboveTheLimitOfDampingThatTurns) {
   Study study = one_side_study({30, 41, 43, 60}, {0.3});
   auto& rotor = std::get<model::JeffcottRotor>(study.machine.rotor);

@@ -43,7 +43,7 @@ TEST(Threshold, TriesNothingTwiceAndNoMoreThanBisectionNeeds) {
     return Probe{value > 3, false, "chaotic"};
   });
   EXPECT_EQ(threshold.probes, tried.size());
-  EXPECT_EQ(tried.size(), 4 + 10u);  // a factor of 2 to 1e-3: ln 2 / 1e-3 < 2^10
+  EXPECT_EQ(tried.size(), 4 + 10u);  // a factor of 2 within 1e-3: ln 2 / 1e-3 < 2^10
 }
 
 TEST(Threshold, HasNoIntervalWhereNothingRubs) {
@@ -70,7 +70,7 @@ TEST(Threshold, EndsAboutZeroToo) {
   EXPECT_LT(threshold.probes, 40u);
 }
 
-/// The same cell simulated by itself, with the force in the machine.
+/// The same cell simulated alone, with the force in its machine.
 TEST(Threshold, OfACellIsWhereItsOwnRunChanges) {
   Study study = one_side_study({75}, {0.4});
   study.response.max_revolutions = 400;
@@ -99,7 +99,7 @@ TEST(Threshold, OfACellIsWhereItsOwnRunChanges) {
   EXPECT_EQ(motion_after(first.from * (1 - 1e-3)), "non_contact");
 }
 
-/// Numbers under these two keys, one of which makes another structure.
+/// Values for two keys, one of which changes the structure.
 Study with_force_and_frequency(const Study& study, std::span<const KeyValue> keys) {
   Study varied = study;
   for (const KeyValue& key : keys) {
@@ -125,7 +125,7 @@ void expect_equal(const Threshold& a, const Threshold& b) {
   }
 }
 
-/// Kicks are tried on the structure that the cell's own keys have made, whichever way a number comes into it.
+/// Kicks are tried on the structure that belongs to the cell's own keys.
 TEST(Threshold, OfACellWithKeysOfItsOwnIsThatOfItsMachine) {
   Study plain = one_side_study({75}, {0.4});
   plain.response.max_revolutions = 200;
@@ -143,7 +143,7 @@ TEST(Threshold, OfACellWithKeysOfItsOwnIsThatOfItsMachine) {
   EXPECT_NE(other.intervals.front().from, threshold_at(plain, 0).intervals.front().from);
 }
 
-/// The structure is made anew for every number where it depends on it.
+/// If the number changes the structure, the structure is assembled again for every value.
 TEST(Threshold, OfANumberOfTheRotorIsWhereItsOwnRunChanges) {
   Study study = one_side_study({75}, {0.4});
   study.response.max_revolutions = 200;

@@ -41,20 +41,6 @@ TEST(CellNumberIn, ReadsPointsAndCommas) {
   for (const char* wrong : {"1.5", "1.234,5", "1,2,3"}) EXPECT_FALSE(number_in(wrong, comma)) << wrong;
 }
 
-TEST(CellTimeStampIn, CountsSeconds) {
-  EXPECT_EQ(time_stamp_in("01:02:03.25", point), 3723.25);
-  EXPECT_EQ(time_stamp_in("01:02:03,25", comma), 3723.25);
-  EXPECT_EQ(time_stamp_in("1970-01-02T00:00:01Z", point), 86401);
-  EXPECT_EQ(time_stamp_in("02.01.1970 00:00:01,5", comma), 86401.5);
-  // 2024 is a leap year.
-  EXPECT_EQ(time_stamp_in("2024-03-01 00:00:00", point).value() -
-                time_stamp_in("2024-02-28 00:00:00", point).value(),
-            2 * 86400);
-  for (const char* wrong :
-       {"", "12", "12:30", "24:00:00", "12:60:00", "2023-02-29 00:00:00", "a:b:c", "-1:00:00"})
-    EXPECT_FALSE(time_stamp_in(wrong, point)) << wrong;
-}
-
 TEST(Cell, PartsNameAndUnit) {
   EXPECT_EQ(heading_of("Speed [rpm]").name, "Speed");
   EXPECT_EQ(heading_of("Speed [rpm]").unit, "rpm");

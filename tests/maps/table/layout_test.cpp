@@ -5,7 +5,7 @@
 namespace rubsweep::table {
 namespace {
 
-/// Names and units of the columns of numbers, as "t/s X/um".
+/// Names and units of the numeric columns, such as "t/s X/um".
 std::string names_of(std::string_view text) {
   std::string names;
   const std::vector<Column> columns = layout_of(text).columns;
@@ -19,14 +19,14 @@ std::string names_of(std::string_view text) {
 
 TEST(Layout, NamesAreWhatTheirCellsAre) {
   EXPECT_EQ(names_of("t (s),X (um)\n0,1\n1,2\n"), "t/s X/um");
-  // A head with as many cells as the table has.
+  // A header before the table has as many cells as the table.
   EXPECT_EQ(names_of("Date,2026-01-02\nRate,1000\n\nt (s),X (um)\n0,1\n1,2\n2,3\n"), "t/s X/um");
   EXPECT_EQ(names_of("Project;lab;;\nGain;8;;\nt;X;Y;KP\ns;um;um;V\n0;1;2;3\n1;2;3;4\n"),
             "t/s X/um Y/um KP/V");
   EXPECT_EQ(names_of("Time\tX\ns\tum\nRate=1000Hz\tRate=1000Hz\n0\t1\n1\t2\n"), "Time/s X/um");
   EXPECT_EQ(names_of("# written by a program\n# t x\n# t\tx\n0\t1\n1\t2\n"), "t x");
   EXPECT_EQ(names_of("m,s\n0,1\n1,2\n"), "m s");
-  // One name fewer than numbers: the names would be those of other columns.
+  // There is one name fewer than numbers, so the names could belong to other columns and are ignored.
   EXPECT_EQ(names_of("X,Y\n0,1,2\n1,2,3\n"), "  ");
   EXPECT_EQ(names_of(",X,Y\n0,1,2\n1,2,3\n"), " X Y");
   EXPECT_EQ(names_of("t,X,X\n0,1,2\n1,2,3\n"), "t X X");

@@ -9,7 +9,7 @@
 namespace rubsweep::table {
 namespace {
 
-/// Numbers of all rows, or what is wrong with them.
+/// The numbers of all rows, or the error message.
 std::string read(std::string_view text) {
   std::string numbers;
   try {
@@ -33,7 +33,7 @@ TEST(Rows, GiveNumbersInEitherWriting) {
 }
 
 TEST(Rows, RefuseWhatOneNumberCannotBe) {
-  // Points between thousands and decimal commas: 1.000 would be read as one.
+  // Thousands separators with decimal commas: 1.000 would be read as 1.
   EXPECT_EQ(read("a;b\n1.000;2\n999,5;3\n"),
             "3:1: '999,5' has a decimal comma, and numbers before it have points");
   EXPECT_EQ(read("a,b\n1,\"1,000\"\n2,\"2,000\"\n"),

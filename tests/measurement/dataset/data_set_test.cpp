@@ -69,7 +69,7 @@ TEST_F(DataSetTest, MissesARecordingWhoseFileIsGone) {
   EXPECT_EQ(set.missing(), std::vector<std::size_t>{3});
 }
 
-/// A recording that was cut off, as by a full disk behind a copy, is made again.
+/// A truncated recording, as after copying to a full disk, is made again.
 TEST_F(DataSetTest, MissesARecordingThatIsNotAsItWasWritten) {
   DataSet set(study_, "rubdata 0");
   set.make(set.missing(), 1, nothing, std::atomic<bool>{false});
@@ -164,7 +164,7 @@ TEST_F(DataSetTest, RefusesADirectoryThatIsNotThere) {
   EXPECT_THROW(write_recording_matlab(recording_of(true), "/nowhere/recording.mat"), IoError);
 }
 
-/// Files that may not grow beyond so many bytes, as on a full disk, while it lives.
+/// Limits the size of all files of this process during its lifetime, as on a full disk.
 class SmallFiles {
  public:
   explicit SmallFiles(rlim_t bytes) : on_large_file_(std::signal(SIGXFSZ, SIG_IGN)) {

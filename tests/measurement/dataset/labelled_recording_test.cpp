@@ -49,6 +49,22 @@ TEST(LabelledRecording, RecordingsOfAMachineShareItsNumbersAndNotTheirOwn) {
   EXPECT_NE(value_of(a.values, Unknown::whirl_ratio), value_of(b.values, Unknown::whirl_ratio));
 }
 
+TEST(LabelledRecording, AnExponentChangesNoOtherNumberOfItsMachine) {
+  DataStudy study = small_study();
+  const MachineDraw of_spring = draw_machine(study, 1);
+  spread_of(study.candidates[1], Unknown::exponent) = {1, 1.5, false};
+  const MachineDraw drawn = draw_machine(study, 1);
+  EXPECT_EQ(drawn.unit, of_spring.unit);
+  EXPECT_EQ(drawn.gain, of_spring.gain);
+  const double exponent = value_of(values_at(study.candidates[1], drawn.unit), Unknown::exponent);
+  EXPECT_GT(exponent, 1);
+  EXPECT_LT(exponent, 1.5);
+  response::motion::Workspace workspace;
+  const LabelledRecording recording = make_recording(study, 2, workspace);
+  EXPECT_EQ(value_of(recording.values, Unknown::exponent), exponent);
+  EXPECT_LE(recording.penetration_ratio, study.rub.penetration_ratio);
+}
+
 TEST(LabelledRecording, NumbersStayInTheirRanges) {
   response::motion::Workspace workspace;
   const DataStudy study = small_study();
@@ -108,7 +124,7 @@ TEST(LabelledRecording, PartsHoldTheirSharesOfTheMachines) {
   for (std::size_t machine = 0; machine < machines; ++machine) ++count[draw_machine(study, machine).part];
   const std::map<std::string_view, double> shares{{"training", 0.5}, {"validation", 0.2}, {"test", 0.3}};
   ASSERT_EQ(count.size(), 3u);
-  // Four standard deviations of a binomial distribution.
+  // Tolerance: four standard deviations of a binomial distribution.
   for (const auto& [part, share] : shares)
     EXPECT_NEAR(count[part], machines * share, 4 * std::sqrt(machines * share * (1 - share))) << part;
 }
@@ -141,7 +157,7 @@ TEST(LabelledRecording, ProbesHaveGainsOfTheirOwn) {
 using diagnose::samples_per_revolution;
 using std::numbers::pi;
 
-/// 20 turns at 50 Hz of an ellipse with a half order.
+/// A recording of an elliptic motion with a half-order line, 20 turns at 50 Hz.
 LabelledRecording ellipse() {
   LabelledRecording recording{.speed_hz = 50, .gain = {1, 1}};
   for (int k = 0; k < 20 * samples_per_revolution; ++k) {
@@ -165,7 +181,7 @@ TEST(LabelledRecordingReadings, AreTheMotionAtTheirTimes) {
   read_motion(plain(), random, recording);
   ASSERT_EQ(recording.t_s.size(), recording.x_m.size());
   ASSERT_EQ(recording.t_s.size(), recording.y_m.size());
-  // 20 turns without their last sample.
+  // 20 turns without their last sample, which belongs to the next turn.
   EXPECT_EQ(recording.t_s.size(), 2000u);
   for (std::size_t k = 0; k < recording.t_s.size(); ++k) {
     const double turn = 50 * recording.t_s[k];
@@ -176,7 +192,7 @@ TEST(LabelledRecordingReadings, AreTheMotionAtTheirTimes) {
 }
 
 TEST(LabelledRecordingReadings, MarkPassesOnceATurnWhereItStands) {
-  // 5 is the fewest that a study may have.
+  // Five readings per turn are the fewest that a study may have.
   for (const double readings_per_turn : {5.0, 7.3, 18.5, 100.0}) {
     for (const double mark_turns : {0.0, 0.25, 0.66, 0.93}) {
       LabelledRecording recording = ellipse();
@@ -192,7 +208,7 @@ TEST(LabelledRecordingReadings, MarkPassesOnceATurnWhereItStands) {
         const double late = 50 * recording.t_s[k] - mark_turns;
         EXPECT_LE(late - std::floor(late), (1 + 1e-9) / readings_per_turn) << mark_turns;
       }
-      // Each mark until the last reading, and where it is passing at the begin the end of one passage.
+      // One mark per turn up to the last reading; a mark that is passing at the start has no leading edge.
       const int marks = static_cast<int>(std::floor(50 * recording.t_s.back() - mark_turns)) + 1;
       EXPECT_GE(marks, 19);
       EXPECT_EQ(passages, marks + (mark_turns + mark_share > 1)) << readings_per_turn << ' ' << mark_turns;
@@ -208,7 +224,7 @@ TEST(LabelledRecordingReadings, NoiseAndGainAreThoseThatAreSaid) {
   noisy.noise_share = {0.05, 0.05};
   read_motion(noisy, random, recording);
   read_motion(plain(), same, clean);
-  // The size of the motion: both circles together.
+  // The size of the motion contains both circles.
   EXPECT_NEAR(recording.noise_m, 0.05 * std::hypot(2e-4, 1e-4), 1e-9);
   double squares_x = 0, squares_y = 0;
   const auto count = static_cast<double>(clean.x_m.size());
@@ -216,7 +232,7 @@ TEST(LabelledRecordingReadings, NoiseAndGainAreThoseThatAreSaid) {
     squares_x += std::pow(recording.x_m[k] - 1.1 * clean.x_m[k], 2);
     squares_y += std::pow(recording.y_m[k] - 0.9 * clean.y_m[k], 2);
   }
-  // Four standard errors of a standard deviation.
+  // Tolerance: four standard errors of a standard deviation.
   for (const double squares : {squares_x, squares_y})
     EXPECT_NEAR(std::sqrt(squares / count) / recording.noise_m, 1, 4 / std::sqrt(2 * count));
 }

@@ -8,7 +8,7 @@
 
 namespace rubsweep::config::dataset {
 
-/// Reads a text, named study.yaml in messages, by `read`, which gets its root; the problems that it added, or
+/// Parses a text, called study.yaml in messages, and passes its root to `read`; returns the problems, or
 /// "none".
 template <class Read>
 std::string problems(const std::string& text, Read read) {

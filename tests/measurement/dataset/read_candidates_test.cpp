@@ -25,16 +25,19 @@ std::string read(const std::string& text, std::vector<diagnose::Candidate>& cand
 
 TEST(ReadCandidates, WordHasTheUsualRangesAndMapItsOwn) {
   std::vector<diagnose::Candidate> candidates;
-  ASSERT_EQ(read("candidates:\n  - no_rub\n  - {kind: one_side, name: pin, restitution: 0.8,\n"
-                 "     clearance_m: [1.0e-4, 2.0e-4], stiffness_n_per_m: [1.0e6, 1.0e7]}\n",
-                 candidates),
-            "none");
+  ASSERT_EQ(
+      read("candidates:\n  - no_rub\n  - {kind: one_side, name: pin, restitution: 0.8,\n"
+           "     clearance_m: [1.0e-4, 2.0e-4], stiffness_n_per_m: [1.0e6, 1.0e7], exponent: [1, 1.5]}\n",
+           candidates),
+      "none");
   ASSERT_EQ(candidates.size(), 2u);
   EXPECT_EQ(candidates[0].cause, Cause::no_rub);
   EXPECT_EQ(candidates[1].name, "pin");
   EXPECT_EQ(spread_of(candidates[1], Unknown::restitution).low, 0.8);
   EXPECT_EQ(candidates[1].clearance_m.high, 2e-4);
   EXPECT_TRUE(spread_of(candidates[1], Unknown::stiffness).logarithmic);
+  EXPECT_EQ(spread_of(candidates[1], Unknown::exponent).high, 1.5);
+  EXPECT_EQ(spread_of(candidates[0], Unknown::exponent).high, 1);
   EXPECT_EQ(spread_of(candidates[1], Unknown::kick_ratio).high,
             spread_of(diagnose::usual_candidate(Cause::one_side), Unknown::kick_ratio).high);
 }
@@ -62,7 +65,7 @@ TEST(ReadCandidates, RefusesNumbersThatTheStopsDoNotHave) {
 
 TEST(ReadCandidates, RefusesUnknownWordsAndNamesThatAreTwiceThere) {
   std::vector<diagnose::Candidate> candidates;
-  // One problem, and no second one by a candidate that stands in for it.
+  // One problem only: the default candidate that replaces a faulty one must not cause a second problem.
   const std::string misspelt = read("candidates: [no_rub, one_sid, one_sid]\n", candidates);
   EXPECT_NE(misspelt.find("did you mean 'one_side'?"), std::string::npos);
   EXPECT_EQ(misspelt.find("as another candidate"), std::string::npos) << misspelt;
@@ -79,7 +82,7 @@ TEST(ReadCandidates, RefusesNamesThatAreNoCellOfATable) {
                   .find("candidates.0.name: is no name, allowed: one line of text"),
               std::string::npos)
         << name;
-  for (const char* name : {"=1+1", "+1", "-1", "@SUM(A1)"})  // formulas to programs for tables
+  for (const char* name : {"=1+1", "+1", "-1", "@SUM(A1)"})  // spreadsheet programs take these for formulas
     EXPECT_NE(read("candidates: [{kind: one_side, name: '" + std::string(name) + "'}]\n", candidates)
                   .find("allowed: one line of text that does not begin with = + - @"),
               std::string::npos)
@@ -250,7 +253,7 @@ TEST(ReadCandidatesReadMeasurement, OfADiagnosisHasDisturbancesAlone) {
   EXPECT_EQ(measuring.other_lines.order_2, 0.02);
   EXPECT_EQ(measuring.other_lines.order_3, 0);
   EXPECT_EQ(measuring.gain_error, 0.1);
-  // The recording itself says these.
+  // These keys are refused, because the recording itself provides the numbers.
   for (const char* key : {"turns: 40", "probes: 1", "sampling_rate_hz: 2000"})
     EXPECT_NE(read_known("measurement: {" + std::string(key) + "}\n", measuring), "none") << key;
 }

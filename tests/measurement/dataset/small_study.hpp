@@ -4,7 +4,7 @@
 
 namespace rubsweep::dataset {
 
-/// A few short recordings.
+/// A study of a few short recordings.
 inline DataStudy small_study() {
   DataStudy study;
   study.recordings = 6;

@@ -12,7 +12,7 @@ TEST(Candidate, UsualRangesAreOfNumbersThatAMachineMayHave) {
     for (const UnknownRow& row : unknown_rows()) {
       const Spread& spread = spread_of(candidate, row.unknown);
       EXPECT_LE(spread.low, spread.high) << row.key;
-      // Numbers that the stops do not have stand in for none.
+      // Equal bounds mark numbers that the stops do not have; these need not be in the range.
       if (!row.of_file || spread.low == spread.high) continue;
       EXPECT_TRUE(model::contains(row.range, spread.low)) << row.key;
       EXPECT_TRUE(model::contains(row.range, spread.high)) << row.key;

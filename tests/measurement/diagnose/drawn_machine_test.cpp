@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <numbers>
 #include <variant>
@@ -33,7 +34,7 @@ TEST(DrawnMachine, EveryCauseGivesAMachineThatIsAllowed) {
 TEST(DrawnMachine, KickGivesTheRotorTheSpeedThatItsRatioSays) {
   const Point values = middle_of(Cause::one_side);
   const model::Machine machine = drawn_machine(Cause::one_side, values, 1e-4, fixed);
-  // Impulse of a half sine by its area.
+  // Impulse of the half sine by numerical integration.
   double impulse = 0;
   constexpr int steps = 10000;
   for (int k = 0; k < steps; ++k)
@@ -50,6 +51,28 @@ TEST(DrawnMachine, TwoStopsFaceEachOther) {
   EXPECT_EQ(std::get<model::OneSideGeometry>(machine.stops[1].geometry).angle_deg, 180);
   EXPECT_NEAR(machine.stops[1].clearance_m / machine.stops[0].clearance_m,
               value_of(values, Unknown::second_clearance_ratio), 1e-12);
+}
+
+TEST(DrawnMachine, AnExponentLeavesTheStiffnessAtATwentiethOfTheClearance) {
+  Point values = middle_of(Cause::two_sides);
+  const double stiffness = value_of(values, Unknown::stiffness), clearance_m = 2e-4;
+  EXPECT_EQ(value_of(values, Unknown::exponent), 1);
+  EXPECT_TRUE(drawn_machine(Cause::two_sides, values, clearance_m, fixed).stops[1].law.linear());
+  for (const double exponent : {1.2, 1.5}) {
+    values[std::size_t(Unknown::exponent)] = exponent;
+    const model::Machine machine = drawn_machine(Cause::two_sides, values, clearance_m, fixed);
+    EXPECT_NO_THROW(model::validate(machine));
+    for (const model::Stop& stop : machine.stops) {
+      EXPECT_EQ(stop.law.exponent, exponent);
+      const double at_m = clearance_m / 20,
+                   force_n = stop.law.stiffness_n_per_m_n * std::pow(at_m, stop.law.exponent);
+      EXPECT_NEAR(force_n / (stiffness * at_m), 1, 1e-12);
+      // The depth that this force has, and twice as deep.
+      EXPECT_NEAR(penetration_ratio(Cause::one_side, values, clearance_m, force_n), 0.05, 1e-12);
+      EXPECT_NEAR(penetration_ratio(Cause::one_side, values, clearance_m, std::pow(2, exponent) * force_n),
+                  0.1, 1e-12);
+    }
+  }
 }
 
 TEST(DrawnMachine, OffsetStandsInTheDirectionOfTheStop) {

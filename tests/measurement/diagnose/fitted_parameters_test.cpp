@@ -81,7 +81,7 @@ TEST_F(FittedParametersTest, CorrelationsThatNoErrorsHaveAreRefused) {
   const std::string none = "correlation.csv: holds no correlations";
   for (const char* rows :
        {"a,1,7,0\nb,7,1,0\nc,0,0,1\n", "a,1,0.5,0\nb,-0.5,1,0\nc,0,0,1\n", "a,2,0,0\nb,0,1,0\nc,0,0,1\n",
-        // each pair alone may be, the three together may not
+        // each pair is possible, all three together are not
         "a,1,0.9,0.9\nb,0.9,1,-0.9\nc,0.9,-0.9,1\n"})
     EXPECT_NE(problem(rows).find(none), std::string::npos) << problem(rows);
   EXPECT_NE(problem("b,1,0,0\na,0,1,0\nc,0,0,1\n")

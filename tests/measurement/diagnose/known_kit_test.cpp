@@ -25,7 +25,7 @@ std::string refused(const model::RotorKit& kit) {
 TEST(KnownKit, HasMassFrequencyAndPlaces) {
   const KnownKit known = known_kit({light_kit()}, 40, "kit.yaml");
   EXPECT_NEAR(known.rotor_mass_kg, 0.8, 1e-6);
-  // Springs of 6e4 N/m in series with the shaft, 48 E I / l^3.
+  // Springs of 6e4 N/m in series with the shaft's bending stiffness 48 E I / l^3.
   const double bending = 48 * 2.1e11 * std::numbers::pi * std::pow(0.01, 4) / 64 / std::pow(0.4, 3);
   const double stiffness = 1 / (1 / 6e4 + 1 / bending);
   EXPECT_NEAR(known.natural_frequency_hz, std::sqrt(stiffness / 0.8) / (2 * std::numbers::pi), 0.01);
@@ -61,7 +61,7 @@ TEST(KnownKit, FactorsAreThoseOfFrequencyAndDamping) {
                after = known_kit({varied}, 40, "kit.yaml").natural_frequency_hz;
   EXPECT_NEAR(after / before, 1.1, 1e-6);
   EXPECT_NEAR(varied.damping_ratio[0], 0.04, 1e-12);
-  // The ratio c / (2 sqrt(k m)) doubles.
+  // The damping ratio c / (2 sqrt(k m)) doubles.
   EXPECT_NEAR(varied.supports[1].damping_x_ns_per_m, 5 * 2 * 1.1, 1e-12);
 }
 
@@ -83,10 +83,13 @@ TEST(KnownKit, RefusesPartsWhoseMotionHasASizeOfItsOwn) {
     return refused(kit);
   };
   EXPECT_EQ(with([](model::RotorKit&) {}), "none");
-  EXPECT_NE(with([](model::RotorKit& kit) { kit.bow = model::Bow{model::BowMode{1, 1e-5}, 0}; })
-                .find("kit.yaml: rotor.bow: gives the motion a size of its own"),
+  EXPECT_NE(with([](model::RotorKit& kit) {
+              kit.bow = model::Bow{model::BowMode{1, 1e-5}, 0};
+            }).find("kit.yaml: rotor.bow: gives the motion a size of its own"),
             std::string::npos);
-  EXPECT_NE(with([](model::RotorKit& kit) { kit.static_loads = {{0.1, 3, 0}}; }).find("rotor.static_loads"),
+  EXPECT_NE(with([](model::RotorKit& kit) {
+              kit.static_loads = {{0.1, 3, 0}};
+            }).find("rotor.static_loads"),
             std::string::npos);
   EXPECT_NE(with([](model::RotorKit& kit) { kit.sensors.clear(); }).find("rotor.sensors: is missing"),
             std::string::npos);

@@ -5,7 +5,7 @@
 
 namespace rubsweep::diagnose {
 
-/// A rotor kit that is a Jeffcott rotor of 0.8 kg in bending, with a probe off its disc.
+/// A rotor kit that acts as a Jeffcott rotor of 0.8 kg in bending; its probe is not at the disc.
 inline model::RotorKit light_kit() {
   const model::Machine machine = scene::light_shaft_machine();
   model::RotorKit kit = *model::kit_of(machine);

@@ -67,7 +67,7 @@ MotionLines circle() {
   return lines;
 }
 
-/// Probes that add next to nothing of their own.
+/// An instrument with negligible errors.
 Measuring undisturbed(int probes) {
   return {.probes = probes,
           .readings_per_turn = 1e12,
@@ -94,7 +94,7 @@ TEST(ObservedLines, HaveTheNoiseOfTheReadings) {
       }
   }
   EXPECT_EQ(probe_angle_rad, 0);
-  // Each line keeps 2 x 0.01 / 1000 of 1000 complex readings with 0.1 in x and in y.
+  // 1000 complex readings with noise 0.1 in x and in y: each line has the variance 2 x 0.01 / 1000.
   EXPECT_NEAR(sum / static_cast<double>(count), 2e-5, 0.02 * 2e-5);
 }
 
@@ -127,7 +127,7 @@ TEST(ObservedLines, CountFromAPlaceOfRestThatIsKnownNearly) {
     RandomStream random(4, k, 2);
     square += std::norm(observed(circle(), measuring, random, probe_angle_rad).at(0)) / draws;
   }
-  // In x and in y, and the noise of a line beside it.
+  // The mean contains the rest error in x and in y, and a little noise.
   EXPECT_NEAR(square, 2 * Measuring::rest_error * Measuring::rest_error, 1e-4);
 }
 
@@ -137,14 +137,14 @@ TEST(ObservedLines, OfUnequalGainsAreAnEllipse) {
   RandomStream random(5, 1, 2);
   double probe_angle_rad = 0;
   const MotionLines seen = observed(circle(), measuring, random, probe_angle_rad);
-  // Gains gx and gy: (gx + gy) / 2 forward, (gx - gy) / 2 backward.
+  // Gains gx and gy give (gx + gy) / 2 forward and (gx - gy) / 2 backward.
   const double gx = (seen.at(20) + seen.at(-20)).real(), gy = (seen.at(20) - seen.at(-20)).real();
   EXPECT_NE(gx, gy);
   EXPECT_NEAR(gx, 1, 0.5);
   EXPECT_NEAR(gy, 1, 0.5);
 }
 
-/// Lines at 1/2, -1 and 2, and a mean, over 6 turns.
+/// Samples of a motion with a mean and lines at 1/2, -1 and 2, over 6 turns.
 std::vector<Complex> samples() {
   std::vector<Complex> z;
   for (int j = 0; j < 6 * 32; ++j) {

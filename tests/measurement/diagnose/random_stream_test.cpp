@@ -29,7 +29,7 @@ TEST(RandomStream, UniformNumbersHaveTheMomentsOfTheUnitInterval) {
     sum += u;
     squares += u * u;
   }
-  // Four standard errors.
+  // Tolerance: four standard errors.
   EXPECT_NEAR(sum / count, 0.5, 4 * std::sqrt(1.0 / 12 / count));
   EXPECT_NEAR(squares / count, 1.0 / 3, 4 * std::sqrt(4.0 / 45 / count));
 }

@@ -14,7 +14,7 @@
 namespace rubsweep::diagnose {
 namespace {
 
-/// A rotor of 30 Hz with a hard flat stop.
+/// Values for a rotor of 30 Hz with a hard flat stop.
 Point values_of(double whirl_ratio, double kick_ratio) {
   Candidate candidate = usual_candidate(Cause::one_side);
   spread_of(candidate, Unknown::natural_frequency) = {30, 30};
@@ -44,7 +44,7 @@ TEST(SimulatedMotion, WithoutContactIsTheCircleOfTheUnbalance) {
   EXPECT_FALSE(motion->rubs);
   EXPECT_TRUE(motion->kicked);
   ASSERT_EQ(motion->displacement_m.size(), std::size_t{4 * samples_per_revolution});
-  // A hundred thousandth of the tap is left, of a thousandth of the clearance.
+  // The kick of a thousandth of the clearance has decayed by a factor of 1e-5.
   for (const auto z : motion->displacement_m) EXPECT_NEAR(std::abs(z), 0.3e-3, 1e-10);
   const double r = 70.0 / 30;
   EXPECT_NEAR(motion->eccentricity_m * r * r / std::hypot(1 - r * r, 2 * 0.02 * r), 0.3e-3, 1e-9);
@@ -88,7 +88,7 @@ TEST(SimulatedMotion, OfAKickedRotorRepeatsAfterItsOrder) {
   EXPECT_GT(motion->contact.peak_contact_force_n, 0);
 }
 
-/// Numbers of a machine that rubs after its kick, and a kick that does.
+/// Values for a machine that rubs after its kick.
 Point rubbing_point() {
   Point values{};
   const auto set = [&](Unknown unknown, double value) { values[static_cast<std::size_t>(unknown)] = value; };

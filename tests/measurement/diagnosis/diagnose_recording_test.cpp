@@ -15,7 +15,7 @@ namespace {
 const recording::Instrument two_probes{
     .probes = {{.column = "x", .angle_deg = 30}, {.column = "y", .angle_deg = 120}}};
 
-/// A circle of 20 um that turns with the shaft.
+/// A recording of a circular motion of 20 um at 1X.
 recording::Recording circle(int turns, double speed_hz = 60) {
   recording::Recording recording;
   recording.sampling_rate_hz = 6000;

@@ -50,7 +50,7 @@ TEST(DiagnosedMachine, AFitOfAnotherMachineIsRefused) {
 TEST(DiagnosedMachine, TheFittedUnbalanceIsThatOfADayLikeIt) {
   const MachineFile file;
   file.write_fit("eccentricity_m", 1e-5, 0.9e-5, 1.1e-5);
-  // A name that is no key of the machine is not compared with it.
+  // Fitted names that are not keys of the machine are not compared with the configuration.
   const DiagnosedMachine machine = read_diagnosed_machine(file.path, 1);
   ASSERT_TRUE(machine.eccentricity_m);
   EXPECT_NEAR(machine.eccentricity_m->low, 0.9e-5 / 1.25, 1e-18);

@@ -18,7 +18,7 @@ inline constexpr std::string_view kit = R"({kind: rotor_kit, damping_ratio: 0.02
   discs: [{position_m: 0.2, mass_kg: 0.8, polar_inertia_kg_m2: 0, diametral_inertia_kg_m2: 0}],
   sensors: [{position_m: 0.1}]})";
 
-/// A configuration of one stop and this rotor in a directory of its own.
+/// A configuration with one stop and this rotor, in its own directory.
 struct MachineFile {
   TemporaryDirectory temporary;
   std::filesystem::path path = temporary.path() / "machine.yaml";
@@ -36,7 +36,7 @@ output: {directory: results}
 )";
   }
 
-  /// Writes parameters.csv and correlation.csv of one fitted number beside it.
+  /// Writes parameters.csv and correlation.csv with one fitted parameter beside the configuration.
   void write_fit(std::string_view name, double value, double low, double high) const {
     std::ofstream(temporary.path() / "parameters.csv")
         << "parameter,value,standard_error,low_95,high_95,start,at_bound\n"

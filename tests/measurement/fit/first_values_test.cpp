@@ -17,7 +17,7 @@ double reading_noise(double size_m) {
   return std::normal_distribution<double>(0, size_m)(random);
 }
 
-/// Readings of a mode struck at an instant by half a sine of 4 ms, by Runge-Kutta steps of the mode alone.
+/// Readings of a single mode hit by a half-sine pulse of 4 ms at `hit_s`, computed by Runge-Kutta steps.
 RingDown struck(double frequency_hz, double ratio, double hit_s, double noise_m) {
   const double w = 2 * 3.14159265358979 * frequency_hz, h = 1e-4;
   const auto push = [&](double t) {
@@ -45,7 +45,7 @@ RingDown struck(double frequency_hz, double ratio, double hit_s, double noise_m)
   return data;
 }
 
-/// The same rotor struck along x for 4 ms.
+/// The same rotor with a kick of 4 ms along x.
 scene::PreparedMachine struck_rotor(const Eigen::VectorXd& values) {
   model::Machine machine = scene::one_side_machine();
   auto& jeffcott = std::get<model::JeffcottRotor>(machine.rotor);
@@ -77,7 +77,7 @@ TEST(FirstValues, TheInstantOfTheHitIsFoundFromFarAway) {
 }
 
 TEST(FirstValues, ATenthThatIsLeftIsSaid) {
-  // The bounds keep the truth out.
+  // The bounds exclude the true value.
   MachineFit problem{.parameters = {{"frequency", 30, 25, 36, 30},
                                     {"ratio", 0.02, 1e-3, 0.2, 0.02},
                                     {hit_name, 0.03, 0.025, 0.035, 1e-2}},

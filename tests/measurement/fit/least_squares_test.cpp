@@ -9,7 +9,7 @@
 namespace rubsweep::fit {
 namespace {
 
-/// a e^{-b t} at t = 0, 0.1, ... less the same with a = 3, b = 2.
+/// Residuals a e^{-b t} - 3 e^{-2 t} at t = 0, 0.1, ...
 Eigen::VectorXd decay(const Eigen::VectorXd& at) {
   Eigen::VectorXd left(40);
   for (Eigen::Index k = 0; k < left.size(); ++k) {
@@ -54,7 +54,7 @@ TEST(LeastSquares, OutliersCountLessWhereAskedFor) {
 }
 
 TEST(LeastSquares, SeveralStartsLeaveALocalMinimum) {
-  // Two valleys: the deeper one about 4.
+  // Two minima, of which the one near 4 is deeper.
   const auto valleys = [](const Eigen::VectorXd& at) {
     Eigen::VectorXd left(1);
     const double x = at(0);
@@ -106,7 +106,7 @@ TEST(LeastSquares, AStopDoesNotWaitForTheDerivatives) {
   LeastSquaresOptions options;
   options.stop = &stop;
   const auto stopped_at_once = [&](const Eigen::VectorXd& at) {
-    if (++evaluations == 2) stop = true;  // the first of the derivatives
+    if (++evaluations == 2) stop = true;  // the first evaluation for derivatives
     return decay(at);
   };
   const LeastSquaresFit fit = least_squares({two, stopped_at_once}, options);

@@ -16,7 +16,7 @@
 namespace rubsweep::fit {
 namespace {
 
-/// A Jeffcott rotor of this frequency and damping ratio, the first two parameters.
+/// A Jeffcott rotor whose frequency and damping ratio are the first two parameters.
 scene::PreparedMachine rotor(const Eigen::VectorXd& values) {
   model::Machine machine = scene::one_side_machine();
   auto& jeffcott = std::get<model::JeffcottRotor>(machine.rotor);
@@ -27,7 +27,7 @@ scene::PreparedMachine rotor(const Eigen::VectorXd& values) {
 
 const Eigen::VectorXd truth = Eigen::Vector2d(31, 0.015);
 
-/// Parameters begin off the truth, by as much as a data sheet is.
+/// Start values differ from the truth as much as those of a data sheet.
 const std::vector<Parameter> rotor_parameters{{"frequency", 30, 25, 36, 30},
                                               {"ratio", 0.02, 1e-3, 0.2, 0.02}};
 
@@ -90,7 +90,7 @@ TEST(MachineFit, WhatIsMissingIsNamed) {
 TEST(MachineFit, ARunUpOfTheRightMachineRaisesNoWarning) {
   MeasuredData data = run_up(2e-7);
   auto& run = std::get<RunUp>(data.data);
-  // Errors of smoothed marks hang together, and are half a per cent of 1X.
+  // Errors of smoothed marks are correlated and amount to 0.5 % of 1X.
   std::complex<double> error = 0;
   for (Eigen::Index k = 0; k < run.phasor_m.rows(); ++k) {
     error = 0.8 * error + std::complex<double>(0, noise(0.003));
@@ -103,7 +103,7 @@ TEST(MachineFit, ARunUpOfTheRightMachineRaisesNoWarning) {
                      .machine = rotor};
   std::string summary = tables_of(problem, fit_machine(problem, {})).summary;
   EXPECT_EQ(summary.find("warning"), std::string::npos) << summary;
-  // A machine with another unbalance misses something.
+  // With a wrong unbalance the residuals are not noise.
   problem.eccentricity_m = 1.8e-5;
   summary = tables_of(problem, fit_machine(problem, {})).summary;
   EXPECT_NE(summary.find("something is missing"), std::string::npos) << summary;
@@ -135,7 +135,7 @@ TEST(MachineFit, AMarkIsFoundFromTheOtherSideOfTheShaft) {
 
 TEST(MachineFit, AMarkIsFoundBehindItsBound) {
   MeasuredData data = run_up(5e-6);
-  // The mark of the data stands at 178 degrees, and that of a rotor whose frequency is too low beyond 180.
+  // The mark of the data is at 178 degrees; with a rotor frequency that is too low it appears beyond 180.
   std::get<RunUp>(data.data).phasor_m *= std::polar(1.0, 178 * 3.14159265358979 / 180 - 0.5);
   MachineFit problem{.parameters = rotor_parameters, .data = {data}, .machine = rotor};
   problem.parameters[0].start = 29.8;
@@ -185,7 +185,7 @@ TEST(MachineFit, FirstValuesThatAreNotAllowedAreRefusedInTheirOwnWords) {
 }
 
 TEST(MachineFit, RubsAreFollowedAlongTheStepsAlone) {
-  // A made-up rub, whose lines are the numbers themselves.
+  // An artificial rub whose lines are the parameters themselves.
   RubLines data{.speed_hz = 70, .turns = 1, .order = {1, -1}, .line_m = Eigen::Vector2cd(31, 0.015)};
   std::vector<double> followed;
   MachineFit problem{
@@ -205,7 +205,7 @@ TEST(MachineFit, RubsAreFollowedAlongTheStepsAlone) {
   ASSERT_GE(followed.size(), 2u);
   EXPECT_EQ(followed.front(), 30);
   EXPECT_DOUBLE_EQ(followed.back(), result.fit.value(0));
-  // The first values are told of by the fit, by its descent, and as the step before the first.
+  // The first values are reported by the fit, by its descent, and as the step before the first one.
   EXPECT_LE(followed.size(), static_cast<std::size_t>(result.fit.iterations) + 3)
       << "no steps of derivatives";
 }

@@ -67,7 +67,7 @@ TEST_F(MeasuredDataTest, RunUpTakesEverySecondRowOfOrderOne) {
 }
 
 TEST_F(MeasuredDataTest, InstantsOfWholeTurnsTellTheRamp) {
-  // Marks rounded to 0.2 ms, as by a logger, and speeds between them.
+  // Marks rounded to 0.2 ms, as by a data logger, and the speeds between them.
   std::string text = "t_s,speed_hz,order,x_amplitude_m,x_phase_deg\n";
   const auto mark_s = [](int turn) {
     return 2e-4 * std::round((std::sqrt(24.0 * 24.0 + 8 * turn) - 24) / 4 / 2e-4);
@@ -93,7 +93,7 @@ TEST_F(MeasuredDataTest, SteadyPhasesCountFromTheSensor) {
 }
 
 TEST_F(MeasuredDataTest, PhasesMeanWhatIsSaid) {
-  // A peak 30 degrees behind the mark in x, and 120 in y, which the mark passes 90 degrees later.
+  // The peak lags by 30 degrees in x and by 120 in y, because the mark passes the y probe 90 degrees later.
   using enum PhaseConvention;
   const std::string header =
       "speed_hz,sensor_0_amplitude_m,sensor_0_phase_deg,sensor_1_amplitude_m,sensor_1_phase_deg\n20,1e-5,";

@@ -62,8 +62,8 @@ TEST_F(MeasuredTables, WithoutTheColumnOrWithBadNumbersAreRefused) {
 
 using std::numbers::pi;
 
-/// Instants of every second turn of a shaft, by bisection, rounded to the readings of a logger, and the
-/// speeds that neighbouring instants say.
+/// Instants of every second turn of a shaft, found by bisection and rounded to the readings of a logger, and
+/// the speeds computed from neighbouring instants.
 struct Marks {
   std::vector<double> t_s, speed_hz;
 };
@@ -86,7 +86,7 @@ Marks marks_of(const std::function<double(double)>& turns, int rows, double read
   return marks;
 }
 
-/// Turns and speed of a ramp from 17 Hz whose rate of 2 Hz/s varies by a share as a slow sine.
+/// Turns of a ramp from 17 Hz, whose rate of 2 Hz/s varies slowly by `share` as a sine.
 double uneven_turns(double t, double share, double wave) {
   return 17 * t + t * t - 2 * share / wave * (std::sin(wave * t) / wave - t);
 }

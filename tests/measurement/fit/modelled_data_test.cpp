@@ -10,7 +10,7 @@
 namespace rubsweep::fit {
 namespace {
 
-/// 1X of two sensors at three speeds.
+/// Data with 1X of two sensors at three speeds.
 MeasuredData steady_data(bool run_out) {
   Steady steady{.speed_hz = {10, 20, 30}, .phasor_m = Eigen::MatrixXcd(3, 2)};
   for (int k = 0; k < 3; ++k)
@@ -27,7 +27,7 @@ TEST(ModelledData, ComparesRealPartsAndThenImaginaryOnesSensorBySensor) {
 TEST(ModelledData, CountsWhatIsFittedWithEveryStep) {
   EXPECT_EQ(eliminated_of(steady_data(false)), 0);
   EXPECT_EQ(eliminated_of(steady_data(true)), 4);
-  // The scale of the kick, and an offset of each of three sensors.
+  // Eliminated: the scale of the kick, and an offset for each of three sensors.
   const MeasuredData ring{.name = "ring.csv",
                           .data = RingDown{.t_s = {0, 1}, .signal_m = Eigen::MatrixXd(2, 3)}};
   EXPECT_EQ(eliminated_of(ring), 4);
@@ -61,7 +61,7 @@ TEST(ModelledData, AreMadeOnceForAllEccentricitiesAndMarks) {
   EXPECT_EQ(made, 3);
 }
 
-/// The same kick by steps of a Runge-Kutta method.
+/// Compares the closed form with steps of a Runge-Kutta method.
 TEST(ModelledData, IsThatOfSteps) {
   for (const model::Machine& machine : {scene::one_side_machine(), scene::light_shaft_machine()}) {
     const scene::PreparedMachine prepared = scene::prepare_machine(machine);

@@ -17,7 +17,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A bowed kit whose discs have gyroscopic moments, off the middle.
+/// A kit with a bow and gyroscopic discs away from midspan.
 model::Machine bowed_kit() {
   model::Machine machine = scene::light_shaft_machine();
   auto& kit = std::get<model::RotorKit>(machine.rotor);
@@ -30,7 +30,7 @@ model::Machine bowed_kit() {
   return machine;
 }
 
-/// 1X of two runs by a Runge-Kutta method, one a quarter turn behind.
+/// 1X from two runs of a Runge-Kutta method whose phases differ by a quarter turn.
 Eigen::MatrixXcd by_steps(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
                           linear::LinearRun run) {
   run.driven = linear::Driven::in_phase;
@@ -59,7 +59,7 @@ TEST(RampPhasor, IsThatOfStepsUpAndDown) {
       for (int k = 0; k < run.samples; ++k) t_s.push_back(k * run.sample_s);
       const Eigen::MatrixXcd steps = by_steps(prepared, rows, run);
       const Eigen::MatrixXcd found = ramp_phasors(prepared, rows, 1e-5, {run.from_hz, rate}, t_s, 0);
-      // The steps begin on the motion of a steady speed.
+      // The reference starts on the motion of a steady speed, so the beginning is left out.
       EXPECT_LT((found - steps).bottomRows(1300).cwiseAbs().maxCoeff(), 2e-3 * steps.cwiseAbs().maxCoeff())
           << rate;
     }
@@ -72,7 +72,7 @@ TEST(RampPhasor, AnUnevenSpeedIsThatOfSteps) {
   const auto& rotor = std::get<model::JeffcottRotor>(machine.rotor);
   const double w = 2 * std::numbers::pi * rotor.natural_frequency_hz;
   Ramp ramp;
-  // Fast, then hesitating at the resonance, then fast again.
+  // A ramp that is fast, slow at the resonance, and fast again.
   ramp.knot_s = {0, 1.5, 3.5, 5};
   ramp.knot_hz = {20, 29, 31, 42};
   double phi = 0, t = 0;
@@ -117,8 +117,8 @@ TEST(RampPhasor, AnUnevenSpeedIsThatOfSteps) {
 }
 
 TEST(RampPhasor, ASpeedThatTurnsWithinAStretchMeetsItsResonance) {
-  // Up through the resonance and back, slowly, within one of the 64 stretches of a very long run at a speed
-  // far below. With modes that do not change it is the motion in one stretch.
+  // A slow passage through the resonance and back, within one of the 64 stretches of a very long run at much
+  // lower speed. With constant modes the result equals that of a single stretch.
   model::Machine machine = scene::one_side_machine();
   std::get<model::JeffcottRotor>(machine.rotor).natural_frequency_hz = 60;
   const scene::PreparedMachine straight = scene::prepare_machine(machine);
@@ -156,7 +156,7 @@ TEST(RampPhasor, SupportsFollowTheirTables) {
     const double hz = scene::table_speeds_hz[row];
     const auto typed = steady_phasors(scene::prepare_machine(scene::typed_machine(row)), rows, 1e-5, hz);
     const auto steady = steady_phasors(tabled, rows, 1e-5, hz);
-    // Two modes and the static deflections of the middle speed stand for the motion at all speeds.
+    // Two modes and the static deflections of the middle speed approximate the motion at all speeds.
     EXPECT_LT((steady - typed).norm(), 2e-2 * typed.norm()) << hz;
   }
   const linear::LinearRun run{
@@ -187,7 +187,8 @@ TEST(RampPhasor, ReadingsFromMarkToMarkHaveAMirroredPart) {
   const scene::PreparedMachine prepared = scene::prepare_machine(bowed_kit());
   const Eigen::MatrixXd rows = linear::sensor_rows(prepared).rows;
   const Ramp ramp{20, 4};
-  // Behind the resonance, where free and forced vibration beat. Middles of equal steps of the shaft's angle.
+  // Above the resonance, where free and forced vibration beat. The reference uses the middles of equal
+  // angular steps.
   constexpr double middle_s = 3.4, turns = 2, e = 1e-5;
   constexpr int steps = 400;
   const double now_hz = speed_hz(ramp, middle_s);
@@ -226,7 +227,8 @@ using std::numbers::pi;
 
 const Ramp steady{.from_hz = 10, .rate_hz_per_s = 0};
 
-/// Mean over two turns about t = 0 of t^3 + t^4 times e^{-2i phi}, or of itself, by the midpoint rule.
+/// Mean of t^3 + t^4 over two turns about t = 0, with or without the factor e^{-2i phi}, by the midpoint
+/// rule.
 Complex mean_of(bool mirrored) {
   constexpr int steps = 20'000;
   Complex sum = 0;

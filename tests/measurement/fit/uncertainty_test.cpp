@@ -12,7 +12,7 @@
 namespace rubsweep::fit {
 namespace {
 
-/// A straight line a + b t at t = 0 .. 9 with residuals of +1, -1, ...
+/// A fit of a straight line a + b t at t = 0 .. 9 with residuals +1, -1, ...
 LeastSquaresFit line() {
   LeastSquaresFit fit;
   fit.value = Eigen::Vector2d(1, 2);
@@ -57,8 +57,7 @@ TEST(Uncertainty, CombinationsThatDataDoNotTellAreNamed) {
 
 constexpr Eigen::Index instants = 120;
 
-/// A constant and a bump of some instants, fitted to noise whose neighbours correlate by `r`, in two rows
-/// that read the same.
+/// A constant and a short bump fitted to noise with the correlation `r` of neighbours, in two identical rows.
 LeastSquaresFit bump_in_noise(double r, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   LeastSquaresFit fit;
@@ -78,7 +77,7 @@ LeastSquaresFit bump_in_noise(double r, std::mt19937_64& random) {
   return fit;
 }
 
-/// Share of 400 fits whose intervals hold the truth, 0, of the bump.
+/// Share of 400 fits whose interval for the bump contains the true value 0.
 double coverage(double r, bool allowed_for) {
   std::mt19937_64 random(5);
   constexpr int trials = 400;
@@ -128,7 +127,7 @@ std::vector<double> white_noise(unsigned seed) {
 TEST(UncertaintyResidualTest, NoiseIsWhite) {
   int alarms = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) alarms += !test_residuals(white_noise(seed)).white;
-  // Two tests of one per cent each.
+  // Two tests with a false-alarm rate of 1 % each.
   EXPECT_LE(alarms, 10);
 }
 

@@ -17,6 +17,8 @@ TEST(ChannelsUnit, OfTimesAndProbes) {
   EXPECT_EQ(scale_of("mil", probe({}), "f").metres_per_unit, 25.4e-6);
   EXPECT_EQ(scale_of("\u00b5m", probe({}), "f").metres_per_unit,
             scale_of("\u03bcm", probe({}), "f").metres_per_unit);
+  EXPECT_EQ(scale_of("in", probe({}), "f").metres_per_unit, 0.0254);
+  EXPECT_EQ(scale_of("mils", probe({}), "f").metres_per_unit, 25.4e-6);
   // 200 mV/mil are 7.874 mV/um.
   EXPECT_NEAR(scale_of("V", probe(200 / 25.4), "f").metres_per_unit, 5 * 25.4e-6, 1e-15);
   EXPECT_EQ(scale_of("mV", probe(-8), "f").metres_per_unit, -0.125e-6);
@@ -30,7 +32,7 @@ TEST(ChannelsUnit, ARangeSaysWhereReadingsAreCutOff) {
   EXPECT_EQ(scale_of("mV", probe(8, 10), "f").full_scale, 10000);
   const Scale shares = scale_of("FS", probe(8, 10), "f");
   EXPECT_EQ(shares.full_scale, 1);
-  // 10 V at 8 mV/um.
+  // Full scale of 10 V at 8 mV/um.
   EXPECT_NEAR(shares.metres_per_unit, 1.25e-3, 1e-15);
   EXPECT_FALSE(scale_of("V", probe(8), "f").full_scale);
 }

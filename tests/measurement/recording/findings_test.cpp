@@ -85,12 +85,25 @@ TEST(Findings, AMotionWithoutNoiseThatRepeatsIsNotClipped) {
 
 TEST(Findings, MarksOfAKeyphasor) {
   std::vector<std::string> findings;
-  add_mark_findings({}, "KP", findings);
+  add_mark_findings({}, {.column = "KP"}, findings);
   EXPECT_TRUE(findings.empty());
-  add_mark_findings({.t_s = {}, .filled = 2, .dropped = 1}, "KP", findings);
+  add_mark_findings({.t_s = {}, .filled = 2, .dropped = 1}, {.column = "KP"}, findings);
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_TRUE(findings[0].starts_with("'KP' has no mark in 2 turns"));
   EXPECT_TRUE(findings[1].starts_with("'KP' has 1 marks too many"));
+}
+
+TEST(Findings, MissingPulsesSayHowWellTheyFollowFromTheOthers) {
+  std::vector<double> marks;
+  for (int k = 0; k < 40; ++k) marks.push_back(k + (k == 20 ? 0.1 : 0.0));
+  std::vector<std::string> findings;
+  add_mark_findings({.t_s = marks, .filled = 3}, {.column = "KP", .pulses_per_turn = 12}, findings);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(
+      findings[0],
+      "'KP' has no mark in 3 steps: they are taken to be like those beside them, whose marks follow from "
+      "their neighbours to 0.023 of a step");
+  EXPECT_NE(findings[1].find("12 pulses a turn"), std::string::npos);
 }
 
 TEST(Findings, AnUnsteadySpeedAndFewReadings) {

@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// 1X of 60, 2X of 10 and a line of another order, by two probes about gaps.
+/// Readings of two probes with a gap voltage: 1X of 60, 2X of 10, and a line of another order.
 std::vector<std::vector<double>> readings(double speed_hz, double rate_hz, double turns, double other_order,
                                           double other, double noise, unsigned seed) {
   std::mt19937_64 random(seed);
@@ -26,6 +26,24 @@ std::vector<std::vector<double>> readings(double speed_hz, double rate_hz, doubl
     }
   }
   return probes;
+}
+
+TEST(FoundSpeed, TwoHarmonicsSayItWhereTheLineItselfIsMissing) {
+  for (const bool third : {true, false}) {
+    std::vector<double> x;
+    for (int k = 0; k < 4000; ++k) {
+      const double angle = 2 * pi * 30.06 * k / 2000;
+      x.push_back(5 * std::cos(2 * angle + 1) + (third ? 3 * std::cos(3 * angle) : 0.0));
+    }
+    const auto found = speed_near({x}, 2000, 30);
+    if (third) {
+      ASSERT_TRUE(found);
+      EXPECT_NEAR(found->speed_hz, 30.06, 1e-4);
+      EXPECT_TRUE(found->by_harmonics);
+    } else {  // one line alone may be of another machine
+      EXPECT_TRUE(!found || found->speed_hz == 0);
+    }
+  }
 }
 
 TEST(FoundSpeed, IsTheTruthWithinItsUncertainty) {

@@ -18,6 +18,14 @@ std::string fault(const std::string& text) {
 
 const std::string probe = "probes:\n  - {column: X, angle_deg: 45, gain_mv_per_um: -7.87}\n";
 
+TEST(InstrumentRead, OneSourceOfTheSpeed) {
+  EXPECT_NE(fault(probe + "speed: n\nspeed_hz: 30\n").find("exactly one of keyphasor, speed_hz, speed"),
+            std::string::npos);
+  EXPECT_NE(fault(probe + "speed: {unit: rpm}\n").find("i.yaml:3:8: speed"), std::string::npos);
+  EXPECT_NE(fault(probe + "keyphasor: {column: K, pulses_per_turn: 0}\n").find("pulses_per_turn"),
+            std::string::npos);
+}
+
 TEST(InstrumentRead, EverythingThatThereIs) {
   const auto instrument =
       read_instrument_text(probe +
@@ -34,6 +42,11 @@ TEST(InstrumentRead, EverythingThatThereIs) {
   EXPECT_EQ(instrument.keyphasor->mark, rubsweep::recording::Mark::bright);
   EXPECT_EQ(instrument.keyphasor->threshold, 2.5);
   EXPECT_EQ(instrument.keyphasor->hysteresis, 0.1);
+  const auto wheel = read_instrument_text(
+      probe + "sampling_rate_hz: 1\nkeyphasor: {column: K, pulses_per_turn: 60}\n", "i.yaml");
+  EXPECT_EQ(wheel.keyphasor->pulses_per_turn, 60);
+  EXPECT_EQ(read_instrument_text(probe + "speed: n\n", "i.yaml").speed->column, "n");
+  EXPECT_EQ(read_instrument_text(probe + "speed: {column: n, unit: rpm}\n", "i.yaml").speed->unit, "rpm");
   const auto recorder = read_instrument_text(
       "probes:\n  - {column: channel 1, angle_deg: 0, gain_mv_per_um: 8, unit: FS, range_v: 10}\n"
       "keyphasor: {column: channel 2}\nrun_out: {from_s: 0, to_s: 3, subtract: vector}\n",
@@ -71,7 +84,7 @@ TEST(InstrumentRead, WrongOnesAreNamedWithTheirPlace) {
             std::string::npos);
   EXPECT_NE(fault(clock + probe + "  - {column: Y, angle_deg: 230}\n").find("look along one line"),
             std::string::npos);
-  EXPECT_EQ(fault(probe + "speed_hz: 70\n"), "none");  // a WAV file says its own rate
+  EXPECT_EQ(fault(probe + "speed_hz: 70\n"), "none");  // a WAV file contains its sampling rate
   EXPECT_NE(fault(clock + probe + "run_out: {from_s: 1, to_s: 2}\n").find("with keyphasor"),
             std::string::npos);
   EXPECT_NE(fault(probe + "time: t\nkeyphasor: {column: K}\nrun_out: {from_s: 1, subtract: x}\n")

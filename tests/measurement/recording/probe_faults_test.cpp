@@ -68,7 +68,7 @@ TEST(ProbeFaults, NoiseAloneBesideAMotion) {
   std::reverse(other_noise.begin(), other_noise.end());
   EXPECT_TRUE(pair_findings(noise, other_noise).empty());
   EXPECT_TRUE(pair_findings(x, signal(30, 1.6, 0.01, 3)).empty());
-  // A motion as large as the noise is one.
+  // A motion as small as the noise still counts as a motion.
   auto weak = noise;
   for (std::size_t k = 0; k < weak.size(); ++k) weak[k] += 0.02 * clean[k];
   EXPECT_TRUE(pair_findings(x, weak).empty());
@@ -81,11 +81,11 @@ TEST(ProbeFaults, OneSignalTwice) {
   EXPECT_TRUE(pair_findings(x, y)[0].starts_with("'X' and 'Y' read the same signal"));
   for (double& value : y) value = 3 - 0.5 * value;
   EXPECT_EQ(pair_findings(x, y).size(), 1u);
-  // A motion along a line has noise of its own in each probe.
+  // When the shaft moves along a line, both probes read the same motion with independent noise.
   EXPECT_TRUE(pair_findings(x, signal(30, 0, 0.01, 2)).empty());
 }
 
-/// A 1/2 motion of so many readings a turn, with noise.
+/// A noisy 1/2 subharmonic with this number of readings per turn.
 std::vector<double> motion(int count, double readings_per_turn, double noise, unsigned seed = 1) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, 1);

@@ -22,93 +22,6 @@
 namespace rubsweep::recording {
 namespace {
 
-std::string fault(std::string_view text) {
-  try {
-    read_delimited_text(text, "f.csv");
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "none";
-}
-
-void expect_channel(const Channel& channel, const char* name, const char* unit,
-                    const std::vector<double>& values) {
-  EXPECT_EQ(channel.name, name);
-  EXPECT_EQ(channel.unit, unit);
-  EXPECT_EQ(channel.values, values);
-}
-
-TEST(RecordingFileDelimitedText, ReadsWhatInstrumentsWrite) {
-  const auto german =
-      read_delimited_text("\xEF\xBB\xBFMessung 3\r\nZeit (s);X [mV]\r\n0,1;2,5\r\n0,2;-3\r\n", "f");
-  ASSERT_EQ(german.channels.size(), 2u);
-  expect_channel(german.channels[0], "Zeit", "s", {0.1, 0.2});
-  expect_channel(german.channels[1], "X", "mV", {2.5, -3});
-  EXPECT_EQ(german.line, (std::vector<std::size_t>{3, 4}));
-
-  const auto units_below = read_delimited_text("# by a logger\nt\tx\ns\t(um)\n0\t1e-3\n% pause\n1\t2", "f");
-  expect_channel(units_below.channels[0], "t", "s", {0, 1});
-  expect_channel(units_below.channels[1], "x", "um", {1e-3, 2});
-  EXPECT_EQ(units_below.line, (std::vector<std::size_t>{4, 6}));
-
-  const auto ours = read_delimited_text("# digest\nt_s,sensor_0_m\n0,1e-6\n1,2e-6\n", "f");
-  expect_channel(ours.channels[0], "t_s", "s", {0, 1});
-  expect_channel(ours.channels[1], "sensor_0_m", "m", {1e-6, 2e-6});
-
-  const auto bare = read_delimited_text("1,2\r3,4\r", "f");
-  expect_channel(bare.channels[1], "column 2", "", {2, 4});
-}
-
-TEST(RecordingFileDelimitedText, ColumnsOfWordsAreLeftOutAndTold) {
-  const auto table = read_delimited_text("t,x,Status\n0,1,OK\n1,2,OVL\n", "f");
-  ASSERT_EQ(table.channels.size(), 2u);
-  EXPECT_EQ(table.left_out_text(), " ('Status' holds text, as in line 2)");
-  const auto few = read_delimited_text("t\tx\tComment\n0\t1\tbegin\n1\t2\n", "f");
-  expect_channel(few.channels[1], "x", "", {1, 2});
-}
-
-TEST(RecordingFileDelimitedText, OfLabViewOneSegmentIsRead) {
-  const std::string head =
-      "LabVIEW Measurement\t\nSeparator\tTab\nX_Columns\tNo\n***End_of_Header***\t\n\t\nChannels\t2\t\t\n"
-      "Samples\t3\t3\t\nY_Unit_Label\tum\tVolts\t\nDelta_X\t0.002\t0.002\t\n***End_of_Header***\t\t\t\n";
-  const std::string rows = "X_Value\tX\tKP\tComment\n\t1.5\t-3.0\n\t2.5\t-9.0\n\t3.5\t-3.0\n";
-  const auto table = read_delimited_text(head + rows, "f");
-  ASSERT_EQ(table.channels.size(), 3u);
-  expect_channel(table.channels[1], "X", "um", {1.5, 2.5, 3.5});
-  expect_channel(table.channels[2], "KP", "Volts", {-3, -9, -3});
-  EXPECT_EQ(table.sampling_rate_hz, 500);
-  EXPECT_EQ(fault(head + rows + head.substr(head.find("Channels")) + rows),
-            "f.csv:20:1: begins another segment of LabVIEW, allowed: one segment in a file");
-}
-
-TEST(RecordingFileDelimitedText, TimeStampsBecomeSeconds) {
-  const auto late = read_delimited_text("23:59:59,5;1\n00:00:00,5;2\n", "f");
-  EXPECT_EQ(late.channels[0].values, (std::vector<double>{0, 1}));
-  const auto dated = read_delimited_text("2024-02-28 23:59:59,1\n2024-02-29 00:00:01,2\n", "f");
-  EXPECT_EQ(dated.channels[0].values, (std::vector<double>{0, 2}));
-}
-
-TEST(RecordingFileDelimitedText, EmptyCellsAreGaps) {
-  const auto table = read_delimited_text("a,b\n1,2\n,\n3,NaN\n", "f");
-  EXPECT_TRUE(std::isnan(table.channels[0].values[1]));
-  EXPECT_TRUE(std::isnan(table.channels[1].values[2]));
-}
-
-TEST(RecordingFileDelimitedText, DamagedFilesAreRefusedAtTheirPlace) {
-  EXPECT_EQ(fault("a,b\n1,2\n3\n"), "f.csv:3:1: has another number of cells, 1, allowed: 2 as in line 2");
-  EXPECT_EQ(fault("a,b\n1,2\n3, x1\n"),
-            "f.csv:3:4: 'x1' is no number, allowed: a number with a decimal point");
-  EXPECT_EQ(fault("1;2\n2,5;3\n3.5;3\n"),
-            "f.csv:3:1: '3.5' is no number, allowed: a number with a decimal comma");
-  EXPECT_EQ(
-      fault("12:00:00;3\n13;3\n"),
-      "f.csv:2:1: '13' is no time stamp, allowed: hours:minutes:seconds, with or without a date before them");
-  EXPECT_EQ(fault("1,2\n"), "f.csv:1:1: is the only row of numbers, allowed: two or more");
-  for (const char* empty : {"", "\n\n", "hello\nworld\n", "# 1,2\n"})
-    EXPECT_TRUE(fault(empty).starts_with("f.csv:1:1: has no numbers, allowed: ")) << empty;
-  EXPECT_TRUE(fault(std::string_view("1,2\n\0,3\n", 9)).starts_with("f.csv:1:1: is no text"));
-}
-
 namespace fs = std::filesystem;
 
 Channels read(const fs::path& file) {
@@ -143,7 +56,7 @@ TEST_P(RecordingFileMatlabFile, VectorsAndColumnsBecomeChannels) {
   Mat_Close(file);
   const Channels table = read(file_);
   ASSERT_EQ(table.channels.size(), 4u);
-  // Version 7.3 keeps its variables in the order of the alphabet.
+  // Version 7.3 stores its variables in alphabetical order.
   const auto channel = [&](const char* name) {
     return *std::ranges::find(table.channels, std::string(name), &Channel::name);
   };
@@ -175,6 +88,43 @@ TEST_P(RecordingFileMatlabFile, WhatIsLeftOutIsTold) {
   Mat_Close(file);
   EXPECT_EQ(read(file_).left_out_text(),
             " ('picture' is 300 x 257, more than 256 signals, 'x' has 2 of 3 numbers)");
+}
+
+/// A vector, which whoever takes it frees.
+matvar_t* vector(const char* name, std::vector<double> values) {
+  std::array<std::size_t, 2> dims{values.size(), 1};
+  return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims.data(), values.data(), 0);
+}
+
+TEST_P(RecordingFileMatlabFile, StructuresAndCellsMayLieInEachOther) {
+  mat_t* file = create();
+  const char* run_names[] = {"signals", "fs"};
+  const char* signal_names[] = {"values"};
+  std::array<std::size_t, 2> one{1, 1}, two{2, 1};
+  matvar_t* run = Mat_VarCreateStruct("run", 2, one.data(), run_names, 2);
+  matvar_t* signals = Mat_VarCreateStruct("signals", 2, two.data(), signal_names, 1);
+  Mat_VarSetStructFieldByName(signals, "values", 0, vector("values", {1, 2, 3}));
+  Mat_VarSetStructFieldByName(signals, "values", 1, vector("values", {4, 5, 6}));
+  Mat_VarSetStructFieldByName(run, "signals", 0, signals);
+  Mat_VarSetStructFieldByName(run, "fs", 0, vector("fs", {2000}));
+  Mat_VarWrite(file, run, MAT_COMPRESSION_NONE);
+  Mat_VarFree(run);
+  std::array<matvar_t*, 2> parts{vector("", {7, 8, 9}), vector("", {10, 11, 12})};
+  matvar_t* cells = Mat_VarCreate("probes", MAT_C_CELL, MAT_T_CELL, 2, two.data(), parts.data(), 0);
+  Mat_VarWrite(file, cells, MAT_COMPRESSION_NONE);
+  Mat_VarFree(cells);
+  Mat_Close(file);
+  const Channels table = read(file_);
+  const auto values = [&](const char* name) {
+    const auto found = std::ranges::find(table.channels, std::string(name), &Channel::name);
+    return found == table.channels.end() ? std::vector<double>() : found->values;
+  };
+  EXPECT_EQ(table.channels.size(), 4u);
+  EXPECT_EQ(values("run.signals.values"), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(values("run.signals(2).values"), (std::vector<double>{4, 5, 6}));
+  EXPECT_EQ(values("probes{1}"), (std::vector<double>{7, 8, 9}));
+  EXPECT_EQ(values("probes{2}"), (std::vector<double>{10, 11, 12}));
+  EXPECT_EQ(table.sampling_rate_hz, 2000);
 }
 
 TEST_P(RecordingFileMatlabFile, FilesWithoutSignalsAreRefused) {
@@ -209,6 +159,8 @@ std::string fault(const char* file, std::string_view bytes) {
 
 TEST(RecordingFile, TheFirstBytesSayWhatItIs) {
   EXPECT_EQ(read_recording_file("any.txt", "a,b\n1,2\n3,4\n").channels.size(), 2u);
+  EXPECT_NE(fault("/nowhere/a.dat", "TDSm").find("TDMS"), std::string::npos);
+  EXPECT_NE(fault("/nowhere/a.dat", "    -1\n    58\n").find("data set 58"), std::string::npos);
   // No such files: who is asked to open them says so.
   EXPECT_NE(fault("/nowhere/a.csv", "RIFF....WAVE").find("allowed: a WAV file"), std::string::npos);
   EXPECT_NE(fault("/nowhere/a.dat", "MATLAB 5.0 MAT-file").find("MATLAB file"), std::string::npos);
@@ -217,7 +169,7 @@ TEST(RecordingFile, TheFirstBytesSayWhatItIs) {
   EXPECT_NE(fault("/nowhere/a.mat", "old").find("MATLAB file"), std::string::npos);
 }
 
-/// A table that a program wrote is a recording as long as it is as that program left it.
+/// A table of our programs can be a recording, but only if it was not changed.
 TEST(RecordingFile, ATableWithAWrongSumIsRefused) {
   const std::string head = "# rubtrace 1\n# digest x\n# format 1\n",
                     rows = "t_s,sensor_0_m\n0,1e-6\n1,2e-6\n";
@@ -234,7 +186,7 @@ std::string write_text(const std::filesystem::path& file, const std::string& tex
   return text;
 }
 
-/// One probe at 90 degrees at 1 kHz, of a shaft that turns 25 times a second.
+/// Text of a recording by one probe at 90 degrees at 1 kHz, with a shaft speed of 25 Hz.
 std::string vibration() {
   std::string text = "x [um]\n";
   for (int k = 0; k < 1000; ++k)

@@ -13,8 +13,8 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// An ellipse at 40 rev/s and 4 kHz that probes at 45 and 135 degrees see in mV (8 mV/um), on a gap voltage;
-/// a keyway every turn.
+/// An elliptic motion at 40 Hz, read at 4 kHz by probes at 45 and 135 degrees in mV (8 mV/um) with a gap
+/// voltage, and a keyway in every turn.
 Channels ellipse() {
   Channels channels;
   channels.channels = {{"t", "ms", {}}, {"A", "mV", {}}, {"B", "mV", {}}, {"KP", "V", {}}};
@@ -47,7 +47,7 @@ TEST(Recording, IsTheMotionAtEqualAngles) {
   EXPECT_NEAR(recording.sampling_rate_hz, 4000, 1e-6);
   EXPECT_EQ(recording.findings, std::vector<std::string>{});
   ASSERT_EQ(recording.turns(), 38);
-  // The edge stands half a sample before the first reading of the keyway: half a per cent of a turn.
+  // The edge lies half a sample before the first reading of the keyway: 0.5 % of a turn.
   const double early = -0.005;
   const Complex gap = -9000 / 8e6 * Complex(0, std::sqrt(2.0));
   for (std::size_t k = 0; k < recording.displacement_m.size(); ++k) {
@@ -62,7 +62,7 @@ TEST(Recording, CountsFromTheReadingsAtRest) {
   Instrument instrument = two_probes;
   const Recording as_read = make_recording(ellipse(), instrument, "f.csv");
   EXPECT_FALSE(as_read.from_rest);
-  // 8 mV/um: the rotor rests 25 um towards the first probe and 50 um off the second one.
+  // At 8 mV/um the rotor rests 25 um closer to the first probe and 50 um away from the second one.
   instrument.probes[0].rest = -8800;
   instrument.probes[1].rest = -9400;
   const Recording from_rest = make_recording(ellipse(), instrument, "f.csv");
@@ -87,6 +87,37 @@ TEST(Recording, ASpeedStandsInForTheKeyphasorAndARateForTimes) {
   EXPECT_EQ(recording.displacement_m.front().imag(), 0);
 }
 
+/// A wheel of five teeth: one of them passes unseen in one turn, and noise makes another pulse.
+TEST(Recording, PulsesAreCountedToTurns) {
+  Channels channels = ellipse();
+  std::vector<double>& wheel = channels.channels[3].values;
+  for (std::size_t k = 0; k < wheel.size(); ++k) wheel[k] = k % 20 < 4 ? -14.0 : -6.0;
+  for (std::size_t k = 1220; k < 1230; ++k) wheel[k] = -6;
+  wheel[1711] = wheel[1712] = -14;
+  Instrument instrument = two_probes;
+  instrument.keyphasor->pulses_per_turn = 5;
+  const Recording counted = make_recording(channels, instrument, "f.csv");
+  EXPECT_NEAR(counted.mean_speed_hz(), 40, 1e-6);
+  ASSERT_EQ(counted.findings.size(), 3u);
+  EXPECT_NE(counted.findings[0].find("has no mark in 1 steps"), std::string::npos) << counted.findings[0];
+  EXPECT_NE(counted.findings[1].find("has 1 marks too many"), std::string::npos) << counted.findings[1];
+  const auto& turns = counted.turn_begin_s;
+  for (std::size_t k = 1; k < turns.size(); ++k) EXPECT_NEAR(turns[k] - turns[k - 1], 0.025, 1e-4) << k;
+}
+
+TEST(Recording, AColumnOfTheSpeedStandsInForTheKeyphasor) {
+  Channels channels = ellipse();
+  channels.channels[3] = {"n", "rpm", std::vector<double>(4000, 2401)};
+  Instrument instrument = two_probes;
+  instrument.keyphasor.reset();
+  instrument.speed = SpeedColumn{.column = "n"};
+  const Recording recording = make_recording(channels, instrument, "f.csv");
+  EXPECT_NEAR(recording.mean_speed_hz(), 40, 1e-3);
+  ASSERT_EQ(recording.findings.size(), 1u);
+  EXPECT_NE(recording.findings[0].find("times that of its column"), std::string::npos);
+  EXPECT_GT(recording.angle_doubt.degree, 0);
+}
+
 TEST(Recording, AStretchOfIt) {
   Instrument instrument = two_probes;
   instrument.from_s = 0.2;
@@ -108,7 +139,7 @@ TEST(Recording, NamesWhatIsWrong) {
   EXPECT_EQ(recording.findings, (std::vector<std::string>{
                                     "'A' has gaps: 1 readings are missing, the first one in line 703",
                                     "'A' is clipped above", "'B' is dead: it reads one value all the time"}));
-  // Turn 7 holds reading 700; what comes after it is longer than what comes before.
+  // Turn 7 contains reading 700; the part after it is longer than the part before.
   EXPECT_EQ(recording.turns(), 31);
 }
 
@@ -153,7 +184,7 @@ TEST(Recording, RefusesWhatCannotBeUsed) {
 
 constexpr int samples = 32;
 
-/// Gap, run-out of order 1 with a scratch of order 3, and a vibration of order 1.
+/// A gap, run-out of order 1 with a scratch of order 3, and a vibration of order 1.
 std::vector<Complex> motion(int turns, Complex vibration) {
   std::vector<Complex> z;
   for (int k = 0; k < turns * samples; ++k) {

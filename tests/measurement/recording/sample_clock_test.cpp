@@ -45,7 +45,7 @@ TEST(SampleClock, TimesThatDoNotRiseAreRefused) {
             "f.csv: reading 2: 't' does not rise from 0 to 0, allowed: times one after the other");
 }
 
-/// The table with all times from a row on moved.
+/// The table with all times shifted from a row on.
 Channels jumping(std::size_t row, double by) {
   Channels channels = table();
   for (std::size_t k = row; k < channels.rows(); ++k) channels.channels[0].values[k] += by;

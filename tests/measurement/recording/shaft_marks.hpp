@@ -7,7 +7,7 @@
 
 namespace rubsweep::recording {
 
-/// Instants at which a shaft of f + r t revolutions a second has made whole turns.
+/// Instants at which a shaft with the speed f + r t, in Hz, has completed whole turns.
 inline std::vector<double> turns_s(int count, double f, double r) {
   std::vector<double> marks;
   for (int n = 0; n < count; ++n) {

@@ -19,7 +19,7 @@ TEST(ShaftTurnsTurns, SteadyOnes) {
   EXPECT_EQ(turn_speeds_hz(steady_turns_s(1, 2.1, 4)), (std::vector<double>{4, 4, 4, 4}));
 }
 
-/// Marks where f t + r t^2 / 2 is whole.
+/// Marks are at whole values of f t + r t^2 / 2.
 TEST(ShaftTurnsTurns, EqualAnglesOfASpeedThatChangesEvenly) {
   const double f = 50, rate = 3, sampling = 5000, first = 0.25;
   std::vector<double> signal, marks;
@@ -44,7 +44,7 @@ TEST(ShaftTurnsTurns, AGapStaysOne) {
 
 constexpr double rate_hz = 5000, speed_hz = 121.3;
 
-/// A keyway with sharp edges, 40 turns.
+/// Channels with a sharp-edged keyway over 40 turns.
 Channels sharp_marks() {
   Channels channels;
   channels.channels = {{"KP", "V", {}}};
@@ -67,7 +67,7 @@ TEST(ShaftTurns, TheTruthLiesWithinTheDoubt) {
   ASSERT_GE(found.begin_s.size(), 38u);
   EXPECT_GE(doubt.degree, 1);
   for (std::size_t k = 0; k < found.begin_s.size(); ++k) {
-    // The shaft's angle at what is taken for the mark, less the mark's.
+    // Angular error of each mark: shaft angle at the assumed mark minus that at the true one.
     const double truth_s = (static_cast<double>(k) + 0.3) / speed_hz;
     const double off_turns = (truth_s - found.begin_s[k]) * speed_hz;
     EXPECT_LE(doubt.low_turns[k], off_turns) << k;
@@ -102,7 +102,7 @@ TEST(ShaftTurns, AThresholdOutsideOfTheSignalIsRefused) {
   }
 }
 
-/// The sample after each instant, less half a step: what an edge shorter than a step becomes.
+/// Instants rounded to half a step before the next sample, as for an edge shorter than a step.
 std::vector<double> rounded(const std::vector<double>& marks, double step_s) {
   std::vector<double> rounded;
   for (const double t_s : marks) rounded.push_back((std::ceil(t_s / step_s) - 0.5) * step_s);
@@ -120,7 +120,7 @@ TEST(ShaftTurnsMarkFit, RoundedMarksComeBackToTheirPlaces) {
 }
 
 TEST(ShaftTurnsMarkFit, FewMarksComeBackToAShareOfASample) {
-  // 32 turns of 20 to 200 samples.
+  // 32 turns with 20 to 200 samples each.
   const double step_s = 2e-4;
   std::vector<double> errors;
   for (int i = 0; i < 200; ++i) {
@@ -134,12 +134,12 @@ TEST(ShaftTurnsMarkFit, FewMarksComeBackToAShareOfASample) {
   std::ranges::sort(errors);
   EXPECT_LT(errors[errors.size() / 2], 0.12);
   EXPECT_LT(errors[errors.size() * 9 / 10], 0.45);
-  // Half a sample from mark to curve, and half of one from mark to truth.
+  // At most half a sample between mark and curve, plus half a sample between mark and truth.
   EXPECT_LT(errors.back(), 0.5 + smoothing_bound);
 }
 
 TEST(ShaftTurnsMarkFit, ASpeedThatSwaysKeepsItsSway) {
-  // Eight steps to and fro every 100 turns.
+  // The marks move by eight steps to and fro every 100 turns.
   const double step_s = 2e-4;
   auto truth = turns_s(800, 70.1, 0);
   for (std::size_t k = 0; k < truth.size(); ++k)
@@ -168,7 +168,7 @@ TEST(ShaftTurnsMarkFit, ResolutionIsThatOfTheEdges) {
   const double between = mark_resolution(pulses(1.3), Mark::bright, 0.5);
   EXPECT_GT(between, 0);
   EXPECT_LT(between, 1);
-  // The trailing edge is sharp whatever the leading one is.
+  // The trailing edge is sharp, whatever the leading edge is.
   EXPECT_EQ(mark_resolution(pulses(4), Mark::dark, 0.5), 1);
 }
 

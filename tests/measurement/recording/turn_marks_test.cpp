@@ -41,7 +41,7 @@ TEST(TurnMarks, ManyMarksTooManyAreFound) {
   for (int trial = 0; trial < 40; ++trial) {
     const auto truth = turns_s(40, 47, 3 * uniform(random));
     auto marks = truth;
-    // A mark too many in seven turns of ten, and marks that jitter by a four-hundredth of a turn.
+    // A surplus mark in seven of ten turns, and marks with a jitter of 1/400 turn.
     for (double& mark : marks) mark += 1e-4 * (uniform(random) - 0.5);
     const auto true_marks = marks;
     for (std::size_t k = 0; k + 1 < truth.size(); ++k)
@@ -71,7 +71,7 @@ TEST(TurnMarks, ALongGapIsCounted) {
   EXPECT_LT(largest_error(numbered_marks(marks).t_s, truth), 1e-3);
 }
 
-/// A trapezoid of period 1 whose leading edge goes linearly through `middle` at every whole number.
+/// A trapezoid of period 1 whose leading edge passes `middle` linearly at every whole number.
 double trapezoid(double t, double rest, double top) {
   const double phase = t - std::floor(t + 0.5);
   const double share = std::abs(phase) < 0.02 ? (phase + 0.02) / 0.04 : phase > 0 && phase < 0.1 ? 1 : 0;

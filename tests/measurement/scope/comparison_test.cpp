@@ -15,7 +15,7 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// A 1/2 motion from an angle of the shaft on, in turns.
+/// A 1/2 subharmonic recorded from a shaft angle `begin`, in turns.
 std::vector<Complex> half_order(int turns, double begin, double noise_m) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> noise(0, noise_m);
@@ -33,7 +33,7 @@ TEST(Comparison, AlignsThePhaseAndLeavesTheNoise) {
     const Comparison comparison =
         compare(judge(half_order(60, begin, 1e-6), samples, true), half_order(2, 0, 0), 2, true);
     EXPECT_NEAR(comparison.turned_by, begin, 1e-4);
-    // Each of two components has one standard deviation.
+    // Both components contribute one standard deviation.
     EXPECT_NEAR(comparison.misfit, std::sqrt(2), 0.5);
     EXPECT_LT(comparison.unexplained, 1e-5);
     EXPECT_LT(std::abs(comparison.simulated_m[5] + 1e-3 - half_order(1, begin, 0)[5]), 1e-7);

@@ -8,14 +8,14 @@
 #include "rubsweep/measurement/recording/recording.hpp"
 #include "rubsweep/measurement/scope/verdict.hpp"
 
-/// Verdicts on recordings, made of the columns of a table.
+/// Tests verdicts on recordings made from the columns of a table.
 namespace rubsweep::scope {
 namespace {
 
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// A 1/2 motion at about 70 rev/s and 5 kHz with a keyway whose edges last `edge` samples.
+/// A 1/2 subharmonic at about 70 Hz, read at 5 kHz, with a keyway whose edges last `edge` samples.
 recording::Channels half_order(double speed_hz, double edge, double noise_um) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> noise(0, noise_um);
@@ -38,7 +38,7 @@ const recording::Instrument instrument{.sampling_rate_hz = 5000,
                                        .keyphasor = recording::Keyphasor{.column = "KP"}};
 
 TEST(RecordedMotion, EdgesBetweenTwoSamplesDoNotSmearItsLines) {
-  // Speeds whose turns are whole numbers of samples, nearly so, and anything.
+  // Speeds whose turns are whole, nearly whole and arbitrary numbers of samples.
   for (const double speed_hz : {5000.0 / 71, 5000.0 / 71.02, 5000.0 / 71.37, 70.0}) {
     for (const double edge : {0.01, 1.4, 3.0}) {
       const auto read = recording::make_recording(half_order(speed_hz, edge, 0.5), instrument, "f");
@@ -49,13 +49,12 @@ TEST(RecordedMotion, EdgesBetweenTwoSamplesDoNotSmearItsLines) {
   }
 }
 
-/// A motion of lines at multiples of 1 / period, read `readings` times a turn, with a mark whose edge is
-/// sharp.
+/// A motion with lines at multiples of 1 / period, read `readings` times per turn, with a sharp-edged mark.
 struct Read {
-  double readings = 0;      ///< readings in a turn at the begin
-  double speed_change = 0;  ///< change from begin to end, relative
+  double readings = 0;      ///< readings per turn at the start
+  double speed_change = 0;  ///< relative change from start to end
   int period = 1;
-  double mark_share = 0.25, noise = 1e-3;  ///< share of the mark in a turn, and noise as a share of 1X
+  double mark_share = 0.25, noise = 1e-3;  ///< share of a turn covered by the mark; noise / 1X
 };
 
 recording::Recording recorded(const Read& read, unsigned seed, int turns = 32) {
@@ -68,7 +67,7 @@ recording::Recording recorded(const Read& read, unsigned seed, int turns = 32) {
   };
   std::vector<Line> lines;
   const auto add = [&](double order, double size) {
-    // A filter before the converter keeps higher orders away.
+    // An anti-aliasing filter removes higher orders.
     if (std::abs(order) < 0.45 * read.readings)
       lines.push_back({order, std::polar(size, 2 * pi * uniform(random))});
   };
@@ -109,7 +108,7 @@ TEST(RecordedMotion, MarksThatAreKnownToAReadingRaiseNoFalseAlarms) {
       }
     }
   }
-  // Three are a hundredth, and more than seven come by chance in one of a hundred such sets.
+  // Three false alarms are expected at 1 %; more than seven occur in 1 % of such sets.
   EXPECT_EQ(count, 300);
   EXPECT_LE(alarms, 7);
   RecordProperty("false_alarms", alarms);

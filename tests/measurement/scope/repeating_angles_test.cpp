@@ -40,13 +40,13 @@ TEST(RepeatingAnglesMeanPeriod, LinesAreThoseThatWerePutIn) {
 
 constexpr int turns = 32;
 
-/// A 1/2 motion at an angle in turns.
+/// A 1/2 subharmonic at a shaft angle, in turns.
 Complex motion_at(double angle) {
   return std::polar(80.0, 2 * pi * angle) + std::polar(20.0, 1 - 4 * pi * angle) +
          std::polar(30.0, pi * angle);
 }
 
-/// Error of the angles, up to 0.01 turns, whose mean over the marks is zero.
+/// Error of the angles, up to 0.01 turns; its mean over the marks is zero.
 double error_at(double angle) {
   const double x = 2 * angle / turns - 1;
   return 0.006 * x + 0.004 * (1.5 * x * x - 0.53125);
@@ -65,8 +65,8 @@ recording::AngleDoubt doubt(double room, int degree) {
   return {std::vector<double>(turns + 1, -room), std::vector<double>(turns + 1, room), degree};
 }
 
-/// But for an eighth of a turn at both ends, beyond which stands what is a period away, with that place's
-/// error.
+/// Largest difference of the samples. An eighth of a turn at both ends is left out, because the samples there
+/// come from one period away and have another angular error.
 double largest_difference(const std::vector<Complex>& a, const std::vector<Complex>& b) {
   double largest = 0;
   for (std::size_t k = samples / 8; k + samples / 8 < a.size(); ++k)
@@ -95,7 +95,7 @@ TEST(RepeatingAngles, WithoutDoubtNothingMoves) {
 }
 
 TEST(RepeatingAngles, TheMarksBoundTheShift) {
-  // A tenth of the room that the truth needs leaves nine tenths of the error.
+  // With a tenth of the required doubt, nine tenths of the error remain.
   const auto wrong = motion(true);
   const auto moved = at_repeating_angles(wrong, samples, 2, 8, doubt(0.0008, 2));
   const double all = largest_difference(wrong, motion(false));
@@ -104,7 +104,7 @@ TEST(RepeatingAngles, TheMarksBoundTheShift) {
 }
 
 TEST(RepeatingAngles, APeriodThatIsNoneLeavesWhatDoesNotRepeat) {
-  // The half order stays beside a period of one turn.
+  // The half order is not part of a period of one turn and stays.
   const auto wrong = motion(true);
   const auto moved = at_repeating_angles(wrong, samples, 1, 8, doubt(0.02, 2));
   double apart = 0;
@@ -113,7 +113,7 @@ TEST(RepeatingAngles, APeriodThatIsNoneLeavesWhatDoesNotRepeat) {
   EXPECT_GT(apart, 50);
 }
 
-/// A circle that grows by a share, with a line of another order.
+/// A circular motion that grows by `growth`, with a line of another order.
 std::vector<Complex> moved(int turns, double growth, double order, double amplitude) {
   std::vector<Complex> z;
   for (int k = 0; k < turns * samples; ++k) {
@@ -154,7 +154,7 @@ TEST(RepeatingAnglesSlowModulation, AMotionThatChangesTooMuchIsLeftAsItIs) {
 }
 
 TEST(RepeatingAnglesSlowModulation, TheBoundsAreThoseThatAreAskedFor) {
-  // A growth by a share g is a root mean square of g / sqrt(12).
+  // Linear growth by a share g has the root mean square g / sqrt(12).
   for (const double most : {0.003, 0.02, 0.2})
     for (const double beside : {0.9, 1.1}) {
       const double modulation = most * beside;

@@ -2,6 +2,6 @@
 
 namespace rubsweep::scope {
 
-inline constexpr int samples = 128;  ///< samples of a turn
+inline constexpr int samples = 128;  ///< samples per turn
 
 }  // namespace rubsweep::scope

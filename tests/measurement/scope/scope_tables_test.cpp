@@ -62,7 +62,7 @@ TEST(ScopeTables, SayHowMuchLinesVaryAndMay) {
   const std::size_t count = growing.displacement_m.size();
   for (std::size_t k = 0; k < count; ++k)
     growing.displacement_m[k] *= 1 + 0.1 * (static_cast<double>(k) / static_cast<double>(count) - 0.5);
-  // A growth by a tenth is a root mean square of 2.9 %.
+  // Linear growth by 10 % has a root mean square of 2.9 %.
   const auto said = [&](double most_modulation) {
     const Verdict verdict = judge(growing.displacement_m, recording::samples_per_revolution, true,
                                   {.thresholds = {.most_modulation = most_modulation}});
@@ -78,13 +78,13 @@ TEST(ScopeTables, SayHowLongARecordingMustBe) {
   const recording::Recording recording = circle(12);
   const ScopeTables tables =
       tables_of(recording, judge(recording.displacement_m, recording::samples_per_revolution, true), {1, 2});
-  // 24 turns tell periods of up to 8; twelve more take 0.24 s.
+  // 24 turns can show periods of up to 8; the missing twelve turns take 0.24 s.
   EXPECT_NE(tables.summary.find(
                 "periods of more than 4 turns cannot be told by 12 turns; 0.24 s more would tell up to 8"),
             std::string::npos);
 }
 
-/// A mode of 30 Hz and damping ratio 0.03 that is run through at 2 Hz/s, by small steps of the classical
+/// A mode of 30 Hz with damping ratio 0.03, passed at 2 Hz/s, computed by small steps of the classical
 /// Runge-Kutta method.
 TEST(ScopeTables, FindTheModeOfARunUp) {
   const double w = 2 * std::numbers::pi * 30, zeta = 0.03, from = 22, rate = 2, step = 2e-5;

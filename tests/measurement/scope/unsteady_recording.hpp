@@ -9,25 +9,25 @@
 
 #include "rubsweep/measurement/recording/recording.hpp"
 
-/// Recordings of motions that are put in, on a machine whose speed and amplitude wander, through an
-/// instrument with noise, a converter's step and a keyway. Nothing here is shared with the simulators.
+/// Recordings of known motions on a machine with wandering speed and amplitude, through an instrument with
+/// noise, quantisation and a keyway. They share no code with the simulators.
 namespace rubsweep::scope {
 
 struct Unsteady {
-  double speed_wander = 0;                  ///< largest relative departure of the speed
-  double amplitude_wander = 0;              ///< largest relative departure of the amplitude
-  double other_order = 0, other_share = 0;  ///< a line beside 1X, as a share of it
-  double other_swing = 0;                   ///< relative swing of that line, once over the recording
-  double near_bins = 0, near_share = 0;     ///< a third line so many bins beside the other, as a share of it
-  double noise_share = 5e-3;                ///< noise of every reading over the size
-  double step_um = 1e-3;                    ///< step of the converter; 1X has 100 um
-  double edge_readings = 0;                 ///< readings on an edge of the mark
-  double mark_noise_v = 0.05;               ///< noise of the mark, which is 8 V high
+  double speed_wander = 0;                  ///< largest relative deviation of the speed
+  double amplitude_wander = 0;              ///< largest relative deviation of the amplitude
+  double other_order = 0, other_share = 0;  ///< a further line, amplitude / 1X
+  double other_swing = 0;                   ///< relative modulation of this line, one cycle per recording
+  double near_bins = 0, near_share = 0;     ///< a third line: distance from it in bins, ratio to it
+  double noise_share = 5e-3;                ///< noise of every reading / size of the motion
+  double step_um = 1e-3;                    ///< quantisation step; 1X has 100 um
+  double edge_readings = 0;                 ///< number of readings on an edge of the mark
+  double mark_noise_v = 0.05;               ///< noise of the mark signal, which is 8 V high
   double readings_per_turn = 20;
   int turns = 32;
 };
 
-/// A smooth wander between -1 and 1 over the recording: two slow waves and a trend of random sizes.
+/// A smooth random function between -1 and 1: two slow waves and a trend of random sizes.
 class Wander {
  public:
   explicit Wander(std::mt19937_64& random) {
@@ -64,7 +64,7 @@ inline recording::Recording recorded(const Unsteady& put, unsigned seed) {
   table.channels = {{"X", "um", {}}, {"Y", "um", {}}, {"KP", "V", {}}};
   double angle = begin;
   const auto read = [&](double value) { return std::round(value / put.step_um) * put.step_um; };
-  // The keyway is passed from its first edge on, which may last some readings.
+  // The keyway passes from its first edge on, which may last several readings.
   const auto mark_v = [&](double turned) {
     const double since = turned - std::floor(turned), edge = put.edge_readings / put.readings_per_turn;
     if (since > 0.12 + edge) return -1.0;
@@ -85,7 +85,7 @@ inline recording::Recording recorded(const Unsteady& put, unsigned seed) {
     table.channels[0].values.push_back(read(z.real() + 100 * put.noise_share * normal(random)));
     table.channels[1].values.push_back(read(z.imag() + 100 * put.noise_share * normal(random)));
     table.channels[2].values.push_back(mark_v(angle) + put.mark_noise_v * normal(random));
-    // A hundred small steps of a turn that follows its own speed.
+    // Small steps of the angle, each with its own speed.
     for (int i = 0; i < 4; ++i)
       angle += (1 + put.speed_wander * speed.at(share + 0.25 * i / count)) / (4 * put.readings_per_turn);
   }

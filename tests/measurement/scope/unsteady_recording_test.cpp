@@ -12,8 +12,8 @@
 
 #include "rubsweep/measurement/scope/verdict.hpp"
 
-/// Verdicts on machines that are not quite steady, both ways. RUBSWEEP_LONG asks for 200 recordings of each
-/// kind.
+/// Verdicts on slightly unsteady machines, with and without a fault. RUBSWEEP_LONG tests 200 recordings of
+/// each kind.
 namespace rubsweep::scope {
 namespace {
 
@@ -100,7 +100,7 @@ TEST(UnsteadyRecording, ALineThatNoPeriodHasIsFoundOnAMachineThatWanders) {
 }
 
 TEST(UnsteadyRecording, ATorusAnEighthOfABinBesideAFractionIsNotSurelyOfItsPeriod) {
-  // Weak lines so near to a fraction that noise lets them pass for it, and strong ones that stand there.
+  // Weak lines so close to a fraction that noise hides the difference, and strong ones exactly at it.
   unsigned passed = 0, sure = 0, doubted = 0;
   for (unsigned seed = 0; seed < recordings(); ++seed) {
     Unsteady put = drawn(5000 + seed);
@@ -125,7 +125,7 @@ TEST(UnsteadyRecording, ATorusAnEighthOfABinBesideAFractionIsNotSurelyOfItsPerio
 }
 
 TEST(UnsteadyRecording, ALineBesideAFractionOfTheSpeedHasNoPeriod) {
-  // A fraction of the speed, and how many widths of a bin the line stands beside it.
+  // A fraction of the speed, and the distance of the line from it in bins.
   for (const double fraction : {1 / 2.0, -2 / 5.0})
     for (const double bins : {0.0, 0.2, -5.3})
       for (const double wander : {0.0, 1.0}) {
@@ -140,7 +140,7 @@ TEST(UnsteadyRecording, ALineBesideAFractionOfTheSpeedHasNoPeriod) {
 }
 
 TEST(UnsteadyRecording, OrdersLieWithinTheirUncertaintiesWhereMarksAreRoundedToReadings) {
-  // Marks of sharp edges are known to a reading, and so is the angle to which orders refer.
+  // Marks with sharp edges are known to one reading only, and so is the reference angle of the orders.
   unsigned inside = 0, far = 0;
   for (unsigned seed = 0; seed < recordings(); ++seed) {
     Unsteady put = drawn(3000 + seed);
@@ -159,10 +159,10 @@ TEST(UnsteadyRecording, OrdersLieWithinTheirUncertaintiesWhereMarksAreRoundedToR
   EXPECT_LE(far, recordings() / 20);
 }
 
-/// Lines of 30 % of 1X that are found where they were put in.
+/// Counts lines with 30 % of 1X whose measured values agree with the true ones.
 struct Inside {
-  unsigned found = 0, orders = 0, amplitudes = 0;  ///< within two of their uncertainties
-  std::vector<double> bins{}, shares{};            ///< uncertainties of orders, of amplitudes
+  unsigned found = 0, orders = 0, amplitudes = 0;  ///< found within two uncertainties
+  std::vector<double> bins{}, shares{};            ///< uncertainties of orders and of amplitudes
 
   void look(const Unsteady& put, unsigned seed) {
     const Verdict verdict = judge(recorded(put, seed));
@@ -176,7 +176,7 @@ struct Inside {
     bins.push_back(line->order_uncertainty * put.turns);
     shares.push_back(line->amplitude_uncertainty_m / size_m);
   }
-  /// No more than one is allowed to be outside where a few are looked at.
+  /// Expects 95 % inside; among a few lines, at most one outside.
   void expect_most(const std::string& name, double most_uncertainty = 1.2e-3) {
     const unsigned least = std::min(found - 1, (found * 95 + 99) / 100);
     EXPECT_GE(found, recordings() * 9 / 10) << name;
@@ -191,7 +191,7 @@ struct Inside {
   }
 };
 
-/// A line at an order that no period has, through marks with readings on their edges.
+/// A line at an order without a period, recorded with marks that have readings on their edges.
 Unsteady line_between(unsigned seed) {
   std::mt19937_64 random(9000 + seed);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -201,7 +201,7 @@ Unsteady line_between(unsigned seed) {
   put.other_order = 0.405 + 0.02 * uniform(random);
   put.other_share = 0.3;
   put.edge_readings = 2 + 2 * uniform(random);
-  // Short ones, where few are looked at.
+  // Short recordings, where only a few are tested.
   if (recordings() < 200) put.turns = 24 + static_cast<int>(seed);
   return put;
 }
@@ -219,7 +219,7 @@ TEST(UnsteadyRecording, ALineBetweenTheBinsIsWithinItsUncertainties) {
     put.near_bins = (seed % 2 == 0 ? 2.2 : -2.2) * (1 + 0.15 * (seed % 9));
     put.near_share = 0.1 + 0.06 * (seed % 11);
     near.look(put, seed);
-    // Steps of twelve bits over half a millimetre to five.
+    // Quantisation with twelve bits over 0.5 to 5 mm.
     put = as_put;
     put.noise_share = 1e-4;
     put.step_um = 0.125 * (1 + seed % 10);

@@ -32,7 +32,7 @@ TEST(VerdictLines, ALineBetweenTheBinsHasItsOrderAndAmplitude) {
     EXPECT_NEAR(line.order, order, 4 * line.order_uncertainty);
     EXPECT_NEAR(line.amplitude_m, 80, 4 * line.amplitude_uncertainty_m);
     EXPECT_LT(line.amplitude_uncertainty_m, 0.1);
-    // The bin beside it says what it is worth.
+    // The nearest bin has a matching uncertainty.
     const auto largest = std::ranges::max_element(
         verdict.lines, {}, [](const MeasuredLine& bin) { return std::abs(bin.amplitude_m); });
     ASSERT_EQ(line_of_bin(verdict, largest->order), &line);
@@ -43,8 +43,8 @@ TEST(VerdictLines, ALineBetweenTheBinsHasItsOrderAndAmplitude) {
 }
 
 TEST(VerdictLines, OrdersAreThoseOfALineThatTurnsWithTheShaft) {
-  // Noise moved the marks: the motion turns by a hundredth less than they say. Nothing turns with the shaft
-  // in the second one, and a line far enough beside 1X stays there.
+  // Noise has moved the marks, so over 60 turns the motion rotates `late_turns` less than they indicate. In
+  // the second motion nothing is bound to the shaft, and a line far enough from 1X is not rescaled.
   std::mt19937_64 random(4);
   std::normal_distribution<double> noise(0, 0.1);
   for (const double late_turns : {0.01, 0.1}) {

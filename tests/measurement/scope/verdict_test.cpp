@@ -42,7 +42,7 @@ TEST(Verdict, LinesAndNoiseAreThoseThatWerePutIn) {
   EXPECT_EQ(verdict.period, 1);
   EXPECT_EQ(verdict.shape, OrbitKind::oval);
   EXPECT_EQ(verdict.whirl, WhirlKind::forward);
-  // White noise: sigma / sqrt(N) in each component of a line.
+  // White noise gives sigma / sqrt(N) in each component of a line.
   const double expected_m = 2e-6 / std::sqrt(100.0 * samples);
   EXPECT_NEAR(verdict.noise_m, expected_m, 0.1 * expected_m);
   EXPECT_NEAR(verdict.forward_share, 1 / 1.04, 4 * verdict.forward_share_uncertainty);
@@ -82,8 +82,8 @@ TEST(Verdict, FalseAlarmsAreRare) {
 }
 
 TEST(Verdict, SaysHowMuchLongerWouldTell) {
-  // Below what is visible in 24 turns and above what noise makes in a fifth of recordings; without noise of
-  // its own in that line the answer is (visible / amplitude)^2.
+  // The line is below the visible limit in 24 turns and above the level that noise reaches in a fifth of the
+  // recordings. Without noise in this line the answer is (visible / amplitude)^2.
   const double noise_m = 2e-5, line_noise_m = noise_m / std::sqrt(24.0 * samples);
   auto lines = ellipse;
   lines.push_back({0.5, 4.2 * line_noise_m});
@@ -99,7 +99,7 @@ TEST(Verdict, SaysHowMuchLongerWouldTell) {
   }
   EXPECT_GT(doubtful, 8);
   EXPECT_GT(told, 4);
-  // Three times as long tells nearly always.
+  // A recording three times longer decides almost always.
   int later = 0;
   for (unsigned seed = 1; seed <= 40; ++seed)
     later += judge(motion(72, lines, noise_m, seed), samples, true).period == 2;

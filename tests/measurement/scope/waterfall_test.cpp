@@ -19,7 +19,7 @@ namespace {
 using recording::samples_per_revolution;
 using std::numbers::pi;
 
-/// Turns of f + r t revolutions a second with x = Re(A e^{i phi}) and y = Re(B e^{i phi / 2}), about a gap.
+/// Turns at the speed f + r t, in Hz, with x = Re(A e^{i phi}) and y = Re(B e^{i phi / 2}) about a gap.
 recording::Recording motion(double f, double r) {
   recording::Recording recording{.sampling_rate_hz = 5000, .plane = true};
   for (int n = 0; n <= 100; ++n) recording.turn_begin_s.push_back(2 * n / (f + std::sqrt(f * f + 2 * r * n)));
@@ -71,8 +71,8 @@ TEST(Waterfall, Tables) {
   EXPECT_EQ(std::ranges::count(waterfall_csv(recording), '\n'), 1 + 11 * 256);
 }
 
-/// Largest amplitude that stands in the waterfall at orders that differ by more than `aside` from each of
-/// `orders`, and the largest at all.
+/// Largest amplitude in the waterfall at orders farther than `aside` from all `orders`, and the largest
+/// amplitude overall.
 std::pair<double, double> beside_and_at(const std::string& waterfall, std::initializer_list<double> orders,
                                         double aside) {
   std::istringstream lines(waterfall);
@@ -90,8 +90,7 @@ std::pair<double, double> beside_and_at(const std::string& waterfall, std::initi
 }
 
 TEST(Waterfall, AResonanceStaysAtItsOrdersInAWaterfall) {
-  // A vibration of 3.3X that swells and dies within a few turns, beside 1X forward, about a gap that drifts
-  // (0X).
+  // A vibration at 3.3X that grows and decays within a few turns, with forward 1X and a drifting gap (0X).
   auto recording = motion(50, 4);
   for (std::size_t k = 0; k < recording.displacement_m.size(); ++k) {
     const double turn = static_cast<double>(k) / samples_per_revolution;

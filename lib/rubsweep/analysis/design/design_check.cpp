@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <variant>
 
 #include "rubsweep/core/error.hpp"
@@ -17,7 +20,7 @@
 namespace rubsweep::design {
 namespace {
 
-/// Twice the gap that the mean position leaves at a stop, not below 0.
+/// Twice the gap at a stop for the mean position of the rotor; at least 0.
 double diametral_clearance_m(const scene::PreparedMachine& prepared, std::size_t stop,
                              const WatchedPlace& place, const scene::QuietMotion& motion) {
   const model::Stop& described = prepared.machine.stops[stop];
@@ -34,7 +37,7 @@ linear::Campbell modes_over(const SpeedRange& range, const model::Machine& machi
                           batch::evenly_spaced(range.from_hz, range.to_hz, campbell_speeds), 2 * range.to_hz);
 }
 
-/// The speeds of a range, its ends among them.
+/// Speeds within a range, with both ends of the range added.
 std::vector<double> within(const SpeedRange& range, const std::vector<double>& speeds_hz) {
   std::vector<double> inside{range.from_hz};
   for (const double speed_hz : speeds_hz)
@@ -55,7 +58,7 @@ std::vector<ProbeResponse> probe_responses(const scene::PreparedMachine& prepare
   return probes;
 }
 
-/// The worst of some speeds of the operating range.
+/// Smallest whip margin over some speeds of the operating range.
 WhipMargin whip_margin(const scene::PreparedMachine& prepared, std::size_t stop,
                        const SpeedRange& operating) {
   const model::Stop& described = prepared.machine.stops[stop];
@@ -86,7 +89,7 @@ std::vector<ResponseCurve> curves_over(const scene::PreparedMachine& prepared, d
   return curves;
 }
 
-/// Why no kicks can be tried; empty: they can.
+/// Reason why kicks cannot be tried; empty if they can.
 std::string why_no_kicks(const sweep::Study& study, const DesignQuestions& questions) {
   if (questions.kick_speeds == 0) return "not asked for";
   if (!study.machine.kick) return "the configuration has no kick";
@@ -110,6 +113,34 @@ void try_kicks(const sweep::Study& study, const scene::PreparedMachine& prepared
   const std::atomic<bool> never{false};
   check.kicks = kick_thresholds(study, prepared, check.scale * check.eccentricity_m,
                                 kicked_speeds(questions, check.locks), questions.threads, never);
+}
+
+/// Clearances from the maximum continuous speed to trip speed, or to where the tables end.
+void add_trip_clearances(const scene::PreparedMachine& prepared, DesignCheck& check) {
+  constexpr int speeds = 26;
+  const double trip_hz = trip_speed * check.whole.to_hz, to_hz = within_tables_hz(prepared.machine, trip_hz);
+  if (to_hz > check.whole.to_hz) {
+    const std::vector<double> beyond = batch::evenly_spaced(check.whole.to_hz, to_hz, speeds);
+    for (const ClearanceMargin& one :
+         clearance_margins(prepared, check.scale * check.eccentricity_m, beyond)) {
+      Term term{"clearance_to_trip",
+                "stop " + std::to_string(one.stop),
+                one.position_m,
+                one.speed_hz,
+                one.major_axis_m,
+                clearance_share * one.diametral_clearance_m,
+                "m"};
+      if (std::isfinite(one.margin)) term.margin = one.margin;
+      if (one.margin < 0 || check.whole_growth.growth_per_s == 0) term.met = one.margin >= 0;
+      check.lateral.push_back(std::move(term));
+    }
+  }
+  if (to_hz < trip_hz) {
+    Term term{"clearance_to_trip", "", {}, trip_hz};
+    term.not_told = "tables of supports end at " + model::speed_text(to_hz, 5) + ", the trip speed is " +
+                    model::speed_text(trip_hz, 5);
+    check.lateral.push_back(std::move(term));
+  }
 }
 
 }  // namespace
@@ -210,6 +241,11 @@ DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine
   }
   for (const linear::LockSpeed& lock : linear::lock_speeds(modes))
     if (check.operating.contains(lock.speed_hz)) check.locks.push_back(lock);
+  add_trip_clearances(prepared, check);
+  std::ranges::move(lateral_terms(prepared, {check.operating, check.whole, check.eccentricity_m, check.scale,
+                                             check.vibration_limit_m, modes.critical_speeds,
+                                             check.whole_growth.growth_per_s > 0, questions.stages}),
+                    std::back_inserter(check.lateral));
   try_kicks(study, prepared, questions, check);
   return check;
 }

@@ -8,6 +8,7 @@
 
 #include "rubsweep/analysis/design/dry_whip.hpp"
 #include "rubsweep/analysis/design/kick_threshold.hpp"
+#include "rubsweep/analysis/design/lateral_terms.hpp"
 #include "rubsweep/analysis/design/unbalance_response.hpp"
 #include "rubsweep/analysis/linear/campbell.hpp"
 #include "rubsweep/analysis/linear/campbell_tables.hpp"
@@ -17,105 +18,107 @@
 
 namespace rubsweep::design {
 
-/// Largest vibration of the shaft at a probe that API 617 (9th edition) allows, in metres peak to peak:
-/// min(25.4, 25.4 sqrt(12000 / N)) micrometres. N in rpm is the maximum continuous speed, here in Hz, > 0.
+/// Vibration limit of API 617 (9th edition) at a probe, in metres peak to peak: min(25.4, 25.4 sqrt(12000 /
+/// N)) micrometres, where N is the maximum continuous speed in rpm. Here the speed is in Hz, > 0.
 double vibration_limit_m(double max_continuous_hz);
 
-/// Eccentricity of a cell that stands for the unbalance of an analysis by API 617, in metres: four times the
-/// largest residual unbalance 6350 W / N in g mm, with W in kg the mass of the rotor and N in rpm its maximum
-/// continuous speed. The unbalance is spread over the discs as the machine has it. Throws ConfigError where
-/// no disc stands off the axis.
+/// Eccentricity in m of a cell that represents the unbalance of an analysis by API 617. This is four times
+/// the largest residual unbalance 6350 W / N in g mm, with the mass W of the rotor in kg and its maximum
+/// continuous speed N in rpm. The machine's own distribution over the discs is kept. Throws ConfigError where
+/// no disc has an eccentricity.
 double analysis_eccentricity_m(const model::Machine& machine, double max_continuous_hz);
 
-/// Factor from the response that was computed to the one that clearances must bear (API 617, 9th edition; API
-/// RP 684): limit / response at the probe that moves most within the operating range, at least 1/2 (as ROSS
-/// takes these clauses: a rotor that moves more than twice as much as it may is not judged by less than half
-/// of its unbalance) and at most 6. Both in metres peak to peak, `response_m` >= 0.
+/// Factor from the computed response to the response for which clearances are checked (API 617, 9th edition;
+/// API RP 684): limit / response at the probe that moves most in the operating range, at most 6 and at least
+/// 1/2. The lower limit is how ROSS reads these clauses: a rotor that exceeds the limit more than twofold is
+/// still checked with half of its unbalance. Both arguments in metres peak to peak, `response_m` >= 0.
 double scale_factor(double limit_m, double response_m);
 inline constexpr double smallest_scale_factor = 0.5, largest_scale_factor = 6;
 
-/// Share of the smallest diametral clearance that the major axis may take (API 617, 9th edition; API RP 684).
+/// Share of the diametral clearance that the major axis may reach (API 617, 9th edition; API RP 684).
 inline constexpr double clearance_share = 0.75;
 
-/// The tightest speed of one stop.
+/// Margin of one stop at the speed where it is smallest.
 struct ClearanceMargin {
   std::size_t stop = 0;
-  std::optional<double> position_m;  ///< along the shaft; empty: of a Jeffcott rotor
+  std::optional<double> position_m;  ///< place along the shaft; empty for a Jeffcott rotor
   double speed_hz = 0;               ///< speed at which the margin is smallest
-  double major_axis_m = 0;           ///< there, from end to end
+  double major_axis_m = 0;           ///< full length of the major axis at that speed
   double diametral_clearance_m =
-      0;              ///< twice the smallest gap about the rotor's mean position; 0: it rests on the wall
-  double margin = 0;  ///< 1 - major axis / (share of the clearance); below 0: too tight
+      0;              ///< twice the smallest gap at the rotor's mean position; 0: it rests on the wall
+  double margin = 0;  ///< 1 - major axis / (allowed share of the clearance); < 0: too little clearance
 };
 
-/// The margin of each stop, each at the speed from the first to the last of `speeds_hz` that is worst for it.
-/// Offsets of the stop and static loads take from its clearance as they do in a cell.
+/// Margin of each stop at its worst speed in the range of `speeds_hz`. Offsets of the stop and static loads
+/// reduce the clearance as in a cell.
 std::vector<ClearanceMargin> clearance_margins(const scene::PreparedMachine& prepared, double eccentricity_m,
                                                std::span<const double> speeds_hz);
 
 /// Questions of a design check.
 struct DesignQuestions {
-  SpeedRange operating;                  ///< range whose upper end is the maximum continuous speed
-  std::optional<double> eccentricity_m;  ///< unbalance before it is scaled; empty: analysis_eccentricity_m
-  int kick_speeds = 11;  ///< evenly spaced ones, beside the lock speeds; 0: no kicks are tried
+  SpeedRange operating;                  ///< operating range, which ends at the maximum continuous speed
+  std::optional<double> eccentricity_m;  ///< before scaling; empty: analysis_eccentricity_m
+  int kick_speeds = 11;  ///< evenly spaced speeds, in addition to the lock speeds; 0: no kicks
   int threads = 1;       ///< number of threads as in batch::parallel_run
+  std::optional<std::vector<Stage>> stages = {};  ///< see LateralQuestions
 };
 
-/// Largest response of one probe within the operating range, before it is scaled.
+/// Largest response of one probe in the operating range, before scaling.
 struct ProbeResponse {
-  std::optional<double> position_m;  ///< along the shaft; empty: of a Jeffcott rotor
-  Largest major_axis_m;              ///< length from end to end
+  std::optional<double> position_m;  ///< place along the shaft; empty for a Jeffcott rotor
+  Largest major_axis_m;              ///< full length of the major axis
 };
 
-/// Dry whip in one stop.
+/// Margin against dry whip in one stop.
 struct WhipMargin {
   std::size_t stop = 0;
   double friction = 0;  ///< the largest coefficient of the stop
   std::optional<DryWhip>
-      needs;  ///< the least of 11 speeds of the operating range; empty: none at any friction
+      needs;  ///< least of 11 speeds in the operating range; empty: no whip at any friction
 
   double margin()
-      const;  ///< 1 - friction / least friction; 1 where there is no dry whip; below 0: it may whip
+      const;  ///< 1 - friction / least friction; 1 where there is no dry whip; < 0: dry whip is possible
 };
 
-/// Scaled major axis of one place over the speed, from end to end.
+/// Scaled full major axis at one place over the speed.
 struct ResponseCurve {
-  bool probe = false;  ///< else a stop
+  bool probe = false;  ///< true: probe, false: stop
   std::size_t number = 0;
   std::optional<double> position_m;
   std::vector<double> speed_hz, major_axis_m;
 };
 
-/// Answers of a design check. Lengths from end to end are diameters.
+/// Results of a design check. Lengths of major axes are diameters.
 struct DesignCheck {
   SpeedRange operating;
-  SpeedRange whole;              ///< range from near standstill, or where the tables begin, to the upper end
-  double eccentricity_m = 0;     ///< eccentricity before it is scaled
+  SpeedRange whole;              ///< range from near standstill, or the begin of the tables, to the upper end
+  double eccentricity_m = 0;     ///< eccentricity before scaling
   double vibration_limit_m = 0;  ///< peak to peak
   std::vector<ProbeResponse> probes;
-  double scale = 0;                         ///< factor of the eccentricity: what follows is with it
+  double scale = 0;                         ///< factor of the eccentricity, applied to all members below
   std::vector<ClearanceMargin> clearances;  ///< margin of each stop, over the whole range
   std::vector<WhipMargin> whips;            ///< margin of each annular stop
-  /// Fastest growth of a free vibration within the operating range, and over the whole range; 0: none grows.
+  /// Fastest growth of a free vibration in the operating range and in the whole range; 0 where none grows.
   linear::GrowthAt growth, whole_growth;
   std::vector<linear::LockSpeed> locks;  ///< lock speeds in the operating range
   std::vector<KickThreshold> kicks;      ///< ascending by speed
   std::string no_kicks;                  ///< why there are none; else empty
   std::vector<ResponseCurve> curves;     ///< probes first, then stops
+  std::vector<Term> lateral;             ///< clearances up to trip speed, then lateral_terms
 
-  /// The probe that moves most.
+  /// Probe with the largest response.
   const ProbeResponse& worst_probe() const;
-  /// The kick that starts a rub with the smallest force; null where none does.
+  /// Kick that starts a rub with the smallest force; null where none does.
   const KickThreshold* smallest_kick() const;
 };
 
-/// Speeds from which the unbalance response and the modes are taken: of a machine without tables from a
-/// thousandth of the maximum continuous speed.
+/// Range of speeds for unbalance response and modes. Without tables it begins at a thousandth of the maximum
+/// continuous speed.
 SpeedRange whole_range(const model::Machine& machine, const SpeedRange& operating);
 
-/// Checks a design, whose machine is `prepared`: the unbalance response, scaled, at probes and stops, dry
-/// whip, lock speeds and kicks. Throws ConfigError where a table does not reach a speed, or no disc stands
-/// off the axis and no eccentricity is given.
+/// Checks the design of a study whose prepared machine is `prepared`: scaled unbalance response at probes and
+/// stops, dry whip, lock speeds and kicks. Throws ConfigError where a table does not reach a speed, or where
+/// no eccentricity is given and no disc has one.
 DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine& prepared,
                          const DesignQuestions& questions);
 

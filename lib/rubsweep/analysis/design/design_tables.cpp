@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "rubsweep/analysis/linear/campbell_tables.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
@@ -24,7 +26,7 @@ std::string at(const std::optional<double>& position_m) {
   return position_m ? fmt::format(" at {:.4g} m", *position_m) : "";
 }
 
-/// Lengths on the page.
+/// Prints lengths of the page in their units.
 class Lengths {
  public:
   explicit Lengths(const model::ShownLengths& shown) : shown_(shown) {}
@@ -36,7 +38,8 @@ class Lengths {
   model::ShownLengths shown_;
 };
 
-/// The response of a rotor that grows does not last: that it keeps a limit means nothing.
+/// Verdict for a limit. While a free vibration grows the steady response does not last, so that a kept limit
+/// means nothing.
 std::string_view if_lasting(bool met, const linear::GrowthAt& growth) {
   return met && growth.growth_per_s > 0 ? "of a motion that does not last" : verdict(met);
 }
@@ -130,29 +133,28 @@ std::string kick_lines(const DesignCheck& check) {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// One line of the page, as numbers.
-struct Line {
-  std::string_view check;
-  std::string place;
-  std::optional<double> position_m{};
-  double speed_hz = nothing, value = nothing, limit = nothing;
-  std::string_view unit;
-  double margin = nothing;
-  std::optional<bool> met{};
-};
+std::string_view word_of(const Term& term) {
+  if (!term.not_told.empty()) return "not_told";
+  return !term.met ? "" : *term.met ? "ok" : "not_met";
+}
 
-std::string row_of(const Line& line) {
-  const std::string_view verdict = !line.met ? "" : *line.met ? "ok" : "not_met";
-  return fmt::format("{},{},{},{},{},{},{},{},{}\n", line.check, line.place,
-                     csv_number(line.position_m.value_or(nothing)), csv_number(line.speed_hz),
-                     csv_number(line.value), csv_number(line.limit), line.unit, csv_number(line.margin),
-                     verdict);
+std::string row_of(const Term& term) {
+  return fmt::format("{},{},{},{},{},{},{},{},{}\n", term.check, term.place,
+                     csv_number(term.position_m.value_or(nothing)),
+                     csv_number(term.speed_hz.value_or(nothing)), csv_number(term.value.value_or(nothing)),
+                     csv_number(term.limit.value_or(nothing)), term.unit,
+                     csv_number(term.margin.value_or(nothing)), word_of(term));
 }
 
 std::string stop_name(std::size_t stop) { return fmt::format("stop {}", stop); }
 
-std::string design_check_csv(const DesignCheck& check) {
-  std::string text = "check,place,position_m,speed_hz,value,limit,unit,margin,verdict\n";
+std::optional<double> speed_of(const std::optional<DryWhip>& whip) {
+  return whip ? std::optional(whip->speed_hz) : std::nullopt;
+}
+
+/// All lines of a check.
+std::vector<Term> terms_of(const DesignCheck& check) {
+  std::vector<Term> terms;
   // The response of a rotor that grows does not last: what it would keep is no verdict.
   const auto if_lasting = [](bool met, const linear::GrowthAt& growth) {
     return !met || growth.growth_per_s == 0 ? std::optional(met) : std::nullopt;
@@ -160,39 +162,102 @@ std::string design_check_csv(const DesignCheck& check) {
   for (std::size_t k = 0; k < check.probes.size(); ++k) {
     const ProbeResponse& probe = check.probes[k];
     const double margin = 1 - probe.major_axis_m.value / check.vibration_limit_m;
-    text += row_of({"vibration", fmt::format("probe {}", k), probe.position_m, probe.major_axis_m.speed_hz,
-                    probe.major_axis_m.value, check.vibration_limit_m, "m", margin,
-                    if_lasting(margin >= 0, check.growth)});
+    terms.push_back({"vibration", fmt::format("probe {}", k), probe.position_m, probe.major_axis_m.speed_hz,
+                     probe.major_axis_m.value, check.vibration_limit_m, "m", margin,
+                     if_lasting(margin >= 0, check.growth)});
   }
   for (const ClearanceMargin& one : check.clearances) {
-    text += row_of({"clearance", stop_name(one.stop), one.position_m, one.speed_hz, one.major_axis_m,
-                    clearance_share * one.diametral_clearance_m, "m",
-                    std::isfinite(one.margin) ? one.margin : nothing,
-                    if_lasting(one.margin >= 0, check.whole_growth)});
+    terms.push_back({"clearance", stop_name(one.stop), one.position_m, one.speed_hz, one.major_axis_m,
+                     clearance_share * one.diametral_clearance_m, "m",
+                     std::isfinite(one.margin) ? std::optional(one.margin) : std::nullopt,
+                     if_lasting(one.margin >= 0, check.whole_growth)});
   }
   for (const WhipMargin& one : check.whips) {
-    text += row_of({"dry_whip",
-                    stop_name(one.stop),
-                    {},
-                    one.needs ? one.needs->speed_hz : nothing,
-                    one.friction,
-                    one.needs ? one.needs->least_friction : nothing,
-                    "1",
-                    one.margin(),
-                    one.margin() > 0});
+    terms.push_back({"dry_whip",
+                     stop_name(one.stop),
+                     {},
+                     speed_of(one.needs),
+                     one.friction,
+                     one.needs ? std::optional(one.needs->least_friction) : std::nullopt,
+                     "1",
+                     one.margin(),
+                     one.margin() > 0});
   }
   const bool grows = check.growth.growth_per_s > 0;
-  text += row_of({"stability",
-                  "",
-                  {},
-                  grows ? check.growth.speed_hz : nothing,
-                  check.growth.growth_per_s,
-                  0,
-                  "1/s",
-                  nothing,
-                  !grows});
+  terms.push_back({"stability",
+                   "",
+                   {},
+                   grows ? std::optional(check.growth.speed_hz) : std::nullopt,
+                   check.growth.growth_per_s,
+                   0.0,
+                   "1/s",
+                   {},
+                   !grows});
+  terms.insert(terms.end(), check.lateral.begin(), check.lateral.end());
   if (const KickThreshold* kick = check.smallest_kick(); kick != nullptr)
-    text += row_of({"kick", "", {}, kick->speed_hz, *kick->force_n, nothing, "N", nothing, {}});
+    terms.push_back({"kick", "", {}, kick->speed_hz, *kick->force_n, {}, "N"});
+  return terms;
+}
+
+std::string design_check_csv(const DesignCheck& check) {
+  std::string text = "check,place,position_m,speed_hz,value,limit,unit,margin,verdict\n";
+  for (const Term& term : terms_of(check)) text += row_of(term);
+  return text;
+}
+
+std::string name_of(const Term& term) {
+  std::string name = term.check;
+  std::ranges::replace(name, '_', ' ');
+  if (!term.place.empty()) name += ", " + term.place;
+  return term.speed_hz ? name + " at " + speed(*term.speed_hz) : name;
+}
+
+/// Verdict of the whole check, and the three terms that come nearest to their limits.
+std::string answer_lines(const DesignCheck& check) {
+  constexpr std::size_t shown = 3;
+  std::vector<Term> terms = terms_of(check);
+  const auto broken = std::ranges::count_if(terms, [](const Term& term) { return term.met == false; });
+  const auto unknown = std::ranges::count_if(terms, [](const Term& term) { return !term.not_told.empty(); });
+  std::string text = "answer    ";
+  switch (answer_of(check)) {
+    case Answer::pass:
+      text += "pass\n";
+      break;
+    case Answer::not_met:
+      text += fmt::format("NOT MET: {} of {} terms\n", broken, terms.size());
+      break;
+    case Answer::not_told:
+      text += fmt::format("not told: nothing is known of {} terms\n", unknown);
+      break;
+  }
+  std::erase_if(terms, [](const Term& term) { return !term.margin || !term.met; });
+  std::ranges::stable_sort(terms, {}, [](const Term& term) { return *term.margin; });
+  for (std::size_t k = 0; k < std::min(shown, terms.size()); ++k)
+    text += fmt::format("  margin {:.1f} %: {}: {}\n", 100 * *terms[k].margin, name_of(terms[k]),
+                        verdict(*terms[k].met));
+  return text;
+}
+
+/// A term of the lateral analysis; lengths in the unit of the page.
+std::string lateral_line(const Term& term, const Lengths& length) {
+  const auto number = [&](double value) {
+    return term.unit == "m" ? length(value)
+                            : fmt::format("{:.5g}{}", value, term.unit == "1" ? "" : " " + term.unit);
+  };
+  std::string text = "  " + name_of(term) + at(term.position_m) + ": ";
+  if (!term.not_told.empty()) return text + "not told: " + term.not_told + "\n";
+  if (term.value) text += number(*term.value);
+  if (term.limit) text += ", limit " + number(*term.limit);
+  if (term.margin) text += fmt::format(", margin {:.1f} %", 100 * *term.margin);
+  if (term.met) text += fmt::format(": {}", verdict(*term.met));
+  return text + "\n";
+}
+
+std::string lateral_lines(const DesignCheck& check, const Lengths& length) {
+  if (check.lateral.empty()) return {};
+  std::string text =
+      "lateral   response to unbalances, separation margins, decrements (API 617, API RP 684)\n";
+  for (const Term& term : check.lateral) text += lateral_line(term, length);
   return text;
 }
 
@@ -226,12 +291,21 @@ std::string kicks_csv(const DesignCheck& check) {
 
 }  // namespace
 
+Answer answer_of(const DesignCheck& check) {
+  const std::vector<Term> terms = terms_of(check);
+  if (std::ranges::any_of(terms, [](const Term& term) { return term.met == false; })) return Answer::not_met;
+  return std::ranges::any_of(terms, [](const Term& term) { return !term.not_told.empty(); })
+             ? Answer::not_told
+             : Answer::pass;
+}
+
 std::string design_page(const DesignCheck& check, const model::ShownLengths& shown) {
   const Lengths length(shown);
-  return fmt::format("operating {} to {}, clearances from {} on\n", speed(check.operating.from_hz),
+  return answer_lines(check) +
+         fmt::format("operating {} to {}, clearances from {} on\n", speed(check.operating.from_hz),
                      speed(check.operating.to_hz), speed(check.whole.from_hz)) +
          stability_lines(check) + vibration_lines(check, length) + clearance_lines(check, length) +
-         whip_lines(check) + lock_lines(check) + kick_lines(check);
+         whip_lines(check) + lateral_lines(check, length) + lock_lines(check) + kick_lines(check);
 }
 
 DesignTables tables_of(const DesignCheck& check) {

@@ -7,18 +7,23 @@
 
 namespace rubsweep::design {
 
+/// Verdict of a whole check: some limit is not kept; else there is a term that nothing is known of; else
+/// all are met.
+enum class Answer { pass, not_met, not_told };
+Answer answer_of(const DesignCheck& check);
+
 /// A design check as one page for a terminal: what is asked, what comes out, `ok` or `NOT MET` where there is
 /// a limit. Lengths as asked for, in um otherwise; vibration is peak to peak in any case.
 std::string design_page(const DesignCheck& check, const model::ShownLengths& shown = {});
 
 /// A design check as CSV files.
 struct DesignTables {
-  /// check (vibration, clearance, dry_whip, kick), place (probe or stop and its number), position_m,
-  /// speed_hz, value, limit, unit (m, 1 or N), margin (share of the limit that is left), verdict (ok, not_met
-  /// or empty)
+  /// check (vibration, clearance, dry_whip, stability, those of lateral_terms, kick), place (probe or stop
+  /// and its number, with the unbalance), position_m, speed_hz, value, limit, unit (m, 1, N, N/m or 1/s),
+  /// margin (share of the limit that is left), verdict (ok, not_met, not_told or empty)
   std::string design_check_csv;
   std::string
-      unbalance_response_csv;   ///< place, position_m, speed_hz, major_axis_m, limit_m: scaled, end to end
+      unbalance_response_csv;   ///< place, position_m, speed_hz, major_axis_m (scaled, full length), limit_m
   std::string lock_speeds_csv;  ///< speed_hz, p, first_mode, q, second_mode
   std::string kicks_csv;        ///< speed_hz, force_n (empty: none), motion, runs, failed; empty: none tried
 };

@@ -22,33 +22,33 @@ namespace {
 using std::numbers::pi;
 constexpr double none = std::numeric_limits<double>::infinity();
 
-/// One stop at one speed of the shaft, as a backward whirl sees it.
+/// Model of the rotor in one stop at one shaft speed, for backward whirl at a frequency w in rad/s.
 struct WhirlInStop {
   structure::LinearSystem system;
   contact::RelativeMap map;
   double stiffness_n_per_m = 0;
 
-  /// z = G f e^{-i w t} of a force that turns backward.
+  /// Receptance G in z = G f e^{-i w t}, for a force that rotates backward.
   std::complex<double> receptance(double w) const {
     const std::complex<double> i(0, 1);
     const Eigen::MatrixXcd dynamic =
         (system.stiffness - w * w * system.mass).cast<std::complex<double>>() + i * w * system.damping;
     const Eigen::MatrixXcd rows = map.cast<std::complex<double>>();
-    // x = Re(conj(z) e^{i w t}), y = Re(i conj(z) e^{i w t}).
+    // Backward motion in real coordinates: x = Re(conj(z) e^{i w t}), y = Re(i conj(z) e^{i w t}).
     const Eigen::Vector2cd backward(1, i);
     const Eigen::Vector2cd moved =
         rows * numerics::dense::solve(dynamic, Eigen::VectorXcd(rows.transpose() * backward));
     return std::conj((moved(0) - i * moved(1)) / 2.0);
   }
 
-  /// Friction that a whirl at w needs, infinite where there is none.
+  /// Friction coefficient that a whirl at w needs; infinite where no such whirl exists.
   double friction(double w) const {
     return friction_of_dry_whip(receptance(w), stiffness_n_per_m).value_or(none);
   }
 };
 
-/// Natural frequencies of the undamped rotor, once free and once tied to the casing by the stop's spring.
-/// Each frequency of dry whip lies between a free one and a tied one.
+/// Natural frequencies of the undamped rotor, free and coupled to the casing by the stop's spring. Each dry
+/// whip frequency lies between a free one and a coupled one.
 std::vector<double> frequencies_rad_per_s(const WhirlInStop& whirl) {
   const Eigen::MatrixXd free = (whirl.system.stiffness + whirl.system.stiffness.transpose()) / 2;
   const Eigen::MatrixXd tied = free + whirl.stiffness_n_per_m * whirl.map.transpose() * whirl.map;
@@ -61,14 +61,14 @@ std::vector<double> frequencies_rad_per_s(const WhirlInStop& whirl) {
   return found;
 }
 
-/// Whirls to look at, ascending up to `fastest`, closer where something happens.
+/// Whirl frequencies to be tried, ascending up to `fastest`, with equal steps between natural frequencies.
 std::vector<double> whirls_up_to(double fastest, const WhirlInStop& whirl) {
   std::vector<double> ends = frequencies_rad_per_s(whirl);
   if (ends.empty()) return {};
-  // Damping and gyroscopic moments move the ends a little: the outer ones have room.
+  // Damping and gyroscopic moments shift the frequencies a little, so that the outer intervals are extended.
   ends.insert(ends.begin(), ends.front() / 4);
   ends.push_back(2 * ends.back());
-  // Many ends part the whirls closely enough by themselves.
+  // With many intervals fewer steps in each suffice.
   const int steps = std::max(8, 512 / static_cast<int>(ends.size()));
   std::vector<double> whirls;
   for (std::size_t k = 1; k < ends.size(); ++k) {
@@ -80,7 +80,7 @@ std::vector<double> whirls_up_to(double fastest, const WhirlInStop& whirl) {
   return whirls;
 }
 
-/// The whirl next to `without`, which needs no finite friction, that needs one as `with` does.
+/// Last whirl frequency with finite friction, between `with` (finite) and `without` (infinite), by bisection.
 double edge(const WhirlInStop& whirl, double with, double without) {
   constexpr int halvings = 60;
   for (int i = 0; i < halvings; ++i) {

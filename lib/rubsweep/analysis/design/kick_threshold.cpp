@@ -10,7 +10,7 @@
 namespace rubsweep::design {
 namespace {
 
-/// One speed of a study that differs from it in nothing but the force of its kick.
+/// Cell of a study at one speed, run with different kick forces.
 class KickedCell {
  public:
   KickedCell(const sweep::Study& study, const scene::PreparedMachine& prepared, const scene::Place& place)
@@ -41,7 +41,7 @@ KickThreshold threshold_at(double speed_hz, double force_n, KickedCell& cell) {
   constexpr double tolerance = 0.01;
   KickThreshold found{.speed_hz = speed_hz, .force_n = {}, .motion = {}};
   std::map<double, sweep::Probe>
-      known;  // the search for the threshold asks again for the ends of its interval
+      known;  // cached results, since the threshold search repeats the ends of its intervals
   const auto probe = [&](double force) {
     const auto [at, is_new] = known.try_emplace(force);
     if (is_new) {

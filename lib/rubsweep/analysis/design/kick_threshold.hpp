@@ -11,23 +11,23 @@
 
 namespace rubsweep::design {
 
-/// The smallest kick after which rub goes on, at one speed.
+/// Smallest kick at one speed after which rub persists.
 struct KickThreshold {
   double speed_hz = 0;
-  std::optional<double> force_n;  ///< empty: rub goes on after none of the kicks; 0: the quiet motion rubs
+  std::optional<double> force_n;  ///< empty: rub persists after no kick; 0: the quiet motion itself rubs
   std::string motion;      ///< class and order of the rub, such as "subharmonic 1/2"; empty without one
   std::size_t runs = 0;    ///< cells that were simulated
-  std::size_t failed = 0;  ///< number of runs that failed: they count as not rubbing
+  std::size_t failed = 0;  ///< number of runs that failed: they count as no rub
 };
 
-/// Kicks to try, as multiples of the configuration's force; between those where rub begins the force is
-/// bisected to a hundredth.
+/// Range of the kick's force, as multiples of the configuration's force. Where rub begins between two tried
+/// forces, the force is bisected to a hundredth.
 inline constexpr double smallest_kick = 1.0 / 16, largest_kick = 4;
 
-/// Scans the force of the machine's kick at each speed, from the smallest on by factors of 2, and bisects
-/// (sweep/threshold) where rub first goes on; all else of the kick and of the study as it is. What lies below
-/// in an interval narrower than such a factor may be missed. The machine must have a kick of more than 0 N.
-/// `threads` as in batch::parallel_run.
+/// Varies the force of the machine's kick at each speed, from the smallest on by factors of 2, and bisects
+/// (sweep/threshold) where rub first persists. Everything else of kick and study stays unchanged. A range of
+/// forces with rub that is narrower than a factor of 2 may be missed. The machine must have a kick of more
+/// than 0 N. `threads` as in batch::parallel_run.
 std::vector<KickThreshold> kick_thresholds(const sweep::Study& study, const scene::PreparedMachine& prepared,
                                            double eccentricity_m, std::span<const double> speeds_hz,
                                            int threads, const std::atomic<bool>& stop);

@@ -28,16 +28,16 @@ HandedState handed(const scene::Scene& scene, std::span<const double> section) {
   return {scale.displacement_m(section), scale.velocity_m_per_s(section) / scene.speed_rad_per_s};
 }
 
-/// How much of a turn after the instant of the kick the phase of smallest quiet gap comes, from 0 to below 1:
-/// a kick with a phase comes later than that, and takes the instants at which a turn begins with it.
+/// Turns from the start of the kick to the phase of smallest quiet gap, from 0 to below 1. A kick with a
+/// phase begins later than that phase, and turns are counted from the kick.
 double turns_to_smallest_gap(const model::Machine& machine) {
   const double late = machine.kick ? machine.kick->phase_deg.value_or(0) / 360 : 0;
   const double turns = std::ceil(late) - late;
   return turns < 1 ? turns : 0;
 }
 
-/// Cubic through two states `step_s` apart, at the share `at` of the way: displacements and velocities are
-/// met at both ends.
+/// State at the share `at` of the way between two states that are `step_s` apart, by the cubic through
+/// displacements and velocities at both ends.
 SectionPoint between(const trace::TraceState& from, const trace::TraceState& to, double step_s, double at) {
   const Eigen::Vector2d rise = to.displacement_m - from.displacement_m;
   const Eigen::Vector2d a = step_s * from.velocity_m_per_s - rise, b = rise - step_s * to.velocity_m_per_s;
@@ -46,10 +46,10 @@ SectionPoint between(const trace::TraceState& from, const trace::TraceState& to,
           (rise + (1 - 2 * at) * (rest * a + at * b) + at * rest * (b - a)) / step_s};
 }
 
-/// Samples of a turn between which the cubic is as good as the states: its error is 4e-12 of a motion at 1X.
+/// Samples per turn with which the cubic is as accurate as the states: its error is 4e-12 of a motion at 1X.
 constexpr int fine_samples = 1024;
 
-/// The quiet motion, from its closed form.
+/// Quiet motion, from its closed form.
 SettledMotion quiet_motion(const scene::Cell& cell, const sweep::Study& study,
                            response::motion::Workspace& workspace) {
   const scene::Scene& scene = cell.scene;
@@ -64,7 +64,7 @@ SettledMotion quiet_motion(const scene::Cell& cell, const sweep::Study& study,
   return motion;
 }
 
-/// Reads the section of a turn and its samples of the observed point.
+/// Reads from a turn its section and its samples of the observed point.
 class TurnReader {
  public:
   TurnReader(const scene::Scene& scene, const sweep::Study& study)
@@ -76,7 +76,7 @@ class TurnReader {
         samples_(finer_ * study.response.samples_per_revolution),
         step_s_(scene.period_s() / samples_) {}
 
-  /// Samples that a turn is to have.
+  /// Number of samples needed in a turn.
   int samples() const { return samples_; }
 
   void read(const integrate::run::TurnReport& turn, std::vector<SectionPoint>& section,
@@ -89,7 +89,7 @@ class TurnReader {
   }
 
  private:
-  /// The state k / samples of a turn; at its end that of the next one.
+  /// State at k / samples of a turn; at its end the first state of the next turn.
   trace::TraceState sample(const integrate::run::TurnReport& turn, int k) const {
     if (k == samples_) return reader_.read_motion(turn.section);
     return reader_.read_motion(
@@ -105,16 +105,16 @@ class TurnReader {
   }
 
   trace::StateReader reader_;
-  double section_turns_;  ///< place of the section in a turn
-  int finer_;             ///< samples taken for each that is asked for
+  double section_turns_;  ///< phase of the section, in turns
+  int finer_;             ///< ratio of samples taken to samples needed
   int samples_;
   double step_s_;
 };
 
-/// Lets `run`, the verdict on `cell`, go on from its last revolution and records it: a rotor that is proven
-/// to rest from its closed form; a periodic motion from where its section returns within 1e-5 clearances
-/// (after max_revolutions at the latest); a proven motion without a period one window later; any other at
-/// once. Empty where the run failed or fails.
+/// Continues `run`, the run that classified `cell`, from its last revolution and records its motion. A rotor
+/// proven to be at rest is recorded from its closed form. A periodic motion is recorded from where its
+/// section returns within 1e-5 clearances, at the latest after max_revolutions. A proven motion without a
+/// period is recorded one window later, and any other at once. Empty where the run has failed or fails now.
 std::optional<SettledMotion> settled_motion(const scene::Cell& cell, const response::SettledRun& run,
                                             const sweep::Study& study,
                                             response::motion::Workspace& workspace) {
@@ -153,7 +153,7 @@ std::optional<SettledMotion> settled_motion(const scene::Cell& cell, const respo
 
 thread_local response::motion::Workspace workspace;
 
-/// Lets the cell start in a state of its neighbour.
+/// Makes a cell start in a state of its neighbour.
 void start_from(scene::Cell& cell, const HandedState& state) {
   cell.scene.pulses.clear();
   cell.scene.displacement_m = state.displacement_m;
@@ -164,7 +164,7 @@ LinePoint run_cell(const LineCell& line_cell, Pass pass, std::size_t number,
                    const std::optional<HandedState>& before) {
   const sweep::Study& study = *line_cell.study;
   const double speed_hz = line_cell.place.speed_hz;
-  // A state that is handed on needs the same coordinates at all speeds; a kicked cell is that of a map.
+  // Passed-on states need the same coordinates at all speeds; cells with a kick are the same as in a map.
   scene::Cell cell = scene::build_cell(
       pass == Pass::kick ? scene::prepared_at(*line_cell.machine, speed_hz) : *line_cell.machine, speed_hz,
       line_cell.place.unbalance);
@@ -216,7 +216,7 @@ std::size_t follow_line(std::span<const LineCell> cells, std::span<const Pass> p
       deliver(std::move(point));
     }
   };
-  // A chain takes as long as many cells: it begins first.
+  // A chain takes as long as many cells and therefore begins first.
   batch::parallel_run(
       chains.size() + (kicked ? cells.size() : 0), threads,
       [&](std::size_t task) {

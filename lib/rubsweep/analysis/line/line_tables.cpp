@@ -15,7 +15,7 @@ namespace {
 
 using batch::csv_number;
 
-/// First columns of every row of a point.
+/// First columns of every row that belongs to a point.
 std::string key_of(const LinePoint& point, std::span<const LineCell> cells) {
   return fmt::format("{},{}", to_string(point.pass), csv_number(cells[point.cell].value));
 }

@@ -15,7 +15,7 @@ using Complex = std::complex<double>;
 
 constexpr std::size_t fewest_samples = 8;
 
-/// A of offset + Re(A e^{i angle}), fitted.
+/// Phasor A of the least-squares fit offset + Re(A e^{i angle}).
 Complex fit_phasor(std::span<const double> x, std::span<const double> angle) {
   const auto n = static_cast<Eigen::Index>(x.size());
   Eigen::MatrixX3d base(n, 3);
@@ -31,11 +31,11 @@ Complex fit_phasor(std::span<const double> x, std::span<const double> angle) {
 double lag_deg(Complex phasor, double sensor_angle_deg) {
   double phase = std::arg(phasor) * 180 / pi + sensor_angle_deg;
   phase -= 360 * std::ceil(phase / 360 - 1e-12);
-  // Zero lag with its noise reads about 0, not about -360.
+  // A lag of zero with noise shall read about 0, not about -360.
   return phase <= -350 ? phase + 360 : phase;
 }
 
-/// Middle of a window, and the noise that it leaves.
+/// Middle of a window, and the noise that remains in it.
 struct Window {
   std::size_t middle = 0;
   Complex noise_m;
@@ -50,7 +50,7 @@ std::vector<Window> windows_of(const OneXSignal& signal, int revolutions) {
   for (long turn = 0;; ++turn) {
     const double begin_rad = angle.empty() ? 0 : angle.front() + 2 * pi * static_cast<double>(turn);
     const std::size_t begin = reaching(begin_rad), end = reaching(begin_rad + 2 * pi * revolutions);
-    if (end >= angle.size()) break;  // no whole window is left
+    if (end >= angle.size()) break;  // no whole window remains
     if (end - begin < fewest_samples) continue;
     Window window{reaching(begin_rad + pi * revolutions), 0};
     if (!windows.empty() && windows.back().middle == window.middle) continue;
@@ -62,7 +62,7 @@ std::vector<Window> windows_of(const OneXSignal& signal, int revolutions) {
   return windows;
 }
 
-/// The largest amplitude between the two neighbours of a window, by a parabola through the samples.
+/// Finds the largest amplitude between the neighbours of a window, by a parabola through the samples.
 void find_top(const OneXSignal& signal, const Window& before, const Window& at, const Window& after,
               OneX& one) {
   const auto amplitude = [&](std::size_t k) { return std::abs(signal.phasor_m[k] + at.noise_m); };
@@ -74,7 +74,7 @@ void find_top(const OneXSignal& signal, const Window& before, const Window& at, 
   const double a = amplitude(top - 1), b = amplitude(top), c = amplitude(top + 1), bend = a - 2 * b + c;
   const double shift = bend < 0 ? std::clamp((a - c) / (2 * bend), -1.0, 1.0) : 0;
   one.largest_amplitude_m = b - (a - c) * shift / 4;
-  // The speed changes evenly from sample to sample.
+  // The speed changes at a constant rate from sample to sample.
   one.speed_of_largest_hz = signal.speed_hz[top] + shift * (signal.speed_hz[top + 1] - signal.speed_hz[top]);
 }
 

@@ -7,36 +7,36 @@
 
 namespace rubsweep::linear {
 
-/// One speed of a Bode plot: the component of a sensor's signal that turns with the shaft.
+/// Point of a Bode plot at one speed: the component of a sensor's signal that rotates with the shaft.
 struct BodePoint {
   double speed_hz = 0;
   double amplitude_m = 0;
-  /// Phase of the displacement against the instant at which the mark on the shaft passes the sensor: 0 to
-  /// -360, negative values lag.
+  /// Phase of the displacement relative to the instant at which the mark on the shaft passes the sensor, from
+  /// 0 to -360; negative values lag.
   double phase_deg = 0;
 };
 
-/// Readings of one sensor during a run-up, sample by sample.
+/// Readings of one sensor during a run-up, one for each sample.
 struct OneXSignal {
-  std::span<const std::complex<double>> phasor_m;  ///< A of the part Re(A e^{i phi}) at this instant
+  std::span<const std::complex<double>> phasor_m;  ///< A of the 1X part Re(A e^{i phi}) at each instant
   std::span<const double> noise_m;                 ///< noise of the readings; empty: none
-  std::span<const double> shaft_angle_rad;         ///< phi, rising
+  std::span<const double> shaft_angle_rad;         ///< phi, ascending
   std::span<const double> speed_hz;
-  double sensor_angle_deg = 0;  ///< direction of the sensor, which the mark passes that much later
+  double sensor_angle_deg = 0;  ///< direction of the sensor; the mark passes it later by this angle
 };
 
-/// 1X of a run-up as a tracking filter shows it that looks at `revolutions` at once.
+/// 1X of a run-up as a tracking filter with windows of `revolutions` revolutions shows it.
 struct OneX {
-  std::vector<BodePoint> plot;  ///< amplitudes A in the middle of the window, one per revolution
+  std::vector<BodePoint> plot;  ///< amplitude A in the middle of each window, one per revolution
   double largest_amplitude_m = 0;
-  /// Speed at which the amplitude was largest; empty where that is at an end of the plot, beyond which it may
-  /// go on. On a fast ramp it is not the critical speed: the vibration comes later than the shaft.
+  /// Speed at which the amplitude was largest; empty where it is largest at an end of the plot. On a fast
+  /// ramp it is not the critical speed, because the vibration lags behind the speed.
   std::optional<double> speed_of_largest_hz;
 };
 
-/// The phasor is taken at the instant and not as the mean of a window, in which a resonance that is passed
-/// through loses its top. The noise that a window leaves, by least squares of offset + Re(A e^{i phi}), is
-/// added to it. A window with fewer than eight samples gives no point.
+/// Computes 1X from the phasor at an instant, since the mean over a window would flatten a resonance that is
+/// passed quickly. The noise that a window leaves, by least squares of offset + Re(A e^{i phi}), is added. A
+/// window with fewer than eight samples gives no point.
 OneX one_x(const OneXSignal& signal, int revolutions);
 
 }  // namespace rubsweep::linear

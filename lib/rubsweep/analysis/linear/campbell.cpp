@@ -12,18 +12,18 @@
 namespace rubsweep::linear {
 namespace {
 
-constexpr double sure = 0.9;      ///< an assurance that leaves no doubt which mode it is
-constexpr double alike = 0.3;     ///< below it a mode is none of those before
-constexpr int most_halvings = 8;  ///< halvings of a step of the speed
+constexpr double sure = 0.9;      ///< smallest assurance criterion that leaves no doubt
+constexpr double alike = 0.3;     ///< smallest assurance of a mode that continues an earlier one
+constexpr int most_halvings = 8;  ///< limit on halvings of a step of the speed
 
 using Curve = std::vector<FollowedMode>;
 
-/// The curves between two speeds: which of `to` continues each of `from`, empty where none does, and which
-/// are new.
+/// Continuation of curves from one speed to the next: for each mode of `from` its index in `to`, empty if it
+/// has none, and the new modes of `to`.
 struct Continuation {
   std::vector<std::optional<std::size_t>> next;
   std::vector<std::size_t> fresh;
-  bool doubtful = false;  ///< true: doubt about whirl of at most the frequency that is looked at
+  bool doubtful = false;  ///< true: doubt about a mode with at most the frequency `up_to_hz`
 };
 
 Continuation continuation(const std::vector<const WhirlMode*>& from, const std::vector<WhirlMode>& to,
@@ -53,8 +53,8 @@ Continuation continuation(const std::vector<const WhirlMode*>& from, const std::
   return found;
 }
 
-/// Follows the modes of a rotor from its first speed on. Curves end where a mode becomes overdamped, and
-/// begin where one is no longer.
+/// Follows the modes of a rotor from its first speed on. Curves end where a mode becomes overdamped, and new
+/// ones begin where a mode starts to oscillate.
 class Follower {
  public:
   Follower(const WhirlProblem& problem, double speed_hz, double up_to_hz)
@@ -98,7 +98,7 @@ class Follower {
   const WhirlProblem& problem_;
   double last_hz_, up_to_hz_, growth_per_s_ = 0;
   std::vector<Curve> curves_;
-  std::vector<std::size_t> open_;  ///< curves that have not ended
+  std::vector<std::size_t> open_;  ///< curves that have not ended yet
 };
 
 ModeShape shape_of(const FreeRotor& rotor, const FollowedMode& at, int number) {
@@ -111,7 +111,7 @@ ModeShape shape_of(const FreeRotor& rotor, const FollowedMode& at, int number) {
   Eigen::Index place_x = 0, place_y = 0;
   const double largest_x = shape.x.cwiseAbs().maxCoeff(&place_x),
                largest_y = shape.y.cwiseAbs().maxCoeff(&place_y);
-  // On a circular orbit the two are equal but for rounding: x then leads.
+  // On a circular orbit the largest x and y are equal up to rounding, and x is taken.
   const std::complex<double> largest =
       largest_x >= (1 - 1e-6) * largest_y ? shape.x(place_x) : shape.y(place_y);
   if (largest != 0.0) {
@@ -121,7 +121,7 @@ ModeShape shape_of(const FreeRotor& rotor, const FollowedMode& at, int number) {
   return shape;
 }
 
-/// True for a curve that comes below the frequency, and for a mode that grows at some speed.
+/// Whether a curve comes below the frequency `up_to_hz`, or its mode grows at some speed.
 bool is_shown(const Curve& curve, double up_to_hz) {
   return std::ranges::any_of(curve, [&](const FollowedMode& point) {
     return point.mode.frequency_hz() <= up_to_hz || point.mode.root_per_s.real() > 0;
@@ -141,7 +141,7 @@ CampbellMode asked_points(const Curve& curve, int number, std::span<const double
   return mode;
 }
 
-/// The mode at a speed that is most like one of a speed nearby.
+/// Mode at `speed_hz` that is most similar to `reference`, a mode at a speed nearby.
 WhirlMode alike_at(const WhirlProblem& problem, double speed_hz, const WhirlMode& reference) {
   if (auto continued = problem.continued(reference, speed_hz)) return std::move(*continued);
   const std::vector<WhirlMode> modes = problem.at(speed_hz).modes;
@@ -150,14 +150,14 @@ WhirlMode alike_at(const WhirlProblem& problem, double speed_hz, const WhirlMode
                                    [&](const WhirlMode& mode) { return assurance(mode, reference); });
 }
 
-/// Whirl frequency beyond the shaft speed.
+/// Whirl frequency minus shaft speed, zero at a critical speed.
 double excess_hz(const FollowedMode& point) { return point.mode.frequency_hz() - point.speed_hz; }
 
 FollowedMode locate(const WhirlProblem& problem, const FollowedMode& low, const FollowedMode& high) {
   const auto excess = [&](double speed_hz) {
     return alike_at(problem, speed_hz, low.mode).frequency_hz() - speed_hz;
   };
-  std::uintmax_t iterations = 400;  // four halve the bracket at least: it ends before
+  std::uintmax_t iterations = 400;  // never reached: four evaluations at least halve the bracket
   const auto bracket =
       boost::math::tools::toms748_solve(excess, low.speed_hz, high.speed_hz, excess_hz(low), excess_hz(high),
                                         boost::math::tools::eps_tolerance<double>(48), iterations);

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t most_modes = 4;
 constexpr std::array<std::pair<int, int>, 3> orders{{{2, 1}, {3, 1}, {3, 2}}};
 constexpr int halvings = 60;
-constexpr double most_damping_ratio = 0.5;  ///< a mode damped more is gone before it comes round
+constexpr double most_damping_ratio = 0.5;  ///< a mode with more damping decays before the two meet again
 
 double signed_hz(const CampbellPoint& point) {
   return point.forward_share >= 0.5 ? point.frequency_hz : -point.frequency_hz;
@@ -29,7 +29,7 @@ bool lasts_somewhere(const CampbellMode& mode) {
       mode.points, [](const CampbellPoint& point) { return point.damping_ratio <= most_damping_ratio; });
 }
 
-/// A mode over the speed.
+/// Mode as a function of the speed.
 struct Branch {
   int number = 0;
   std::vector<double> speed_hz;
@@ -37,7 +37,7 @@ struct Branch {
   numerics::Pchip signed_hz;
 
   bool lasts_at(std::size_t k) const { return damping_ratio[k] <= most_damping_ratio; }
-  /// Whether the mode lasts and whirls one way all along the piece that ends at point k.
+  /// Whether the mode is lightly damped and keeps its sense of whirl over the interval that ends at point k.
   bool lasts_up_to(std::size_t k) const {
     return lasts_at(k - 1) && lasts_at(k) && signed_hz(speed_hz[k - 1]) * signed_hz(speed_hz[k]) > 0;
   }
@@ -53,14 +53,14 @@ Branch branch_of(const CampbellMode& mode) {
   return {mode.number, speeds, ratios, numerics::Pchip(speeds, frequencies)};
 }
 
-/// Place of a speed among those of a branch; empty where the mode does not whirl there.
+/// Index of a speed in a branch; empty where the mode does not whirl at this speed.
 std::optional<std::size_t> place_of(const Branch& branch, double speed_hz) {
   const auto found = std::ranges::lower_bound(branch.speed_hz, speed_hz);
   if (found == branch.speed_hz.end() || *found != speed_hz) return std::nullopt;
   return static_cast<std::size_t>(found - branch.speed_hz.begin());
 }
 
-/// Adds where the two lock, one root at most in each piece of the diagram that both have.
+/// Adds speeds at which two modes lock, at most one root in each interval of the diagram that both have.
 void add_roots(const Branch& first, const Branch& second, int p, int q, std::vector<LockSpeed>& found) {
   const auto excess = [&](double hz) {
     return (p - q) * hz - p * first.signed_hz(hz) + q * second.signed_hz(hz);
@@ -126,7 +126,7 @@ std::string mode_shapes_csv(const Campbell& diagram) {
 std::string summary_of(const Campbell& diagram, const std::vector<LockSpeed>& locks) {
   std::string text;
   for (const CampbellMode& mode : diagram.modes) {
-    if (mode.points.empty()) continue;  // such a mode whirls between two of the speeds alone
+    if (mode.points.empty()) continue;  // a mode may whirl only between two of the speeds
     const CampbellPoint &first = mode.points.front(), &last = mode.points.back();
     text += fmt::format("mode {:<4} {:.5g} Hz at {}, {:.5g} Hz at {} ({})", mode.number, first.frequency_hz,
                         model::speed_text(first.speed_hz, 5), last.frequency_hz,

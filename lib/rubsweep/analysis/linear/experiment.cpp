@@ -37,7 +37,8 @@ int samples_in(double duration_s, double sample_s) {
   return static_cast<int>(std::floor(duration_s / sample_s)) + 1;
 }
 
-/// Whether each sensor sees a signal: one across the motion sees rounding only, or less than the noise.
+/// Whether each sensor measures a signal. A sensor across the motion reads only rounding, or less than the
+/// noise.
 std::vector<bool> sees_something(const Eigen::MatrixXd& signal, double noise_m) {
   const double floor_m = std::max(noise_m, 1e-9 * signal.cwiseAbs().maxCoeff());
   std::vector<bool> sees;
@@ -46,7 +47,7 @@ std::vector<bool> sees_something(const Eigen::MatrixXd& signal, double noise_m) 
   return sees;
 }
 
-/// A of every sensor's part Re(A e^{i phi}) that turns with the shaft, samples x sensors.
+/// Phasors A of each sensor's 1X part Re(A e^{i phi}), samples x sensors.
 Eigen::MatrixXcd phasors(const scene::PreparedMachine& machine, LinearRun run, const Eigen::MatrixXd& rows) {
   run.driven = Driven::in_phase;
   const Eigen::MatrixXd in_phase = run_linear(machine, run, rows);
@@ -64,10 +65,11 @@ Eigen::MatrixXcd phasors(const scene::PreparedMachine& machine, LinearRun run, c
 using std::numbers::pi;
 using Samples = Eigen::Map<const Eigen::VectorXd>;
 
-/// Parameters: decay rate, damped circular frequency, both per sample; then cosine, sine, offset.
+/// Parameters of a decay: decay rate and damped angular frequency, both per sample; then cosine, sine,
+/// offset.
 using Parameters = Eigen::Matrix<double, 5, 1>;
 
-/// Best linear part for given decay and frequency.
+/// Parameters with the best cosine, sine and offset for given decay and frequency.
 Parameters complete(const Samples& x, double decay, double frequency) {
   Eigen::MatrixX3d base(x.size(), 3);
   for (Eigen::Index k = 0; k < x.size(); ++k) {
@@ -79,7 +81,7 @@ Parameters complete(const Samples& x, double decay, double frequency) {
   return {decay, frequency, linear(0), linear(1), linear(2)};
 }
 
-/// Residual and, where asked for, its Jacobian.
+/// Residual of the fit, and its Jacobian if `jacobian` is not null.
 Eigen::VectorXd residual(const Samples& x, const Parameters& p,
                          Eigen::Matrix<double, Eigen::Dynamic, 5>* jacobian) {
   Eigen::VectorXd r(x.size());
@@ -94,8 +96,8 @@ Eigen::VectorXd residual(const Samples& x, const Parameters& p,
   return r;
 }
 
-/// Circular frequency per sample of the largest line of the signal about its mean, on a grid four times finer
-/// than the signal resolves: zeros follow the signal for three times its length.
+/// Angular frequency per sample of the largest spectral line of the signal without its mean. Zeros are
+/// appended, three times as many as samples, so that the frequency grid is four times finer.
 double strongest_frequency(const Samples& x) {
   const auto length = static_cast<std::size_t>(4 * x.size());
   std::vector<std::complex<double>> padded(length);
@@ -109,8 +111,8 @@ double strongest_frequency(const Samples& x) {
   return 2 * pi * strongest / static_cast<double>(length);
 }
 
-/// Levenberg and Marquardt's descent. Eigen's unsupported one comes to the same minimum within 1e-8, which
-/// moves the last digits that identification.csv prints; ours keeps them.
+/// Levenberg-Marquardt iteration. Eigen's unsupported version finds the same minimum within 1e-8, but would
+/// change the last digits that identification.csv prints.
 Parameters refine(const Samples& x, Parameters p) {
   double error = residual(x, p, nullptr).squaredNorm(), damping = 1e-3;
   constexpr int most_iterations = 200;
@@ -184,7 +186,7 @@ RunUp run_up(const scene::PreparedMachine& machine, double from_hz, double to_hz
                .largest_amplitude_m = {}};
   run_up.signal_m = run_linear(machine, run_up.run, sensors.rows);
   const Eigen::MatrixXcd phasor_m = phasors(machine, run_up.run, sensors.rows);
-  // Without noise: the Bode plot finds modes that noise hides in a free response.
+  // Noise is ignored: the Bode plot finds modes that noise hides in a free response.
   run_up.sees = sees_something(phasor_m.cwiseAbs(), 0);
   Eigen::MatrixXd noise_m = Eigen::MatrixXd::Zero(run_up.signal_m.rows(), run_up.signal_m.cols());
   add_noise(noise_m, sampling.noise_m);

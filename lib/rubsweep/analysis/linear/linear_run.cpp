@@ -21,16 +21,16 @@ namespace odeint = boost::numeric::odeint;
 using std::numbers::pi;
 using State = std::vector<double>;
 
-/// Below a millionth of a sample no progress is made that anyone could wait for.
+/// Smallest step, as a share of a sample. With a smaller one the run would take too long.
 constexpr double shortest_step = 1e-6;
 constexpr double relative_tolerance = 1e-10;
 
-/// Factor of all forces that turn with the shaft.
+/// Factor of all rotating forces: -i if these are turned back by a quarter turn.
 std::complex<double> turned_back(const LinearRun& run) {
   return run.driven == Driven::quarter_behind ? std::complex<double>(0, -1) : 1;
 }
 
-/// Forces of twice the shaft's frequency have no part in the phasor of 1X.
+/// Whether forces at twice the shaft's frequency act. They have no part in the phasor of 1X.
 bool feels_second(const scene::PreparedMachine& prepared, const LinearRun& run) {
   return run.driven == Driven::by_all && prepared.assembly.second_n.size() > 0;
 }
@@ -56,7 +56,7 @@ class Structure {
     constant_ = mass_.solve(constant_n);
   }
 
-  /// Supports that follow the speed.
+  /// Adds a support whose coefficients follow the speed.
   void add(const structure::TabledSupport& support) {
     tables_.push_back({support, mass_.solve(Eigen::MatrixXd(support.map.transpose()))});
   }
@@ -114,14 +114,14 @@ class Structure {
   numerics::dense::SymmetricFactors mass_;
   Eigen::MatrixXd stiffness_, damping_, gyroscopic_, circulatory_;
   Eigen::VectorXcd unbalance_, bow_;
-  Eigen::VectorXcd second_;  ///< empty: none
+  Eigen::VectorXcd second_;  ///< forces at twice the shaft's frequency; empty: none
   Eigen::VectorXd constant_;
   std::vector<Pulse> pulses_;
   std::vector<Tabled> tables_;
 };
 
-/// On the quiet motion of the first speed, its unbalance at angle 0; at standstill where static forces leave
-/// it. Of a machine that starts at rest, in the unloaded position.
+/// Initial state: the quiet motion of the first speed, with the unbalance at angle 0; at standstill the
+/// static deflection; for a machine that starts at rest the unloaded position.
 State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run,
                     const Eigen::VectorXd& constant_n) {
   const double w = 2 * pi * run.from_hz;
@@ -143,8 +143,8 @@ State initial_state(const scene::PreparedMachine& prepared, const LinearRun& run
   return state;
 }
 
-/// Impulses by the shaft's angle. Those of integrate::run belong to a constant speed, where instants repeat
-/// to the last bit from turn to turn; on a ramp there is no turn to repeat.
+/// Impulses by the shaft's angle on a ramp. integrate::run has impulses for a constant speed only, where
+/// their times repeat exactly from turn to turn.
 class ImpulsesOnARamp {
  public:
   ImpulsesOnARamp(const scene::PreparedMachine& prepared, const LinearRun& run) : run_(run) {
@@ -160,7 +160,7 @@ class ImpulsesOnARamp {
     return next;
   }
 
-  /// Adds to the velocities the impulses that are due up to `t_s`; returns whether there were any.
+  /// Adds the impulses that are due up to `t_s` to the velocities; returns whether there were any.
   bool apply(double t_s, State& state) {
     bool any = false;
     for (Train& train : trains_) {
@@ -179,8 +179,8 @@ class ImpulsesOnARamp {
     double multiple = 0, phase_periods = 0, count = 0;
   };
 
-  /// When from t + rate t^2 / 2 reaches the turns at which the train's next impulse is due; never on a ramp
-  /// that stops before.
+  /// Time at which from t + rate t^2 / 2 turns bring the next impulse of a train; infinite on a ramp that
+  /// stops before.
   double instant_s(const Train& train) const {
     const double turns = (train.count + train.phase_periods) / train.multiple;
     const double square = run_.from_hz * run_.from_hz + 2 * run_.rate_hz_per_s * turns;
@@ -192,7 +192,7 @@ class ImpulsesOnARamp {
   std::vector<Train> trains_;
 };
 
-/// Some speed at which the machine can be built.
+/// A speed at which the machine can be built.
 double pulse_speed_hz(const scene::PreparedMachine& prepared) {
   const model::RotorKit* kit = model::kit_of(prepared.machine);
   return kit != nullptr && model::has_tables(*kit) ? model::table_speeds_hz(*kit).high : 1;
@@ -238,7 +238,7 @@ Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearR
   Structure structure(prepared, run, constant_n);
   for (const structure::TabledSupport& support : prepared.assembly.tables) structure.add(support);
   if (run.kick && prepared.machine.kick) {
-    // The pulses of any cell: neither their place nor their direction depends on the speed.
+    // Pulses of any cell will do, since their place and direction do not depend on the speed.
     for (const scene::Pulse& pulse :
          scene::build_cell(prepared, pulse_speed_hz(prepared), scene::Eccentricity{0}).scene.pulses)
       structure.add(pulse);
@@ -254,7 +254,7 @@ Eigen::MatrixXd run_linear(const scene::PreparedMachine& prepared, const LinearR
   for (int k = 0; k < run.samples; ++k) {
     const double sample_at = k * run.sample_s;
     for (double target = 0; t < sample_at;) {
-      // The stepper begins with the last derivative that it made, which is of the velocities before.
+      // The stepper keeps its last derivative, which belongs to the velocities before the impulse.
       if (impulses.apply(t, state)) stepper.reset();
       target = std::min(sample_at, impulses.next_s());
       const double rest = target - t;

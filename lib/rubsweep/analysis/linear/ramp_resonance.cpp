@@ -21,7 +21,8 @@ constexpr double lowest_share = 0.25;
 constexpr std::size_t fewest_points = 16;
 constexpr std::size_t most_points = 600;
 
-/// Points of 1X on a ramp: shaft angle phi = 2 pi (from t + rate t^2 / 2), A of the part Re(A e^{i phi}).
+/// 1X on a ramp with the shaft angle phi = 2 pi (from t + rate t^2 / 2): phasors A of the part Re(A e^{i
+/// phi}).
 struct RampedOneX {
   double from_hz = 0, rate_hz_per_s = 0;
   Eigen::VectorXd t_s;
@@ -31,7 +32,7 @@ struct RampedOneX {
   double speed(double t) const { return 2 * pi * (from_hz + rate_hz_per_s * t); }
 };
 
-/// The stretch about the largest amplitude in which it stays above a share of it, thinned where it is long.
+/// Part around the largest amplitude where it stays above `lowest_share` of it; a long part is thinned.
 RampedOneX stretch_about_top(std::span<const BodePoint> plot, double rate_hz_per_s) {
   const auto top = std::ranges::max_element(plot, {}, &BodePoint::amplitude_m);
   const auto low = [&](const BodePoint& point) {
@@ -54,9 +55,9 @@ RampedOneX stretch_about_top(std::span<const BodePoint> plot, double rate_hz_per
 }
 
 struct GaussNode {
-  double place, weight;  ///< places on 0..1
+  double place, weight;  ///< places in 0..1
 };
-/// Gauss and Legendre's rule of eight points; over 8 rad of a phase it is right to 2e-13.
+/// Gauss-Legendre rule with eight points. Over 8 rad of phase its error is 2e-13.
 constexpr std::array<GaussNode, 8> gauss{{{0.019855071751231884, 0.050614268145188130},
                                           {0.101666761293186630, 0.111190517226687235},
                                           {0.237233795041835507, 0.156853322938943644},
@@ -67,11 +68,11 @@ constexpr std::array<GaussNode, 8> gauss{{{0.019855071751231884, 0.0506142681451
                                           {0.980144928248768116, 0.050614268145188130}}};
 constexpr double longest_step_rad = 8;
 
-/// Columns of a pole's answer, per point: to an unbalance, to a bow, and its free vibration from t = 0 on.
+/// Responses of a pole at each point: to an unbalance, to a bow, and its free vibration from t = 0 on.
 using PoleColumns = Eigen::MatrixX3cd;
 
-/// Solutions of A' = (pole - i phi') A + f over the points, f = phi'^2 - i phi'' or 1, from A = 0; and f = 0
-/// from 1.
+/// Solutions of A' = (pole - i phi') A + f at all points: from A = 0 with f = phi'^2 - i phi'' (unbalance)
+/// and f = 1 (bow), and from A = 1 with f = 0.
 PoleColumns pole_columns(const RampedOneX& data, Complex pole) {
   PoleColumns columns(data.t_s.size(), 3);
   Eigen::RowVector3cd at(0, 0, 1);
@@ -101,8 +102,8 @@ PoleColumns pole_columns(const RampedOneX& data, Complex pole) {
   return columns;
 }
 
-/// Everything that may add up to 1X: the mode under unbalance and bow, its free vibration forward and
-/// backward, other modes as they follow the speed without resonance.
+/// Columns of the linear fit of 1X: response of the mode to unbalance and bow, its free vibration forward and
+/// backward, and other modes, which follow the speed without resonance.
 Eigen::MatrixXcd columns_of(const RampedOneX& data, const Eigen::Vector2d& log_frequency_and_damping) {
   const double w = std::exp(log_frequency_and_damping(0)), ratio = std::exp(log_frequency_and_damping(1));
   const Complex pole = w * Complex(-ratio, std::sqrt(1 - ratio * ratio));
@@ -122,7 +123,7 @@ Eigen::MatrixXcd columns_of(const RampedOneX& data, const Eigen::Vector2d& log_f
 
 constexpr double largest_log_ratio = -1e-3, smallest_log_ratio = -14;
 
-/// Unexplained part, real parts before imaginary ones; the factors of the columns are fitted.
+/// Part of 1X that the best linear combination of the columns leaves, real parts before imaginary parts.
 Eigen::VectorXd residual(const RampedOneX& data, Eigen::Vector2d p) {
   p(1) = std::clamp(p(1), smallest_log_ratio, largest_log_ratio);
   const Eigen::MatrixXcd columns = columns_of(data, p);
@@ -132,7 +133,7 @@ Eigen::VectorXd residual(const RampedOneX& data, Eigen::Vector2d p) {
   return parts;
 }
 
-/// Best of a grid over the speeds of the stretch and over damping ratios.
+/// Start of the fit: best point of a grid over the speeds of the part and over damping ratios.
 Eigen::Vector2d best_start(const RampedOneX& data) {
   const double first = data.speed(0), last = data.speed(data.t_s(data.t_s.size() - 1));
   constexpr int frequencies = 24;
@@ -151,7 +152,7 @@ Eigen::Vector2d best_start(const RampedOneX& data) {
   return best;
 }
 
-/// Levenberg and Marquardt's descent by derivatives of central differences.
+/// Levenberg-Marquardt iteration with central differences.
 Eigen::Vector2d refine(const RampedOneX& data, Eigen::Vector2d p) {
   constexpr double h = 1e-5;
   constexpr int most_iterations = 60;

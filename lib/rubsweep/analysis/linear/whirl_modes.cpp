@@ -45,7 +45,7 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
     free.x(node, system.index(0, 2 * node)) = 1;
     free.y(node, system.index(1, 2 * node)) = 1;
   }
-  // The mean of both planes where their masses differ.
+  // Mean mass of both planes, where these differ.
   const Eigen::MatrixXd mass = (shaft.plane_mass(0) + shaft.plane_mass(1)) / 2;
   free.spin = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < mass.rows(); ++i) {
@@ -57,8 +57,8 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
   return free;
 }
 
-constexpr double same_root = 1e-7;    ///< share of its size: rounding of a double root, far below any split
-constexpr double least_whirl = 1e-7;  ///< share of the size of a root: rounding of a double overdamped one
+constexpr double same_root = 1e-7;    ///< roots closer than this share of their size count as equal
+constexpr double least_whirl = 1e-7;  ///< roots with a smaller share of imaginary part do not whirl
 
 bool whirls(Complex root) { return root.imag() > least_whirl * std::abs(root); }
 
@@ -66,7 +66,7 @@ bool inside(Complex root, const structure::RateDisc& disc) {
   return std::abs(root - disc.centre) <= disc.radius;
 }
 
-/// Positive definite also where a coordinate has no mass.
+/// Mass matrix that is positive definite: coordinates without mass get a very small one.
 Eigen::MatrixXd with_mass(Eigen::MatrixXd mass) {
   constexpr double hardly_any = 1e-9;
   const double largest = mass.diagonal().maxCoeff();
@@ -75,7 +75,7 @@ Eigen::MatrixXd with_mass(Eigen::MatrixXd mass) {
   return mass;
 }
 
-/// Frees a root of growth that is not certain.
+/// Sets the real part of a root to 0 if its growth may be caused by rounding.
 void drop_rounding(const structure::SpeedMatrices& matrices, bool dissipates, const Eigen::VectorXcd& shape,
                    Complex& root) {
   if (!(root.real() > 0)) return;
@@ -88,11 +88,11 @@ bool never_grows(const structure::SpeedMatrices& matrices) {
   return structure::dissipates(matrices.mass, matrices.damping, matrices.stiffness, rounding);
 }
 
-/// Rates at one speed that a diagram shows, wherever they are: whirl up to `fastest`, the slowest two, and
-/// what grows.
+/// Roots at one speed that a diagram must show, anywhere in the plane: whirl up to `fastest`, the two slowest
+/// whirls, and everything that grows.
 std::vector<Complex> wanted_rates(const structure::SpeedMatrices& matrices, double fastest) {
   constexpr std::size_t slowest = 2;
-  // Faster rates are those of single elements, and less growth may be rounding.
+  // Larger rates belong to single elements, and smaller growth may be rounding.
   constexpr double far = 1e3, growth = 1e-7;
   const bool dissipating = never_grows(matrices);
   std::vector<Complex> found, wanted;
@@ -108,7 +108,8 @@ std::vector<Complex> wanted_rates(const structure::SpeedMatrices& matrices, doub
   return wanted;
 }
 
-/// Speeds at which all rates are looked at, which takes the third power of the states: about a second in all.
+/// Indices of the speeds at which all roots are computed. The cost is cubic in the states; all together take
+/// about 1 s.
 std::vector<std::size_t> looked_at(std::size_t speeds, Eigen::Index states) {
   constexpr double a_second = 3e8;
   const double affordable = a_second / std::pow(static_cast<double>(states), 3);
@@ -118,9 +119,8 @@ std::vector<std::size_t> looked_at(std::size_t speeds, Eigen::Index states) {
   return places;
 }
 
-/// Whirl up to `fastest` at one speed that is damped so much that a disc of four times that about 0 lacks it,
-/// by discs along the negative axis that overlap in the strip of such rates. They reach a thousand times as
-/// far.
+/// Strongly damped whirl up to `fastest` at one speed, outside the disc around 0 with the radius 4 `fastest`.
+/// Searches overlapping discs along the negative real axis, up to a thousand times `fastest`.
 std::vector<Complex> strongly_damped_rates(const structure::SpeedMatrices& matrices, double fastest) {
   constexpr double first = 8, last = 1e3, ratio = 4.5, radius = 0.7;
   std::vector<Complex> found;
@@ -167,7 +167,7 @@ WhirlProblem::WhirlProblem(const FreeRotor& rotor, std::span<const double> speed
       }
     }
   }
-  // Hardly any oscillation: far to the left of the others.
+  // Roots with hardly any oscillation lie far to the left of the others and need discs of their own.
   for (const Complex root : wanted) {
     if (std::ranges::none_of(discs_, [&](const auto& disc) { return inside(root, disc); }))
       discs_.push_back({root.real(), std::max(2 * fastest, 0.3 * std::abs(root.real()))});
@@ -238,7 +238,7 @@ void WhirlProblem::part_by_direction(std::vector<WhirlMode>& modes, const Eigen:
     Eigen::MatrixXcd shapes(base.rows(), count);
     shapes.real() = mass_.solve_upper(base.real());
     shapes.imag() = mass_.solve_upper(base.imag());
-    // Most backward first.
+    // Sorted from most backward to most forward.
     const auto directions =
         numerics::spectral::hermitian_modes(Eigen::MatrixXcd(shapes.adjoint() * spin_ * shapes));
     const Eigen::MatrixXcd parted = shapes * directions.vectors;

@@ -58,7 +58,7 @@ class Words {
     return "from " + model::speed_range_text(speed(*low), speed(*high), 4);
   }
 
-  /// "subharmonic 1/3", "quasi-periodic"
+  /// Name of the motion of a row, such as "subharmonic 1/3" or "quasi-periodic".
   std::string motion(std::size_t row) const {
     std::string name(map_.word("class", row));
     std::replace(name.begin(), name.end(), '_', '-');
@@ -72,7 +72,7 @@ class Words {
   std::vector<std::string> keys_;
 };
 
-/// Words take an s, keys of the configuration stay as they are.
+/// Plural of a word. Keys of the configuration stay unchanged.
 std::string plural(const std::string& name) {
   return name.find_first_of("._") == std::string::npos ? name + "s" : "values of " + name;
 }
@@ -100,7 +100,7 @@ std::string size_of(const MapTable& map, const sweep::Grid& grid) {
   return fmt::format("{} cells: {}, {}{}.", map.rows, speed, unbalance, keys);
 }
 
-/// The row with the largest number of a column among `rows`; empty where none has one.
+/// Row out of `rows` with the largest number in a column; empty where no row has a number there.
 std::optional<std::size_t> largest(const MapTable& map, const Rows& rows, std::string_view column) {
   std::optional<std::size_t> best;
   for (const std::size_t row : rows) {
@@ -209,7 +209,7 @@ std::vector<std::string> findings(const MapTable& map, const sweep::Grid& grid) 
   std::vector<std::string> said{size_of(map, grid)};
   const auto rubs = [&](std::size_t row) {
     const std::string_view motion = map.word("class", row);
-    // Painted cells have no measures: their class decides.
+    // Painted cells have no measures, so that their class decides.
     if (map.word("status", row) == not_computed) {
       const auto motion_class = response::motion::motion_class_of(motion);
       return motion_class && *motion_class != MotionClass::unsettled && row_of(*motion_class).rubs;

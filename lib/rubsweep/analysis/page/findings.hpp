@@ -10,24 +10,24 @@
 
 namespace rubsweep::page {
 
-/// Word in the column `status` of a cell that a refined map did not compute.
+/// Status of a cell that a refined map did not compute.
 inline constexpr std::string_view not_computed = "not computed";
 
 /// A refined map with a row for each cell of its grid.
 struct PaintedTable {
   MapTable map;
-  std::vector<std::size_t> computed;  ///< the cells that the map held, ascending
-  std::vector<int> labels;            ///< labels of these cells, sweep::unknown_label of all others
+  std::vector<std::size_t> computed;  ///< cells that the map itself has, ascending
+  std::vector<int> labels;            ///< labels of the computed cells; sweep::unknown_label for all others
 };
 
-/// Gives every cell of `grid` a row: those of `map` as they are; any other has its place, the class and order
-/// of its block (see sweep/refinement.hpp), orbit, whirl and comb of the computed cell of that label nearest
-/// before it, the status not_computed, and nothing else. `map` was read with the grid. Throws IoError where a
-/// cell that the refinement asks for has no row.
+/// Adds a row for every cell of `grid` that `map`, which was read with it, does not have. Such a row has its
+/// place, class and order of its block (see sweep/refinement.hpp), and the status not_computed. Orbit, whirl
+/// and comb are those of the nearest computed cell before it with the same label. Throws IoError where a cell
+/// that the refinement needs has no row.
 PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid);
 
-/// Findings of a map, one sentence each, for people: size, share and extent of lasting rub, its most frequent
-/// motion, the largest force and displacement, chaos, what is proven, and which cells say little.
+/// Findings of a map for people, one sentence each: extent and share of lasting rub, its most frequent
+/// motion, the largest force and displacement, chaos, what is proven, and which cells are uncertain.
 std::vector<std::string> findings(const MapTable& map, const sweep::Grid& grid);
 
 }  // namespace rubsweep::page

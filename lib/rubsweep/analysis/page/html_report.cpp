@@ -18,7 +18,7 @@
 namespace rubsweep::page {
 namespace {
 
-/// Speed and unbalance, or the two axes with several values where keys are swept.
+/// Axes of the drawn plane: speed and unbalance, or the two axes with several values where keys are swept.
 std::array<sweep::SweptAxis, 2> plane_of(const sweep::Grid& grid) {
   const sweep::SweptAxis speed{"speed_hz", grid.speed_hz},
       unbalance{std::string(to_string(grid.measure)), grid.unbalance};
@@ -29,7 +29,7 @@ std::array<sweep::SweptAxis, 2> plane_of(const sweep::Grid& grid) {
   return {swept.at(0), swept.at(1)};
 }
 
-/// How the axis with this column is written.
+/// Units and spacing in which the axis of this column was written.
 sweep::WrittenAxis written_axis(const sweep::Grid& grid, const std::string& column) {
   if (column == "speed_hz") return grid.written_speed;
   if (column == to_string(grid.measure)) return grid.written_unbalance;
@@ -39,7 +39,7 @@ sweep::WrittenAxis written_axis(const sweep::Grid& grid, const std::string& colu
   return axis;
 }
 
-/// `count` of the `cells`, or all, evenly over them.
+/// At most `most` of the `cells`, spread evenly.
 std::vector<std::size_t> some_of(const std::vector<std::size_t>& cells, std::size_t most) {
   if (cells.size() <= most) return cells;
   std::vector<std::size_t> some;
@@ -47,10 +47,10 @@ std::vector<std::size_t> some_of(const std::vector<std::size_t>& cells, std::siz
   return some;
 }
 
-/// The sentences on a refined map.
+/// Adds sentences on a refined map.
 void add_refinement(const sweep::Grid& grid, const std::vector<int>& labels, std::vector<std::string>& said) {
   std::istringstream lines(report::describe_refinement(grid, labels));
-  std::size_t at = 1;  // behind the size of the map
+  std::size_t at = 1;  // position behind the sentence on the size of the map
   for (std::string line; std::getline(lines, line); ++at) {
     line.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(line.front())));
     said.insert(said.begin() + static_cast<std::ptrdiff_t>(at), line + ".");
@@ -98,7 +98,7 @@ std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
       .kept = kept_of(grid, options.most_orbits),
       .refined = grid.refinement.has_value()};
   if (contents.refined) add_refinement(grid, painted.labels, contents.findings);
-  // They lie over speed and unbalance.
+  // Boundaries are lines over speed and unbalance.
   if (grid.axes.empty())
     contents.boundaries = read_boundaries(directory / "boundaries.csv", to_string(grid.measure), map.digest);
   std::vector<std::size_t> cells =

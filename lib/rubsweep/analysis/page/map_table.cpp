@@ -24,7 +24,7 @@ bool is_number(const batch::CsvReader& file, std::size_t column) {
   }
 }
 
-/// Whether the column of this name holds nothing but numbers in every map.
+/// Whether a column of this name has only numbers in every map.
 bool has_numbers(const std::string& name) {
   using report::Comparison;
   const auto columns = report::map_columns();
@@ -40,8 +40,8 @@ void require_class(const batch::CsvReader& file, std::size_t column) {
       fmt::format("{}:{}: '{}' is no class of a motion", file.path().string(), file.place().line, word));
 }
 
-/// For each column, whether its cells are numbers or empty, and some of them numbers. Throws IoError where a
-/// column that every map has contains something else.
+/// For each column, whether it is a column of numbers: its cells are numbers or empty, and not all are empty.
+/// Throws IoError where a column that has numbers in every map contains anything else.
 std::vector<bool> columns_of_numbers(const std::filesystem::path& path) {
   batch::CsvReader file(path);
   const auto& names = file.header();
@@ -66,7 +66,7 @@ std::vector<Value> in_order(const std::vector<Value>& rows,
   return ordered;
 }
 
-/// The first column that is called `name`, or that begins with it.
+/// First column that is called `name`, or begins with it if `or_begins` is true.
 std::optional<std::size_t> column_called(const batch::CsvReader& file, std::string_view name,
                                          bool or_begins = false) {
   const auto found = std::find_if(file.header().begin(), file.header().end(), [&](const std::string& header) {
@@ -124,7 +124,7 @@ MapTable read_map_table(const std::filesystem::path& path) {
 MapTable read_map_table(const std::filesystem::path& path, const sweep::Grid& grid) {
   batch::CsvReader file(path);
   report::CellsOfRows cells_of_rows(file, grid);
-  std::vector<std::pair<std::size_t, std::size_t>> cells;  // with the row of each
+  std::vector<std::pair<std::size_t, std::size_t>> cells;  // each cell with its row
   while (file.next()) cells.emplace_back(cells_of_rows.take(file), cells.size());
   if (!grid.refinement) cells_of_rows.require_all();
   MapTable map = read_map_table(path);

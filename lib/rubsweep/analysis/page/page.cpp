@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
-#include <boost/json/src.hpp>  // the library's code: here and nowhere else
+#include <boost/json/src.hpp>  // compiles the library's code, in this file only
 #include <boost/json/value.hpp>
 #include <cstdint>
 #include <map>
@@ -17,11 +17,11 @@
 namespace rubsweep::page {
 namespace {
 
-/// `value` as JSON that may stand inside an HTML script element: no character of it opens a tag.
+/// `value` as JSON that is safe inside an HTML script element: no character of it opens a tag.
 std::string json_text(const boost::json::value& value) {
   std::string text;
   for (const char c : boost::json::serialize(value)) {
-    // Outside strings JSON has no '<'.
+    // JSON has '<' only inside strings.
     if (c == '<') {
       text += "\\u003c";
     } else {
@@ -64,7 +64,8 @@ std::string policy_hash(const Asset& asset) {
   return fmt::format("'sha256-{}'", base64(bytes));
 }
 
-/// Pictures are drawn by way of data: and blob: addresses, which stay inside the page.
+/// Content security policy. It allows the data: and blob: addresses that pictures use, which stay inside the
+/// page.
 std::string policy() {
   return fmt::format(
       "default-src 'none'; script-src {} {}; style-src {}; img-src data: blob:; base-uri 'none'; "
@@ -111,7 +112,7 @@ json::array boundaries(const PageContents& contents) {
   return array;
 }
 
-/// How an axis is shown; empty where it is in the units of the map and linear.
+/// Unit and scale of an axis for display; empty for a linear axis in the units of the map.
 json::object shown_axis(const sweep::WrittenAxis& written, double least) {
   json::object shown;
   if (!written.is_si()) {
@@ -120,7 +121,7 @@ json::object shown_axis(const sweep::WrittenAxis& written, double least) {
     if (written.key.starts_with("unbalance")) shown["name"] = "unbalance";
     if (written.key.starts_with("balance_grade")) shown["name"] = "balance grade";
   }
-  // A logarithmic axis has no place for 0.
+  // A logarithmic axis cannot show 0.
   if (written.spacing && written.spacing->logarithmic && least > 0) shown["logarithmic"] = true;
   return shown;
 }
@@ -134,13 +135,13 @@ json::array shown_axes(const PageContents& contents) {
   return axes;
 }
 
-/// "N. N.: the note", each of them if there is one.
+/// Line such as "N. N.: the note", with author and note if they are given.
 std::string byline(const batch::Captions& captions) {
   const bool both = !captions.author.empty() && !captions.note.empty();
   return captions.author + (both ? ": " : "") + captions.note;
 }
 
-/// As response::motion::motion_kinds has them.
+/// Kinds of motions as in response::motion::motion_kinds.
 json::array motion_kinds() {
   json::array kinds;
   const auto css = [](std::uint32_t colour) { return fmt::format("#{:06X}", colour); };
@@ -154,7 +155,7 @@ json::array motion_kinds() {
   return kinds;
 }
 
-/// Index that the script needs to read the data after it.
+/// Index for the script, which describes the data that follow in the page.
 json::object index(const PageContents& contents, const std::vector<EncodedColumn>& columns) {
   const ThinnedGrid& kept = contents.kept;
   json::object orbits{{"recorded", contents.orbits.recorded},
@@ -204,7 +205,7 @@ std::string list(const std::vector<std::string>& sentences) {
   return text;
 }
 
-/// The document with each {{name}} replaced by its value. Values are not searched for names again.
+/// Document with each {{name}} replaced by its value. Names inside values are not replaced.
 std::string filled(std::string_view form, const std::map<std::string_view, std::string>& values) {
   std::string text;
   while (true) {

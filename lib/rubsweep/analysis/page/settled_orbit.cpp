@@ -16,7 +16,7 @@ namespace {
 
 using response::motion::MotionClass;
 
-/// How many of the last turns go where.
+/// Numbers of last turns that are used for the section, the spectrum and the drawing.
 struct Lengths {
   int section = 1, spectrum = 1, drawn = 1;
   int all() const { return std::max({section, spectrum, drawn}); }
@@ -26,7 +26,7 @@ bool is(const KnownMotion& known, MotionClass motion_class) {
   return known.motion_class == to_string(motion_class);
 }
 
-/// A multiple of the map's own sampling, so that the spectrum is that of the map.
+/// Steps per turn: a multiple of the map's own sampling, so that both give the same spectrum.
 int steps_of_turn(const response::motion::ResponseOptions& options) {
   const int n = options.samples_per_revolution;
   return n * ((fewest_steps_per_turn + n - 1) / n);
@@ -45,7 +45,8 @@ class Recorder {
 
   int steps_per_turn() const { return orbit_.steps_per_turn; }
 
-  /// A turn with steps_per_turn() samples, `left` of all turns to come, this one included.
+  /// Adds a turn of steps_per_turn() samples. `left`: number of turns that are still to come, including this
+  /// one.
   void add(std::span<const double> samples, int left) {
     const std::size_t stride = static_cast<std::size_t>(orbit_.steps_per_turn / samples_per_turn_);
     for (std::size_t k = 0; k * reader_.size() < samples.size(); ++k) {
@@ -58,7 +59,7 @@ class Recorder {
     }
   }
 
-  /// `begin`: turns passed before the first that was added.
+  /// `begin`: number of turns before the first turn that was added.
   SettledOrbit finish(std::span<const double> end, long begin,
                       response::spectrum::SpectrumWorkspace& workspace) {
     orbit_.first_revolution = begin + lengths_.all() - lengths_.drawn;
@@ -84,7 +85,7 @@ class Recorder {
   std::vector<std::complex<double>> displacement_m_;
 };
 
-/// Quiet whirl of a rotor that touches nothing, which remains when the kick has died away.
+/// Quiet whirl of a rotor that touches nothing, which remains after the kick has died away.
 SettledOrbit quiet_orbit(const scene::Cell& cell, const sweep::Study& study, long revolutions,
                          response::motion::Workspace& workspace) {
   Recorder recorder(cell.scene, study, {});
@@ -105,7 +106,7 @@ SettledOrbit quiet_orbit(const scene::Cell& cell, const sweep::Study& study, lon
   return recorder.finish({end.data(), static_cast<std::size_t>(end.size())}, revolutions, workspace.spectrum);
 }
 
-/// When the motion is recorded.
+/// Turns after which the motion is recorded.
 response::motion::Settling settling(const KnownMotion& known,
                                     const response::motion::ResponseOptions& options,
                                     const Lengths& lengths) {

@@ -10,29 +10,28 @@
 
 namespace rubsweep::ramp {
 
-/// A support that follows the speed, in the units of the scene.
+/// Support whose coefficients follow the speed, in the units of the scene.
 struct RampSupport {
   structure::TabledSupport support;
   Eigen::Matrix<double, Eigen::Dynamic, 2> inverse;  ///< M^-1 map^T
 };
 
-/// Terms that a speed ramp adds to the right-hand side of a scene at its reference speed, scaled: lengths by
-/// L, time by the reference speed.
+/// Terms that a speed ramp adds to the right-hand side of a scene at its reference speed. Lengths are scaled
+/// by L, time by the reference speed. W is the shaft speed / reference speed, phi the shaft angle.
 struct RampForces {
   double start_speed = 0;       ///< shaft speed / reference speed at the start
-  double acceleration = 0;      ///< change of the rate per radian of the reference rotation
+  double acceleration = 0;      ///< change of W per radian of rotation at reference speed
   Eigen::VectorXcd unbalance;   ///< M^-1 e U / L: forces Re(unbalance (W^2 - i W') e^{i phi})
   Eigen::VectorXcd bow;         ///< M^-1 b / (L reference speed^2): forces Re(bow e^{i phi}); empty: none
-  Eigen::VectorXcd second;      ///< the same, forces Re(second e^{2 i phi}); empty: none
+  Eigen::VectorXcd second;      ///< like bow, forces Re(second e^{2 i phi}); empty: none
   Eigen::MatrixXd circulatory;  ///< M^-1 C / reference speed: forces -W circulatory u; empty: none
   Eigen::MatrixXd gyroscopic;   ///< M^-1 G: forces -W gyroscopic u'; empty: none
   std::vector<RampSupport> supports;
   double reference_rad_per_s = 0;
 };
 
-/// Right-hand side of a rotor whose shaft speed changes, for AdaptiveRun: behind u and u' a state holds the
-/// shaft's angle phi and its speed W in units of the reference speed. The surfaces that rub have the speed
-/// that belongs to W.
+/// Right-hand side, for AdaptiveRun, of a rotor whose shaft speed changes. A state holds u, u', the shaft
+/// angle phi and its speed W in units of the reference speed. The speed of the rubbing surfaces follows W.
 template <int N>
 class RampDynamics : private integrate::law::OwnSystem<N>, public integrate::law::Dynamics<N, false> {
   using Base = integrate::law::Dynamics<N, false>;
@@ -100,7 +99,7 @@ class RampDynamics : private integrate::law::OwnSystem<N>, public integrate::law
     return slip_m_per_s(i, state) / OwnSystem::own.contacts[i].slip_scale_m_per_s;
   }
 
-  /// The ramp begins with the shaft at angle 0.
+  /// State at the start of the ramp, with the shaft at angle 0.
   std::vector<double> whole_state(std::vector<double> section) const {
     section.push_back(0);
     section.push_back(forces_.start_speed);
@@ -108,7 +107,7 @@ class RampDynamics : private integrate::law::OwnSystem<N>, public integrate::law
   }
 
  private:
-  /// Shaft angle and speed of a state.
+  /// Angle and speed of the shaft in a state.
   template <class State>
   std::pair<double, double> turning(const State& state) const {
     const auto n = static_cast<std::size_t>(2 * OwnSystem::own.coordinates());

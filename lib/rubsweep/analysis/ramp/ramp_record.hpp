@@ -11,9 +11,9 @@
 
 namespace rubsweep::ramp {
 
-/// The extremes of a rotor over a short part of a ramp.
+/// Extremes of the displacement of a rotor over a short part of a ramp.
 struct EnvelopePoint {
-  double t_s = 0, speed_hz = 0;  ///< time and speed in its middle
+  double t_s = 0, speed_hz = 0;  ///< time and speed in the middle of this part
   double lowest_x_m = std::numeric_limits<double>::infinity(), highest_x_m = -lowest_x_m;
   double lowest_y_m = lowest_x_m, highest_y_m = -lowest_x_m;
   double peak_displacement_m = 0, peak_contact_force_n = 0;
@@ -21,31 +21,31 @@ struct EnvelopePoint {
   double touching_s = 0, duration_s = 0;
 };
 
-/// A few turns of a ramp.
+/// Orbit of a few turns of a ramp.
 struct RampOrbit {
-  double speed_hz = 0;  ///< speed at its begin
+  double speed_hz = 0;  ///< speed at the begin of the orbit
   std::vector<RampSample> samples;
 };
 
-/// Full spectrum over orders: of samples at equal shaft angles, so that an order stays one line however fast
-/// the speed changes, under a Hann window, so that a resonance stays at its orders.
+/// Full spectrum over orders. Samples at equal shaft angles keep an order one line even while the speed
+/// changes, and a Hann window keeps a resonance near its orders.
 struct OrderSpectrum {
-  double t_s = 0, speed_hz = 0;  ///< time and speed in the middle of its turns
+  double t_s = 0, speed_hz = 0;  ///< time and speed in the middle of the turns
   response::spectrum::FullSpectrum spectrum;
 };
 
-/// Speeds between which the rotor never was without contact for as many as `most_free_turns` turns.
+/// Range of speeds in which the rotor was never without contact for `most_free_turns` turns or longer.
 struct RubbingSpan {
-  double from_hz = 0, to_hz = 0;  ///< ends in the order of the ramp
+  double from_hz = 0, to_hz = 0;  ///< ends of the range in the order of the ramp
 };
 inline constexpr int most_free_turns = 24;
 
 inline constexpr std::size_t most_envelope_points = 500, most_spectra = 240;
 inline constexpr int orbits_of_a_ramp = 8, turns_of_an_orbit = 4;
-/// Turns of a spectrum, a multiple of the usual periods, and samples of each: orders up to 8 are read.
+/// Turns of a spectrum, a multiple of the usual periods, and samples per turn, which suffice up to order 8.
 inline constexpr int spectrum_turns = 60, spectrum_samples = 64;
 
-/// Record of a ramp for figures, filled stretch by stretch.
+/// Record of a ramp for figures, filled one stretch at a time.
 class RampRecord {
  public:
   explicit RampRecord(const SpeedRamp& ramp);
@@ -67,7 +67,7 @@ class RampRecord {
 
   SpeedRamp ramp_;
   std::size_t points_;       ///< number of points of the envelope
-  long window_ = 0, every_;  ///< number of the spectrum that is being filled, and which ones are taken
+  long window_ = 0, every_;  ///< number of the present spectrum; every how many are kept
   long next_angle_sample_ = 0;
   std::optional<RampSample> last_;
   std::optional<double> last_contact_s_;
@@ -75,7 +75,7 @@ class RampRecord {
   std::vector<RampOrbit> orbits_;
   std::vector<OrderSpectrum> spectra_;
   std::vector<RubbingSpan> spans_;
-  std::vector<std::complex<double>> turns_;  ///< samples of the spectrum that is being filled, in metres
+  std::vector<std::complex<double>> turns_;  ///< samples of the present spectrum, in metres
   response::spectrum::SpectrumWorkspace workspace_;
 };
 

@@ -29,7 +29,7 @@ void set_start(const scene::PreparedMachine& machine, const SpeedRamp& ramp, sce
   scene.displacement_m = cell.scene.displacement_m;
   scene.velocity_m_per_s = cell.scene.velocity_m_per_s;
   if (cell.start != scene::Start::quiet || machine.machine.start) return;
-  // The quiet motion of a map begins at the smallest gap; this one with the mark of the shaft along +x.
+  // The quiet motion of a map begins at the smallest gap, a ramp with the mark of the shaft along +x.
   const double w = cell.scene.speed_rad_per_s;
   Eigen::VectorXcd force = ramp.eccentricity_m * w * w * machine.assembly.system.unbalance_kg;
   if (machine.assembly.bow_n.size() > 0) force += machine.assembly.bow_n;
@@ -39,7 +39,8 @@ void set_start(const scene::PreparedMachine& machine, const SpeedRamp& ramp, sce
   scene.velocity_m_per_s = w * quiet.velocity(0);
 }
 
-/// The machine at the fastest speed of the ramp, but for everything that turns with the shaft.
+/// Scene of the machine at the fastest speed of the ramp, without the forces and terms that rotate with the
+/// shaft.
 scene::Scene reference_scene(const scene::PreparedMachine& machine, const SpeedRamp& ramp) {
   if (!machine.assembly.impulses.empty())
     throw ConfigError(
@@ -80,7 +81,7 @@ RampForces forces_of(const scene::PreparedMachine& machine, const SpeedRamp& ram
   return forces;
 }
 
-/// Converts a run's report of a stretch to SI.
+/// Converts reports of a run, one for each stretch, to SI.
 class StretchReader {
  public:
   StretchReader(const scene::Scene& scene, int samples)
@@ -89,7 +90,7 @@ class StretchReader {
         period_s_(scene.period_s()),
         samples_(samples) {}
 
-  /// The stretch of this number.
+  /// Converts the report of stretch `number`, which ends at `end_s`.
   const RampStretch& read(const integrate::run::TurnReport& report, long number, double end_s) {
     const auto n = static_cast<std::size_t>(observed_.cols()), size = 2 * n + 2;
     stretch_.begin_s = static_cast<double>(number) * period_s_;
@@ -127,7 +128,7 @@ Outcome run_ramp(const scene::Scene& scene, const RampForces& forces, double tur
   StretchReader reader(scene, samples);
   integrate::run::TurnReport report;
   for (long number = 0; static_cast<double>(number) < turns; ++number) {
-    constexpr double nothing = 1e-9;  // share of a turn: rounding of the ramp's end
+    constexpr double nothing = 1e-9;  // share of a turn that counts as rounding at the ramp's end
     const double rest = std::min(1.0, turns - static_cast<double>(number));
     if (rest < nothing) break;
     const Outcome outcome = run.advance(request, report, 2 * pi * rest);
@@ -145,7 +146,7 @@ Outcome run_ramp(const scene::PreparedMachine& machine, const SpeedRamp& ramp,
   const scene::Scene scene = reference_scene(machine, ramp);
   const RampForces forces = forces_of(machine, ramp, integrate::run::state_scale(scene));
   const double turns = ramp.duration_s() / scene.period_s();
-  // The usual scene, a rotor and one casing, gets a fixed size.
+  // A fixed size for the most common scene, a rotor and one casing.
   return scene.structure.coordinates() == 4
              ? run_ramp<4>(scene, forces, turns, solver, samples, on_stretch)
              : run_ramp<Eigen::Dynamic>(scene, forces, turns, solver, samples, on_stretch);

@@ -15,9 +15,9 @@ constexpr std::uint64_t noise_seed = 1;
 
 using Complex = std::complex<double>;
 
-constexpr double least_angle = 0.17;  ///< |sin| of 10 degrees
+constexpr double least_angle = 0.17;  ///< smallest |sin| of the angle between two probes: sin 10 degrees
 constexpr double highest_order = 8;
-constexpr double below_folding = 0.49;  ///< share of the sampling rate
+constexpr double below_folding = 0.49;  ///< highest frequency of a line, as a share of the sampling rate
 constexpr double unexplained = 1e-3;
 constexpr double noise_share = 1.5;
 constexpr double degree = std::numbers::pi / 180;
@@ -29,8 +29,8 @@ Complex geometric(double step_rad, std::size_t count) {
   return sum;
 }
 
-/// Energy per reading that lines at multiples of 1/n, 0X included, leave of `z`. The readings are
-/// equidistant, so that the normal equations have one number for each difference of two lines.
+/// Energy per reading that remains of `z` after a fit of lines at multiples of 1/n, with 0X. Since readings
+/// are equidistant, the normal equations depend only on the difference of two lines.
 double left_by_lines(std::span<const Complex> z, double turns_per_reading, int n) {
   const double highest = std::min(highest_order, below_folding / turns_per_reading);
   const int k_most = static_cast<int>(std::floor(highest * n));
@@ -95,7 +95,7 @@ void ProbeReader::add(const integrate::run::TurnReport& turn) {
   ++turn_;
 }
 
-/// Reading by the cubic through values and rates of the neighbouring samples, the last one the section.
+/// Reading by the cubic through values and rates of the neighbouring samples. The last sample is the section.
 double ProbeReader::reading(const integrate::run::TurnReport& turn, double turns, Eigen::Index probe) const {
   const auto n = static_cast<Eigen::Index>(states_ / 2);
   const double place = turns * turn.sample_count;

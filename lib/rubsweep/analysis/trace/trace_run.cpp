@@ -32,7 +32,7 @@ class Recorder {
     add_section(integrate::run::scaled_initial_state(scene));
   }
 
-  /// The part of a turn before its failure, or a whole turn's samples and events.
+  /// Adds samples and events of a turn; of a failed turn those before its failure.
   void add_samples(const integrate::run::TurnReport& turn) {
     std::vector<TracedState> states;
     auto passed = turn.switches.begin();
@@ -62,7 +62,7 @@ class Recorder {
     }
   }
 
-  /// Takes the values that exist only at the end of a whole turn, after its samples.
+  /// Adds the values that exist only at the end of a whole turn. Call it after add_samples.
   void end_turn(const integrate::run::TurnReport& turn) {
     ++trace_.revolutions;
     if (probes_) probes_->add(turn);
@@ -74,12 +74,12 @@ class Recorder {
     if (z.size() > kept) z.erase(z.begin(), z.end() - static_cast<std::ptrdiff_t>(kept));
   }
 
-  /// Samples that are asked of every turn.
+  /// Number of samples needed in every turn.
   int samples_wanted() const { return refinement_ * options_.samples_per_revolution; }
 
   void finish() {
     if (probes_) trace_.readings_m = probes_->readings_m();
-    // Samples of a turn that failed make no whole revolution.
+    // Samples of a turn that failed are left out, as they make no whole revolution.
     const long whole = std::min<long>(trace_.revolutions, options_.window_revolutions);
     trace_.displacement_m.resize(std::min(trace_.displacement_m.size(), samples_of(whole)));
     for (; !trajectory_.empty(); trajectory_.pop_front())
@@ -91,13 +91,13 @@ class Recorder {
     return static_cast<std::size_t>(turns) * static_cast<std::size_t>(options_.samples_per_revolution);
   }
 
-  /// Sample k of the turn that is being added.
+  /// Time in s of sample k of the turn that is being added.
   double sample_time_s(int k) const {
     const long sample = trace_.revolutions * options_.samples_per_revolution + k;
     return static_cast<double>(sample) / (options_.samples_per_revolution * options_.speed_hz);
   }
 
-  /// Time of sample k in turns of the shaft, whose whole part is exact.
+  /// Time of sample k in turns of the shaft. Its integer part is exact.
   double turns_at(int k) const {
     return static_cast<double>(trace_.revolutions) + static_cast<double>(k) / options_.samples_per_revolution;
   }
@@ -109,16 +109,16 @@ class Recorder {
   StateReader reader_;
   const TraceOptions& options_;
   Trace& trace_;
-  int refinement_ = 1;  ///< only every so-many-th sample is traced; the probes look at all
+  int refinement_ = 1;  ///< one sample out of this many is traced; the probes use all
   std::optional<ProbeReader> probes_;
-  std::deque<std::vector<TracedState>> trajectory_;  ///< one turn each
+  std::deque<std::vector<TracedState>> trajectory_;  ///< samples of each turn
 };
 
 }  // namespace
 
 double trace_bytes(const TraceOptions& options, std::size_t stops, Eigen::Index coordinates) {
-  // Size of a number in a table, with all digits and its comma. A list or a text that grows may take twice
-  // its contents.
+  // Largest size of a number in a table, with all digits and its comma. A growing list or text may allocate
+  // twice its contents.
   constexpr double number_bytes = 21, copies = 2;
   const double of_coordinates = 2 * static_cast<double>(coordinates);
   const double state_bytes = sizeof(TracedState) + sizeof(StopState) * static_cast<double>(stops) +

@@ -23,8 +23,8 @@ namespace {
 using Law = integrate::law::Dynamics<Eigen::Dynamic, false>;
 using State = std::vector<double>;
 
-/// A contact that sticks keeps a slip of rounding, which grows with the steps since it came to stick: more
-/// than a run takes for zero when it looks for the instant at which a slip ends.
+/// Largest relative slip of a contact that sticks. Rounding lets this slip grow with the steps since sticking
+/// began, beyond the tolerance by which a run locates the end of a slip.
 constexpr double sticking_slip = 1e-9;
 
 bool stands(const Law& law, std::size_t i, const State& state) {
@@ -33,18 +33,18 @@ bool stands(const Law& law, std::size_t i, const State& state) {
   return std::abs(law.slip(i, state)) <= sticking_slip * std::max(1.0, std::abs(surface));
 }
 
-/// Initialises the mode of every contact from the state, ignoring history, and the directions of their slips.
+/// Sets mode and direction of slip of every contact from the state alone, without history.
 void enter(Law& law, const State& state) {
   for (std::size_t i = 0; i < law.modes().size(); ++i) {
     const auto& c = law.system().contacts[i];
-    law.modes()[i] = contact::Mode::sprung;  // an open annular stop measures by squares
+    law.modes()[i] = contact::Mode::sprung;  // open, an annular stop's gap would be a difference of squares
     const contact::Kinematics k = law.kinematics(i, state, state);
     law.modes()[i] = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
     law.slips()[i] = law.slip(i, state) >= 0 ? contact::Slip::forward : contact::Slip::backward;
   }
 }
 
-/// Sum of all forces on the structure that neither its own matrices nor its contacts give.
+/// Sum of the external forces on the structure: those of its own matrices and of contacts are not included.
 Eigen::VectorXd forcing_n(const scene::Scene& scene, double turns) {
   const std::complex<double> turn = std::polar(1.0, 2 * std::numbers::pi * (turns - std::floor(turns)));
   Eigen::VectorXd force = scene.constant_n + (scene.harmonic_n * turn).real();
@@ -200,7 +200,7 @@ StateReader::StopMotion StateReader::stop_motion(std::size_t index, const TraceS
   return {normal.dot(distance_m) - contact.clearance_m, normal.dot(rate), tangent.dot(rate)};
 }
 
-/// A smoothed law takes dry friction over from one way to the other within one smoothing width a radian.
+/// Friction force. A smoothed law lets dry friction follow tanh(slip / (smoothing width x shaft speed)).
 double StateReader::friction_n(const scene::Contact& contact, double slip_m_per_s, double spring_n,
                                double dry_n) const {
   const contact::FrictionTerms terms = contact::friction_terms(contact.friction);

@@ -12,19 +12,19 @@
 
 namespace rubsweep::trace {
 
-/// Friction of the contacts whose friction is dry, at one instant of a run. A contact that slips has mu S;
-/// the holding friction of one that sticks is no function of its own motion: it is the force that keeps the
-/// slip zero against all that acts on the structure at that instant, within mu S.
+/// Friction forces of contacts with dry friction, at one instant of a run. A contact that slips has mu S. The
+/// friction of a contact that sticks does not follow from its own motion. It is the force within mu S that
+/// keeps the slip zero against all forces on the structure at this instant.
 class DryForces {
  public:
   explicit DryForces(const scene::Scene& scene);
 
-  /// Whether some contact has dry friction. Without one nobody has to ask.
+  /// Whether some contact has dry friction. If not, forces_n need not be called.
   bool any() const { return any_; }
 
-  /// Newtons along the tangent on the casing, one number per contact, 0 where it is open or its friction is
-  /// of another kind. `scaled`: a state as integrate::run::TurnReport holds it; `turns`: of the shaft since t
-  /// = 0.
+  /// Friction in N along the tangent on the casing, one number per contact; 0 where the contact is open or
+  /// its friction is not dry. `scaled`: a state as in integrate::run::TurnReport. `turns`: turns of the shaft
+  /// since t = 0.
   std::vector<double> forces_n(const scene::Scene& scene, std::span<const double> scaled, double turns) const;
 
  private:
@@ -32,86 +32,87 @@ class DryForces {
   bool any_ = false;
 };
 
-/// Energy of a vibration at one instant, and the power of all that changes it: between two instants without
-/// an impulse, kinetic + elastic + contact grows by the integral of the four powers. It is the energy of the
-/// coordinates, which does not count the rotation of the shaft: friction gives the vibration what the drive
-/// puts in beyond what the slip turns into heat.
+/// Energy of a vibration at one instant, and the power of everything that changes it. Between two instants
+/// without an impulse the sum kinetic + elastic + contact grows by the integral of the four powers. The
+/// rotation of the shaft is not included. The friction power is therefore the power of the drive minus the
+/// heat at the sliding surfaces.
 struct Energy {
   double kinetic_j = 0;          ///< v M v / 2
-  double elastic_j = 0;          ///< q K q / 2 of rotor, supports and casings; weight is a force
-  double contact_j = 0;          ///< in the springs of the contacts
-  double forcing_w = 0;          ///< of unbalance, bow, weight and kick
-  double damping_w = 0;          ///< of the structure, and of stiffness that is not symmetric
-  double contact_damping_w = 0;  ///< of the contacts' dampers, <= 0
-  double friction_w = 0;         ///< of friction on the coordinates: - friction times sliding speed
+  double elastic_j = 0;          ///< q K q / 2 of rotor, supports and casings; weight counts as a force
+  double contact_j = 0;          ///< energy in the springs of the contacts
+  double forcing_w = 0;          ///< power of unbalance, bow, weight and kick
+  double damping_w = 0;          ///< power of the structure's damping, and of asymmetric stiffness
+  double contact_damping_w = 0;  ///< power of the contacts' dampers, <= 0
+  double friction_w = 0;         ///< power of friction on the coordinates: - friction times sliding speed
 };
 
-/// Energy of a structure without its contacts at displacements `q_m` and velocities, when the shaft has made
-/// `turns` turns since t = 0. A scene with torsion has forces that go by the angle of the rotor: NaN.
+/// Energy of a structure without its contacts, with displacements `q_m` and velocities `rate_m_per_s`, after
+/// `turns` turns of the shaft since t = 0. NaN for a scene with torsion, whose forces depend on the angle of
+/// the rotor.
 Energy structure_energy(const scene::Scene& scene, const Eigen::VectorXd& q_m,
                         const Eigen::VectorXd& rate_m_per_s, double turns);
 
 /// Energy in the spring of a contact: the integral over the penetration of the spring force of
-/// contact::elastogap or, `smoothing_m` > 0, contact::smoothed_elastogap.
+/// contact::elastogap, or of contact::smoothed_elastogap if `smoothing_m` > 0.
 double spring_energy_j(double stiffness_n_per_m, double penetration_m, double smoothing_m);
 
 /// State of one stop at one instant. Forces are those on the casing.
 struct StopState {
   Eigen::Vector2d casing_m{0, 0};  ///< displacement of the casing; 0 where it is rigid
   Eigen::Vector2d casing_m_per_s{0, 0};
-  double gap_m = 0;             ///< distance still open between rotor and wall; < 0: penetration
+  double gap_m = 0;             ///< distance between rotor and wall; < 0: penetration
   double normal_force_n = 0;    ///< along the normal from the rotor to the wall, >= 0
-  double friction_force_n = 0;  ///< along the tangent (-n_y, n_x); also what holds a contact that sticks
+  double friction_force_n = 0;  ///< along the tangent (-n_y, n_x); includes the holding force while sticking
 };
 
 /// Traced quantities of one state of a run.
 struct TraceState {
-  Eigen::Vector2d displacement_m{0, 0};  ///< of the observed point, the rotor
+  Eigen::Vector2d displacement_m{0, 0};  ///< displacement of the observed point, the rotor
   Eigen::Vector2d velocity_m_per_s{0, 0};
   std::vector<StopState> stops;
-  Eigen::VectorXd coordinates_m, rates_m_per_s;  ///< of the whole structure: q and q'
+  Eigen::VectorXd coordinates_m, rates_m_per_s;  ///< q and q' of the whole structure
   Energy energy;
   double twist_rad = 0;  ///< angle by which the rotor is ahead of its drive; 0 without torsion
-  double torque_nm = 0;  ///< of the rotor on its drive
+  double torque_nm = 0;  ///< torque of the rotor on its drive
 };
 
-/// Reads states of a run of `scene`, scaled as integrate::run::TurnReport holds them (q then q', 2n numbers),
-/// back to SI. Contact forces are those of the law that a run with these options integrates. The scene must
-/// outlive the reader.
+/// Converts states of a run of `scene`, scaled as in integrate::run::TurnReport (q then q', 2n numbers), to
+/// SI. Contact forces are those of the law that a run with these options integrates. The scene must outlive
+/// the reader.
 class StateReader {
  public:
   StateReader(const scene::Scene& scene, const integrate::run::SolverOptions& options);
 
-  /// Numbers per state, 2n.
+  /// Count of numbers in a state, 2n.
   std::size_t size() const { return 2 * static_cast<std::size_t>(scene_.structure.coordinates()); }
   std::size_t stops() const { return scene_.contacts.size(); }
 
-  /// `turns`: of the shaft since t = 0, for the forces that turn with it and the kick. Throws SolverError
-  /// when `scaled` has another size.
+  /// Reads a state with forces and energies. `turns`: turns of the shaft since t = 0, which determine
+  /// rotating forces and the kick. Throws SolverError where `scaled` has another size.
   TraceState read(std::span<const double> scaled, double turns) const;
-  /// Positions and velocities, without forces and energies, which take longer.
+  /// Reads only positions and velocities, which is faster than forces and energies.
   TraceState read_motion(std::span<const double> scaled) const;
-  /// Takes a change of contact mode into account that comes before the next state to be read: a curved law
-  /// may be damped by how fast its contact began.
+  /// Takes note of a change of contact mode before the next state is read. The damping of a curved law may
+  /// depend on the speed at which contact began.
   void pass(const integrate::run::ModeSwitch& change);
 
  private:
-  /// Motion of one stop as it is seen from its wall.
+  /// Motion of the rotor at one stop, seen from the wall.
   struct StopMotion {
     double penetration_m = 0, closing_speed_m_per_s = 0, sliding_speed_m_per_s = 0;
   };
 
   StopMotion stop_motion(std::size_t index, const TraceState& state) const;
-  /// Adds the forces of a stop and their powers. `dry_n`: its friction where that is dry.
+  /// Adds the forces of a stop and their powers. `dry_n`: friction force, used where friction is dry.
   void add_forces(std::size_t index, double dry_n, TraceState& state) const;
   contact::NormalForce normal_force(std::size_t index, const StopMotion& motion) const;
   double friction_n(const scene::Contact& contact, double slip_m_per_s, double spring_n, double dry_n) const;
 
   const scene::Scene& scene_;
-  double smoothing_m_;  ///< width of the blended law; 0: the law with its corners
+  double smoothing_m_;  ///< width of the smoothed law; 0: law with corners
   DryForces dry_forces_;
-  std::vector<double> impact_damping_;                              ///< per stop, scaled
-  std::vector<Eigen::Matrix<double, 2, Eigen::Dynamic>> relative_;  ///< per stop: rotor minus casing
+  std::vector<double> impact_damping_;                              ///< damping of each stop, scaled
+  std::vector<Eigen::Matrix<double, 2, Eigen::Dynamic>> relative_;  ///< map of each stop: rotor minus casing
 };
 
 }  // namespace rubsweep::trace

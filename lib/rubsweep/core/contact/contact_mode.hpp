@@ -8,8 +8,8 @@
 
 namespace rubsweep::contact {
 
-/// The four pieces on each of which the clamped ElastoGap law is smooth. p is the penetration, v the closing
-/// speed dp/dt, K the stiffness, d the damping.
+/// The four pieces of the clamped ElastoGap law; the law is smooth on each. p is the penetration, v the
+/// closing speed dp/dt, K the stiffness, d the damping.
 enum class Mode : unsigned char {
   open,      ///< p <= 0: no force
   clamped,   ///< p > 0, d v >= K p: normal force 2 K p
@@ -27,7 +27,7 @@ struct Kinematics {
   double closing_acceleration = 0;
 };
 
-/// Mode of a state, without knowledge of the past. At p = 0 exactly the contact is open.
+/// Mode of a state, without knowledge of earlier states. At exactly p = 0 the contact is open.
 constexpr Mode mode_of(double stiffness, double damping, double penetration, double closing_speed) {
   if (penetration <= 0) return Mode::open;
   const double spring = stiffness * penetration;
@@ -42,8 +42,8 @@ struct LinearLaw {
   double spring = 0, damper = 0, friction = 0;
 };
 
-/// Laws of the modes, stated here alone: every solver reads it, so that a change of the law is made once. (A
-/// local table would be made anew by every call.)
+/// Laws of the modes, stated only here: every solver reads this table, so that a change of the law is made
+/// once. (A local table would be made anew by every call.)
 inline constexpr std::array<LinearLaw, mode_count> linear_laws{{{0, 0, 0}, {2, 0, 1}, {1, 1, 1}, {0, 0, 1}}};
 constexpr LinearLaw law_of(Mode mode) { return linear_laws[static_cast<std::size_t>(mode)]; }
 
@@ -62,8 +62,8 @@ constexpr ForceSlopes slopes_in_mode(Mode mode, double stiffness, double damping
   return {law.friction * stiffness, law.spring * stiffness, law.damper * damping};
 }
 
-/// One way out of a mode: the guard is spring K p + damper d v or, where it does not depend on the damper,
-/// spring p. It is negative inside the mode, which ends towards `next` when the guard rises through zero.
+/// One way out of a mode. The guard is spring K p + damper d v, or spring p if it does not depend on the
+/// damper. It is negative inside the mode; when it rises through zero, the mode `next` follows.
 struct GuardForm {
   double spring = 0, damper = 0;
   Mode next = Mode::open;
@@ -76,8 +76,8 @@ struct GuardForms {
 
 /// The guards armed in `mode`, at most two:
 /// open: p; clamped: K p - d v; sprung: d v - K p and -(K p + d v); released: -p and K p + d v.
-/// Without damping sprung is the only touching mode and ends as p falls through zero. As `law_of`, stated
-/// here alone.
+/// Without damping, sprung is the only touching mode, and it ends as p falls through zero. These formulas are
+/// stated only here.
 constexpr GuardForms guard_forms(Mode mode, bool damped) {
   switch (mode) {
     case Mode::open:
@@ -105,7 +105,7 @@ struct Guards {
   int count = 0;
 };
 
-/// The guards armed in `mode` at a state.
+/// Values and rates, at a state, of the guards armed in `mode`.
 constexpr Guards guards_of(Mode mode, double stiffness, double damping, const Kinematics& k) {
   const GuardForms forms = guard_forms(mode, damping > 0);
   Guards guards{{}, forms.count};
@@ -122,19 +122,19 @@ constexpr Guards guards_of(Mode mode, double stiffness, double damping, const Ki
   return guards;
 }
 
-/// Mode that a guard from `mode` towards `next` really leads to. A sprung contact becomes clamped (at d v = K
-/// p) while its penetration rises, and released (at d v = -K p) while it falls. With little damping both
-/// happen within rounding of p = 0, and which of the two a solver meets first there is chance: the sign of v
-/// decides.
+/// Mode to which a guard from `mode` towards `next` really leads. A sprung contact becomes clamped (at d v =
+/// K p) while its penetration rises, and released (at d v = -K p) while it falls. With little damping both
+/// guards are within rounding of p = 0, and it is chance which one a solver meets first. The sign of v
+/// therefore decides.
 constexpr Mode mode_through(Mode mode, Mode next, const Kinematics& kinematics) {
   if (mode != Mode::sprung || next == Mode::open) return next;
   return kinematics.closing_speed > 0 ? Mode::clamped : Mode::released;
 }
 
 /// Mode just after an instant at which `mode` may have ended: follows every guard that is at or past zero and
-/// still rising, until none is. A guard past zero but falling is a return from a graze, not an event.
-/// Bounded: a state with all guards at zero and rising cannot exist, and four hops visit every mode.
-/// `guards_in(mode)` are the guards armed in a mode.
+/// still rising, until there is none. A guard past zero but falling is a return from a graze, not an event.
+/// Four steps are enough: they visit every mode, and a state with all guards at zero and rising cannot exist.
+/// `guards_in(mode)` returns the guards armed in a mode.
 template <class GuardsIn>
 constexpr Mode mode_after(Mode mode, const Kinematics& kinematics, const GuardsIn& guards_in) {
   for (int hop = 0; hop < mode_count; ++hop) {

@@ -14,8 +14,8 @@
 namespace rubsweep::contact {
 namespace {
 
-/// Excess that vanishes for the factor of a restitution; above 0 for a smaller factor. Of a small one, which
-/// cancels, its series over the square of the factor.
+/// Function whose root is the damping factor of a restitution; positive below the root. At small factors,
+/// where its terms cancel, its power series divided by the square of the factor.
 double excess(double restitution, double factor) {
   if (factor < 1e-2) {
     double sum = 0, x = 1, e = restitution * restitution, sign = 1;
@@ -34,14 +34,14 @@ double root(const Function& function, double low, double high) {
 }
 
 double delivering_factor(double e) {
-  // Both logarithms to third order, which is below the root.
+  // Root with both logarithms expanded to third order; half of it is surely below the true root.
   const double about = 1.5 * (1 - e) / (1 - e + e * e), highest = std::nextafter(1 / e, 0.0);
   const auto at = [e](double factor) { return excess(e, factor); };
-  // The factor of a small restitution is 1 / e to all digits.
+  // The factor of a small restitution is 1 / e to the last digit.
   return at(highest) >= 0 || about / 2 >= highest ? highest : root(at, about / 2, highest);
 }
 
-/// Integral of a cubic over an interval, which Simpson's rule has exactly.
+/// Integral of a cubic over an interval by Simpson's rule, which is exact here.
 double integral_of_cubic(const numerics::Pchip& curve, double from, double to) {
   return (to - from) / 6 * (curve(from) + 4 * curve((from + to) / 2) + curve(to));
 }
@@ -138,7 +138,7 @@ double CurvedLaw::energy_j(double penetration_m) const {
     return energy_j_[k] + integral_of_cubic(table_, at[k], p) + more;
   }
   const double force = force_n(p);
-  // F p less the integral of p over F.
+  // Energy = F p minus the integral of p over F.
   return force == 0 ? 0 : force * (p - a_ * force * (b_ / 2 - std::log(force) / 4 + 0.125)) + more;
 }
 

@@ -11,19 +11,19 @@ namespace {
 
 using Eigen::Index;
 
-/// Smallest independent mobility, as a share of a surface's own. Tangents at an angle of a ten-millionth are
-/// independent; a smaller remainder is rounding.
+/// Smallest mobility that counts as independent, as a share of the surface's own. Tangents at an angle of
+/// 1e-7 rad are independent; a smaller remainder is rounding.
 constexpr double independent = 1e-14;
-// Shares of the terms that an acceleration is the sum of.
-constexpr double still = 1e-13;   ///< none that would set a friction free
-constexpr double poised = 1e-12;  ///< none of a surface whose friction is at its limit
-constexpr double lawful = 1e-11;  ///< allowed by the check
+// Tolerances of an acceleration, as shares of the sum of its terms.
+constexpr double still = 1e-13;   ///< a smaller acceleration sets no friction free
+constexpr double poised = 1e-12;  ///< the same for a surface whose friction is at its limit
+constexpr double lawful = 1e-11;  ///< largest error that the check allows
 
 /// Minimum over the box by a primal active set method (Stark & Parker, Bounded-variable least-squares,
-/// Computational Statistics 10 (1995) 129-141). A surface's friction is free, or at one side of its box. One
-/// after the other is set free that its acceleration pulls inwards; the free ones go to their common minimum
-/// or to the first side on the way. Every such step lowers the same function, so that no set of free ones
-/// comes back.
+/// Computational Statistics 10 (1995) 129-141). The friction of a surface is free, or fixed at one side of
+/// its box. Each step frees a friction that its acceleration pulls inwards. Then all free ones move to their
+/// common minimum, or to the first side on the way. Every step lowers the same function, so that no set of
+/// free frictions recurs.
 class FrictionBox {
  public:
   FrictionBox(const StickMobility& mobility, const StickVector& acceleration, const StickVector& limit)
@@ -34,8 +34,8 @@ class FrictionBox {
     }
   }
 
-  /// Active-set iteration with a bound on its steps: far more than there are active sets, and few enough to
-  /// end where rounding makes it cycle. The check then tells.
+  /// Active-set iteration. The bound on its steps is far above the usual number, and ends it where rounding
+  /// makes it cycle; `obeys` then rejects the result.
   void minimise() {
     const Index most = 32 * limit_.size();
     for (Index step = 0; step < most; ++step) {
@@ -48,9 +48,9 @@ class FrictionBox {
   }
 
   const StickVector& force() const { return force_; }
-  /// -1 and 1 at the sides of the box, 0 between them.
+  /// -1 or 1 where the friction is at a side of the box, 0 between them.
   int side(Index i) const { return side_[at(i)]; }
-  /// Acceleration of a slip with the friction of all, and the size of its terms.
+  /// Acceleration of slip i under the friction of all surfaces; `size` adds up the magnitudes of its terms.
   double left(Index i) const { return acceleration_(i) - mobility_.row(i).dot(force_); }
   double size(Index i) const {
     return std::abs(acceleration_(i)) + mobility_.row(i).cwiseAbs().dot(force_.cwiseAbs());
@@ -59,7 +59,7 @@ class FrictionBox {
  private:
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-  /// The surface whose friction is at a side and is pulled inwards most; -1 where there is none.
+  /// Index of the surface whose friction is at a side of the box and is pulled inwards most; -1 if none.
   Index pulled_inwards() const {
     Index found = -1;
     double most = still;
@@ -71,8 +71,8 @@ class FrictionBox {
     return found;
   }
 
-  /// Moves the free ones until all are at their common minimum. Ends, since but for a last step that mends
-  /// rounding each one that does not get there takes a free one away.
+  /// Moves the free frictions to their common minimum. Each pass that does not arrive there fixes at least
+  /// one of them, so the loop ends; one last pass only corrects rounding.
   void settle_free() {
     for (int arrived = 0; count_ > 0 && arrived < 2;) {
       StickVector way(count_);
@@ -81,7 +81,7 @@ class FrictionBox {
       for (Index k = 0; k < count_; ++k) {
         if (room(way, k) < reach) reach = room(way, k), stopped = true;
       }
-      if (!(reach < std::numeric_limits<double>::infinity())) return;  // not finite: the check tells
+      if (!(reach < std::numeric_limits<double>::infinity())) return;  // not finite: `obeys` rejects this
       stop_at_sides(way, reach, stopped);
       if (!stopped) ++arrived;
     }
@@ -110,8 +110,8 @@ class FrictionBox {
     count_ = kept;
   }
 
-  /// The way to the minimum of the free ones, by Cholesky. False where some are not independent: then the way
-  /// is one that moves no surface, downhill.
+  /// Search direction to the common minimum of the free frictions, by a Cholesky factorisation. False where
+  /// their mobility is singular: the direction is then a null vector of it, downhill.
   bool put_way(StickVector& way) const {
     StickMobility root(count_, count_);
     for (Index k = 0; k < count_; ++k) {
@@ -132,7 +132,7 @@ class FrictionBox {
     return true;
   }
 
-  /// Null vector of the mobility: one unit of number k, and of those before it, without any acceleration.
+  /// Null vector of the mobility: friction k and those before it combined so that no surface accelerates.
   void put_idle_way(const StickMobility& root, Index k, StickVector& way) const {
     way.setZero();
     way.head(k) = -root.row(k).head(k).transpose();
@@ -158,17 +158,17 @@ class FrictionBox {
   StickVector force_;
   std::array<int, most_sticking> side_{};
   std::array<Index, most_sticking> free_{};
-  Index count_ = 0;  ///< of the free ones
+  Index count_ = 0;  ///< number of free frictions
 };
 
-/// The friction of surface i obeys the law.
+/// Whether the friction of surface i obeys the law of dry friction.
 bool obeys(const FrictionBox& box, double limit, Index i) {
   const double left = box.left(i), allowed = lawful * box.size(i);
   if (!(std::abs(box.force()(i)) <= limit)) return false;
   return box.side(i) == 0 ? std::abs(left) <= allowed : limit == 0 || box.side(i) * left >= -allowed;
 }
 
-/// One surface alone.
+/// Friction of a single surface in closed form.
 SettledSlips settle_one(double mobility, double acceleration, double limit) {
   const double wanted = acceleration / mobility;
   SettledSlips one;

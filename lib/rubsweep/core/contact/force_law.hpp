@@ -6,26 +6,26 @@ namespace rubsweep::contact {
 
 /// Normal force of one contact on the casing, along the outward normal.
 struct NormalForce {
-  double spring_n = 0;  ///< F_s, what friction is proportional to
+  double spring_n = 0;  ///< F_s, the part to which friction is proportional
   double total_n = 0;   ///< F_s + F_d, never negative: a contact does not pull
 };
 
-/// Partial derivatives of the normal force by penetration p and closing speed v.
+/// Partial derivatives of the normal force with respect to penetration p and closing speed v.
 struct ForceSlopes {
   double spring_by_p = 0, total_by_p = 0, total_by_v = 0;
 };
 
 /// The clamped ElastoGap law (Modelica.Mechanics.Translational.Components.ElastoGap; Ishibashi & Kawai eq.
-/// 1-2 with the clamp that the text names and the print leaves out): F_s = K p, F_d = clamp(d v, -F_s, F_s)
-/// for penetration p > 0, nothing otherwise. Continuous in p and v. stiffness [N per unit of p], damping [N
-/// per unit of v], both >= 0; v is the closing speed dp/dt.
+/// 1-2, with the clamp that their text names and their equations leave out). F_s = K p, F_d = clamp(d v,
+/// -F_s, F_s) for penetration p > 0, zero otherwise. Continuous in p and v. stiffness [N per unit of p],
+/// damping [N per unit of v], both >= 0; v is the closing speed dp/dt.
 inline NormalForce elastogap(double stiffness, double damping, double penetration, double closing_speed) {
   if (penetration <= 0) return {};
   const double spring = stiffness * penetration;
   return {spring, spring + std::clamp(damping * closing_speed, -spring, spring)};
 }
 
-/// C1 replacement of max(y, 0): a parabola for |y| < width/2, exact outside.
+/// Continuously differentiable max(y, 0): a parabola for |y| < width/2, exact outside.
 inline double smooth_ramp(double y, double width) {
   const double half = width / 2;
   if (y <= -half) return 0;
@@ -33,12 +33,12 @@ inline double smooth_ramp(double y, double width) {
   return (y + half) * (y + half) / (2 * width);
 }
 
-/// d smooth_ramp / dy.
+/// Derivative of smooth_ramp by y.
 inline double smooth_ramp_slope(double y, double width) { return std::clamp(y / width + 0.5, 0.0, 1.0); }
 
-/// The same law, continuously differentiable: every corner becomes a parabola over the penetration width
-/// `width` (over stiffness * width for the corners of the clamp). Differs from `elastogap` by O(width^2) in
-/// impulse, still never pulls, and is zero below a penetration of -width/2.
+/// The ElastoGap law made continuously differentiable: each corner becomes a parabola over the penetration
+/// width `width` (over stiffness * width for the corners of the clamp). Its impulse differs from that of
+/// `elastogap` by O(width^2). It never pulls, and is zero below a penetration of -width/2.
 inline NormalForce smoothed_elastogap(double stiffness, double damping, double penetration,
                                       double closing_speed, double width) {
   const double force_width = stiffness * width;
@@ -46,11 +46,11 @@ inline NormalForce smoothed_elastogap(double stiffness, double damping, double p
   const double damper = damping * closing_speed;
   const double clamped =
       damper - smooth_ramp(damper - spring, force_width) + smooth_ramp(-damper - spring, force_width);
-  // `clamped` is within +-spring already, but for rounding, and not even rounding may pull.
+  // `clamped` may leave +-spring by rounding only; the clamp below keeps even this from pulling.
   return {spring, spring + std::clamp(clamped, -spring, spring)};
 }
 
-/// Derivatives of `smoothed_elastogap`.
+/// Partial derivatives of `smoothed_elastogap`.
 inline ForceSlopes smoothed_elastogap_slopes(double stiffness, double damping, double penetration,
                                              double closing_speed, double width) {
   const double force_width = stiffness * width;

@@ -17,10 +17,10 @@ namespace {
 
 constexpr double points_per_decade = 32;
 constexpr double linear_below = 1e-4, saturated_above = 40;  // arguments of tanh
-constexpr double rounding = 1e-13;                           // of the sum of all heights
+constexpr double rounding = 1e-13;                           // share of the sum of all heights
 constexpr int minimum_bits = 40;
 
-/// Slip speeds between which the terms of tanh do all that they do.
+/// Range of slip speeds outside which every tanh term is linear or saturated.
 struct Span {
   double low = 0, high = 0;
 };
@@ -41,8 +41,8 @@ double heights(const FrictionTerms& terms) {
   return sum;
 }
 
-/// Smallest value of `function` over the span and where it is: the least of a fine grid over the decades,
-/// then the bottom between its neighbours.
+/// Smallest value of `function` over the span, and where: the best point of a grid with a fixed number of
+/// points per decade, refined by Brent's method between its neighbours.
 template <class Function>
 std::pair<double, double> smallest(const Function& function, const Span& span) {
   const int steps = 1 + static_cast<int>(points_per_decade * std::log10(span.high / span.low));
@@ -68,7 +68,7 @@ FrictionBounds friction_bounds(const model::Friction& friction) {
   if (terms.count > 0) {
     span = span_of(terms);
     const auto whole = [&](double slip) { return friction_coefficient(friction, slip); };
-    // Term by term: at high slip the viscous part is so large that a difference would be its rounding.
+    // Without the viscous part, term by term: subtracting that large part would leave only rounding errors.
     const auto fallen = [&](double slip) {
       double sum = terms.constant + terms.dry;
       for (std::size_t i = 0; i < terms.count; ++i)

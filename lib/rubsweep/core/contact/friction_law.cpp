@@ -18,7 +18,7 @@ using model::StribeckFriction;
 
 constexpr double everywhere = -std::numeric_limits<double>::infinity();
 
-/// tanh(x), skipping the library call where the result is 1 to the last bit.
+/// Value of tanh(x); skips the library call where the result is 1 to the last bit.
 double saturating_tanh(double x) {
   constexpr double saturated_above = 20;  // 1 - tanh(20) = 8.5e-18 < epsilon/2
   return std::abs(x) > saturated_above ? std::copysign(1.0, x) : std::tanh(x);
@@ -55,9 +55,9 @@ std::optional<SaturatedFriction> saturated(const StribeckFriction& stribeck) {
   return SaturatedFriction{g[3], saturated_argument / steepness};
 }
 
-/// Sliding friction in its own direction where this power of e is left of the fall.
+/// Sliding friction in its own direction, from the slip speed where the fall has decayed to exp(-28).
 std::optional<SaturatedFriction> saturated(const FallingFriction& law) {
-  constexpr double saturated_argument = 28;  // as that of tanh
+  constexpr double saturated_argument = 28;  // exp(-28) = 7e-13, as small as 1 - tanh(14)
   const double steep = law.exponent == 1 ? saturated_argument : std::sqrt(saturated_argument);
   return SaturatedFriction{law.coefficient, steep * law.stribeck_speed_m_per_s};
 }

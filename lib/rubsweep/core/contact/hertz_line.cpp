@@ -19,7 +19,7 @@ double both_compliances(const model::HertzLine& contact) {
          compliance(contact.casing.youngs_modulus_pa, contact.casing.poisson_ratio);
 }
 
-/// Approach / (2 F (k0 + k1) / (pi L)).
+/// Approach divided by 2 F (k0 + k1) / (pi L).
 double shape_factor(const model::HertzLine& contact, double force_n) {
   const double slenderness = contact.length_m / (2 * hertz_half_width_m(contact, force_n));
   return 2 * std::numbers::ln2 + 0.5 + std::log(slenderness);

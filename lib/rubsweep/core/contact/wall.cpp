@@ -9,8 +9,7 @@
 namespace rubsweep::contact {
 namespace {
 
-/// Largest distance from its mean of a point that moves as Re(amplitude e^{i phase}): the long half-axis of
-/// the ellipse.
+/// Long half-axis of the ellipse on which a point moves as Re(amplitude e^{i phase}) about its mean.
 double long_half_axis(const Eigen::Vector2cd& amplitude) {
   const std::complex<double> i(0, 1);
   return (std::abs(amplitude.x() + i * amplitude.y()) + std::abs(amplitude.x() - i * amplitude.y())) / 2;
@@ -123,8 +122,8 @@ double share_of_way_to(const Wall& wall, double clearance, const Eigen::Vector2d
                                  return along > 0 ? clearance / along : never;
                                },
                                [&](const AnnularWall& annular) {
-                                 // |s way + offset| = clearance: a s^2 + 2 b s = c with c > 0, in the form
-                                 // that does not cancel.
+                                 // |s way + offset| = clearance: a s^2 + 2 b s = c with c > 0, solved in the
+                                 // form without cancellation.
                                  const double a = way.squaredNorm(), b = way.dot(annular.offset);
                                  const double c = clearance * clearance - annular.offset.squaredNorm();
                                  const double root = std::sqrt(b * b + a * c);

@@ -17,22 +17,22 @@ struct RelativeMotion {
   double v1 = 0, v2 = 0;
 };
 
-/// Frame at the contact seen from the wall, with the normal n = (cosine, sine) in the fixed directions and
-/// the tangent t = (-sine, cosine).
+/// Contact frame relative to the wall, with the normal n = (cosine, sine) in the fixed directions and the
+/// tangent t = (-sine, cosine).
 struct ContactFrame {
   double cosine = 1, sine = 0;
   /// 1 / |d|: how fast the normal turns with a tangential displacement; 0 for a flat wall.
   double curvature = 0;
   double penetration = 0;
   double closing_speed = 0;
-  double sliding_speed = 0;  ///< d' . t
+  double sliding_speed = 0;  ///< d' . t, along the tangent
 };
 
 inline ContactFrame flat_frame(const RelativeMotion& m, double clearance) {
   return {1, 0, 0, m.d1 - clearance, m.v1, m.v2};
 }
 
-/// In the very centre, where an annular stop has no normal, the first direction is taken for it: nothing
+/// In the very centre, where an annular stop has no normal, the first fixed direction is used; nothing
 /// touches there.
 inline ContactFrame annular_frame(const RelativeMotion& m, double clearance) {
   const double distance = std::sqrt(m.d1 * m.d1 + m.d2 * m.d2);
@@ -46,27 +46,26 @@ inline ContactFrame annular_frame(const RelativeMotion& m, double clearance) {
           cosine * m.v2 - sine * m.v1};
 }
 
-/// A wall whose normal, a unit vector from the rest position towards it, does not turn.
+/// A flat wall, whose normal does not turn: a unit vector from the rest position towards the wall.
 struct FlatWall {
   Eigen::Vector2d normal{0, 1};
 };
 
 /// A round hole around the rotor. `offset` leads from its centre to the rotor's rest position, in the unit of
-/// displacements.
+/// the displacements.
 struct AnnularWall {
   Eigen::Vector2d offset{0, 0};
 };
 
-/// The shape of a stop, and all that follows from it alone. d = rotor point - casing point + offset; the
-/// penetration is d . n - clearance with the normal n = FlatWall::normal, or d / |d| in an annular stop; the
-/// tangent is t = (-n_y, n_x).
+/// The shape of a stop. d = rotor point - casing point + offset. The penetration is d . n - clearance, with
+/// the normal n = FlatWall::normal, or d / |d| in an annular stop. The tangent is t = (-n_y, n_x).
 using Wall = std::variant<FlatWall, AnnularWall>;
 
-/// Unit vector at an angle from +x towards +y; exact at the quarter turns, so that a wall at 90 degrees does
-/// not couple x into y by rounding.
+/// Unit vector at an angle from +x towards +y. Exact at multiples of 90 degrees, where rounding would couple
+/// x into y.
 Eigen::Vector2d direction(double angle_deg);
 
-/// Wall of a geometry, in metres as the configuration has it.
+/// Wall of a geometry in a configuration, in metres.
 Wall wall_of(const model::StopGeometry& geometry);
 
 /// The wall with its lengths divided by `unit`.
@@ -77,55 +76,55 @@ bool same(const Wall& a, const Wall& b);
 /// Whether the penetration is linear in the displacements, so that the exact solver has closed forms for it.
 constexpr bool linear(const Wall& wall) { return std::holds_alternative<FlatWall>(wall); }
 
-/// Whether the normal turns about the centre of a round hole, as the Taylor solver's series of |d| have it.
+/// Whether the normal turns about the centre of a round hole, for which the Taylor solver expands |d|.
 constexpr bool annular(const Wall& wall) {
   return std::visit(
       overloaded{[](const FlatWall&) { return false; }, [](const AnnularWall&) { return true; }}, wall);
 }
 
-/// Whether the wall looks the same from every direction of the rotor's rest position.
+/// Whether the wall is the same in all directions from the rotor's rest position.
 bool centred(const Wall& wall);
 
-/// Zero for a flat wall.
+/// Vector from the centre of an annular stop to the rotor's rest position; zero for a flat wall.
 Eigen::Vector2d offset(const Wall& wall);
 
-/// First of the two fixed directions that vectors at the contact are written in: the normal of a flat wall,
-/// else x. The second one is a quarter turn ahead of it.
+/// First of the two fixed directions in which vectors at the contact are given: the normal of a flat wall, or
+/// x. The second direction is a quarter turn ahead of it.
 Eigen::Vector2d first_direction(const Wall& wall);
 
-/// Direction from the rotor to the wall where the rotor is at `distance` = d. The centre of an annular stop
-/// has no such direction and touches nothing: +y there.
+/// Unit vector from the rotor towards the wall where the relative displacement is d = `distance`. At the
+/// centre of an annular stop, where it is undefined and nothing touches, +y.
 Eigen::Vector2d normal_at(const Wall& wall, const Eigen::Vector2d& distance);
 
-/// How a wall is drawn, seen from the rotor's rest position.
+/// Geometry of a wall for drawing it, seen from the rotor's rest position.
 struct Outline {
-  bool around = false;           ///< a circle around the rotor, else a line
+  bool around = false;           ///< true: a circle around the rotor; false: a line
   Eigen::Vector2d normal{0, 1};  ///< normal of a line: from the rest position towards it
   Eigen::Vector2d centre{0, 0};  ///< centre of a circle
 };
 Outline outline(const Wall& wall);
 
-/// Map from the displacements q to rotor point - casing point.
+/// Map from the displacements q to rotor point minus casing point.
 using RelativeMap = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 
-/// Rows on q whose lengths bound the motion of the rotor against the wall.
+/// Rows on q that give the components of the rotor's motion towards the wall, which bound its excursion.
 Eigen::MatrixXd rows_against(const Wall& wall, const RelativeMap& relative);
 
-/// Penetration under the motion q = mean + Re(amplitude e^{i phase}): that of the mean position, and the most
-/// that it rises above it. In an annular stop the excursion counts as if it pointed outwards there, which it
-/// does at some time when the whirl is a circle.
+/// Penetration under the motion q = mean + Re(amplitude e^{i phase}): at the mean position, and its largest
+/// rise above that. In an annular stop the excursion counts as if it pointed outwards at the mean position,
+/// which it does at some time if the whirl is a circle.
 struct Excursion {
-  double mean = 0;       ///< below 0: a gap
+  double mean = 0;       ///< < 0: a gap
   double amplitude = 0;  ///< >= 0
 };
 Excursion excursion(const Wall& wall, double clearance, const RelativeMap& relative,
                     const Eigen::VectorXd& mean, const Eigen::VectorXcd& amplitude);
 
-/// Smallest share s > 0 of the displacement `way` at which a rotor from its rest position, inside, meets the
+/// Smallest share s > 0 of the displacement `way` at which a rotor that leaves its rest position meets the
 /// wall; infinity where it never does.
 double share_of_way_to(const Wall& wall, double clearance, const Eigen::Vector2d& way);
 
-/// The motion as it is seen from the wall.
+/// Contact frame of a relative motion, by the shape of the wall.
 inline ContactFrame frame(const Wall& wall, const RelativeMotion& motion, double clearance) {
   return std::visit(overloaded{[&](const FlatWall&) { return flat_frame(motion, clearance); },
                                [&](const AnnularWall&) { return annular_frame(motion, clearance); }},
@@ -147,8 +146,8 @@ inline Kinematics kinematics(const Wall& wall, const RelativeMotion& m, double a
       wall);
 }
 
-/// The same for a contact that is open. In an annular stop (|d|^2 - C^2) / (2 C) replaces the penetration: it
-/// rises through zero with |d| - C, and stays smooth through the centre.
+/// Penetration and its two rates for an open contact. In an annular stop (|d|^2 - C^2) / (2 C) replaces the
+/// penetration: it crosses zero together with |d| - C and is smooth at the centre.
 inline Kinematics open_kinematics(const Wall& wall, const RelativeMotion& m, double a1, double a2,
                                   double clearance) {
   return std::visit(overloaded{[&](const FlatWall&) -> Kinematics {

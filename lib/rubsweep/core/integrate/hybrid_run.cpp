@@ -20,30 +20,29 @@
 namespace rubsweep::integrate {
 namespace {
 
-constexpr int longest_absence = 64;  ///< turns by other means before closed forms are tried again
-/// Latest phase at which closed forms take over again: nearer to the end of a turn they would have no time
-/// left for it.
+constexpr int longest_absence = 64;  ///< turns by other methods before closed forms are tried again
+/// Latest phase at which closed forms take over again; after it too little time is left in the turn.
 constexpr double last_join = 2 * std::numbers::pi - 1e-9;
-/// Distance from the end of its turn at which a sticking stretch ends: a piece ends the turn.
+/// Distance (rad) from the end of the turn where a sticking stretch ends; a piece completes the turn.
 constexpr double before_the_end = 1e-6;
-/// Largest number of pieces before the next search for such a stretch, where there was none.
+/// Largest number of pieces before the next search for a sticking stretch after one without success.
 constexpr int longest_wait = 64;
-/// Pieces in a row that stick after which a mode is made for that place of a ring, which costs as much.
+/// Successive sticking pieces after which a mode for that place of an annular stop is worth its cost.
 constexpr int pieces_worth_a_mode = 16;
 
-/// Work of a turn that several methods make together.
+/// Largest work of a turn made by several methods together.
 double most_work_of_a_turn(const run::SolverOptions& options) {
   return run::work_of_an_expansion * static_cast<double>(run::most_pieces_of_a_turn(options));
 }
 
-/// Whether turns are handed on in the middle: between flat stops, by Taylor's series.
+/// Whether the method may change during a turn: between flat stops, with Taylor series.
 bool may_be_in_pieces(const scene::Scene& scene, const run::SolverOptions& options) {
   return scene.impulses.empty() && options.stepper == run::Stepper::automatic &&
          options.contact == run::ContactHandling::located &&
          std::ranges::all_of(scene.contacts, [](const scene::Contact& c) { return contact::linear(c.wall); });
 }
 
-/// Whether dry friction may hold the rotor at a place of a ring, whose surface stands.
+/// Whether dry friction may hold the rotor at one place of an annular stop (no surface speed).
 bool may_stick_in_a_ring(const scene::Scene& scene) {
   return scene.impulses.empty() && std::ranges::any_of(scene.contacts, [](const scene::Contact& c) {
            return contact::annular(c.wall) && c.surface_speed_m_per_s == 0 &&
@@ -51,8 +50,8 @@ bool may_stick_in_a_ring(const scene::Scene& scene) {
          });
 }
 
-/// Exact turns; Taylor pieces where there is no closed form; a stepper's where one
-/// was asked for by name.
+/// Turns by the exact solver, by Taylor pieces where there is no closed form, or by a stepper if one was
+/// chosen by name.
 template <int N>
 class HybridRun {
  public:
@@ -87,7 +86,7 @@ class HybridRun {
  private:
   using TaylorRun = taylor::TaylorRun<N>;
 
-  /// State of the run: what makes the next turn.
+  /// State of the run: the method that makes the next turn.
   enum class Maker { closed_forms, series, stepper };
 
   long pieces_so_far() const { return taylor_ ? taylor_->effort().steps : 0; }
@@ -99,7 +98,7 @@ class HybridRun {
     return finish(report, run::Outcome::ok);
   }
 
-  /// Closed forms where there are any, and what takes their place.
+  /// Makes a turn by closed forms where they apply, otherwise by the method that replaces them.
   run::Outcome advance_explicitly(const run::TurnRequest& request, run::TurnReport& report) {
     if (maker_ == Maker::closed_forms) {
       const run::Outcome outcome = run_.advance(request, report);
@@ -112,8 +111,8 @@ class HybridRun {
                                     : advance_by_series(request, report);
   }
 
-  /// Makes a turn in which friction leaves saturation: Taylor pieces until it is saturated again, and closed
-  /// forms in between. The run stands where the first of these pieces begins.
+  /// Makes a turn in which friction leaves saturation: Taylor pieces until it is saturated again, then closed
+  /// forms. The run is at the start of the first of these pieces.
   run::Outcome go_on_in_pieces(const run::TurnRequest& request, run::TurnReport& report) {
     if (!taylor_) taylor_ = std::make_unique<TaylorRun>(scene_, options_);
     pieces_to_wait_ = wait_ = 0;
@@ -142,7 +141,7 @@ class HybridRun {
     }
   }
 
-  /// To where closed forms take over again, or to the end of the turn; `before`: the work before the turn.
+  /// Makes pieces until closed forms take over or the turn ends; `before`: work before the turn.
   run::Outcome make_piece(const run::TurnRequest& request, run::TurnReport& report, double before) {
     for (;;) {
       const run::Outcome ending = taylor_->go_on(report);
@@ -156,7 +155,7 @@ class HybridRun {
     }
   }
 
-  /// Whether a contact has stuck for so long that a mode for its place in a ring is worth making.
+  /// Whether a contact has stuck so long that a mode for its place in an annular stop is worth making.
   bool lasts() {
     if (!sticks_in_rings_) return true;
     if (std::exchange(switches_of_stuck_, taylor_->effort().switches) != taylor_->effort().switches)
@@ -164,8 +163,8 @@ class HybridRun {
     return ++stuck_pieces_ > pieces_worth_a_mode;
   }
 
-  /// Takes closed forms as long as friction holds the touching contacts. False, with nothing changed, where
-  /// there is no such stretch, or where so many short ones were met that pieces continue for a while.
+  /// Uses closed forms as long as friction holds the touching contacts. False, with nothing changed, where
+  /// there is no such stretch, or where many short ones were met, so that pieces continue for a while.
   bool stick(const run::TurnRequest& request, run::TurnReport& report) {
     const double phase = taylor_->phase_rad();
     if (static_cast<double>(run_.revolution()) * numerics::full_turn + phase < end_of_pulses_rad_)
@@ -194,7 +193,7 @@ class HybridRun {
            run::work_of_a_step * (sticking_ ? static_cast<double>(sticking_->steps()) : 0);
   }
 
-  /// From closed forms to what takes their place, for a while.
+  /// Leaves closed forms for the method that replaces them, for a number of turns.
   void leave() {
     absent_ = 0;
     absence_ = std::min(2 * absence_, longest_absence);
@@ -221,7 +220,7 @@ class HybridRun {
     return made_away(report);
   }
 
-  /// Taylor pieces, and closed forms where the rotor sticks.
+  /// Makes a turn by Taylor pieces, and by closed forms where the rotor sticks.
   run::Outcome advance_beside_rings(const run::TurnRequest& request, run::TurnReport& report) {
     taylor_->begin(request, report);
     pieces_to_wait_ = wait_ = 0;
@@ -268,19 +267,19 @@ class HybridRun {
   scene::Scene scene_;
   run::SolverOptions options_;
   exact::ExactRun<N> run_;
-  bool in_pieces_ = false;        ///< turns whose friction leaves saturation are
-  bool sticks_in_rings_ = false;  ///< may_stick_in_a_ring
-  long switches_of_stuck_ = 0;    ///< switches of pieces by the last look whether a contact sticks
-  int stuck_pieces_ = 0;          ///< since the last of them
+  bool in_pieces_ = false;        ///< true: turns whose friction leaves saturation are made in pieces
+  bool sticks_in_rings_ = false;  ///< result of may_stick_in_a_ring
+  long switches_of_stuck_ = 0;    ///< switches of pieces at the latest check for sticking
+  int stuck_pieces_ = 0;          ///< number of pieces since the last switch
   StiffTurns stiff_;
   std::unique_ptr<TaylorRun> taylor_;                 ///< made when first needed
   std::unique_ptr<exact::StickingStretch> sticking_;  ///< made when first needed
   exact::StickingStretch::StretchState held_;
-  double end_of_pulses_rad_ = 0;       ///< from the start of revolution 0
-  int pieces_to_wait_ = 0, wait_ = 0;  ///< before the next look for a stretch that sticks
-  run::Cursor adaptive_;               ///< empty while no stepper is at work
+  double end_of_pulses_rad_ = 0;       ///< counted from the start of revolution 0
+  int pieces_to_wait_ = 0, wait_ = 0;  ///< pieces until the next search for a sticking stretch
+  run::Cursor adaptive_;               ///< empty while no stepper is in use
   Maker maker_ = Maker::closed_forms;
-  std::vector<double> section_;  ///< state at which the run left them
+  std::vector<double> section_;  ///< state at which the run left closed forms
   int absence_ = 1, absent_ = 0;
   long taylor_turns_ = 0, adaptive_turns_ = 0, switches_ = 0;
   run::Effort past_, adaptive_effort_;

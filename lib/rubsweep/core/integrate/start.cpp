@@ -35,7 +35,7 @@ run::Run start_restarting(const scene::Scene& scene, const run::SolverOptions& o
 }  // namespace
 
 Solver solver_of(const scene::Scene& scene, const run::SolverOptions& options) {
-  // Only the steppers know of torsion.
+  // Only the steppers support torsion.
   if (scene.twist || options.method == run::Method::adaptive) return Solver::adaptive;
   if (options.method == run::Method::exact) return Solver::exact;
   return options.contact == run::ContactHandling::located && exact::modes::exact_applies(scene)

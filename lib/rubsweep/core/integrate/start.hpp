@@ -7,13 +7,13 @@
 
 namespace rubsweep::integrate {
 
-/// Which solver a run of `scene` gets.
+/// Solver of a run.
 enum class Solver { adaptive, exact };
 
-/// `automatic`: exact wherever it applies, but for a smoothed contact law, which only the adaptive one knows.
+/// `automatic`: the exact solver wherever it applies; a smoothed contact law needs the adaptive solver.
 Solver solver_of(const scene::Scene& scene, const run::SolverOptions& options);
 
-/// Starts a run with the solver that `options` ask for.
+/// Starts a run with the solver chosen by `options`.
 run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::modes::ModeCache& modes);
 
 }  // namespace rubsweep::integrate

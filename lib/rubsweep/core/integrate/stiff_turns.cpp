@@ -8,15 +8,15 @@
 namespace rubsweep::integrate {
 namespace {
 
-/// Fewest pieces of a turn that is called stiff: an order of magnitude above those of turns of usual length.
+/// Smallest number of pieces in a turn that counts as stiff: ten times that of usual turns.
 constexpr long least_pieces = 2000;
-/// Pieces in whose place a turn has one implicit step at most. A step is as dear as two or three pieces, and
-/// as long as a piece where it follows the fast vibration.
+/// Number of pieces that one implicit step must replace on average. A step costs as much as two or three
+/// pieces, and is as short as a piece where it follows the fast vibration.
 constexpr long pieces_of_a_step = 8;
-/// Tolerance of the stepper, where none tighter is asked for.
+/// Tolerance of the stepper, unless the options require a tighter one.
 constexpr double tolerance = 1e-9;
 constexpr int longest_wait = 64;
-/// Turns after which other solvers are asked again: closed forms may have come to apply.
+/// Turns after which other solvers are tried again, because closed forms may apply by then.
 constexpr int longest_stretch = 128;
 
 run::SolverOptions implicit_options(run::SolverOptions options) {

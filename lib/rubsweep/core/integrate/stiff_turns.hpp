@@ -8,26 +8,26 @@
 
 namespace rubsweep::integrate {
 
-/// Slow turns beside a stiff contact whose vibration has died out. Taylor pieces are no longer than a few
-/// radians of that vibration, there or not, and a turn may hold fifty thousand of them. Where no contact
-/// changes its mode an implicit stepper follows the slow motion alone, by a hundred steps.
+/// Slow turns with a stiff contact whose vibration has died out. Taylor pieces last no longer than a few
+/// radians of that vibration, even if it is zero, so that a turn may need fifty thousand of them. Where no
+/// contact changes its mode, an implicit stepper follows only the slow motion, in about a hundred steps.
 class StiffTurns {
  public:
-  /// `scene` must outlive this.
+  /// `scene` must outlive this object.
   StiffTurns(const scene::Scene& scene, const run::SolverOptions& options);
 
-  /// Takes note of a turn that pieces have made: so many, and `changes` of mode.
+  /// Notes a turn made of `pieces` Taylor pieces with `changes` of contact mode.
   void look(long pieces, long changes);
-  /// Whether the next turn is to be tried. Moves no tangent vectors.
+  /// Whether the next turn should be tried with the implicit stepper, which moves no tangent vectors.
   bool due() const { return due_; }
-  /// Makes turn number `revolution` from `section`. False where it takes so many steps that pieces are as
-  /// good: the report is of no use then, and tries become rarer.
+  /// Makes turn number `revolution` from `section`. False where it takes so many steps that Taylor pieces
+  /// cost no more: the report is then invalid, and attempts become rarer.
   bool advance(std::span<const double> section, long revolution, const run::TurnRequest& request,
                run::TurnReport& report);
-  /// Forgets all but the work.
+  /// Resets everything except the counted work.
   void restart();
 
-  /// Work of all of these turns.
+  /// Work of all turns made here.
   run::Effort effort() const { return past_ + present_; }
 
  private:
@@ -37,8 +37,8 @@ class StiffTurns {
   run::SolverOptions options_;
   run::Cursor stepper_;  ///< empty while other solvers make the turns
   bool due_ = false;
-  int wait_ = 0, waited_ = 0;  ///< turns that would be tried, before the next try
-  int stretch_ = 0;            ///< turns that were made without a break
+  int wait_ = 0, waited_ = 0;  ///< turns to wait and turns waited before the next attempt
+  int stretch_ = 0;            ///< successive turns made here
   run::Effort past_, present_;
 };
 

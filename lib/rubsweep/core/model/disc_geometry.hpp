@@ -8,7 +8,7 @@
 
 namespace rubsweep::model {
 
-/// Cylinder with a bore, of one material: what a disc may be given by.
+/// Cylinder with a bore, of one material: dimensions from which a disc can be defined.
 struct DiscGeometry {
   double outer_diameter_m = required;
   double inner_diameter_m = 0;

@@ -4,10 +4,8 @@
 
 namespace rubsweep::model {
 
-/// Largest polar moment of inertia that goes with the diametral one of a disc: no body has more than twice as
-/// much, which a thin disc comes to. A thousandth more is the rounding of data sheets.
-inline double largest_polar_inertia_kg_m2(const Disc& disc) {
-  return 2.002 * disc.diametral_inertia_kg_m2;
-}
+/// Largest possible polar moment of inertia of a disc, from its diametral one: twice as much, the limit of a
+/// thin disc. A thousandth more allows for rounding in data sheets.
+inline double largest_polar_inertia_kg_m2(const Disc& disc) { return 2.002 * disc.diametral_inertia_kg_m2; }
 
 }  // namespace rubsweep::model

@@ -16,8 +16,8 @@ struct NoFriction {
   static void visit_fields(auto&, auto&&) {}
 };
 
-/// Dry friction (Coulomb): mu(v) = coefficient for a slip speed v > 0 and -coefficient for v < 0. At v = 0 it
-/// is whatever between these two holds the surfaces together, where that does.
+/// Dry friction (Coulomb): mu(v) = coefficient for a slip speed v > 0 and -coefficient for v < 0. At v = 0 mu
+/// has whatever value between these two keeps the surfaces together, if one does.
 struct ConstantFriction {
   static constexpr std::string_view name = "dry";
 
@@ -33,8 +33,8 @@ struct ConstantFriction {
   }
 };
 
-/// mu(v) = coefficient whatever the slip speed v, even where v < 0: this friction never changes its
-/// direction. A run whose slip would reverse says so in its status.
+/// One-way friction: mu(v) = coefficient for every slip speed v, even for v < 0, so that its direction never
+/// changes. The status of a run reports where its slip would reverse.
 struct OneWayFriction {
   static constexpr std::string_view name = "one-way";
 
@@ -47,9 +47,9 @@ struct OneWayFriction {
   }
 };
 
-/// A friction curve by numbers that can be measured: the largest coefficient and the slip speed where it is
-/// reached, the slip speed where the fall behind this peak has ended and the coefficient there (kinetic), and
-/// the slope beyond (viscous).
+/// A friction curve given by measurable numbers: the largest coefficient and the slip speed of this peak, the
+/// slip speed where the fall behind the peak has ended, the coefficient there (kinetic), and the slope beyond
+/// (viscous).
 struct StribeckCurve {
   double static_coefficient = required;
   double kinetic = required;
@@ -77,7 +77,7 @@ struct StribeckFriction {
   static constexpr std::string_view name = "Stribeck";
 
   std::array<double, 6> gamma{};
-  /// Curve that gamma was fitted to (contact::stribeck_of); changes no force.
+  /// Curve to which gamma was fitted (contact::stribeck_of); it changes no force.
   std::optional<StribeckCurve> curve = std::nullopt;
 
   static void visit_fields(auto& self, auto&& visit) {
@@ -85,8 +85,8 @@ struct StribeckFriction {
   }
 };
 
-/// Dry friction that holds harder than it slides: at slip zero it takes up to static_coefficient of the
-/// spring force, and mu(v) = coefficient sign(v) as soon as the surfaces slip.
+/// Dry friction with a larger static coefficient. At slip zero it holds up to static_coefficient times the
+/// spring force; as soon as the surfaces slip, mu(v) = coefficient sign(v).
 struct StaticFriction {
   static constexpr std::string_view name = "static and sliding";
 
@@ -101,9 +101,10 @@ struct StaticFriction {
   }
 };
 
-/// The same with a sliding friction that falls from the static one (Stribeck's effect):
+/// Static friction whose sliding coefficient falls from the static one as the slip speed rises (Stribeck's
+/// effect):
 /// mu(v) = sign(v) (coefficient + (static_coefficient - coefficient) exp(-(|v| / stribeck_speed)^exponent)).
-/// At other exponents than these the curve has no power series at slip zero.
+/// Exponents are 1 or 2, because with others the curve has no power series at slip zero.
 struct FallingFriction {
   static constexpr std::string_view name = "falling from static";
   static constexpr IntegerRange exponents{.low = 1, .high = 2};
@@ -126,7 +127,7 @@ struct FallingFriction {
 using Friction = std::variant<NoFriction, ConstantFriction, OneWayFriction, StribeckFriction, StaticFriction,
                               FallingFriction>;
 
-/// Whether it may hold the surfaces together.
+/// Whether this friction can make the surfaces stick.
 inline bool may_stick(const Friction& friction) {
   return std::visit(
              [](const auto& law) {
@@ -136,7 +137,7 @@ inline bool may_stick(const Friction& friction) {
          !std::holds_alternative<OneWayFriction>(friction);
 }
 
-/// Static and sliding coefficient of a friction that has both; else zeros.
+/// Static and sliding coefficient of a friction that has both, otherwise zeros.
 inline std::array<double, 2> holding_and_sliding(const Friction& friction) {
   return std::visit(
       [](const auto& law) -> std::array<double, 2> {

@@ -6,7 +6,7 @@
 
 namespace rubsweep::model {
 
-/// One body of a line contact. `radius_m` of a flat casing is not needed and stays NaN.
+/// One body of a line contact. A flat casing needs no `radius_m`, which then stays NaN.
 struct HertzBody {
   double radius_m = required;
   double youngs_modulus_pa = required;
@@ -20,21 +20,21 @@ struct HertzBody {
   }
 };
 
-enum class HertzShape { cylinder, flat, hole };  ///< the casing's: convex, plane, or around the rotor
+enum class HertzShape { cylinder, flat, hole };  ///< shape of the casing: convex, plane, or around the rotor
 enum class HertzHalfWidth { textbook, paper };   ///< formula for the width of the contact
 inline constexpr auto hertz_shapes = words_of<HertzShape>();
 inline constexpr auto hertz_half_widths = words_of<HertzHalfWidth>();
 
-/// Parallel cylinders that touch along a line: where the stiffness of a contact comes from.
+/// Contact of two parallel cylinders along a line, from which the contact stiffness is computed.
 struct HertzLine {
   double length_m = required;
   HertzBody rotor;
   HertzBody casing;
   HertzShape casing_shape = HertzShape::cylinder;
-  double design_force_n = required;  ///< the stiffness is the secant at this force
+  double design_force_n = required;  ///< force at which the stiffness is the secant
   HertzHalfWidth half_width = HertzHalfWidth::textbook;
 
-  /// `keys` is the section that is read, the printer or the table of keys (config/keys/table.hpp).
+  /// `keys` is the section being read, the printer, or the table of keys (config/keys/table.hpp).
   static void visit_keys(auto& self, auto& keys) {
     keys.field("length_m", self.length_m, key(positive, "length of the contact along the shaft"));
     keys.map("rotor", "surface of the rotor", [&](auto& body) {

@@ -14,25 +14,24 @@ struct IntegerRange {
   bool even = false;  ///< true: odd numbers are not allowed
 };
 
-/// Integers, or a word in place of them.
+/// Range of integers, with a word as an alternative.
 struct IntegerOr : IntegerRange {
   std::string_view word;
 };
 
-/// A number, or a list of at most so many.
+/// A number, or a list of at most `most` numbers.
 struct NumberOrList : Range {
   std::size_t most;
 };
 
-/// Allowed values of a key of a configuration (one of these, a Range or Words), and what a person is told of
-/// it. The struct that holds the value lists its keys; reader, printer, schema and list of keys go by that
-/// list.
+/// Allowed values of a configuration key (one of these structs, a Range or Words) and its description for the
+/// user. The struct that holds the value lists its keys; reader, printer, schema and table of keys all use
+/// that list.
 template <class Allowed>
 struct Key : Allowed {
-  std::string_view meaning;  ///< a noun and what is needed besides, without unit and range
-  std::string_view
-      without;  ///< default in words of the file or, in parentheses, of people; empty: the member's
-  std::string_view since;  ///< version that knew it first
+  std::string_view meaning;  ///< a noun with any condition, without unit and range
+  std::string_view without;  ///< default as in the file, or in parentheses a description; empty: the member's
+  std::string_view since;    ///< first version that knew the key
 };
 
 template <class Allowed>
@@ -41,17 +40,17 @@ constexpr Key<Allowed> key(const Allowed& allowed, std::string_view meaning, std
   return {allowed, meaning, without, since};
 }
 
-/// Meant as `without` of an integer or a word that must be given all the same.
+/// Value of `without` for an integer or a word that has no default.
 inline constexpr std::string_view needed = "needed";
 
-/// A key that the version after 0.1.0 was the first to know.
+/// A key that was introduced with version 0.2.0.
 template <class Allowed>
 constexpr Key<Allowed> newer_key(const Allowed& allowed, std::string_view meaning,
                                  std::string_view without = "") {
   return {allowed, meaning, without, "0.2.0"};
 }
 
-/// Name of the first key of a struct that makes its own list.
+/// Name of the first key of a struct that lists its own keys.
 template <class Struct>
 constexpr std::string_view name_of() {
   std::string_view first;
@@ -62,7 +61,7 @@ constexpr std::string_view name_of() {
   return first;
 }
 
-/// Visitor that hands every key on to the `field` of a section, a printer or a table.
+/// Visitor that passes every key to the function `field` of a section, a printer or a table.
 auto fields_into(auto& keys) {
   return [&keys](std::string_view name, auto& field, const auto& key) { keys.field(name, field, key); };
 }

@@ -76,7 +76,7 @@ void validate(const Start& start, const Machine& machine) {
   if (machine.kick) throw ConfigError("start: is given beside a kick, allowed: one of the two");
 }
 
-/// Places along the shaft: a rotor kit has them, a Jeffcott rotor has none.
+/// Checks a position along the shaft: a rotor kit has one, a Jeffcott rotor must not.
 void validate_position(const Machine& machine, const std::optional<double>& position_m, bool needed,
                        const std::string& path) {
   const RotorKit* kit = kit_of(machine);

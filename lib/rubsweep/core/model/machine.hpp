@@ -18,9 +18,9 @@ struct JeffcottRotor {
   double mass_kg = required;
   double natural_frequency_hz = required;  ///< undamped, sqrt(k/m)/(2 pi)
   double damping_ratio = required;         ///< c / (2 sqrt(k m)); 0 and values above 1 are allowed
-  /// The same of the damping that turns with the shaft, in its material and its joints: with c_r = this
-  /// 2 sqrt(k m) it forces -c_r (z' - i w z). Above the speed sqrt(k/m) (1 + damping_ratio / this) the shaft
-  /// whirls up by itself.
+  /// Ratio of the damping that rotates with the shaft (in its material and joints), as for damping_ratio: the
+  /// force is -c_r (z' - i w z) with c_r = 2 sqrt(k m) times this ratio. Above the speed sqrt(k/m) (1 +
+  /// damping_ratio / this ratio) the shaft is unstable and starts to whirl by itself.
   double rotating_damping_ratio = 0;
 
   static void visit_fields(auto& self, auto&& visit) {
@@ -37,13 +37,13 @@ struct JeffcottRotor {
 };
 
 /// Half-sine force pulse on the rotor, F(t) = force_n sin(pi t / duration_s) for 0 <= t <= duration_s.
-/// t = 0 is the instant of smallest gap at the first stop, or when the shaft has turned on by phase_deg; the
-/// pulse points at that stop's wall.
+/// t = 0 is the instant of smallest gap at the first stop, or the instant at which the shaft has turned on by
+/// phase_deg from there. By default the pulse points at that stop's wall.
 struct Kick {
   double force_n = required;
   double duration_s = required;
   std::optional<double> angle_deg;  ///< direction, from +x towards +y; empty: towards the first stop's wall
-  /// Along the shaft of a rotor kit; empty: at the first stop.
+  /// Position of the force along the shaft of a rotor kit; empty: at the first stop.
   std::optional<double> position_m = std::nullopt;
   std::optional<double> phase_deg = std::nullopt;  ///< empty: 0
 
@@ -57,8 +57,8 @@ struct Kick {
   }
 };
 
-/// Position and velocity of a body. A number that is not given stays as on the quiet whirl, or as at rest
-/// where that reaches a wall.
+/// Position and velocity of a body. A number that is not given keeps its value on the quiet whirl, or at rest
+/// if the quiet whirl reaches a wall.
 struct BodyState {
   std::optional<double> x_m{}, y_m{};  ///< displacement from the unloaded position
   std::optional<double> vx_m_per_s{}, vy_m_per_s{};
@@ -74,36 +74,36 @@ struct BodyState {
   }
 };
 
-/// The state in which runs begin, t = 0 being the instant of smallest gap at the first stop.
+/// State in which a run begins; t = 0 is the instant of smallest gap at the first stop.
 struct Start {
   BodyState rotor{};
   std::vector<std::optional<BodyState>> casings{};  ///< casings of the stops; missing: none given
-  /// Everything stands where no force has moved it, whatever is given above. The mark of the shaft is along
-  /// +x at t = 0, and all forces act from then on.
+  /// True: the structure is at rest in its unloaded position, whatever is given above. The mark of the shaft
+  /// points along +x at t = 0, and all forces act from then on.
   bool at_rest = false;
 };
 
-/// Whether there is a start, and it is the one at rest.
+/// Whether a start is given and it is the one at rest.
 inline bool begins_at_rest(const std::optional<Start>& start) { return start && start->at_rest; }
 
 /// A rotor of either kind.
 using Rotor = std::variant<JeffcottRotor, RotorKit>;
 
-/// Everything physical that does not change over a sweep. The first stop listed is the one kicked.
+/// All physical data that stay the same over a sweep. The kick acts at the first stop listed.
 struct Machine {
   Rotor rotor;
   std::vector<Stop> stops;
   std::optional<Kick> kick;
-  double gravity_m_per_s2 = 0;   ///< acceleration along -y, on rotor and moving casings; >= 0
-  std::optional<Start> start{};  ///< excludes a kick
+  double gravity_m_per_s2 = 0;   ///< acceleration along -y of rotor and moving casings; >= 0
+  std::optional<Start> start{};  ///< start state; excludes a kick
 };
 
-/// Its rotor kit; null where the rotor is of another kind.
+/// Rotor kit of the machine; null for another kind of rotor.
 inline const RotorKit* kit_of(const Machine& machine) { return std::get_if<RotorKit>(&machine.rotor); }
 inline RotorKit* kit_of(Machine& machine) { return std::get_if<RotorKit>(&machine.rotor); }
 
 /// Throws ConfigError naming the first number that is missing or out of range. The YAML reader reports the
-/// same limits with their place in the file; this guards direct users of the library.
+/// same limits with their place in the file; this check is for programs that use the library directly.
 void validate(const Machine& machine);
 
 }  // namespace rubsweep::model

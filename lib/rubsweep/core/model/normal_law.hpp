@@ -12,23 +12,23 @@
 namespace rubsweep::model {
 
 /// Elastic force S(p) of a contact over its penetration p: K p with the stiffness of the stop and a clamped
-/// damper, K p^n, the line contact of Hertz that the stop describes, or a measured curve.
+/// damper; K p^n; the line contact of Hertz that the stop describes; or a measured curve.
 enum class ForceCurve { linear, power, hertz_line, table };
 inline constexpr auto force_curves = words_of<ForceCurve>();
 
-/// Ways to find c in the force S(p) (1 + c p'), each from a restitution and the speed of the approach.
+/// Formulas for c in the force S(p) (1 + c p'), from a restitution and the approach speed.
 enum class ImpactDamping { none, hunt_crossley, lankarani_nikravesh, flores, delivered };
 inline constexpr auto impact_dampings = words_of<ImpactDamping>();
 
 /// Law of the normal force of a stop.
 struct NormalLaw {
   ForceCurve kind = ForceCurve::linear;
-  double stiffness_n_per_m_n = required;       ///< K of K p^n
-  double exponent = required;                  ///< n
+  double stiffness_n_per_m_n = required;       ///< K of the force K p^n
+  double exponent = required;                  ///< n of the force K p^n
   std::vector<double> penetration_m, force_n;  ///< points of a measured curve
   ImpactDamping damping = ImpactDamping::none;
   double restitution = required;
-  std::optional<double> approach_speed_m_per_s;  ///< empty: that of each impact
+  std::optional<double> approach_speed_m_per_s;  ///< approach speed for all impacts; empty: each has its own
 
   static constexpr Range exponent_range{.low = 1, .high = 3};
   static constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
@@ -36,7 +36,7 @@ struct NormalLaw {
 
   bool linear() const { return kind == ForceCurve::linear; }
 
-  /// `keys` is the section that is read, the printer or the table of keys.
+  /// `keys` is the section being read, the printer, or the table of keys.
   static void visit_keys(auto& self, auto& keys) {
     constexpr NumberOrList points{{not_negative}, most_points};
     keys.field("kind", self.kind, newer_key(force_curves, "force over penetration"));
@@ -65,10 +65,10 @@ struct NormalLaw {
   }
 };
 
-/// Problem of the points of a measured curve together.
+/// Checks the points of a measured curve against each other; empty: no problem.
 std::optional<PartProblem> problem_of_curve(const NormalLaw& law);
 
-/// Throws ConfigError that names a key behind `path`. `with_hertz`: the stop describes a line contact.
+/// Throws ConfigError that names a key after `path`. `with_hertz`: the stop describes a line contact.
 void validate(const NormalLaw& law, bool with_hertz, const std::string& path);
 
 }  // namespace rubsweep::model

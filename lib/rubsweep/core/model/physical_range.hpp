@@ -2,8 +2,8 @@
 
 #include "rubsweep/core/model/range.hpp"
 
-/// Ranges of the numbers of a shaft line. Far wider than any machine that was ever built, yet narrow enough
-/// that products of them (bending stiffness E d^4 / l^3, and its inverse) stay ordinary numbers.
+/// Ranges of the numbers of a shaft line. They are far wider than any machine ever built, yet narrow enough
+/// that products of them (bending stiffness E d^4 / l^3, and its inverse) do not overflow.
 namespace rubsweep::model::physical {
 
 inline constexpr Range length_m{.low = 1e-6, .high = 1e4};
@@ -22,7 +22,7 @@ inline constexpr Range holding_stiffness{.low = 1e-6, .high = 1e15};
 inline constexpr Range cross_stiffness{.low = -1e15, .high = 1e15};
 inline constexpr Range damping{.low = 0, .high = 1e12};  ///< N s/m or N m s/rad
 inline constexpr Range cross_damping{.low = -1e12, .high = 1e12};
-inline constexpr Range added_mass_kg{.low = -1e7, .high = 1e7};  ///< fluid that moves with the shaft
+inline constexpr Range added_mass_kg{.low = -1e7, .high = 1e7};  ///< mass of fluid that moves with the shaft
 inline constexpr Range force_n{.low = -1e12, .high = 1e12};
 inline constexpr Range tilt_rad{.low = 0, .high = 1};
 inline constexpr Range rate_per_s{.low = 0, .high = 1e6};

@@ -7,17 +7,17 @@
 
 namespace rubsweep::model {
 
-/// Problem of the numbers of one part together, each of which is in its range.
+/// Problem of one part whose numbers are each in range but do not fit together.
 struct PartProblem {
-  const char* key = nullptr;      ///< the one to blame
-  const char* wrong = nullptr;    ///< finishes a sentence about it
-  const char* allowed = nullptr;  ///< finishes "allowed: "
+  const char* key = nullptr;      ///< key to blame
+  const char* wrong = nullptr;    ///< end of a sentence about the key
+  const char* allowed = nullptr;  ///< end of "allowed: "
 };
 
 /// Throws ConfigError that names the key `path` where `value` is missing (NaN) or outside of the range.
 void require(const std::string& path, double value, const Range& range);
 
-/// The same where there is a value.
+/// The same check for an optional value; an empty one passes.
 inline void require(const std::string& path, const std::optional<double>& value, const Range& range) {
   if (value) require(path, *value, range);
 }

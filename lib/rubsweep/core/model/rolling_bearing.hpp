@@ -5,10 +5,10 @@
 
 namespace rubsweep::model {
 
-/// Part of a rolling bearing that is damaged.
+/// Damaged part of a rolling bearing.
 enum class BearingDefect { outer_race, inner_race, ball, cage };
 
-/// Rolling bearing whose outer race stands still while the inner one turns with the shaft.
+/// Rolling bearing whose outer race is fixed and whose inner race turns with the shaft.
 struct RollingBearing {
   double pitch_diameter_m = required;
   double ball_diameter_m = required;
@@ -27,11 +27,11 @@ struct RollingBearing {
   }
 };
 
-/// How often a defect is rolled over per revolution of the shaft, from rolling without slip; with g the share
-/// of the ball in the pitch diameter times the cosine of the contact angle: of n balls n (1 - g) / 2 on the
-/// outer race and n (1 + g) / 2 on the inner one; twice for each turn of the ball about itself, once for each
-/// of the cage, (1 - g) / 2 (Harris, Rolling Bearing Analysis, 4th edition, 2001, section 25). Needs
-/// ball_diameter_m < pitch_diameter_m.
+/// Number of strikes of a defect per revolution of the shaft, for rolling without slip. With n balls and g =
+/// ball diameter / pitch diameter times the cosine of the contact angle: n (1 - g) / 2 on the outer race, n
+/// (1 + g) / 2 on the inner race, twice per turn of the ball about itself, and once per turn of the cage, (1
+/// - g) / 2 (Harris, Rolling Bearing Analysis, 4th edition, 2001, section 25). Needs ball_diameter_m <
+/// pitch_diameter_m.
 double strikes_per_revolution(const RollingBearing& bearing, BearingDefect defect);
 
 }  // namespace rubsweep::model

@@ -25,7 +25,7 @@ void require_fields(const Part& part, const std::string& path) {
   });
 }
 
-/// A support at a housing has no place on the shaft.
+/// Whether a part is on the shaft; a support at a housing is not.
 template <class Part>
 bool is_on_shaft(const Part& part) {
   if constexpr (std::is_same_v<Part, Support>) return !part.at_housing;
@@ -51,7 +51,8 @@ void refuse_diameters(const ShaftLayer& layer, const std::string& path) {
         fmt::format("{}{}: {}, allowed: {}", path, problem->key, problem->wrong, problem->allowed));
 }
 
-/// Whether nothing is left without stiffness when one coordinate after the other, the last first, gives way.
+/// Whether a stiffness matrix is positive definite: eliminates its coordinates from the last to the first and
+/// checks that every pivot is positive beyond rounding.
 bool holds_all(Eigen::MatrixXd stiffness) {
   constexpr double nothing = 1e-12;
   const Eigen::VectorXd whole = stiffness.diagonal();
@@ -101,7 +102,8 @@ void validate(const BowPoints& points, const std::string& path, double length_m)
   }
 }
 
-/// Matrices do not tell the shaft's own stiffness, nor its inertia against torsion.
+/// Refuses parts that cannot stand beside matrices, which contain neither the shaft's own stiffness nor its
+/// torsional inertia.
 void refuse_beside_matrices(const RotorKit& kit, const std::string& path) {
   const std::pair<const char*, bool> excluded[]{{"shaft", !kit.shaft.empty()},
                                                 {"discs", !kit.discs.empty()},
@@ -144,7 +146,7 @@ void validate_supports(const RotorKit& kit, const std::string& path) {
   }
   for (const int plane : {0, 1}) {
     if (kit.matrices || supports_hold(kit, plane))
-      continue;  // the stiffness matrix holds, or its factors say no
+      continue;  // a positive definite stiffness matrix holds it; its factorisation checks that
     throw ConfigError(
         fmt::format("{}supports: they leave the shaft{} free to move in {}, allowed: supports that hold it",
                     path, kit.housings.empty() ? "" : " or a housing", plane == 0 ? "x" : "y"));
@@ -167,7 +169,7 @@ void validate_bow(const Bow& bow, const RotorKit& kit, const std::string& path) 
 }  // namespace
 
 bool supports_hold(const RotorKit& kit, int plane) {
-  // Stiffness against translation and tilting about the shaft's free end, then against each housing.
+  // Stiffness matrix of translation and tilt about the shaft's free end, and of each housing.
   const auto n = static_cast<Eigen::Index>(2 + kit.housings.size());
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for (const Support& support : kit.supports) {

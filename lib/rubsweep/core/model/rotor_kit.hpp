@@ -18,8 +18,8 @@ namespace rubsweep::model {
 struct ShaftMatrices;
 
 /// Rigid disc on the shaft. Its unbalance is given per metre of the cell's eccentricity e: the centre of mass
-/// stands eccentricity_ratio * e off the shaft's axis, the axis of inertia leans by skew_rad_per_m * e.
-/// Phases count from the mark on the shaft that every disc and the bow share, in the direction of rotation.
+/// is eccentricity_ratio * e off the shaft's axis, and the axis of inertia is tilted by skew_rad_per_m * e.
+/// Phases count in the direction of rotation from a mark on the shaft, common to all discs and the bow.
 struct Disc {
   double position_m = required;
   double mass_kg = required;
@@ -50,11 +50,11 @@ struct Disc {
   }
 };
 
-/// Mass on the shaft that is small enough to have no inertia against tilting.
+/// Mass on the shaft that is small enough to have no rotary inertia.
 struct PointMass {
   double position_m = required;
   double mass_kg = required;
-  std::optional<double> mass_y_kg = std::nullopt;  ///< mass of the motion in y, where it is another than in x
+  std::optional<double> mass_y_kg = std::nullopt;  ///< mass that moves in y, if different from that in x
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
@@ -64,7 +64,7 @@ struct PointMass {
   }
 };
 
-/// Body beside the shaft that moves in x and y, held by supports alone.
+/// Body beside the shaft, such as a bearing housing, that moves in x and y and is held only by supports.
 struct Housing {
   double mass_kg = required;
   std::optional<double> mass_y_kg = std::nullopt;
@@ -76,16 +76,15 @@ struct Housing {
   }
 };
 
-/// Elastic joint that cuts the shaft at an inner station into two ends. Its halves may be bored off their
-/// centres: without load, the axis of the end behind it stands parallel_offset_m beside that of the end
-/// before it and leans by angular_offset_rad. Both turn with the shaft, their phases count from its mark. The
-/// machine behind it may stand out of line: the axis of its bearings stands parallel_misalignment_m beside
-/// that of the machine before it, and leans by angular_misalignment_rad, in a direction that does not turn.
-/// Displacements on either side count from the axis of that side. A coupling whose stiffness is k (1 + ratio)
-/// along the stiff axis, which turns with the shaft, and k (1 - ratio) across it then forces twice per
-/// revolution.
+/// Elastic joint that cuts the shaft at an inner station into two ends. Bores of its halves may be eccentric:
+/// without load, the axis of the rear end is then offset by parallel_offset_m from that of the front end and
+/// tilted by angular_offset_rad. Both errors turn with the shaft; their phases count from its mark. The rear
+/// machine may also be misaligned: the axis of its bearings is offset by parallel_misalignment_m from that of
+/// the front machine and tilted by angular_misalignment_rad, in a fixed direction. Displacements on either
+/// side count from the axis of that side. A coupling with stiffness k (1 + ratio) along a stiff axis that
+/// turns with the shaft, and k (1 - ratio) across it, then excites vibration at twice the speed.
 struct Coupling {
-  static constexpr Range asymmetry_range{.low = 0, .high = 0.3};  ///< the force is one to first order
+  static constexpr Range asymmetry_range{.low = 0, .high = 0.3};  ///< force is correct to first order in it
 
   double position_m = required;
   double lateral_stiffness_n_per_m = required;
@@ -135,7 +134,7 @@ struct Coupling {
   }
 };
 
-/// Force on the shaft that does not change.
+/// Constant force on the shaft.
 struct StaticLoad {
   double position_m = required;
   double force_x_n = 0;
@@ -148,13 +147,13 @@ struct StaticLoad {
   }
 };
 
-/// Residual bow: deviation of the shaft's axis from a straight line without any load, turning with the shaft.
-/// The cell's unbalance is scaled, the bow is not.
-struct BowPoints {  ///< the least bent line through these points
+/// Residual bow: deviation of the unloaded shaft's axis from a straight line; it turns with the shaft. A
+/// sweep scales the unbalance of a cell, but not the bow.
+struct BowPoints {  ///< the line of least bending energy through these points
   std::vector<double> position_m;
   std::vector<double> deflection_m;
 };
-struct BowMode {  ///< the shape of a mode of the shaft on its supports, 1 the lowest
+struct BowMode {  ///< the shape of a mode of the shaft on its supports; mode 1 is the lowest
   int mode = 1;
   double amplitude_m = required;  ///< largest deflection
 };
@@ -163,7 +162,7 @@ struct Bow {
   double phase_deg = 0;
 };
 
-/// One degree of freedom of torsion: the whole rotor against a drive that turns at constant speed.
+/// One degree of freedom of torsion: the whole rotor against a drive that turns at a constant speed.
 struct Torsion {
   double drive_stiffness_nm_per_rad = required;
   double drive_damping_nms_per_rad = 0;
@@ -187,9 +186,10 @@ struct Sensor {
   }
 };
 
-/// Shaft line made of stations: Timoshenko beam segments with discs, supports and couplings. Or matrices of
-/// another program in place of shaft, discs, point masses, housings and couplings, and of what supports they
-/// hold; these exclude a bow and torsion, and stops, sensors, loads and supports stand at their nodes.
+/// Shaft line made of stations: Timoshenko beam segments with discs, supports and couplings. Alternatively,
+/// matrices of another program replace shaft, discs, point masses, housings, couplings and the supports that
+/// they include. Matrices exclude a bow and torsion; stops, sensors, loads and supports must be at their
+/// nodes.
 struct RotorKit {
   std::shared_ptr<const ShaftMatrices> matrices;
   std::vector<ShaftSegment> shaft;
@@ -202,23 +202,24 @@ struct RotorKit {
   std::optional<Bow> bow;
   std::optional<Torsion> torsion;
   std::vector<Sensor> sensors;
-  std::vector<double> damping_ratio{0};  ///< structural, of mode 1, 2, ...; the last one goes on
-  /// The same for the damping that turns with the shaft; without pedestals, which do not.
+  std::vector<double> damping_ratio{0};  ///< structural damping ratio of mode 1, 2, ...; the last one goes on
+  /// Ratios of the damping that turns with the shaft, likewise; not allowed with pedestals, which do not
+  /// turn.
   std::vector<double> rotating_damping_ratio{0};
-  double mass_damping_per_s = 0;  ///< damping of shaft, discs and point masses: so many times their mass
-  /// Whether clearances and displacements count from where weight and static loads leave the shaft, and not
-  /// from its axis without load.
+  double mass_damping_per_s = 0;  ///< damping of shaft, discs and point masses: their mass times this
+  /// True: clearances and displacements count from the position of the shaft under weight and static loads.
+  /// False: from its axis without load.
   bool clearances_from_sag = false;
-  std::optional<int> modes;      ///< bending modes kept in each plane; empty: as many as it takes
-  double modes_up_to_hz = 2000;  ///< up to where the reduced rotor answers as the full one
+  std::optional<int> modes;      ///< bending modes kept in each plane; empty: as many as needed
+  double modes_up_to_hz = 2000;  ///< frequency up to which the reduced rotor must match the full one
   int elements = 24;             ///< least number of beam elements along the whole shaft
 
   static constexpr Range damping_ratio_range{.low = 0, .high = 1};
   static constexpr int most_modes = 40;
   static constexpr int most_elements = 400;
-  static constexpr int most_parts = 400;  ///< limit of each list
+  static constexpr int most_parts = 400;  ///< largest length of each list
 
-  /// Keys beside the parts.
+  /// Keys that are single values, not lists of parts.
   static void visit_fields(auto& self, auto&& visit) {
     constexpr Words<bool, 2> origins{{"axis", "sag"}, {false, true}};
     constexpr NumberOrList ratios{damping_ratio_range, most_parts};
@@ -243,35 +244,35 @@ struct RotorKit {
   }
 };
 
-/// True when the supports leave the shaft, taken as rigid, and the housings no free motion in the plane of x
+/// True when the supports leave the housings, and the shaft taken as rigid, no free motion in the plane of x
 /// (0) or y (1).
 bool supports_hold(const RotorKit& kit, int plane);
 
-/// Sum of the lengths of the segments, or the place of the last node of the matrices.
+/// Sum of the lengths of the segments, or the position of the last node of the matrices, in metres.
 double shaft_length_m(const RotorKit& kit);
 
-/// Whether some damping turns with the shaft.
+/// Whether some damping rotates with the shaft.
 bool has_rotating_damping(const RotorKit& kit);
 
-/// Whether some coupling joins its two ends out of line, as they turn.
+/// Whether some coupling has an offset or a tilt that turns with the shaft.
 bool has_misalignment(const RotorKit& kit);
 
-/// Whether some coupling joins machines that stand out of line.
+/// Whether some coupling joins misaligned machines.
 bool has_standing_misalignment(const RotorKit& kit);
 
-/// Whether a coupling is not equally stiff all around.
+/// Whether the stiffness of a coupling depends on the direction.
 bool is_asymmetric(const Coupling& coupling);
 
-/// Whether the coefficients of some support follow a table.
+/// Whether some support has coefficients from a table.
 bool has_tables(const RotorKit& kit);
 
-/// Speeds that the tables of all supports have in common; low above high where they have none.
+/// Range of speeds that the tables of all supports have in common; low > high where there is none.
 Range table_speeds_hz(const RotorKit& kit);
 
-/// Whether some support has a housing with a mass of its own.
+/// Whether some support has a pedestal with a mass.
 bool has_pedestals(const RotorKit& kit);
 
-/// Allowed places of a coupling: off both ends, so that there is shaft on either side of it.
+/// Allowed positions of a coupling: inside the shaft, with a piece of shaft on either side.
 Range coupling_places(const RotorKit& kit);
 
 /// Throws ConfigError naming the first number that is missing or out of range, or a part that is not on the

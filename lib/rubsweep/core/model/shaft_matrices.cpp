@@ -50,7 +50,7 @@ double shaft_length_m(const ShaftMatrices& matrices) {
 }
 
 double unbalanced_mass_kg(const ShaftMatrices& matrices) {
-  std::map<std::string, double> of_node;  // mass at each node, the same in both planes: it turns
+  std::map<std::string, double> of_node;  // mass at each node, the same in both planes because it turns
   for (std::size_t i = 0; i < matrices.degrees_of_freedom.size(); ++i) {
     const auto& [node, direction, position_m, weight] = matrices.degrees_of_freedom[i];
     const double size = std::abs(matrices.unbalance_kg(static_cast<Eigen::Index>(i)));

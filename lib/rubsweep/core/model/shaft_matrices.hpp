@@ -15,9 +15,9 @@
 
 namespace rubsweep::model {
 
-/// Direction of a degree of freedom: displacement along x or y in metres, angle about x or y in radians by
-/// the right hand, so that a shaft along z that bends as x(z) turns its cross-section by dx/dz about y, and
-/// by -dy/dz about x.
+/// Direction of a degree of freedom: displacement along x or y in metres, or angle about x or y in radians by
+/// the right-hand rule. A shaft along z that bends as x(z) thus turns its cross-section by dx/dz about y;
+/// y(z) turns it by -dy/dz about x.
 enum class Direction { x, y, rx, ry };
 
 constexpr std::string_view to_string(Direction direction) { return enumerator_word(direction); }
@@ -26,12 +26,14 @@ constexpr std::string_view to_string(Direction direction) { return enumerator_wo
 struct DegreeOfFreedom {
   std::string node;
   Direction direction = Direction::x;
-  std::optional<double> position_m;  ///< along the shaft; empty: of a body beside it
-  /// Gravity g along -y forces -g times this; of a direction rx in kg m. Empty: what the mass matrix says.
+  std::optional<double> position_m;  ///< along the shaft; empty: belongs to a body beside it
+  /// Gravity g along -y gives the force -g times this; for a direction rx in kg m. Empty: from the mass
+  /// matrix.
   std::optional<double> weight_kg;
 };
 
-/// Mass at a node whose centre stands eccentricity_ratio times the cell's eccentricity off the shaft's axis.
+/// Unbalance mass at a node; its centre is eccentricity_ratio times the cell's eccentricity off the shaft's
+/// axis.
 struct NodeUnbalance {
   std::string node;
   double mass_kg = required;
@@ -46,31 +48,30 @@ struct NodeUnbalance {
   }
 };
 
-/// Matrices of a rotor by another program: mass q'' + (damping + w gyroscopic) q' + stiffness q = forces at
+/// Matrices of a rotor from another program: mass q'' + (damping + w gyroscopic) q' + stiffness q = forces at
 /// the speed w in rad/s, each n x n in SI units. At least one of the n degrees of freedom is on the shaft.
 struct ShaftMatrices {
-  std::vector<DegreeOfFreedom> degrees_of_freedom;  ///< n
+  std::vector<DegreeOfFreedom> degrees_of_freedom;  ///< n entries
   Eigen::MatrixXd mass, damping, gyroscopic, stiffness;
-  /// n, kg per metre of eccentricity e: forces Re(e w^2 unbalance_kg e^{i w t}). NaN where the other plane
-  /// says it.
+  /// n, in kg: an eccentricity e in metres gives the forces Re(e w^2 unbalance_kg e^{i w t}). NaN where the
+  /// unbalance is given in the other plane.
   Eigen::VectorXcd unbalance_kg;
-  std::vector<NodeUnbalance> unbalance;  ///< unbalances beside unbalance_kg
+  std::vector<NodeUnbalance> unbalance;  ///< further unbalances, added to unbalance_kg
 
   static constexpr std::size_t most_degrees_of_freedom = 2000;
 };
 
-/// Place of the last node on the shaft.
+/// Position of the last node on the shaft, in metres.
 double shaft_length_m(const ShaftMatrices& matrices);
 
-/// Masses times the eccentricities of their centres per eccentricity of a cell, summed up without their
-/// phases.
+/// Sum of mass times eccentricity of all nodes per eccentricity of a cell, in kg, without regard to phases.
 double unbalanced_mass_kg(const ShaftMatrices& matrices);
 
-/// Mass of the nodes on the shaft: what gravity pulls along y.
+/// Mass of the nodes on the shaft in kg: their weight along y.
 double rotor_mass_kg(const ShaftMatrices& matrices);
 
-/// Weight along each degree of freedom: as given, else the force by which the mass matrix resists a common
-/// acceleration along y.
+/// Weight along each degree of freedom in kg: as given, or else the force with which the mass matrix resists
+/// a unit acceleration of all nodes along y.
 Eigen::VectorXd weight_kg(const ShaftMatrices& matrices);
 
 /// Throws ConfigError where a length does not fit the number of degrees of freedom, a number is not finite or

@@ -11,28 +11,28 @@
 
 namespace rubsweep::model {
 
-/// Shear coefficient of a section: the mean shear strain is Q / (coefficient G A).
+/// Formula of the shear coefficient of a section: the mean shear strain is Q / (coefficient G A).
 enum class ShearCoefficient {
   cowper,      ///< Cowper, J. Appl. Mech. 33, 1966
   hutchinson,  ///< Hutchinson, J. Appl. Mech. 68, 2001
-  none         ///< no shear: sections stay normal to the axis
+  none         ///< no shear: cross-sections stay normal to the axis
 };
 constexpr std::string_view to_string(ShearCoefficient coefficient) { return enumerator_word(coefficient); }
 
-/// Round section and material of a segment of shaft, or of a further layer around or inside it. Both ends of
-/// a layer turn with those of its segment.
+/// Round section and material of a segment of shaft, or of a further layer around or inside it. The ends of a
+/// layer are tied to those of its segment.
 struct ShaftLayer {
   double outer_diameter_m = required;
   double inner_diameter_m = 0;
-  /// At the end of the segment; the diameters change linearly from those above. Empty: they do not.
+  /// Diameters at the end of the segment, to which the ones above change linearly. Empty: no taper.
   std::optional<double> outer_diameter_end_m = std::nullopt, inner_diameter_end_m = std::nullopt;
-  /// Diameters that bend and shear, where they are others than those that have mass. Empty: the same.
+  /// Diameters for bending and shear, where they differ from those for the mass. Empty: the same.
   std::optional<double> stiffness_outer_diameter_m = std::nullopt, stiffness_inner_diameter_m = std::nullopt;
   double youngs_modulus_pa = required;
   double shear_modulus_pa = required;
   double density_kg_per_m3 = required;
-  /// Damping against motion in space and against bending: matrices mass_damping_per_s times the mass and
-  /// stiffness_damping_s times the stiffness of each element. It does not turn with the shaft.
+  /// Damping matrices of each element, in the fixed frame: its mass times mass_damping_per_s (against motion
+  /// in space) plus its stiffness times stiffness_damping_s (against bending).
   double mass_damping_per_s = 0;
   double stiffness_damping_s = 0;
   ShearCoefficient shear_coefficient = ShearCoefficient::cowper;
@@ -62,7 +62,7 @@ struct ShaftLayer {
               "damping against bending: this times the stiffness matrix; it does not turn"));
   }
 
-  /// Keys beside the numbers.
+  /// Keys whose values are words, not numbers.
   static void visit_words(auto& self, auto&& visit) {
     visit(
         "shear_coefficient", self.shear_coefficient,
@@ -77,7 +77,7 @@ struct ShaftLayer {
 /// segment.
 struct ShaftSegment : ShaftLayer {
   double length_m = required;
-  std::vector<ShaftLayer> layers{};  ///< layers beside the segment's own section, over all of its length
+  std::vector<ShaftLayer> layers{};  ///< layers beside the segment's own section, over its whole length
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("length_m", self.length_m, key(physical::length_m, "length of the segment"));
@@ -85,26 +85,26 @@ struct ShaftSegment : ShaftLayer {
   }
 };
 
-/// Diameters of a section.
+/// Outer and inner diameter of a section.
 struct Diameters {
   double outer_m = 0;
   double inner_m = 0;
 };
 
-/// Diameters that have mass, `at` this share of the segment's length, 0 to 1.
+/// Diameters for the mass at the share `at` (0 to 1) of the segment's length.
 Diameters diameters(const ShaftLayer& layer, double at);
 
-/// Diameters that bend and shear.
+/// Diameters for bending and shear at the share `at` of the segment's length.
 Diameters stiffness_diameters(const ShaftLayer& layer, double at);
 
-/// Whether the section changes along the segment.
+/// Whether the diameters change along the segment.
 bool is_tapered(const ShaftLayer& layer);
 
-/// Mass of a segment with its layers.
+/// Mass of a segment including its layers, in kg.
 double mass_kg(const ShaftSegment& segment);
 
-/// Problem of diameters that are each in their range: no wall is left, or a taper has stiffness diameters of
-/// its own. Empty: none.
+/// Checks diameters that are each in range: a wall must be left, and a taper must have no separate stiffness
+/// diameters. Empty: no problem.
 std::optional<PartProblem> diameter_problem(const ShaftLayer& layer);
 
 }  // namespace rubsweep::model

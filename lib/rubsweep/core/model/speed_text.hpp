@@ -4,13 +4,13 @@
 
 namespace rubsweep::model {
 
-/// Revolutions per minute of one turn per second.
+/// Revolutions per minute in one revolution per second.
 inline constexpr double rpm_per_hz = 60;
 
-/// A shaft speed (Hz) for a reader: "75 Hz (4500 rpm)", each number rounded to so many significant digits.
+/// A shaft speed (Hz) as text: "75 Hz (4500 rpm)", each number rounded to so many significant digits.
 std::string speed_text(double speed_hz, int digits = 6);
 
-/// Two of them: "50 to 150 Hz (3000 to 9000 rpm)".
+/// A range of shaft speeds (Hz) as text: "50 to 150 Hz (3000 to 9000 rpm)".
 std::string speed_range_text(double from_hz, double to_hz, int digits = 6);
 
 }  // namespace rubsweep::model

@@ -12,8 +12,8 @@
 
 namespace rubsweep::model {
 
-/// Casing of one stop, free to move in x and y on an isotropic mount. A stop without one is rigid and has no
-/// state.
+/// Casing of one stop, free to move in x and y on an isotropic mount. A stop without a Casing is rigid and
+/// adds no state.
 struct Casing {
   double mass_kg = required;
   double stiffness_n_per_m = required;  ///< mount stiffness, the same in x and y
@@ -49,17 +49,17 @@ using StopGeometry = std::variant<OneSideGeometry, AnnularGeometry>;
 
 inline constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
 
-/// Sources of the damping constant of a contact; exactly one is given.
+/// The damping constant of a contact comes from exactly one of these sources.
 struct NominalRestitution {
-  double value = required;  ///< e of the unclamped oscillator; the clamp returns more (physics of ElastoGap)
+  double value = required;  ///< e of the unclamped oscillator; the clamped law rebounds with more
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("restitution", self.value,
           key(restitution_range, "nominal restitution, from which the damping constant follows"));
   }
 };
-/// Nominal restitution with the mass of the rotor alone in d = 2 zeta sqrt(m K), as Ishibashi & Kawai print
-/// it (eq. 15). The reduced mass bounces, so that this damps far more against a light casing.
+/// Nominal restitution with the mass of the rotor alone in d = 2 zeta sqrt(m K), as in Ishibashi & Kawai eq.
+/// 15. The reduced mass is what really rebounds, so that this damps far more with a light casing.
 struct RestitutionByRotorMass {
   double value = required;
 
@@ -69,7 +69,7 @@ struct RestitutionByRotorMass {
   }
 };
 struct DeliveredRestitution {
-  double value = required;  ///< e that the clamped law really returns in one free impact
+  double value = required;  ///< e that the clamped law really delivers in a free impact
 
   /// The clamped law delivers e^{-4/3} = 0.26360 at critical damping and more below it.
   static constexpr Range range{.low = 0.2636, .high = 1};
@@ -89,28 +89,28 @@ struct ExplicitDamping {
 using ContactDamping =
     std::variant<NominalRestitution, RestitutionByRotorMass, DeliveredRestitution, ExplicitDamping>;
 
-/// One place where the rotor can touch: geometry, contact law and the casing behind it.
+/// One place where the rotor can touch: geometry, contact law and casing.
 struct Stop {
   StopGeometry geometry;
-  std::optional<double> position_m;  ///< along the shaft of a rotor kit; a Jeffcott rotor has none
+  std::optional<double> position_m;  ///< position along the shaft of a rotor kit; a Jeffcott rotor has none
   double clearance_m =
-      required;  ///< C_R: rotor travel to first touch from rest, in an annular stop from its centre
-  double stiffness_n_per_m = required;  ///< K of the contact spring
+      required;  ///< C_R: travel of the rotor from rest to first touch, in an annular stop from its centre
+  double stiffness_n_per_m = required;  ///< K, stiffness of the contact spring
   ContactDamping damping = NominalRestitution{};
-  std::optional<double> contact_mass_kg;  ///< mass behind a restitution, before reduction with the casing's;
-                                          ///< empty: the Jeffcott mass, or of a kit the modal mass of the
-                                          ///< first mode at the stop
-  double contact_radius_m = required;     ///< R in the slip speed: rotor surface speed is R omega
+  std::optional<double> contact_mass_kg;  ///< rotor mass for a restitution, before reduction with the
+                                          ///< casing's; empty: the mass of a Jeffcott rotor, or a kit's modal
+                                          ///< mass of the first mode at the stop
+  double contact_radius_m = required;     ///< R in the slip speed: the rotor surface moves with R omega
   Friction friction = NoFriction{};
-  std::optional<Casing> casing;                   ///< empty: rigid
-  std::optional<HertzLine> hertz = std::nullopt;  ///< where stiffness_n_per_m came from
+  std::optional<Casing> casing;                   ///< empty: rigid casing
+  std::optional<HertzLine> hertz = std::nullopt;  ///< source of stiffness_n_per_m
                                                   ///< (contact::hertz_stiffness_n_per_m); changes no force
-                                                  ///< but by the law hertz_line
-  /// Where it is not linear, stiffness_n_per_m is its secant (contact::secant_n_per_m) and no force goes by
-  /// that or by `damping`.
+                                                  ///< unless the law is hertz_line
+  /// Normal law. If it is not linear, stiffness_n_per_m is only its secant (contact::secant_n_per_m), and
+  /// forces depend neither on it nor on `damping`.
   NormalLaw law{};
 
-  /// Whether the stiffness is a secant of `hertz`, good near one force.
+  /// Whether the stiffness is the secant of `hertz`, valid only near one force.
   bool by_hertz_secant() const { return hertz && law.linear(); }
 
   static void visit_fields(auto& self, auto&& visit) {
@@ -121,7 +121,7 @@ struct Stop {
           key(not_negative, "radius of the surface that rubs; its speed is this times the shaft speed"));
   }
 
-  /// Keys behind those of the damping.
+  /// Keys that follow those of the damping.
   static void visit_mass(auto& self, auto&& visit) {
     visit("contact_mass_kg", self.contact_mass_kg,
           key(positive, "mass behind a restitution, before it is reduced with the casing's",

@@ -12,7 +12,7 @@
 
 namespace rubsweep::model {
 
-/// Suspension of a support's housing that has a mass of its own.
+/// Pedestal: the bearing housing of one support, with a mass of its own and a mount.
 struct Pedestal {
   double mass_kg = required;
   double stiffness_x_n_per_m = required;
@@ -31,13 +31,13 @@ struct Pedestal {
   }
 };
 
-/// Defect of a bearing that strikes the shaft (and its pedestal, the other way) once every time it is rolled
-/// over: impulses `multiple` times per revolution, the first one phase_deg / 360 of the time between two
-/// after the start of the run.
+/// Bearing defect that strikes the shaft each time it is rolled over (and its pedestal with the opposite
+/// impulse). There are `multiple` impulses per revolution; the first comes phase_deg / 360 of the interval
+/// between two impulses after the start of the run.
 struct BearingFault {
   double impulse_ns = required;
   double multiple = required;
-  double angle_deg = 0;  ///< direction of the impulse on the shaft, from +x towards +y; does not turn
+  double angle_deg = 0;  ///< direction of the impulse on the shaft, from +x towards +y; fixed in space
   double phase_deg = 0;
 
   static constexpr double most_per_revolution = 1000;
@@ -56,12 +56,12 @@ struct BearingFault {
 
 /// Bearing between the shaft and the ground, a pedestal or a housing. Force on the shaft:
 /// f_x = -(stiffness_x x + stiffness_xy y) - the same with damping - mass_x x''; f_y with yx and y.
-/// Coefficients may be negative, as those of a seal, while all supports together hold the shaft. One at a
-/// housing holds that in place of the shaft.
+/// Single coefficients may be negative, as for a seal, while all supports together hold the shaft. A support
+/// at a housing (at_housing) holds that housing and not the shaft.
 struct Support {
-  double position_m = required;  ///< nothing where the support is at a housing
+  double position_m = required;  ///< not used where the support is at a housing
   std::optional<int> at_housing = std::nullopt;
-  std::optional<int> on_housing = std::nullopt;  ///< empty: it stands on the ground, or its pedestal
+  std::optional<int> on_housing = std::nullopt;  ///< empty: it stands on the ground or its pedestal
   double stiffness_x_n_per_m = required;
   double stiffness_y_n_per_m = required;
   double stiffness_xy_n_per_m = 0;
@@ -70,15 +70,15 @@ struct Support {
   double damping_y_ns_per_m = 0;
   double damping_xy_ns_per_m = 0;
   double damping_yx_ns_per_m = 0;
-  double mass_x_kg = 0;  ///< fluid that moves with the shaft against the ground or the pedestal
+  double mass_x_kg = 0;  ///< fluid mass that moves with the shaft relative to the ground or pedestal
   double mass_y_kg = 0;
-  double angular_stiffness_nm_per_rad = 0;  ///< against tilting of the shaft, always to the ground
+  double angular_stiffness_nm_per_rad = 0;  ///< stiffness against tilting of the shaft relative to the ground
   std::optional<Pedestal> pedestal;
   std::optional<BearingFault> fault;
-  /// Curves that the coefficients above follow over the speed; they are then those of one of its speeds
+  /// Curves of the coefficients over the speed. The numbers above then hold for one of the table's speeds
   /// (with_table).
   std::optional<SupportTable> table;
-  std::string name;  ///< name of the element in the file it was read from; for messages
+  std::string name;  ///< name of the element in its source file; for messages
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("position_m", self.position_m, key(not_negative, "place along the shaft"));
@@ -106,11 +106,11 @@ struct Support {
 /// Sets the coefficients of a support, in the order of support_coefficients.
 void set_coefficients(Support& support, const std::array<double, support_coefficients.size()>& values);
 
-/// The support with this table, its own coefficients those of the middle speed, which stand for it where one
-/// speed has to: in the shapes that span the motion at all speeds.
+/// The support with this table. Its own coefficients become those of the middle speed, which is used wherever
+/// a single speed is needed: for the shapes that span the motion at all speeds.
 Support with_table(Support support, SupportTable table);
 
-/// Problem of a support that is at or on a housing beside things that exclude it. Empty: none.
+/// Checks a support that is at or on a housing against settings that exclude this. Empty: no problem.
 std::optional<PartProblem> housing_problem(const Support& support);
 
 }  // namespace rubsweep::model

@@ -7,7 +7,7 @@
 
 namespace rubsweep::model {
 
-/// The key of a support for a message: that of one from a file of another program is its name there.
+/// Key of a support for messages; a support from a file of another program is shown by its name there.
 inline std::string support_path(const RotorKit& kit, std::size_t support) {
   const std::string& name = kit.supports[support].name;
   return name.empty() ? "rotor.supports." + std::to_string(support) : "rotor.file." + name;

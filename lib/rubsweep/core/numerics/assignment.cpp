@@ -8,8 +8,8 @@ namespace {
 using Eigen::Index;
 constexpr Index none = -1;
 
-/// A matching that grows by one row at a time along the cheapest augmenting path. The prices of rows and
-/// columns never add up to more than the cost where they meet, and to just the cost where they are matched.
+/// A matching that grows by one row at a time along the cheapest augmenting path. The price of a row plus
+/// that of a column never exceeds the cost of their entry, and equals it where they are matched.
 class Matching {
  public:
   explicit Matching(const Eigen::MatrixXd& cost)
@@ -40,7 +40,7 @@ class Matching {
   }
 
  private:
-  /// Tree of paths from one row; `before` is the column that a column was reached from.
+  /// Tree of paths from one row; `before` holds the column from which each column was reached.
   struct Search {
     explicit Search(Index size)
         : slack(Eigen::VectorXd::Constant(size, std::numeric_limits<double>::infinity())),
@@ -86,9 +86,9 @@ class Matching {
   }
 
   const Eigen::MatrixXd& cost_;
-  Index start_;  ///< number of rows, and the column at which every path starts
+  Index start_;  ///< number of rows; also the index of the artificial column where every path starts
   Eigen::VectorXd row_price_, column_price_;
-  std::vector<Index> row_of_;  ///< row of every column; `none`: not matched yet
+  std::vector<Index> row_of_;  ///< row matched with each column, or `none`
 };
 
 }  // namespace

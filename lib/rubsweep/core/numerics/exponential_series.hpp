@@ -14,11 +14,11 @@ namespace rubsweep::numerics {
 /// Size |A| t of a step up to which the series of e^{A t} is used.
 inline constexpr double longest_series = 1;
 
-/// Size of a step up to which the series, of 12 terms then, costs no more than two steps by the table of
-/// flows.
+/// Size of a step up to which the series, with its 12 terms there, costs no more than two steps with the
+/// table of flows.
 inline constexpr double short_series = 0.14;
 
-/// Highest term of the series of e^x, |x| = `size` <= longest_series, that double rounding does not hide:
+/// Order of the last term of the series of e^x, |x| = `size` <= longest_series, above double rounding:
 /// size^(n + 1) / (n + 1)! < 2e-17.
 inline int series_terms(double size) {
   if (size > 0.74) return 18;
@@ -31,14 +31,14 @@ inline int series_terms(double size) {
   return size > 1.4e-4 ? 4 : 3;
 }
 
-inline constexpr std::size_t most_series_terms = 19;  ///< the one of order zero counted
+inline constexpr std::size_t most_series_terms = 19;  ///< number of terms, including order zero
 
-/// Rows of a column of Taylor coefficients: two are taken at a time, zeros after the last.
+/// Rows of a column of Taylor coefficients: even, because two are processed at a time; zeros follow the last.
 inline constexpr std::size_t series_rows = 20;
 template <int columns>
 using SeriesTable = Eigen::Matrix<double, static_cast<int>(series_rows), columns>;
 
-/// 1 / k.
+/// Table of 1 / k; entry 0 is 0.
 inline constexpr auto reciprocals = [] {
   std::array<double, most_series_terms + 1> values{};
   for (std::size_t k = 1; k < values.size(); ++k) values[k] = 1.0 / static_cast<double>(k);
@@ -51,7 +51,7 @@ struct SeriesColumn {
   double factor;
 };
 
-/// terms[k] += factor column[k], one column after the other, for an even number of terms.
+/// terms[k] += factor column[k] for each of `columns` in turn; the number of terms is even.
 template <class... Column>
 inline void add_terms(std::span<double> terms, const Column&... columns) {
   using Two = Eigen::Array2d;
@@ -72,7 +72,7 @@ inline void scale_terms(double size, std::span<double> terms) {
   }
 }
 
-/// Number of steps in a mode's table: sizes 2^(-k/2) of the longest.
+/// Number of steps in a mode's table; the sizes are 2^(-k/2) of the longest.
 inline constexpr int exact_step_count = 44;
 
 /// Sizes of the steps in units of the longest.
@@ -88,7 +88,7 @@ inline constexpr auto exact_step_sizes = [] {
 
 inline double exact_step_size(int k) { return exact_step_sizes[static_cast<std::size_t>(k)]; }
 
-/// The largest step of the table that is not longer than `size` (in units of the longest, > 0);
+/// Index of the largest step in the table that is not longer than `size` (in units of the longest, > 0);
 /// exact_step_count when all are longer.
 inline int exact_step_below(double size) {
   if (size >= 1) return 0;

@@ -6,10 +6,10 @@
 
 namespace rubsweep::numerics {
 
-/// Makes the processor take subnormal numbers for zero on this thread, as long as it lives. A vibration that
-/// has died out ends among them: the smallest one times 0.9 is rounded back to itself, and every operation on
-/// it takes a hundred times as long. Numbers of 1e-308 are nothing beside any other of a motion. Does nothing
-/// on a processor that it does not know.
+/// Makes the processor treat subnormal numbers as zero on this thread during the object's lifetime. A
+/// decaying vibration ends among them: the smallest one times 0.9 rounds back to itself, and every operation
+/// on it takes a hundred times as long. Numbers of 1e-308 do not matter beside the others of a motion. Does
+/// nothing on an unknown processor.
 class FlushSubnormals {
  public:
   FlushSubnormals() : before_(control()) { set_control(before_ | flush); }
@@ -19,7 +19,7 @@ class FlushSubnormals {
 
  private:
 #if defined(__SSE2__)
-  static constexpr unsigned int flush = 0x8040;  ///< results to zero, and operands
+  static constexpr unsigned int flush = 0x8040;  ///< flush results to zero, treat operands as zero
   static unsigned int control() { return _mm_getcsr(); }
   static void set_control(unsigned int control) { _mm_setcsr(control); }
 #else

@@ -4,6 +4,6 @@
 
 namespace rubsweep::numerics {
 
-inline constexpr double full_turn = 2 * std::numbers::pi;  ///< rad
+inline constexpr double full_turn = 2 * std::numbers::pi;  ///< one revolution in rad
 
 }  // namespace rubsweep::numerics

@@ -4,7 +4,7 @@
 
 namespace rubsweep::numerics {
 
-/// SIMD register of `bytes` bytes: the processor works on all of its numbers at once.
+/// SIMD register of `bytes` bytes: the processor works on all its numbers at once.
 template <std::size_t bytes>
 struct Lanes {
   // NOLINTNEXTLINE(modernize-use-using): an attribute that depends on a parameter
@@ -21,7 +21,7 @@ template <class Kernel>
   kernel.template operator()<64>();
 }
 
-/// SIMD width of the widest registers that this processor has.
+/// Number of doubles in the widest registers of this processor.
 inline std::ptrdiff_t widest_lanes() {
   static const std::ptrdiff_t lanes = __builtin_cpu_supports("avx512f") ? 8
                                       : __builtin_cpu_supports("avx")   ? 4
@@ -30,10 +30,9 @@ inline std::ptrdiff_t widest_lanes() {
 }
 #endif
 
-/// Calls `kernel.operator()<bytes>()` for the widest registers that this processor has, of at most `most`
-/// lanes but two at least. The kernel and whatever it calls have to be always inlined, so that they are
-/// compiled for such registers. Arithmetic on every lane is that of one number: the bits do not depend on the
-/// processor.
+/// Calls `kernel.operator()<bytes>()` for the widest registers of this processor, with two to `most` lanes.
+/// The kernel and everything it calls must be always inlined, so that they are compiled for these registers.
+/// Each lane computes like a single number, so that the results do not depend on the processor.
 template <class Kernel>
 void in_widest_lanes([[maybe_unused]] std::ptrdiff_t most, const Kernel& kernel) {
 #ifdef __x86_64__
@@ -44,7 +43,7 @@ void in_widest_lanes([[maybe_unused]] std::ptrdiff_t most, const Kernel& kernel)
   kernel.template operator()<16>();
 }
 
-/// Calls `use.operator()<n>()` for n = `count`, 1 <= count <= `most`, which the compiler then knows.
+/// Calls `use.operator()<n>()` with n = `count`, 1 <= count <= `most`, as a compile-time constant.
 template <std::size_t most, class Use>
 [[gnu::always_inline]] inline void with_known_count(std::ptrdiff_t count, const Use& use) {
   if constexpr (most > 1) {

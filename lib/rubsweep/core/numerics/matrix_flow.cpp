@@ -6,13 +6,13 @@
 namespace rubsweep::numerics {
 namespace {
 
-/// cos(sqrt(x)) and sin(sqrt(x)) / sqrt(x), continued through x <= 0 by their hyperbolic partners.
+/// cos(sqrt(x)) and sin(sqrt(x)) / sqrt(x); for x <= 0 continued by the hyperbolic functions.
 struct CosineAndSinc {
   double c, s;
 };
 
 CosineAndSinc cosine_and_sinc(double x) {
-  // Here the series is exact to rounding, on both sides of zero.
+  // The series here is exact to rounding on both sides of zero.
   if (std::abs(x) < 1e-2) {
     return {1 - x / 2 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56 * (1 - x / 90)))),
             1 - x / 6 * (1 - x / 20 * (1 - x / 42 * (1 - x / 72 * (1 - x / 110))))};
@@ -38,8 +38,8 @@ MatrixXd generator_of(const MatrixXd& stiffness, const MatrixXd& damping) {
 
 namespace {
 
-/// In units of time that make displacements and velocities alike: of the same norm as the eigenvalues, the
-/// exponent takes fewer squarings.
+/// Scales time so that displacements and velocities are of equal size: the exponent then has about the norm
+/// of its eigenvalues and needs fewer squarings.
 LongMatrix long_flow(const MatrixXd& generator, double duration_s) {
   const Eigen::Index n = generator.rows() / 2, m = generator.rows() - n;
   const double largest = generator.bottomLeftCorner(m, n).cwiseAbs().maxCoeff();
@@ -53,11 +53,11 @@ LongMatrix long_flow(const MatrixXd& generator, double duration_s) {
   return flow;
 }
 
-/// e^|A t| for a short time, entry by entry a bound of e^{A s} for |s| <= t. Where a unit of time is long or
-/// short beside the motion, the exponential is taken in another one: its squarings would lose the small
-/// entries beside the large ones. By powers of two, which cost no rounding.
+/// Entries of e^|A t| for a short time t, which bound those of e^{A s} for |s| <= t. Where the motion is much
+/// faster or slower than the unit of time, time is rescaled, because squaring would lose the small entries
+/// beside the large ones. Powers of two add no rounding.
 MatrixXd bound_between(const MatrixXd& generator, double duration_s) {
-  constexpr int far_from_the_unit = 20;  // binary orders: rounding still leaves three digits of each entry
+  constexpr int far_from_the_unit = 20;  // binary orders: less leaves three digits of each entry
   const Eigen::Index n = generator.rows() / 2, m = generator.rows() - n;
   const double largest = generator.bottomLeftCorner(m, n).cwiseAbs().maxCoeff();
   const int order = largest > 0 ? std::ilogb(std::sqrt(largest)) : 0;
@@ -79,9 +79,9 @@ MatrixXd matrix_flow(const MatrixXd& generator, double duration_s) {
 
 void make_matrix_flows(const MatrixXd& generator, double longest_s, int k,
                        const std::function<void(int, const MatrixXd&)>& put) {
-  constexpr int squarings = 6;  // rounding grows at most 2^6 times, which long double has to spare
+  constexpr int squarings = 6;  // rounding grows at most by 2^6, which long double has to spare
   const int shortest = exact_step_count - 2 + k % 2;
-  const int level = (shortest - k) / 2;  // level from the shortest step up; a group begins with its shortest
+  const int level = (shortest - k) / 2;  // level above the shortest step; a group starts at its shortest
   int i = shortest - 2 * (level - level % (squarings + 1));
   LongMatrix flow = long_flow(generator, longest_s * exact_step_size(i));
   put(i, flow.cast<double>());
@@ -108,12 +108,12 @@ RowVectorXd FlowBound::of(const RowVectorXd& row) const {
 
 Pair pair_flow(const Pair& g, double duration) {
   const double mean = (g.uu + g.vv) / 2, half = (g.uu - g.vv) / 2;
-  // det - mean^2, without the cancellation of the diagonal's product.
+  // det - mean^2, without the cancellation in the product of the diagonal.
   const double q = -g.uv * g.vu - half * half;
   const double square = q * duration * duration;
   double c = 0, s = 0;
   if (square < -100) {
-    // cosh would overflow where its product with the decay is small.
+    // cosh alone would overflow, although its product with the decay is small.
     const double root = std::sqrt(-q);
     const double slow = std::exp((mean + root) * duration), fast = std::exp((mean - root) * duration);
     c = (slow + fast) / 2;
@@ -127,7 +127,7 @@ Pair pair_flow(const Pair& g, double duration) {
   return {c + s * half, s * g.uv, s * g.vu, c - s * half};
 }
 
-/// By Cayley and Hamilton, G^2 = trace G - determinant: every power of G is some of 1 and some of G.
+/// By Cayley and Hamilton, G^2 = trace G - determinant: every power of G is a combination of 1 and G.
 PairSeries pair_series(const std::vector<Pair>& generators, double fastest_rad_per_s) {
   const auto count = static_cast<Eigen::Index>(generators.size());
   PairSeries series;
@@ -137,7 +137,7 @@ PairSeries pair_series(const std::vector<Pair>& generators, double fastest_rad_p
     const Pair& g = generators[static_cast<std::size_t>(j)];
     const double trace = (g.uu + g.vv) / fastest_rad_per_s;
     const double determinant = (g.uu * g.vv - g.uv * g.vu) / (fastest_rad_per_s * fastest_rad_per_s);
-    double unit = 1, generator = 0;  // scale of G^k / k!, time in units of 1 / fastest
+    double unit = 1, generator = 0;  // coefficients of G^k / k!, time in units of 1 / fastest
     for (std::size_t k = 0; k < most_series_terms; ++k) {
       series.unit(j, static_cast<Eigen::Index>(k)) = unit;
       series.generator(j, static_cast<Eigen::Index>(k)) = generator / fastest_rad_per_s;

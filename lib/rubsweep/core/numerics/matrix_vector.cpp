@@ -7,8 +7,7 @@
 namespace rubsweep::numerics {
 namespace {
 
-/// `count` lanes of rows at once, each with a sum of its own that waits for no other. The last one begins at
-/// row `last`.
+/// `count` lanes of rows at once, each with its own independent sum. The last lane begins at row `last`.
 template <std::size_t bytes, std::size_t count>
 [[gnu::always_inline]] inline void some_lanes(std::ptrdiff_t columns, const double* matrix,
                                               std::ptrdiff_t stride, std::ptrdiff_t last,
@@ -37,14 +36,13 @@ template <std::size_t bytes, std::size_t count>
   for (std::size_t i = 0; i < count; ++i) std::memcpy(product + row_of(i), &sums[i], bytes);
 }
 
-/// All rows, at least as many as a lane has: lanes side by side, about as many at a time in every pass, and
-/// the very last one shifted back to end with the last row. Rows computed twice get the same bits.
+/// All rows, at least one lane of them. Each pass handles several lanes, about equally many; the very last
+/// lane is shifted back to end with the last row. Rows computed twice get the same bits.
 template <std::size_t bytes>
 [[gnu::always_inline]] inline void all_rows(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
                                             std::ptrdiff_t stride, const double* vector, double* product) {
   constexpr auto width = static_cast<std::ptrdiff_t>(bytes / sizeof(double));
-  constexpr std::ptrdiff_t most =
-      6;  // columns at a time: sums, entries and a factor fit into sixteen registers
+  constexpr std::ptrdiff_t most = 6;  // lanes at a time: sums, entries and a factor fit into 16 registers
   std::ptrdiff_t lanes = (rows + width - 1) / width;
   for (std::ptrdiff_t passes = (lanes + most - 1) / most, first = 0; passes > 0; --passes) {
     const std::ptrdiff_t now = (lanes + passes - 1) / passes;

@@ -8,12 +8,12 @@
 
 namespace rubsweep::numerics {
 
-/// A matrix, column by column, that vectors are multiplied by again and again: every column begins with a
-/// cache line, so that a processor which reads whole lines never has to read two for one.
+/// A matrix, stored by columns, that multiplies many vectors. Every column starts at a cache line, so that
+/// the processor never has to read two lines for one register.
 class AlignedMatrix {
  public:
   AlignedMatrix() = default;
-  /// Zeros.
+  /// Zero matrix.
   AlignedMatrix(Eigen::Index rows, Eigen::Index columns)
       : rows_(rows), columns_(columns), lines_(static_cast<std::size_t>(columns * lines_a_column())) {}
   explicit AlignedMatrix(const Eigen::MatrixXd& matrix) : AlignedMatrix(matrix.rows(), matrix.cols()) {
@@ -23,7 +23,7 @@ class AlignedMatrix {
 
   Eigen::Index rows() const { return rows_; }
   Eigen::Index cols() const { return columns_; }
-  /// Distance between numbers of one row in neighbouring columns.
+  /// Distance in memory between neighbouring entries of a row.
   Eigen::Index stride() const { return lines_a_column() * per_line; }
   auto diagonal() const {
     return Eigen::Map<const Eigen::VectorXd, Eigen::Unaligned, Eigen::InnerStride<>>(
@@ -42,14 +42,14 @@ class AlignedMatrix {
   std::vector<Line> lines_;
 };
 
-/// product = matrix . vector, the matrix column by column, each `stride` >= rows numbers behind the one
-/// before. Every row is summed in the order of its columns, so that the bits are those of the plain loop
-/// whatever the processor adds at once. Nothing may overlap; columns >= 1.
+/// product = matrix . vector. The matrix is stored by columns, each `stride` >= rows numbers after the one
+/// before. Each row is summed in the order of its columns, so that the bits are those of the plain loop on
+/// every processor. Arguments must not overlap; columns >= 1.
 void multiply(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix, std::ptrdiff_t stride,
               const double* vector, double* product);
 
-/// The same for a matrix of Eigen into another vector: by Eigen where sizes are known to the compiler, which
-/// unrolls such loops, and by `multiply` where they are not.
+/// The same product for an Eigen matrix: by Eigen where sizes are known at compile time, so that loops are
+/// unrolled, otherwise by `multiply`.
 template <class Matrix, class Vector, class Product>
 void put_product(const Matrix& matrix, const Vector& vector, Product& product) {
   if constexpr (Matrix::RowsAtCompileTime == Eigen::Dynamic) {

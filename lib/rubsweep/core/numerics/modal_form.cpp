@@ -10,7 +10,7 @@ namespace {
 
 constexpr double largest_condition = 1e4;
 
-/// Modal form of diagonal matrices, from rounded numbers, so that their pairs are those of the generator.
+/// Modal form of diagonal matrices, from rounded numbers, so that the pairs agree with the generator.
 ModalForm diagonal_form(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping) {
   const Eigen::Index n = stiffness.rows();
   ModalForm form{Eigen::MatrixXd::Identity(2 * n, 2 * n), Eigen::MatrixXd::Identity(2 * n, 2 * n), {}, 0};
@@ -27,11 +27,11 @@ ModalForm diagonal_form(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd&
   return form;
 }
 
-/// Columns of the basis and generator of pair j.
+/// Sets the two columns of the basis and the generator of pair j.
 void set_pair(ModalForm& form, LongMatrix& basis, Eigen::Index j, const LongVector& first,
               const LongVector& second, const Pair& generator) {
   const Eigen::Index n = basis.rows() / 2;
-  // Displacements of order one, so that a pair is measured in clearances.
+  // Displacements are scaled to order one, so that the length of a pair is in clearances.
   const long double size = std::sqrt(first.head(n).squaredNorm() + second.head(n).squaredNorm());
   basis.col(j) = first / size;
   basis.col(n + j) = second / size;
@@ -51,7 +51,7 @@ std::optional<ModalForm> modal_form_of_unrounded(const LongMatrix& stiffness, co
   if (stiffness.isDiagonal(0) && damping.isDiagonal(0) && positive)
     return diagonal_form(stiffness.cast<double>(), damping.cast<double>());
 
-  // In units of the fastest frequency, so that displacements and velocities are alike.
+  // Time in units of the fastest frequency, so that displacements and velocities are of equal size.
   const long double unit = std::sqrt(stiffness.cwiseAbs().maxCoeff());
   LongMatrix a = LongMatrix::Zero(2 * n, 2 * n);
   a.topRightCorner(n, n).setIdentity();

@@ -9,17 +9,17 @@ namespace rubsweep::numerics {
 
 struct ModalForm;
 
-/// Least-recently-used cache of modal forms: the eigenvectors of a rotor kit take milliseconds in long
-/// double, and all cells of one speed ask for the same. Belongs to one thread.
+/// Least-recently-used cache of modal forms. Eigenvectors of a rotor kit take milliseconds in long double,
+/// and all cells of one speed need the same. Belongs to one thread.
 class ModalFormCache {
  public:
-  /// Forms are dropped, longest unused first, until they take no more than this; the last one stays.
+  /// The cache drops the forms unused for longest above `most_bytes`, but always keeps the latest.
   explicit ModalFormCache(std::size_t most_bytes = std::size_t{16} << 20);
   ModalFormCache(ModalFormCache&&) noexcept;
   ModalFormCache& operator=(ModalFormCache&&) noexcept;
   ~ModalFormCache();
 
-  /// As of modal_form; the reference holds until the next call.
+  /// Result of modal_form; the reference is valid until the next call.
   const std::optional<ModalForm>& form_of(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& damping);
 
   std::size_t size() const;

@@ -9,14 +9,14 @@ namespace rubsweep::numerics {
 /// Limits of Newton's iteration.
 struct NewtonLimits {
   int iterations = 10;
-  int free_iterations = 0;  ///< the first ones, whose error may grow
-  double growth = 1;        ///< later errors must not be larger than this times the one before
+  int free_iterations = 0;  ///< number of first iterations in which the error may grow
+  double growth = 1;        ///< largest allowed ratio of a later error to the one before
 };
 
-/// Newton's iteration; true where it converged. `problem` has the unknowns and says:
-/// - error(i, last): error of the unknowns at iteration i, whose map and derivative it evaluates; empty where
-///   that cannot be. `last`: the error before, at first infinite;
-/// - converged(i, error, last);
+/// Newton's iteration; true where it converged. `problem` holds the unknowns and has the functions:
+/// - error(i, last): evaluates the map and its derivative at iteration i and returns the error; empty where
+/// this fails. `last` is the error of the iteration before, infinite at first.
+/// - converged(i, error, last): whether to stop.
 /// - step(i): takes Newton's step; false where there is none.
 template <class Problem>
 bool newton(Problem& problem, const NewtonLimits& limits) {

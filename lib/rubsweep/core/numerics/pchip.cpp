@@ -14,7 +14,7 @@ double inner_slope(double h_before, double d_before, double h_after, double d_af
   return (w_before + w_after) / (w_before / d_before + w_after / d_after);
 }
 
-/// `h`, `d`: width and secant of the piece at the end, `h_next`, `d_next` of its neighbour.
+/// Slope at an end. `h`, `d`: width and secant of the end piece; `h_next`, `d_next`: of its neighbour.
 double end_slope(double h, double d, double h_next, double d_next) {
   const double slope = ((2 * h + h_next) * d - h * d_next) / (h + h_next);
   if (!(slope * d > 0)) return 0;

@@ -4,19 +4,19 @@
 
 namespace rubsweep::numerics {
 
-/// Piecewise cubic through points that has no extremum between them: slopes by Fritsch and Butland (SIAM J.
-/// Sci. Stat. Comput. 5, 1984), the weighted harmonic mean of the secants beside a point, 0 where these
-/// differ in sign; at both ends the three-point formula, limited so that the curve stays monotone (as `pchip`
-/// of SLATEC). Its first derivative is continuous. Unlike boost::math::interpolators::pchip it takes two or
-/// three points too, and its ends are of second order.
+/// Piecewise cubic through points, without extrema between them. Slopes are by Fritsch and Butland (SIAM J.
+/// Sci. Stat. Comput. 5, 1984): the weighted harmonic mean of the secants beside a point, or 0 where their
+/// signs differ. At both ends the three-point formula is limited so that the curve stays monotone (as `pchip`
+/// of SLATEC). The first derivative is continuous. Unlike boost::math::interpolators::pchip, two or three
+/// points are allowed, and the ends are of second order.
 class Pchip {
  public:
-  /// x strictly ascending, as many y as x, at least one of each. One point is a constant.
+  /// x strictly ascending, as many y as x, at least one of each. One point gives a constant.
   Pchip(std::vector<double> x, std::vector<double> y);
 
-  /// The value at x, at a point exactly its y; beyond the ends that of the end. Never allocates.
+  /// Value at x, exactly y at a given point; beyond the ends the value of the end. Never allocates memory.
   double operator()(double x) const;
-  /// The derivative; beyond the ends that of the end.
+  /// Derivative at x; beyond the ends the derivative of the end.
   double slope(double x) const;
 
  private:

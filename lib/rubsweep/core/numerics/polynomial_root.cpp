@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t most = most_degree + 1;
 constexpr double resolution = 0x1p-44;
-/// Terms tried first: in a long power series the last ones are small, and the first decide nearly always.
+/// Number of terms tried first; they nearly always decide, because later terms of a long series are small.
 constexpr std::size_t first_terms = 13, worth_while = 20;
 
-/// Bernstein coefficients over an interval; the first `count` are in use.
+/// Bernstein coefficients over an interval; only the first `count` are used.
 struct Hull {
   std::array<double, most> b;
   std::size_t count = 0;
@@ -45,7 +45,7 @@ Hull hull_of(std::span<const double> c) {
   return hull;
 }
 
-/// De Casteljau at the middle.
+/// De Casteljau's algorithm at the middle.
 std::pair<Hull, Hull> halves(const Hull& hull) {
   Hull left, right, row = hull;
   left.count = right.count = hull.count;
@@ -57,7 +57,7 @@ std::pair<Hull, Hull> halves(const Hull& hull) {
   return {left, right};
 }
 
-/// Changes between below zero and not below it, counted up to two.
+/// Number of sign changes of the coefficients (zero counts as positive), counted up to two.
 int sign_changes(const Hull& hull) {
   int changes = 0;
   for (std::size_t i = 1; i < hull.count && changes < 2; ++i)
@@ -65,7 +65,7 @@ int sign_changes(const Hull& hull) {
   return changes;
 }
 
-/// The parabola that fits a polynomial at one place: its value, its derivative and half of the second one.
+/// Local parabola of a polynomial at one place: value, first derivative and half of the second derivative.
 struct Parabola {
   double value = 0, slope = 0, bend = 0;
 };
@@ -84,8 +84,8 @@ double halley_step(const Parabola& at) {
   return -at.value * at.slope / (at.slope * at.slope - at.value * at.bend);
 }
 
-/// Start near the one root between `low` and `high`: zero of the chord between their values by the first
-/// terms, which cost half as much as all of them.
+/// Start value near the single root between `low` and `high`: zero of the chord, improved with the first
+/// terms only, which cost half as much as all.
 double near_root(std::span<const double> c, double low, double high, double at_low, double at_high) {
   double x = low + (high - low) * (at_low / (at_low - at_high));
   for (int i = 0; i < 2 && c.size() >= worth_while; ++i)
@@ -93,10 +93,10 @@ double near_root(std::span<const double> c, double low, double high, double at_l
   return x > low && x < high ? x : (low + high) / 2;
 }
 
-/// The one root between `low`, where the polynomial is below zero, and `high`, by Halley's iteration.
+/// Refines the single root between `low`, where the polynomial is negative, and `high` by Halley's iteration.
 double refine(std::span<const double> c, double low, double high, double at_low, double at_high) {
   constexpr int most_iterations = 80;
-  // Size of a step, relative to the root and the change of the slope, below which only rounding is left.
+  // Step size, relative to the root and the change of the slope, below which the rest is rounding.
   constexpr double small = 0x1p-20;
   double x = near_root(c, low, high, at_low, at_high);
   for (int i = 0; i < most_iterations; ++i) {
@@ -113,8 +113,8 @@ double refine(std::span<const double> c, double low, double high, double at_low,
   return x;
 }
 
-/// First rise in [low, low + width]. An interval begins with the very number that the one before ended with,
-/// so that no rise is lost between two of them.
+/// First rise in [low, low + width]. Neighbouring intervals share their end value bit by bit, so that no rise
+/// is lost between them.
 std::optional<double> search(std::span<const double> c, const Hull& hull, double low, double width) {
   const bool starts_below = hull.b[0] < 0, ends_below = hull.b[hull.count - 1] < 0;
   const int changes = sign_changes(hull);
@@ -129,7 +129,7 @@ std::optional<double> search(std::span<const double> c, const Hull& hull, double
   return search(c, right, low + width / 2, width / 2);
 }
 
-/// Sum of the positive terms. No sum of two waits for another one.
+/// Sum of the positive terms, in independent partial sums.
 double sum_of_positive(std::span<const double> c) {
   const Twin zero{};
   Twin sums[2]{};
@@ -144,8 +144,8 @@ double sum_of_positive(std::span<const double> c) {
   return sum;
 }
 
-/// Whether the polynomial is below zero by the Bernstein form of its first terms and a bound of the others: a
-/// hull costs the square of the degree.
+/// Whether the polynomial is negative by the Bernstein form of its first terms and a bound of the rest. The
+/// cost of the Bernstein form is quadratic in the degree.
 bool low_part_negative(std::span<const double> c) {
   if (c.size() < worth_while) return false;
   const double rest = sum_of_positive(c.subspan(first_terms));
@@ -153,7 +153,7 @@ bool low_part_negative(std::span<const double> c) {
   return *std::max_element(hull.b.begin(), hull.b.begin() + first_terms) + rest < 0;
 }
 
-/// p(1), even and odd terms apart.
+/// p(1), with even and odd terms summed separately.
 double value_at_one(std::span<const double> c) {
   double even = 0, odd = 0;
   std::size_t k = 0;
@@ -164,8 +164,8 @@ double value_at_one(std::span<const double> c) {
   return (k < c.size() ? even + c[k] : even) + odd;
 }
 
-/// For a polynomial that starts below zero and ends above it: whether it has one root for a reason that is
-/// found at once, because it rises all the way, or bends one way only.
+/// For a polynomial that starts below zero and ends above it: whether it has a single root because it rises
+/// everywhere or its second derivative keeps its sign.
 bool clearly_one_root(std::span<const double> c) {
   std::array<double, most> falls, bends;  // -p', then p'' or -p''
   const std::size_t slopes = c.size() - 1;
@@ -179,7 +179,7 @@ bool clearly_one_root(std::span<const double> c) {
 
 constexpr double finest_piece = 1e-12;
 
-/// De Casteljau at the middle.
+/// De Casteljau's algorithm at the middle.
 std::array<Quartic, 2> halves(const Quartic& q) {
   Quartic left{}, right{}, row = q;
   for (std::size_t level = 0; level < q.size(); ++level) {
@@ -190,8 +190,8 @@ std::array<Quartic, 2> halves(const Quartic& q) {
   return {left, right};
 }
 
-/// Searches [low, low + width]; `below` says whether the curve was below zero just before, and is carried
-/// along.
+/// Searches [low, low + width] for the first rise. `below`: whether the curve was below zero just before;
+/// updated by the search.
 std::optional<double> search(const Quartic& q, double low, double width, bool& below) {
   const auto [smallest, largest] = std::minmax_element(q.begin(), q.end());
   if (*largest < 0) {
@@ -216,7 +216,7 @@ bool clearly_negative(std::span<const double> c) {
   const double rest = c.size() > 4 ? sum_of_positive(c.subspan(4)) : 0;
   const auto coefficient = [&](std::size_t k) { return k < c.size() ? c[k] : 0.0; };
   const double c1 = coefficient(1), c2 = coefficient(2), c3 = coefficient(3);
-  // The cubic part lies below the largest of its control ordinates, and no power of x is above one.
+  // The cubic part is at most its largest control ordinate, and no power of x exceeds one.
   const double highest = std::max({c[0], c[0] + c1 / 3, c[0] + 2 * c1 / 3 + c2 / 3, c[0] + c1 + c2 + c3});
   return highest + rest < 0;
 }

@@ -6,15 +6,14 @@
 
 namespace rubsweep::numerics {
 
-/// A least-recently-used cache of what is costly to make. What it holds stays where it is in memory until it
-/// is dropped.
+/// A least-recently-used cache of costly objects. An object keeps its address until it is dropped.
 template <class T>
 class RecentlyUsed {
  public:
-  /// The sizes of all that is kept come to no more than `most`; a size is one, unless `trim` is told another.
+  /// `most`: largest total size of the kept objects; each has size 1 unless `trim` gets another measure.
   explicit RecentlyUsed(std::size_t most) : most_(most) {}
 
-  /// The one that `is` holds for, which now is the one used last; null where none is kept.
+  /// Finds the object for which `is` holds and makes it the most recent; null where there is none.
   template <class Is>
   T* find(const Is& is) {
     for (auto one = kept_.begin(); one != kept_.end(); ++one) {
@@ -25,13 +24,13 @@ class RecentlyUsed {
     return nullptr;
   }
 
-  /// Makes one, the one used last. Nothing is dropped before `trim`.
+  /// Makes an object, which becomes the most recent. Nothing is dropped before `trim`.
   template <class... Arguments>
   T& emplace(Arguments&&... arguments) {
     return kept_.emplace_front(std::forward<Arguments>(arguments)...);
   }
 
-  /// Drops what was not used for longest until the rest fits; the one used last stays whatever its size.
+  /// Drops objects, least recent first, until the rest fits; the most recent always stays.
   template <class Size>
   void trim(const Size& size) {
     std::size_t sum = 0;
@@ -46,7 +45,7 @@ class RecentlyUsed {
     trim([](const T&) { return std::size_t{1}; });
   }
 
-  /// The one used last; null where none is kept.
+  /// The most recent object; null where there is none.
   T* newest() { return kept_.empty() ? nullptr : &kept_.front(); }
   std::size_t size() const { return kept_.size(); }
 

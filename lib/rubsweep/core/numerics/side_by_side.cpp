@@ -7,13 +7,13 @@
 namespace rubsweep::numerics {
 namespace {
 
-/// Calls at(i) for every vector number i at which a lane begins.
+/// Calls at(i) for the first vector number i of each lane.
 template <std::size_t bytes, class At>
 [[gnu::always_inline]] inline void for_each_lane(std::ptrdiff_t count, const At& at) {
   for (std::ptrdiff_t i = 0; i < count; i += static_cast<std::ptrdiff_t>(bytes / sizeof(double))) at(i);
 }
 
-/// `count` rows of a product for the lane at `from.data`, each with a sum of its own that waits for no other.
+/// `count` rows of a product for the lane at `from.data`, each row with its own independent sum.
 template <std::size_t bytes, std::size_t count>
 [[gnu::always_inline]] inline void some_rows(std::ptrdiff_t columns, const double* matrix,
                                              std::ptrdiff_t matrix_stride, const SideBySide& from,
@@ -33,7 +33,7 @@ template <std::size_t bytes, std::size_t count>
     std::memcpy(to.data + static_cast<std::ptrdiff_t>(r) * to.stride, &sums[r], bytes);
 }
 
-/// All rows for that lane, about as many at a time in every pass.
+/// All rows for that lane, about equally many in each pass.
 template <std::size_t bytes>
 [[gnu::always_inline]] inline void all_rows(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
                                             std::ptrdiff_t matrix_stride, const SideBySide& from,

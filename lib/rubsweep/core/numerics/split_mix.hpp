@@ -4,10 +4,10 @@
 
 namespace rubsweep::numerics {
 
-/// The state of SplitMix64 grows by this at every number.
+/// Increment of the state of SplitMix64 for each number.
 inline constexpr std::uint64_t split_mix_increment = 0x9e3779b97f4a7c15U;
 
-/// Number of SplitMix64 (Steele, Lea, Flood 2014) that follows a state; all its bits depend on all of the
+/// Number of SplitMix64 (Steele, Lea, Flood 2014) that follows a state; each of its bits depends on the whole
 /// state.
 constexpr std::uint64_t split_mix(std::uint64_t state) {
   state += split_mix_increment;

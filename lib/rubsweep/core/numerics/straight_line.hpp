@@ -14,7 +14,7 @@ struct StraightLine {
   double operator()(double x) const { return value + slope * (x - at); }
 };
 
-/// Line of the least squares through points, two or more whose x are not all the same; `at` is their mean.
+/// Least-squares line through at least two points whose x are not all equal; `at` is the mean of x.
 inline StraightLine line_through(std::span<const double> x, std::span<const double> y) {
   StraightLine line;
   const auto count = static_cast<double>(x.size());
@@ -31,7 +31,7 @@ inline StraightLine line_through(std::span<const double> x, std::span<const doub
   return line;
 }
 
-/// Largest distance of a point from the line, in y.
+/// Largest vertical distance (in y) of a point from the line.
 inline double largest_distance(const StraightLine& line, std::span<const double> x,
                                std::span<const double> y) {
   double largest = 0;

@@ -11,9 +11,9 @@
 
 namespace rubsweep::numerics {
 
-/// The k-th root of x > 0, or up to a thousandth of it less: enough for the length of a step, in a quarter of
-/// std::pow's time. With x = 2^e (1 + f), polynomials approximate log2(1 + f) and the power of two; low roots
-/// and subnormal numbers are left to std::pow.
+/// The k-th root of x > 0, or up to 0.1 % less: accurate enough for a step length, in a quarter of the time
+/// of std::pow. With x = 2^e (1 + f), polynomials approximate log2(1 + f) and the power of two. Low roots and
+/// subnormal numbers use std::pow.
 inline double root_below(double x, int k) {
   constexpr int least_root = 16, digits = 52, bias = 1023;
   using Limits = std::numeric_limits<double>;
@@ -21,8 +21,8 @@ inline double root_below(double x, int k) {
   constexpr auto one = std::uint64_t{bias} << digits, fraction = (std::uint64_t{1} << digits) - 1;
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const double f = std::bit_cast<double>((bits & fraction) | one) - 1;
-  // Within 0.01, of which the root keeps a k-th part; `bias` is added to be above zero, where the whole part
-  // is what a conversion leaves.
+  // Error below 0.01, which the root divides by k. `bias` is added to make it positive, where conversion to
+  // an integer truncates downwards.
   const double logarithm = (static_cast<int>(bits >> digits) - bias + f * (4 - f) / 3) / k + bias;
   const auto whole = static_cast<std::uint64_t>(static_cast<std::int64_t>(logarithm));
   const double g = logarithm - static_cast<double>(static_cast<std::int64_t>(whole));
@@ -32,10 +32,10 @@ inline double root_below(double x, int k) {
   return below * power * std::bit_cast<double>(whole << digits);
 }
 
-/// Highest order of a power series here.
+/// Highest order of the power series in this file.
 inline constexpr int most_taylor_order = 24;
 
-/// Reciprocals 1 / k, each of them twice: divisions would be the critical path of such recurrences.
+/// Table of 1 / k, each entry twice: divisions would be the critical path of the recurrences.
 inline constexpr auto taylor_reciprocals = [] {
   std::array<double, 2 * std::size_t{most_taylor_order + 3}> table{};
   for (std::size_t k = 1; 2 * k < table.size(); ++k)
@@ -54,7 +54,7 @@ constexpr double power(double x, int k) {
   return result;
 }
 
-/// x^0, x^1, ... , `count` of them: even and odd ones do not wait for each other.
+/// x^0, x^1, ..., `count` powers: even and odd ones are computed independently.
 inline void put_powers(double x, int count, double* to) {
   const Twin square = both(x * x);
   Twin powers{1, x};
@@ -63,14 +63,14 @@ inline void put_powers(double x, int count, double* to) {
   if (k < count) to[k] = powers[0];
 }
 
-/// The longest t, at most `longest`, with term t^k <= largest, of a term >= 0 and a k >= 1, or up to a
-/// thousandth less. A root is drawn only where it is needed.
+/// The longest t <= `longest` with term t^k <= largest, for term >= 0 and k >= 1, or up to 0.1 % less. The
+/// root is computed only if needed.
 inline double longest_below(double longest, double term, int k, double largest) {
   return term * power(longest, k) > largest ? root_below(largest / term, k) : longest;
 }
 
-/// Coefficients of a power series sum a_k t^k, written one after the other. They are kept in both directions,
-/// so that the sum over a_j b_{k-j} reads two rows of numbers forwards.
+/// Coefficients of a power series sum a_k t^k, written in order. They are stored in both directions, so that
+/// the sum of a_j b_{k-j} reads both arrays forwards.
 class Series {
  public:
   double operator[](int k) const { return forward_[k]; }
@@ -79,8 +79,8 @@ class Series {
     backward_[last - k] = value;
   }
 
-  /// Sum of a_j b_{k-j} for 1 <= j <= end - 1 (end <= k): the inside of coefficient k of a product. Neither
-  /// a_0, b_0 nor a_k, b_k is read, so that a recurrence may ask for it before it knows the latter.
+  /// Sum of a_j b_{k-j} for 1 <= j <= end - 1 (end <= k): the inner part of coefficient k of a product. It
+  /// reads none of a_0, b_0, a_k, b_k, so that a recurrence may call it before a_k and b_k are known.
   friend double inner_sum(const Series& a, const Series& b, int k, int end) {
     const double *x = a.forward_, *y = b.backward_ + (last - k);
     Twin even{}, odd{};
@@ -101,7 +101,7 @@ class Series {
   friend double inner_sum(const Series& a, const Series& b, int k) { return inner_sum(a, b, k, k); }
 
  private:
-  static constexpr int last = most_taylor_order + 1;  ///< one more than the order: a rate asks for the next
+  static constexpr int last = most_taylor_order + 1;  ///< one more than the order, for the series of a rate
   double forward_[last + 1];
   double backward_[last + 1];
 };
@@ -113,7 +113,7 @@ inline double inner_square(const Series& a, int k) {
   return k % 2 == 0 && k > 0 ? twice + a[k / 2] * a[k / 2] : twice;
 }
 
-/// Coefficient k of a a.
+/// Coefficient k of the product a a.
 inline double square_term(const Series& a, int k) {
   return k == 0 ? a[0] * a[0] : 2 * a[0] * a[k] + inner_square(a, k);
 }
@@ -126,7 +126,7 @@ struct TanhSeries {
     rate.set(k, k * g * w_k);
     if (k == 0) {
       y.set(0, std::tanh(g * w_k));
-      // sech^2 keeps its digits where tanh is near one.
+      // 1 / cosh^2 keeps its digits where tanh is near one.
       const double inverse = 1 / std::cosh(g * w_k);
       z.set(0, inverse * inverse);
       return;
@@ -136,7 +136,7 @@ struct TanhSeries {
   }
 };
 
-/// y = exp(-x^p) with z = p x^(p-1) y, p being 1 or 2, by y' = -x' z. `rate` holds k x_k; written up to k.
+/// y = exp(-x^p) with z = p x^(p-1) y, p = 1 or 2, by y' = -x' z. `rate` holds k x_k; all are known up to k.
 struct FallSeries {
   Series x, y, z, rate;
 
@@ -153,9 +153,9 @@ struct FallSeries {
   }
 };
 
-/// Coefficients of the power series of a vector in a plane. That of a number has each of them twice. A
-/// coefficient is one register, written and read as a whole: a product waits neither for one that was just
-/// written nor for a sum across registers.
+/// Coefficients of the power series of a plane vector; the series of a number holds each coefficient twice.
+/// Each coefficient is one register, read and written as a whole, so that products need no sum across
+/// registers.
 class PlaneSeries {
  public:
   Twin operator[](int k) const { return terms_[k]; }
@@ -164,20 +164,20 @@ class PlaneSeries {
   double number(int k) const { return terms_[k][0]; }
 
  private:
-  Twin terms_[most_taylor_order + 2];  ///< one more than the order: a rate asks for the next
+  Twin terms_[most_taylor_order + 2];  ///< one more than the order, for the series of a rate
 };
 
-/// `Count` such series side by side: what is done with all of them alike waits less than what is done with
-/// one after the other.
+/// `Count` such series side by side: the same operation on all of them at once has shorter waits than on one
+/// after the other.
 template <int Count>
 class PlaneSeriesBundle {
  public:
-  using Term = std::array<Twin, static_cast<std::size_t>(Count)>;  ///< coefficient of each
+  using Term = std::array<Twin, static_cast<std::size_t>(Count)>;  ///< coefficient of each series
   const Term& operator[](int k) const { return terms_[k]; }
   void set(int k, const Term& value) { terms_[k] = value; }
   void set(int k, std::size_t which, Twin value) { terms_[k][which] = value; }
 
-  /// One of them, as a PlaneSeries is read.
+  /// View of one series of the bundle, read like a PlaneSeries.
   struct Member {
     const PlaneSeriesBundle& all;
     std::size_t which;
@@ -189,7 +189,7 @@ class PlaneSeriesBundle {
   Term terms_[most_taylor_order + 2];
 };
 
-/// Sum of a_j b_{k-j}, component by component, for `first` <= j <= `last`; of series or members of
+/// Sum of a_j b_{k-j}, component by component, for `first` <= j <= `last`; a and b are series or members of
 /// bundles.
 template <class A, class B>
 Twin sum_of_products(const A& a, const B& b, int k, int first, int last) {
@@ -203,7 +203,7 @@ Twin sum_of_products(const A& a, const B& b, int k, int first, int last) {
   return even + odd;
 }
 
-/// Coefficient k of a b, component by component.
+/// Coefficient k of the product a b, component by component.
 template <class A, class B>
 Twin product_term(const A& a, const B& b, int k) {
   return sum_of_products(a, b, k, 0, k);

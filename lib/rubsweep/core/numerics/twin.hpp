@@ -7,23 +7,23 @@
 
 namespace rubsweep::numerics {
 
-/// Two numbers in one register of every x86-64 processor; wider ones would have to be taken apart where they
-/// are missing.
+/// Two numbers in one register, which every x86-64 processor has. Wider vectors would be split on processors
+/// without wider registers.
 using Twin [[gnu::vector_size(16)]] = double;
 
 inline Twin both(double value) { return Twin{value, value}; }
 inline Twin swapped(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 0); }
 inline Twin first_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 0, 0); }
 inline Twin second_twice(Twin pair) { return __builtin_shufflevector(pair, pair, 1, 1); }
-/// Without the signs' bits: one instruction.
+/// Absolute values, by clearing the sign bits in one instruction.
 inline Twin magnitudes(Twin pair) {
   using Bits [[gnu::vector_size(16)]] = std::int64_t;
   constexpr std::int64_t all_but_sign = std::numeric_limits<std::int64_t>::max();
   return std::bit_cast<Twin>(std::bit_cast<Bits>(pair) & Bits{all_but_sign, all_but_sign});
 }
-/// Twice.
+/// Sum of both numbers, in both places.
 inline Twin sum_of(Twin pair) { return pair + swapped(pair); }
-/// Sum of the first pair, sum of the second.
+/// Pair of the sum of `first` and the sum of `second`.
 inline Twin sums_of(Twin first, Twin second) {
   return __builtin_shufflevector(first, second, 0, 2) + __builtin_shufflevector(first, second, 1, 3);
 }
@@ -35,7 +35,7 @@ inline Twin load(const double* from) {
   return pair;
 }
 inline void store(double* to, Twin pair) { std::memcpy(to, &pair, sizeof pair); }
-/// A quarter of a turn further: (-y, x).
+/// Vector turned by a quarter turn: (-y, x).
 inline Twin quarter_turned(Twin pair) { return Twin{-1, 1} * swapped(pair); }
 
 }  // namespace rubsweep::numerics

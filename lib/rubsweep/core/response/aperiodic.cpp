@@ -11,8 +11,8 @@
 namespace rubsweep::response {
 namespace {
 
-/// First look: decides five of six undecided cells of the one-side, two-sides and annular maps; all three
-/// looks decide nineteen of twenty. A transient that outlasts them may last for ever.
+/// Turns of the three looks. The first decides five of six undecided cells of the one-side, two-sides and
+/// annular maps; all three decide nineteen of twenty. A transient that outlasts them may last for ever.
 constexpr std::size_t first_look = 640, second_look = 1280, last_look = 2560;
 constexpr std::size_t shortest_chaos = 1280;
 
@@ -27,6 +27,19 @@ bool chaotic(const motion::Exponent& exponent) {
   return exponent.per_revolution > std::max(exponent.error_bar, chaos_floor);
 }
 
+/// Whether a disturbance grew (`sign` 1) or shrank (-1) by more than it ever went the other way meanwhile,
+/// the first fifth dropped. The tangent vector of a stick-slip motion swings by a factor of hundreds and does
+/// neither; near a resonance of slip and shaft the swings are so slow that blocks of turns show a trend.
+bool goes_beyond_its_swings(std::span<const double> contributions, double sign) {
+  double sum = 0, furthest = 0, largest_return = 0;
+  for (const double growth : contributions.subspan(contributions.size() / 5)) {
+    sum += sign * growth;
+    furthest = std::max(furthest, sum);
+    largest_return = std::max(largest_return, furthest - sum);
+  }
+  return sum > largest_return;
+}
+
 /// Whether it was chaotic in the first half of the turns that are not its last window.
 bool was_chaotic(const Followed& motion, int window) {
   constexpr std::size_t fewest = 80;
@@ -34,7 +47,7 @@ bool was_chaotic(const Followed& motion, int window) {
   return turns / 2 >= fewest && chaotic(exponent_of(std::span(motion.contributions).first(turns / 2)));
 }
 
-/// Fills class and evidence; false when the turns so far do not decide.
+/// Sets class and evidence; false when the turns so far do not decide.
 bool decide(const Followed& motion, std::size_t turns_before,
             const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
             spectrum::SpectrumWorkspace& workspace, Aperiodic& result) {
@@ -45,8 +58,9 @@ bool decide(const Followed& motion, std::size_t turns_before,
     return true;
   }
   const auto [exponent, bar] = *result.exponent;
-  if (exponent < -std::max(bar, chaos_floor)) return true;
-  if (chaotic(*result.exponent) && turns_before + motion.turns() >= shortest_chaos) {
+  if (exponent < -std::max(bar, chaos_floor) && goes_beyond_its_swings(motion.contributions, -1)) return true;
+  if (chaotic(*result.exponent) && turns_before + motion.turns() >= shortest_chaos &&
+      goes_beyond_its_swings(motion.contributions, 1)) {
     result.motion_class = motion::MotionClass::chaotic;
     return true;
   }
@@ -57,24 +71,26 @@ bool decide(const Followed& motion, std::size_t turns_before,
   return true;
 }
 
-constexpr long first_watch = 200;  ///< turns after the first that is watched
-/// Exponent of a torus by smooth weights, of all turns and of either half. On 281 cells of an annular map
-/// these told all 237 tori from 29 chaotic motions and 15 others.
+constexpr long first_watch = 200;  ///< turns from the start of watching to the first test
+/// Largest exponent of a torus by smooth weights, over all turns and over each half. On 281 cells of an
+/// annular map these limits separated all 237 tori from 29 chaotic and 15 other motions.
 constexpr double torus_exponent = 2e-4, torus_half_exponent = 8e-4;
-/// The exponent is known so much better than the rate of the closest return that this has to say little.
+/// Required accuracy of the closest return's rate; coarse, because the exponent is known much better.
 constexpr double return_rate_known_to = 2e-3;
-/// Both halves above this are chaos, for as long as it lasts.
+/// When both halves exceed this exponent, the motion is chaotic, at least for now.
 constexpr double chaotic_half_exponent = 0.02;
 
-/// The exponent of a motion that has been chaotic for as long as it was followed: 1280 turns or more, the
-/// exponent positive beyond its bar and above chaos_floor, by smooth weights in either half as well, and a
-/// section that does not return. Empty for any other.
+/// Exponent of a motion that has been chaotic throughout: at least 1280 turns, an exponent positive beyond
+/// its error bar and above chaos_floor, in either half too by smooth weights, and a section that does not
+/// return. Empty for any other motion.
 std::optional<motion::Exponent> lasting_chaos(const Followed& motion) {
   if (motion.turns() < shortest_chaos) return std::nullopt;
   const motion::Exponent exponent = exponent_of(motion.contributions);
   const BumpMeans means = bump_means(motion.contributions);
-  if (!chaotic(exponent) || std::min(means.first, means.last) <= chaos_floor || period_of(motion))
+  if (!chaotic(exponent) || std::min(means.first, means.last) <= chaos_floor || period_of(motion) ||
+      !goes_beyond_its_swings(motion.contributions, 1)) {
     return std::nullopt;
+  }
   return exponent;
 }
 
@@ -135,7 +151,7 @@ void TorusWatch::add(const integrate::run::TurnRequest& request, const integrate
   motion_.add(turn.section, take_growth(direction_), turn.touched);
 }
 
-/// Whether it touches, has no period in the last window, and returns as a torus does.
+/// Whether the motion touches, has no period in the last window, and returns as a torus does.
 bool TorusWatch::shows_a_torus(spectrum::SpectrumWorkspace& workspace) const {
   const int window = options_.window_revolutions;
   if (motion_.turns_without_contact >= window) return false;

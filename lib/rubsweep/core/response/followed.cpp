@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t trend_blocks = 8;
 
-/// Squared distance of every row from the one `order` turns later.
+/// Squared distance of each row from the row `order` turns later.
 void square_distances(std::span<const double> rows, std::size_t width, std::size_t order,
                       std::vector<double>& squares) {
   squares.clear();
@@ -60,7 +60,7 @@ void fit_rate(std::span<const double> squares, ClosestReturn& result) {
 
 using Complex = std::complex<double>;
 
-/// Displacements of the observed point at `count` successive rows.
+/// Displacements (x, y) of the observed point in successive rows, as complex numbers.
 std::vector<Complex> displacements(std::span<const double> rows, std::size_t states,
                                    const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed) {
   std::vector<Complex> z;
@@ -76,8 +76,8 @@ bool stays_away(const ClosestReturn& nearest, double known_rate) {
          std::abs(nearest.rate) <= std::max(nearest.rate_error_bar, zero_rate);
 }
 
-/// A motion that grows without an end, such as that of a resonance with next to no damping, passes for a
-/// torus otherwise: no disturbance of it grows by any rate.
+/// Whether the size of the motion stays constant. A motion that grows for ever, such as an almost undamped
+/// resonance, would otherwise pass for a torus, because no disturbance of it grows.
 bool stays_as_large(std::span<const double> rows) {
   const auto square = [](std::span<const double> part) {
     return Eigen::Map<const Eigen::VectorXd>(part.data(), static_cast<Eigen::Index>(part.size()))
@@ -87,7 +87,7 @@ bool stays_as_large(std::span<const double> rows) {
   return std::abs(after - before) <= steady_share * before;
 }
 
-/// Mean distance of sections, every fourth of which is looked at, from the nearest one of `cloud`.
+/// Mean distance of every fourth section from its nearest neighbour in `cloud`.
 double mean_distance(std::span<const double> sections, std::span<const double> cloud, std::size_t states) {
   double sum = 0;
   int looks = 0;
@@ -147,7 +147,7 @@ bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2,
 }
 
 bool belongs_to(const Followed& motion, std::span<const double> sections) {
-  constexpr double more = 4, small = 0.01;  // the second in clearances
+  constexpr double more = 4, small = 0.01;  // `more`: ratio; `small`: clearances
   if (4 * motion.turns() * motion.states < 15 * sections.size()) return true;
   const auto rows = motion.last_rows(4 * motion.turns() / 5);
   const auto cloud = rows.first(rows.size() - sections.size());

@@ -9,55 +9,54 @@
 
 namespace rubsweep::response {
 
-/// How near a once-per-turn section comes to returning.
+/// Closest approach of a once-per-turn section to returning.
 struct ClosestReturn {
-  int order = 0;        ///< n of the smallest mean square distance between rows n turns apart
+  int order = 0;        ///< n with the smallest mean square distance between rows n turns apart
   double distance = 0;  ///< root of that mean square, in the unit of the rows
   double rate = 0;  ///< rate at which the distance grows, per turn; negative: the motion is still settling
   double rate_error_bar = 0;  ///< half-width of the 99 % confidence interval of `rate`
 };
 
-/// Nearest return over all orders 1..max_order. `rows` as `period_of_section` takes them. On a torus the
-/// distance stays, towards a periodic motion it decays at the rate of the slowest multiplier, whatever else
-/// moves: it shows a weak modulation that dies out long before the exponent does. The rate is the slope of
-/// ln(distance) over 8 successive blocks by least squares, its bar t s(slope) with t = 3.7074 (Student, 6
-/// degrees of freedom); both are NaN when a block returns exactly. SolverError when `rows` has no such shape
-/// or fewer than max_order + 16 turns.
+/// Closest return over all orders 1..max_order, with `rows` as for `period_of_section`. On a torus the
+/// distance stays constant; towards a periodic motion it decays at the rate of the slowest multiplier. It
+/// therefore shows a weak, decaying modulation long before the exponent does. The rate is the slope of
+/// ln(distance) over 8 successive blocks by least squares, its error bar t s(slope) with t = 3.7074 (Student,
+/// 6 degrees of freedom); both are NaN when a block returns exactly. SolverError when `rows` has another
+/// shape or fewer than max_order + 16 turns.
 ClosestReturn closest_return(std::span<const double> rows, int states, int max_order);
 
-/// A section that returns closer than this, in units of the clearance, is not known to be a torus.
+/// Smallest distance, in clearances, at which a section that does not return exactly may be a torus.
 inline constexpr double significant_return = 1e-4;
-/// Rate per turn at which the closest return grows or shrinks that counts as zero, whatever its bar: 5 % in
-/// 2560 turns.
+/// Rate per turn of the closest return that counts as zero, whatever its error bar: 5 % in 2560 turns.
 inline constexpr double zero_rate = 2e-5;
 
-/// Allowed relative difference of the mean square of a torus's sections between both halves, of 80 turns or
-/// more: 3 % on the maps of figures 6, 9 and 12.
+/// Allowed relative difference between the mean squares of a torus's sections in two halves of at least 80
+/// turns. It is 3 % on the maps of figures 6, 9 and 12.
 inline constexpr double steady_share = 0.1;
 
-/// A motion turn by turn, and how a disturbance of it grows.
+/// A motion turn by turn, with the growth of a disturbance.
 struct Followed {
   std::size_t states = 0;
   std::vector<double> rows;           ///< sections after turns 1, 2, ..., in units of the clearance
   std::vector<double> contributions;  ///< contributions to the exponent, one per turn
-  int turns_without_contact = 0;      ///< the last ones
+  int turns_without_contact = 0;      ///< number of last turns without contact
 
   std::size_t turns() const { return contributions.size(); }
   void add(std::span<const double> section, double contribution, bool touched);
   std::span<const double> last_rows(std::size_t count) const { return std::span(rows).last(count * states); }
 };
 
-/// Whether the last four fifths of the turns look like a torus: the closest return within window / 2 turns is
-/// significant and neither grows nor shrinks, by a rate that is known to within `known_rate` per turn, and
-/// both halves are as large (`steady_share`) and hold the same discrete lines. `observed` (2 x states / 2)
-/// maps displacements to (x, y). Says nothing about the exponent.
+/// Whether the last four fifths of the turns look like a torus. The closest return within window / 2 turns
+/// must be significant and neither grow nor shrink, at a rate known to within `known_rate` per turn. Both
+/// halves must be equally large (`steady_share`) and have the same discrete lines. `observed` (2 x states /
+/// 2) maps displacements to (x, y). The exponent is not checked.
 bool returns_like_a_torus(const Followed& motion, const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed,
                           int window, double known_rate, spectrum::SpectrumWorkspace& workspace);
 
-/// Whether successive sections, such as those of a window that numbers are measured in, are of the motion
-/// that the last four fifths of the turns show: in the mean they lie as near to those as the last ones of as
-/// many turns do to the others, within a factor of four, or nearer than a hundredth of a clearance. True
-/// where these are too few to tell.
+/// Whether successive sections (such as a measuring window) belong to the motion of the last four fifths of
+/// the turns. Their mean distance to these must be within a factor of four of the distance between the last
+/// turns (as many as there are sections) and the other turns, or below a hundredth of a clearance. True where
+/// there are too few turns to tell.
 bool belongs_to(const Followed& motion, std::span<const double> sections);
 
 }  // namespace rubsweep::response

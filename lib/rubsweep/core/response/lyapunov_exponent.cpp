@@ -12,12 +12,12 @@
 namespace rubsweep::response {
 namespace {
 
-/// A disturbance that a turn shrinks by more than this starts anew.
+/// A disturbance that shrinks to less than this in one turn starts anew.
 constexpr double lost = 1e-10;
 
 struct Tangent {
   proof::SceneMap& map;
-  Eigen::MatrixXd direction{};  ///< direction as one column
+  Eigen::MatrixXd direction{};  ///< tangent vector as one column
   std::vector<double> before{};
 
   std::optional<double> operator()(std::span<double> section) {
@@ -25,7 +25,8 @@ struct Tangent {
     before.assign(section.begin(), section.end());
     bool moved = false;
     if (!map.carry_exactly(section, direction, moved, growth_accuracy)) return std::nullopt;
-    if (!moved && !by_second_run(before, section)) return std::nullopt;
+    // A second run would not know how a contact began.
+    if (!moved && (map.remembers() || !by_second_run(before, section))) return std::nullopt;
     return take_growth(direction);
   }
 
@@ -40,7 +41,7 @@ struct Tangent {
 };
 
 constexpr std::size_t blocks = 8;
-constexpr std::size_t fewest = 40;  ///< four per block
+constexpr std::size_t fewest = 40;  ///< smallest number of contributions: four per block
 
 double hann_mean(std::span<const double> block) {
   double sum = 0, weights = 0;
@@ -59,7 +60,7 @@ Eigen::VectorXd first_disturbance(std::size_t states) {
   Eigen::VectorXd shares(static_cast<Eigen::Index>(states));
   double square = 0;
   for (std::size_t i = 0; i < states; ++i) {
-    // Multiples of the golden ratio, folded: no two coordinates get equal shares, none gets nothing.
+    // Multiples of the golden ratio modulo 1: no two coordinates get equal shares, and none gets zero.
     const double share = 0.5 + std::fmod(std::numbers::phi * static_cast<double>(i + 1), 1.0);
     shares(static_cast<Eigen::Index>(i)) = i % 3 == 1 ? -share : share;
     square += share * share;
@@ -104,7 +105,7 @@ motion::Exponent exponent_of(std::span<const double> contributions) {
   const auto kept = contributions.last(blocks * length);
   std::array<double, blocks> means{};
   double mean = 0;
-  // Summed here and not by Boost.Math's mean, which rounds otherwise: the maps print this number.
+  // Not Boost.Math's mean, whose rounding differs: the maps print this number.
   for (std::size_t b = 0; b < blocks; ++b) {
     means[b] = hann_mean(kept.subspan(b * length, length));
     mean += means[b] / blocks;

@@ -22,8 +22,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Proof that a transient settles on a motion: a rotationally symmetric scene is looked at in the frame that
-/// turns with the shaft.
+/// Proof that a transient settles on a motion; a rotationally symmetric scene is examined in the rotating
+/// frame.
 class MotionProof {
  public:
   MotionProof(const scene::Scene& scene, const SceneFacts& facts, const integrate::run::SolverOptions& solver,
@@ -50,7 +50,7 @@ class MotionProof {
   }
 
  private:
-  /// Share of the work of a run: proofs are there to make it shorter.
+  /// Share of a run's work for proofs, whose purpose is to make it shorter.
   static constexpr double share_for_proofs = 0.5;
 
   integrate::run::WorkBudget budget_;
@@ -68,16 +68,16 @@ void conclude(const motion::ProvenMotion& proven, SettledRun& run) {
 void conclude(const Verdict& seen, const scene::Cell& cell, const proof::RestProof& rest, SettledRun& run) {
   run.motion = seen.motion;
   run.survival = seen.survival;
-  // Two windows without contact do not last where the quiet motion itself touches, or where a vibration about
-  // it grows, as by damping that turns with the shaft: the whirl is still growing.
+  // Two windows without contact do not prove rest where the quiet motion itself touches, or where a free
+  // vibration grows, for example by rotating damping: the whirl then continues to grow.
   const bool lasts = cell.start == scene::Start::quiet && !rest.vibration_grows();
   if (run.motion.motion_class == motion::MotionClass::non_contact && !lasts)
     run.motion.motion_class = motion::MotionClass::unsettled;
   if (run.motion.motion_class != motion::MotionClass::unsettled) run.proof = motion::Proof::observed;
 }
 
-/// Where turns are dear, which is at annular stops: between flat ones a run to its end costs less than the
-/// tangent vector of a watch.
+/// Whether watching pays: turns are expensive at annular stops, whereas a full run between flat stops costs
+/// less than a watch's tangent vector.
 bool worth_watching(const scene::Scene& scene, const SceneFacts& facts,
                     const motion::ResponseOptions& options, double kick_turns) {
   const bool annular =
@@ -86,7 +86,7 @@ bool worth_watching(const scene::Scene& scene, const SceneFacts& facts,
          facts.same_every_turn && !facts.rotationally_symmetric;
 }
 
-/// Whether the window since the watch saw a torus shows neither period nor rest.
+/// Whether the window after the watch saw a torus shows neither a period nor rest.
 bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
                        const motion::ResponseOptions& options, motion::Workspace& workspace,
                        SettledRun& run) {
@@ -102,7 +102,7 @@ bool conclude_on_torus(TorusWatch& torus, const motion::Record& record,
   return true;
 }
 
-/// A run that met a bound on work: where two windows behind its kick were seen, their measures stand for it.
+/// Concludes a run that reached a limit of work; two windows after its kick, if any, give its measures.
 void conclude_stopped(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
                       const motion::ResponseOptions& options, const Checkpoints& passed, double kick_turns,
                       motion::Workspace& workspace, SettledRun& run) {
@@ -155,7 +155,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
     }
     run.outcome = motion.advance(request, turn);
     run.effort = turn.effort;
-    // A turn that failed counts, too: the reversal may be why it did.
+    // A failed turn counts as well: the reversal may be the reason.
     run.slip_reversed = run.slip_reversed || turn.slip_reversed;
     if (run.outcome == integrate::run::Outcome::ok && integrate::run::work(turn.effort) > most_work)
       run.outcome = integrate::run::Outcome::step_limit;
@@ -194,7 +194,7 @@ motion::Measures quiet_measures(const scene::Cell& cell, const motion::ResponseO
   const auto displacement_m = motion::quiet_samples(cell, options.samples_per_revolution);
   double peak = 0;
   for (const Complex& z : displacement_m) peak = std::max(peak, Eigen::Vector2d(z.real(), z.imag()).norm());
-  // Nothing that turns with the shaft moves a casing that is not touched.
+  // No force that turns with the shaft moves a casing without contact.
   double casing = 0;
   for (const scene::Contact& contact : cell.scene.contacts) {
     if (!contact.casing_point) continue;

@@ -14,7 +14,7 @@
 namespace rubsweep::response {
 namespace {
 
-/// A hundredth of `separation`: the solver's noise must not part the states.
+/// Largest tolerance, a hundredth of `separation`, so that the solver's noise does not separate the states.
 constexpr double largest_tolerance_of_an_exponent = 1e-7;
 
 void look_for_comb(const motion::Record& record, const motion::ResponseOptions& options,
@@ -34,7 +34,7 @@ void look_for_comb(const motion::Record& record, const motion::ResponseOptions& 
       spectrum::largest_comb_line(record.displacement_m(), options.samples_per_revolution, comb->spacing);
 }
 
-/// Measures how long chaos lasts that `followed` is a stretch of.
+/// Measures the survival of the chaos of which `followed` is a part.
 void ask_how_long_it_lasts(proof::SceneMap& map, const motion::ResponseOptions& options,
                            const Followed& followed, Verdict& verdict) {
   verdict.survival =
@@ -43,13 +43,13 @@ void ask_how_long_it_lasts(proof::SceneMap& map, const motion::ResponseOptions& 
   if (verdict.survival->escapes > 0) verdict.motion.status = motion::MotionStatus::transient_chaos;
 }
 
-/// Sections of the last window, one a turn.
+/// Sections of the last window, one per turn.
 std::span<const double> sections_of(const motion::Record& record) {
   const motion::Window window = record.window(1);
   return window.section.subspan(static_cast<std::size_t>(window.states));
 }
 
-/// Measures a motion that was followed in its own last two windows.
+/// Measures a followed motion in its own last two windows.
 void measure_again(const scene::Scene& scene, const SceneFacts& facts,
                    const integrate::run::SolverOptions& solver, const motion::ResponseOptions& options,
                    const Followed& followed, motion::Workspace& workspace, motion::Motion& motion) {
@@ -69,6 +69,15 @@ void measure_again(const scene::Scene& scene, const SceneFacts& facts,
     look_for_comb(*record, options, workspace, motion);
 }
 
+/// Makes turns until one ends in the air, from where a motion can be followed whose contacts remember how
+/// they began.
+bool goes_on_in_the_air(proof::SceneMap& map, std::vector<double>& section, int most_turns) {
+  map.keep_memory();
+  for (int turn = 0; turn < most_turns; ++turn)
+    if (!map(section) || !map.touching_at_end()) return !map.touching_at_end();
+  return false;
+}
+
 void follow_on(const scene::Scene& scene, const SceneFacts& facts, integrate::run::SolverOptions solver,
                const motion::ResponseOptions& options, const motion::Record& record,
                std::span<const double> section, motion::Workspace& workspace,
@@ -76,8 +85,10 @@ void follow_on(const scene::Scene& scene, const SceneFacts& facts, integrate::ru
   motion::Motion& motion = verdict.motion;
   solver.relative_tolerance = std::min(solver.relative_tolerance, largest_tolerance_of_an_exponent);
   proof::SceneMap map(scene, solver, workspace.modes, &budget);
+  std::vector<double> start(section.begin(), section.end());
+  if (map.remembers() && !goes_on_in_the_air(map, start, options.window_revolutions)) return;
   const Aperiodic found = classify_aperiodic(
-      tangent_growth(map), [&map] { return map.touched(); }, {section.begin(), section.end()},
+      tangent_growth(map), [&map] { return map.touched(); }, start,
       static_cast<std::size_t>(options.max_revolutions), scene::observed(scene), options.window_revolutions,
       workspace.spectrum);
   motion.motion_class = found.motion_class;
@@ -159,6 +170,7 @@ Verdict verdict_of(const scene::Scene& scene, const SceneFacts& facts,
     motion.motion_class = motion::MotionClass::chaotic;
     motion.exponent = chaos;
     proof::SceneMap map(scene, solver, workspace.modes, &budget);
+    map.keep_memory();
     ask_how_long_it_lasts(map, options, watch.motion(), verdict);
   } else {
     follow_on(scene, facts, solver, options, record, section, workspace, budget, verdict);

@@ -22,12 +22,12 @@
 namespace rubsweep::scene {
 namespace {
 
-/// Largest e >= 0 at which a convex excursion(e) = |bow + e unbalance| reaches `target_m`; empty where it
-/// stays above it. `slope` > 0: excursion grows by no more than this per metre of e, and in the end by as
-/// much; `bow_m`: excursion(0).
+/// Largest e >= 0 at which the convex function excursion(e) = |bow + e unbalance| reaches `target_m`; empty
+/// where it stays above it. `slope` > 0: upper bound and limit of the growth of excursion per metre of e;
+/// `bow_m`: excursion(0).
 std::optional<double> eccentricity_reaching(double target_m, double bow_m, double slope,
                                             const std::function<double(double)>& excursion) {
-  // excursion(e) >= slope e - bow: beyond `high` it is above the target for ever.
+  // excursion(e) >= slope e - bow: above the target for all e > `high`.
   const double high = (target_m + bow_m) / slope;
   if (high == 0) return 0;
   const auto excess = [&](double e) { return excursion(e) - target_m; };
@@ -37,7 +37,7 @@ std::optional<double> eccentricity_reaching(double target_m, double bow_m, doubl
     if (excess(low) > 0) return std::nullopt;
   }
   if (excess(high) <= 0) return high;
-  std::uintmax_t iterations = 400;  // four halve the bracket at least: it ends before
+  std::uintmax_t iterations = 400;  // four of them at least halve the bracket
   const auto bracket = boost::math::tools::toms748_solve(
       excess, low, high, boost::math::tools::eps_tolerance<double>(52), iterations);
   return (bracket.first + bracket.second) / 2;
@@ -101,8 +101,8 @@ std::complex<double> phase_to_smallest_gap(const QuietMotion& unit, const struct
   return modulus > 0 && std::isfinite(modulus) ? std::conj(amplitude) / modulus : 1.0;
 }
 
-/// Sets the other measure of the unbalance too. `remaining_m`: clearance that static forces leave at the
-/// first stop. Where they leave none, or the amplitude has no bound, no number gives the other measure: NaN.
+/// Sets both measures of the unbalance. `remaining_m`: clearance that static forces leave at the first stop.
+/// Where this is not positive, or the amplitude is unbounded, the measure that is not given becomes NaN.
 void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, double amplitude_per_m) {
   const bool related = remaining_m > 0 && std::isfinite(amplitude_per_m);
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -118,8 +118,8 @@ void set_unbalance(Cell& cell, const Unbalance& unbalance, double remaining_m, d
              unbalance);
 }
 
-/// Unbalance on top of a bow, or of forces at twice the speed, that are already there; both ways of saying it
-/// as in set_unbalance.
+/// Sets both measures of an unbalance that is added to a bow or to forces at twice the speed, as in
+/// set_unbalance.
 void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaining_m, const QuietMotion& bow,
                           const QuietMotion& unit) {
   const structure::LinearSystem& structure = cell.scene.structure;
@@ -146,7 +146,8 @@ void set_unbalance_on_bow(Cell& cell, const Unbalance& unbalance, double remaini
              unbalance);
 }
 
-/// Smallest share in (0, 1] of the way to the static position at which a wall is met; 1 where none is.
+/// Smallest share in (0, 1] of the way to the static position at which the rotor meets a wall; 1 if it meets
+/// none.
 double share_before_contact(const Cell& cell) {
   double share = 1;
   for (const Contact& contact : cell.scene.contacts) {
@@ -163,7 +164,7 @@ void start_at_rest(Cell& cell) {
   cell.scene.velocity_m_per_s = Eigen::VectorXd::Zero(cell.quiet.mean.size());
 }
 
-/// The first stop goes by the whirl ratio, so that rounding does not decide at a ratio of exactly 1.
+/// At the first stop the whirl ratio decides, so that rounding has no effect at a ratio of exactly 1.
 bool touches_anywhere(const Cell& cell) {
   if (!(cell.whirl_ratio < 1)) return true;
   for (const Contact& contact : cell.scene.contacts) {
@@ -173,7 +174,7 @@ bool touches_anywhere(const Cell& cell) {
   return false;
 }
 
-/// Structure, walls and constant force at a speed: the part that no unbalance and no kick changes.
+/// Structure, walls and constant force at a speed, which do not depend on unbalance and kick.
 Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   const structure::Assembly& assembly = prepared.assembly;
   if (!assembly.tables.empty()) structure::refuse_beyond_tables(prepared.machine, speed_hz, speed_hz);
@@ -189,21 +190,21 @@ Scene scene_at(const PreparedMachine& prepared, double speed_hz) {
   return scene;
 }
 
-/// Clears a measure of the unbalance that overflows: it cannot stand for the other one.
+/// Sets a measure of the unbalance that overflows to NaN, because the other cannot be computed from it.
 void forget_what_overflows(Cell& cell) {
   for (double* said : {&cell.whirl_ratio, &cell.eccentricity_m}) {
     if (!std::isfinite(*said)) *said = std::numeric_limits<double>::quiet_NaN();
   }
 }
 
-/// The kick comes when the shaft has turned on from the smallest gap by this angle.
+/// Phase factor of the kick's delay: the angle by which the shaft has turned on from the smallest gap.
 std::complex<double> phase_of_kick(const model::Machine& machine) {
   const double phase_deg = machine.kick ? machine.kick->phase_deg.value_or(0) : 0;
-  // Without a phase the motion must keep every bit.
+  // Without a phase, the factor is exactly 1, so that the motion does not change by a bit.
   return phase_deg == 0 ? 1.0 : std::polar(1.0, phase_deg * std::numbers::pi / 180);
 }
 
-/// Torsion of the scene; the unbalance has the cell's phase.
+/// Torsion of the scene; the unbalance has the phase of the cell.
 Twist twist_of(const PreparedMachine& prepared, double eccentricity_m, std::complex<double> phase) {
   const structure::Assembly& assembly = prepared.assembly;
   Twist twist;

@@ -10,16 +10,17 @@ namespace rubsweep::scene {
 /// Weight and static loads on every coordinate, in N or N m.
 Eigen::VectorXd static_load_n(const PreparedMachine& prepared);
 
-/// The part of it that a scene has. Clearances that count from the sag have none: a linear structure moves
-/// about the position where constant forces leave it as it would about its axis without them.
+/// Constant load in a scene. It is zero where clearances count from the sag, because a linear structure moves
+/// about its loaded position as it would move about its axis without the load.
 Eigen::VectorXd constant_load_n(const PreparedMachine& prepared);
 
-/// Displacements of a structure on which no force has acted yet, as a scene counts them: zero, or where
-/// clearances count from the sag, that sag backwards.
+/// Displacements of the unloaded structure in the coordinates of a scene: zero, or the negative sag where
+/// clearances count from the sag.
 Eigen::VectorXd unloaded_position_m(const PreparedMachine& prepared,
                                     const structure::LinearSystem& structure);
 
-/// How far weight and static loads move the rotor relative to the casing of a stop, at rest, in x and y.
+/// Static displacement (x, y) of the rotor relative to the casing of a stop under weight and static loads, in
+/// metres.
 Eigen::Vector2d sag_m(const PreparedMachine& prepared, std::size_t stop);
 
 }  // namespace rubsweep::scene

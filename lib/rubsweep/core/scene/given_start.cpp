@@ -11,9 +11,9 @@
 namespace rubsweep::scene {
 namespace {
 
-constexpr double largest_miss = 1e-6;  ///< share of what was asked for
+constexpr double largest_miss = 1e-6;  ///< largest error, as a share of the wanted value
 
-/// Rows of the structure's points, and the values that their products with the state must have.
+/// Rows of the structure's points, and the wanted values of their products with the state.
 struct Wanted {
   std::vector<std::pair<Eigen::RowVectorXd, double>> rows;
 
@@ -22,8 +22,8 @@ struct Wanted {
   }
 };
 
-/// State with the wanted values, changed as forces or impulses along the rows change it; `matrix` is the
-/// stiffness or the mass, which turns a change into those.
+/// State changed to have the wanted values, by forces or impulses along the rows. `matrix` is the stiffness
+/// for forces, the mass for impulses.
 Eigen::VectorXd brought_to(const Wanted& wanted, const Eigen::VectorXd& state,
                            const Eigen::MatrixXd& matrix) {
   if (wanted.rows.empty()) return state;

@@ -5,12 +5,11 @@
 
 namespace rubsweep::scene {
 
-/// Puts the scene into the state that its machine gives, if it gives one: what is given replaces what the
-/// state has there (a machine with a start has no kick). At rest everything stands in the unloaded position.
-/// Else a Jeffcott rotor and a casing are bodies
-/// whose coordinates are set. Of a rotor kit the observed point is moved, the shaft following as a static
-/// force there would bend it, and set in motion as an impulse there would move it. Throws ConfigError where
-/// the structure cannot be brought there.
+/// Puts the scene into the start state of its machine, if the machine gives one; given numbers replace those
+/// of the current state (a machine with a start has no kick). With `at_rest` everything is in its unloaded
+/// position. Otherwise, coordinates of a Jeffcott rotor and of casings are set directly. The observed point
+/// of a rotor kit is moved as a static force there would bend the shaft, and set in motion as an impulse
+/// there would. Throws ConfigError where the structure cannot be brought into this state.
 void start_in_given_state(Scene& scene, const PreparedMachine& prepared);
 
 }  // namespace rubsweep::scene

@@ -13,10 +13,10 @@
 
 namespace rubsweep::scene {
 
-/// For several threads.
+/// Structures at single speeds; several threads may use them at once.
 class StructuresAtSpeeds {
  public:
-  /// `machine`: what is built where the speed is new. Throws ConfigError as kit_of_known_modes.
+  /// Builds the structure of `machine` where the speed is new. Throws ConfigError as kit_of_known_modes.
   const structure::KitAssembly& at(double speed_hz, const model::Machine& machine);
 
  private:
@@ -26,15 +26,15 @@ class StructuresAtSpeeds {
 
 namespace {
 
-/// Throws ConfigError for numbers that are not allowed, and for friction that drives.
+/// Throws ConfigError for numbers that are not allowed, and for friction that drives the slip.
 void refuse_invalid(const model::Machine& machine) {
   model::validate(machine);
   for (std::size_t i = 0; i < machine.stops.size(); ++i)
     contact::refuse_driving(machine.stops[i].friction, "stops." + std::to_string(i) + ".friction");
 }
 
-/// Structure of a valid rotor kit that says how many modes it keeps. Throws ConfigError where the machine is
-/// not allowed, or its numbers are too far apart for the structure to be computed.
+/// Structure of a valid rotor kit whose number of modes is given. Throws ConfigError where the machine is not
+/// allowed, or its numbers are too far apart for computing the structure.
 structure::KitAssembly kit_of_known_modes(const model::Machine& machine) {
   refuse_invalid(machine);
   structure::KitAssembly kit = structure::assemble_kit_for_speed(machine);
@@ -42,7 +42,7 @@ structure::KitAssembly kit_of_known_modes(const model::Machine& machine) {
   return kit;
 }
 
-/// None of a machine whose supports do not follow tables.
+/// Null for a machine whose supports do not follow tables.
 std::shared_ptr<StructuresAtSpeeds> structures_of(const structure::Assembly& assembly) {
   return assembly.tables.empty() ? nullptr : std::make_shared<StructuresAtSpeeds>();
 }

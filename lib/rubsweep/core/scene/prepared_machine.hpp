@@ -9,33 +9,33 @@
 
 namespace rubsweep::scene {
 
-/// Structures of one machine at the speeds that were asked for.
+/// Structures of one machine at single speeds, kept for reuse.
 class StructuresAtSpeeds;
 
-/// Data common to all cells of one machine at any speed: never changed, so that threads may share it.
+/// Data common to all cells of one machine at any speed. They never change, so that threads may share them.
 struct PreparedMachine {
   model::Machine machine;
   structure::Assembly assembly;
   std::optional<structure::Reduction> reduction;    ///< reduction of a rotor kit
-  std::shared_ptr<StructuresAtSpeeds> at_speeds{};  ///< where supports follow tables: see prepared_at
+  std::shared_ptr<StructuresAtSpeeds> at_speeds{};  ///< for supports with tables: see prepared_at
 };
 
 /// Validates the machine, builds its structure and reduces it. Throws ConfigError, also where the numbers are
-/// each allowed but too far apart for the structure to be computed.
+/// allowed one by one but too far apart for computing the structure.
 PreparedMachine prepare_machine(const model::Machine& machine);
 
-/// The machine at one speed, its supports as if their numbers there had been typed in: reduced by the modes
-/// that it has at that speed. Kept for the next one that asks, from any thread. A machine without tables as
-/// it is. Throws ConfigError where a table does not reach the speed, or the supports do not hold the shaft
-/// there.
+/// The machine at one speed, as if the coefficients of its supports at that speed had been entered as
+/// constants; reduced by the modes that it has there. Kept for the next call, from any thread. A machine
+/// without tables is returned unchanged. Throws ConfigError where a table does not reach the speed, or the
+/// supports do not hold the shaft there.
 PreparedMachine prepared_at(const PreparedMachine& prepared, double speed_hz);
 
-/// The same for a machine that differs from a prepared one in nothing but force, duration, direction and
-/// phase of its kick, none of which the structure knows of.
+/// The prepared machine with another kick: `machine` differs only in force, duration, direction and phase of
+/// its kick, which do not affect the structure.
 PreparedMachine prepare_other_kick(const PreparedMachine& prepared, const model::Machine& machine);
 
-/// A rotor kit as prepare_machine makes it, but reduced to so many modes at every speed, whatever it says
-/// itself, and without the receptance error of its reduction, whose comparison takes most of the time. Throws
+/// A rotor kit prepared as by prepare_machine, but reduced to `modes` modes at every speed, whatever its own
+/// setting. The receptance error of the reduction, which takes most of the time, is not computed. Throws
 /// ConfigError as prepare_machine does.
 PreparedMachine prepare_with_modes(const model::Machine& machine, int modes);
 

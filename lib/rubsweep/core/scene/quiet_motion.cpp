@@ -23,8 +23,8 @@ Eigen::VectorXd QuietMotion::velocity(double phase_rad) const {
 
 namespace {
 
-/// An undamped part at its own frequency makes the matrix singular, which matters only where something drives
-/// that part: else it rests (the solution of least norm).
+/// An undamped part at its own frequency makes the matrix singular, which matters only if a force excites
+/// that part. Without excitation it stays at rest (the solution of least norm).
 Eigen::VectorXcd amplitude_of(const Eigen::MatrixXcd& dynamic_stiffness, const Eigen::VectorXcd& harmonic_n) {
   Eigen::VectorXcd amplitude = numerics::dense::solve(dynamic_stiffness, harmonic_n);
   if (amplitude.allFinite()) return amplitude;
@@ -39,8 +39,7 @@ Eigen::MatrixXcd dynamic_stiffness(const structure::LinearSystem& structure, dou
   return dynamic;
 }
 
-/// The most that a motion along the wall's normal, or in an annular stop in any direction, rises above its
-/// mean.
+/// Largest rise above its mean of a motion along the wall's normal, or in any direction in an annular stop.
 double reach_of(const QuietMotion& motion, const contact::Wall& wall, const contact::RelativeMap& relative) {
   const Eigen::MatrixXcd seen = contact::linear(wall)
                                     ? Eigen::MatrixXcd(contact::first_direction(wall).transpose() * relative)

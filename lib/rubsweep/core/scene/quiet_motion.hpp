@@ -6,15 +6,15 @@
 
 namespace rubsweep::scene {
 
-/// Steady motion of a structure that touches nothing: q(t) = mean + Re(amplitude e^{i w t} + second_amplitude
-/// e^{2 i w t}).
+/// Steady motion of a structure without contact: q(t) = mean + Re(amplitude e^{i w t} + second_amplitude e^{2
+/// i w t}).
 struct QuietMotion {
   Eigen::VectorXd mean;
   Eigen::VectorXcd amplitude;
   Eigen::VectorXcd second_amplitude{};  ///< empty: none
 
   Eigen::VectorXd displacement(double phase_rad) const;
-  /// Per radian of phase; multiply by the speed for m/s.
+  /// Velocity per radian of phase; multiply by the speed in rad/s for m/s.
   Eigen::VectorXd velocity(double phase_rad) const;
 };
 
@@ -24,12 +24,12 @@ QuietMotion quiet_motion(const structure::LinearSystem& structure, double speed_
                          const Eigen::VectorXcd& harmonic_n, const Eigen::VectorXd& constant_n,
                          const Eigen::VectorXcd& second_harmonic_n = {});
 
-/// Penetration of one contact under a quiet motion, in metres, as contact::excursion has it.
+/// Penetration of one contact under a quiet motion, in metres, as by contact::excursion.
 contact::Excursion quiet_penetration(const QuietMotion& motion, const structure::LinearSystem& structure,
                                      const Contact& contact);
 
-/// Direction in which the rotor's mean position is nearest to the wall: the normal of a flat wall; in an
-/// annular stop the direction of the mean offset, +y when centred.
+/// Direction from the rotor's mean position to the nearest place of the wall: the normal of a flat wall, or
+/// the direction of the mean offset in an annular stop (+y if centred).
 Eigen::Vector2d nearest_wall(const QuietMotion& motion, const structure::LinearSystem& structure,
                              const Contact& contact);
 

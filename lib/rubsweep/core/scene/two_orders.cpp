@@ -10,16 +10,17 @@
 namespace rubsweep::scene {
 namespace {
 
-/// Samples of a revolution. The functions below have no order above 4, so at most four tops in it: tops
-/// nearer than two samples differ by no more than 1e-5 of the motion, and each top of the samples is refined.
+/// Samples per revolution. The functions below have no order above 4, so at most four maxima. Maxima less
+/// than two samples apart differ by at most 1e-5 of the motion, and each sampled maximum is refined.
 constexpr int samples = 256;
 
-/// A function of the phase with two derivatives.
+/// Value of a function of the phase with its first two derivatives.
 struct Local {
   double value = 0, slope = 0, curvature = 0;
 };
 
-/// Newton's steps from a bracketed top, whose place its values alone give to half the digits.
+/// Newton's iteration from a bracketed maximum, whose position follows from values alone to only half the
+/// digits.
 template <class Function>
 double polished(const Function& at, double phase_rad) {
   for (int step = 0; step < 3; ++step) {
@@ -32,7 +33,7 @@ double polished(const Function& at, double phase_rad) {
   return phase_rad;
 }
 
-/// `at` has no order above 4.
+/// Largest value of `at`, which has no order above 4.
 template <class Function>
 TopOfMotion top_of(const Function& at) {
   std::vector<double> values;

@@ -5,10 +5,10 @@
 
 namespace rubsweep::scene {
 
-/// The top of a motion of two orders, and where in the revolution it is.
+/// Largest value of a motion with orders 1 and 2 of the speed, and the phase where it occurs.
 struct TopOfMotion {
   double value = 0;
-  double phase_rad = 0;  ///< 0 to 2 pi, the first of equal ones
+  double phase_rad = 0;  ///< 0 to 2 pi; the first one if several are equal
 };
 
 /// Largest value of Re(first e^{i phase} + second e^{2 i phase}). Infinite, at phase 0, where a number is not

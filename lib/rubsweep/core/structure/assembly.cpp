@@ -37,7 +37,7 @@ void refuse_unusable(const Assembly& assembly) {
         "less extreme "
         "ones");
   }
-  // Each mass against its own size: a rotor of a tonne may have a casing of a gramme.
+  // Masses are scaled to 1, because a rotor of a tonne may have a casing of a gram.
   const Eigen::VectorXd scale = system.mass.diagonal().cwiseSqrt().cwiseInverse();
   const numerics::dense::CholeskyFactors factor(scale.asDiagonal() * system.mass * scale.asDiagonal());
   if (!scale.allFinite() || !factor.positive_definite()) {
@@ -67,7 +67,7 @@ Assembly assemble_jeffcott(const model::JeffcottRotor& rotor,
   system.weight_kg = Eigen::VectorXd::Zero(n);
 
   const double omega0 = 2 * std::numbers::pi * rotor.natural_frequency_hz;
-  // Multiplied in the order of w^2 M, so that at the natural frequency K - w^2 M is zero to the last bit.
+  // Factors in the order of w^2 M, so that K - w^2 M is exactly zero at the natural frequency.
   add_body(system, 0, rotor.mass_kg, omega0 * omega0 * rotor.mass_kg, rotor.damping_ratio);
   if (rotor.rotating_damping_ratio > 0) {
     const double damping = 2 * rotor.rotating_damping_ratio * omega0 * rotor.mass_kg;

@@ -30,7 +30,7 @@ bool coupling_at(const model::RotorKit& kit, double position_m, double tolerance
   });
 }
 
-/// A segment and where it begins.
+/// A segment and the position where it begins.
 struct Placed {
   const model::ShaftSegment& segment;
   double begin_m;
@@ -46,8 +46,8 @@ Placed segment_at(const model::RotorKit& kit, double position_m) {
   throw SolverError("beam shaft: there is no segment");
 }
 
-/// Symmetric element matrix from its pattern: signs of the coupling of deflections and angles are those of a
-/// beam turned end for end.
+/// Symmetric element matrix from its independent entries. The signs between deflections and angles follow
+/// from reversing the beam end for end.
 Eigen::Matrix4d element(double ww, double ws, double ww_far, double ws_far, double ss, double ss_far) {
   Eigen::Matrix4d m;
   m << ww, ws, ww_far, ws_far,   //
@@ -73,7 +73,7 @@ double shear_share(const model::ShaftLayer& layer, double length_m, double at) {
          (shear_coefficient(layer, at) * layer.shear_modulus_pa * area_m2(stiff) * length_m * length_m);
 }
 
-/// Mass of translation, rotary inertia and stiffness of an element.
+/// Matrices of translational mass, rotary inertia and stiffness of an element.
 struct Energies {
   Eigen::Matrix4d translation, rotary, stiffness;
   double polar_inertia_kg_m2 = 0;
@@ -94,8 +94,8 @@ Energies straight_energies(const model::ShaftLayer& layer, double l) {
           2 * layer.density_kg_per_m3 * moment * l};
 }
 
-/// Shapes of a straight element at the share t of its length: deflection, angle of the section, and the
-/// change of the angle along it, per unit of each coordinate.
+/// Shape functions of a straight element at the share t of its length: deflection, angle of the section, and
+/// derivative of the angle along the element, per unit of each coordinate.
 struct Shapes {
   Eigen::Vector4d deflection, angle, curvature;
 };
@@ -115,8 +115,8 @@ Shapes shapes_at(double t, double p, double l) {
   return shapes;
 }
 
-/// Points and weights of Gauss on -1 to 1. Five integrate polynomials of degree 9; squares of the deflection
-/// times an area are of degree 8, as are squares of the angle times a second moment.
+/// Gauss points and weights on -1 to 1. Five points integrate polynomials of degree 9 exactly; deflection
+/// squared times area has degree 8, as has angle squared times second moment.
 constexpr std::array<std::array<double, 2>, 5> gauss{{{-0.906179845938664, 0.2369268850561891},
                                                       {-0.5384693101056831, 0.4786286704993665},
                                                       {0, 0.5688888888888889},
@@ -139,7 +139,7 @@ Energies tapered_energies(const model::ShaftLayer& layer, double l, double from,
     sum.polar_inertia_kg_m2 += 2 * share * layer.density_kg_per_m3 * moment;
     area += weight / 2 * section_area_m2(layer, at);
   }
-  // The strain of shear is the same all along: p / (1 + p) times these.
+  // The shear strain is constant along the element: p / (1 + p) times these.
   const Eigen::Vector4d strain(-1 / l, -0.5, 1 / l, -0.5);
   const double bending = layer.youngs_modulus_pa * section_moment_m4(layer, middle);
   const double rigidity = 12 * bending * p / ((1 + p) * (1 + p) * l) * area / section_area_m2(layer, middle);

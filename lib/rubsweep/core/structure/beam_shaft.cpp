@@ -12,7 +12,7 @@
 namespace rubsweep::structure {
 namespace {
 
-/// The same coefficient at both ends of a spring or damper between two coordinates.
+/// Adds a spring or damper between two coordinates.
 void connect(Eigen::MatrixXd& matrix, Eigen::Index a, Eigen::Index b, double value) {
   matrix(a, a) += value;
   matrix(b, b) += value;
@@ -39,7 +39,7 @@ void add_disc(const model::Disc& disc, BeamShaft& shaft) {
   shaft.gyroscopic(s, s) += disc.polar_inertia_kg_m2;
   shaft.polar_inertia_kg_m2 += disc.polar_inertia_kg_m2;
   shaft.unbalance_kg(w) += phasor(disc.mass_kg * disc.eccentricity_ratio, disc.eccentricity_phase_deg);
-  // A disc whose axis leans by t e^{i w t} against the shaft's feels (I_d - I_p) w^2 t e^{i w t}.
+  // A disc tilted by t e^{i w t} against the shaft feels the moment (I_d - I_p) w^2 t e^{i w t}.
   const double leaning = (disc.diametral_inertia_kg_m2 - disc.polar_inertia_kg_m2) * disc.skew_rad_per_m;
   shaft.unbalance_kg(s) += phasor(leaning, disc.skew_phase_deg);
 }
@@ -58,7 +58,7 @@ void add_pedestal(const model::Pedestal& housing, Eigen::Index at, BeamShaft& sh
   shaft.support_damping[1][1](at, at) += housing.damping_y_ns_per_m;
 }
 
-/// `on`: the coordinate that it stands on; empty: the ground.
+/// Adds a support. `on`: coordinate of its base; empty: the ground.
 void add_support(const model::Support& support, std::optional<Eigen::Index> on, BeamShaft& shaft) {
   const Eigen::Index w = support.at_housing ? shaft.housings[static_cast<std::size_t>(*support.at_housing)]
                                             : shaft.deflection(support.position_m);
@@ -87,7 +87,7 @@ void add_support(const model::Support& support, std::optional<Eigen::Index> on, 
   }
 }
 
-/// Supports with their pedestals, whose coordinates begin at `next`.
+/// Adds the supports and their pedestals, whose coordinates begin at `next`.
 void add_supports(const model::RotorKit& kit, Eigen::Index next, BeamShaft& shaft) {
   for (const auto& support : kit.supports) {
     std::optional<Eigen::Index> on;
@@ -107,7 +107,7 @@ void add_point_masses(const model::RotorKit& kit, BeamShaft& shaft) {
 }
 
 std::optional<Eigen::Index> find_deflection(const std::vector<double>& node_position_m, double position_m) {
-  // Tolerance a little above the distance at which two stations are one, whatever the rounding of either.
+  // Tolerance slightly above the merging distance of stations, so that rounding of either does not matter.
   const double tolerance = (1 + 1e-3) * same_place * node_position_m.back();
   for (std::size_t node = 0; node < node_position_m.size(); ++node) {
     if (std::abs(node_position_m[node] - position_m) <= tolerance) return static_cast<Eigen::Index>(2 * node);
@@ -115,7 +115,7 @@ std::optional<Eigen::Index> find_deflection(const std::vector<double>& node_posi
   return std::nullopt;
 }
 
-/// The matrices of a kit, with coordinates for the pedestals of the supports beside them.
+/// Shaft from the matrices of a kit, with added coordinates for the pedestals of its supports.
 BeamShaft assemble_matrices(const model::RotorKit& kit, std::vector<double> stations) {
   BeamShaft shaft = matrix_shaft(*kit.matrices);
   add_places(kit, stations);
@@ -181,10 +181,10 @@ BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<doub
   for (std::size_t a = 0; a < 2; ++a)
     shaft.support_damping[a][a] += kit.mass_damping_per_s * shaft.added_mass[a];
   add_supports(kit, on_shaft, shaft);
-  // A translation as a whole: deflections 1, angles 0. Consistent, so that static sag is exact at the nodes.
+  // Rigid translation: deflections 1, angles 0. The consistent mass makes the static sag exact at the nodes.
   Eigen::VectorXd translation = Eigen::VectorXd::Ones(n);
   for (Eigen::Index s = 1; s < on_shaft; s += 2) translation(s) = 0;
-  // Along y; fluid in supports is at rest by itself.
+  // Weight along y, without the fluid in supports, which does not load them by its weight.
   shaft.weight_kg = (shaft.mass + of_points) * translation;
   return shaft;
 }
@@ -202,7 +202,7 @@ Eigen::VectorXd support_gap(const BeamShaft& shaft, const model::RotorKit& kit, 
 Eigen::VectorXd least_bent_line(const BeamShaft& shaft, const model::BowPoints& points) {
   const auto n = static_cast<Eigen::Index>(2 * shaft.node_position_m.size());
   const auto count = static_cast<Eigen::Index>(points.position_m.size());
-  // Stationary energy under the constraints; scaled, so that the multipliers do not dwarf the shape.
+  // Stationary energy under the constraints, scaled: multipliers must not dwarf the shape.
   const auto elastic = shaft.elastic.topLeftCorner(n, n);
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + count, n + count);
   system.topLeftCorner(n, n) = elastic / elastic.cwiseAbs().maxCoeff();

@@ -9,7 +9,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Force and moment of a joint on the end behind it; the end before it feels the opposite.
+/// Adds the force and moment of a joint to the end behind it, and the opposite to the end before it.
 void push_ends(Eigen::VectorXcd& load, Eigen::Index before, Complex force, Complex moment) {
   load(before) -= force;
   load(before + 1) -= moment;
@@ -17,7 +17,7 @@ void push_ends(Eigen::VectorXcd& load, Eigen::Index before, Complex force, Compl
   load(before + 3) += moment;
 }
 
-/// Offset and lean of the axis behind a coupling against that before it.
+/// Offset and tilt of the axis behind a coupling relative to the axis before it.
 struct Misalignment {
   Complex offset_m, lean_rad;
 };
@@ -32,7 +32,7 @@ Misalignment standing(const model::Coupling& coupling) {
 Eigen::VectorXcd misalignment_load(const BeamShaft& shaft, const model::RotorKit& kit) {
   Eigen::VectorXcd load = Eigen::VectorXcd::Zero(shaft.coordinates());
   for (const auto& coupling : kit.couplings) {
-    // A joint at rest with its ends apart by d pushes each of them by stiffness times d.
+    // A joint whose ends are held apart by d acts on each of them with stiffness times d.
     push_ends(
         load, shaft.deflection(coupling.position_m),
         phasor(coupling.lateral_stiffness_n_per_m * coupling.parallel_offset_m, coupling.parallel_phase_deg),

@@ -19,8 +19,8 @@ using Complex = std::complex<double>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// The inverse of (generator - centre) for states (displacement, rate / radius) of coordinates in units in
-/// which their stiffnesses are 1.
+/// The inverse of (generator - centre) acting on states (displacement, rate / radius); coordinates are scaled
+/// so that their stiffnesses are 1.
 class ShiftedInverse {
  public:
   ShiftedInverse(const SpeedMatrices& matrices, const RateDisc& disc)
@@ -48,7 +48,7 @@ class ShiftedInverse {
   }
 
  private:
-  /// A coordinate that nothing but its mass resists is measured by this.
+  /// Unit of each coordinate from its stiffness, or from its mass where nothing else resists motion.
   static Eigen::VectorXd unit_of(const SpeedMatrices& matrices, double radius) {
     const Eigen::VectorXd size = matrices.stiffness.diagonal().cwiseAbs().cwiseMax(
         radius * radius * matrices.mass.diagonal().cwiseAbs());
@@ -65,11 +65,11 @@ class ShiftedInverse {
   numerics::dense::LuFactors factors_;
 };
 
-/// Krylov space of two starts: inverse * states.leftCols(k) = states * map, k = map.cols().
+/// Krylov space from two starting vectors: inverse * states.leftCols(k) = states * map, k = map.cols().
 class KrylovSpace {
  public:
   explicit KrylovSpace(const ShiftedInverse& inverse) : inverse_(inverse), states_(inverse.states(), 0) {
-    constexpr Index starts = 2;  // a double vibration shows in two alone
+    constexpr Index starts = 2;  // a double vibration needs two of them
     for (Index k = 0; k < starts; ++k) {
       Eigen::VectorXd start(inverse.states());
       for (Index i = 0; i < start.size(); ++i) {
@@ -89,23 +89,23 @@ class KrylovSpace {
     }
   }
 
-  /// Whether the inverse maps the states among themselves.
+  /// Whether the space is invariant under the inverse.
   bool closed() const { return map_.cols() == states_.cols(); }
 
   Index size() const { return map_.cols(); }
   const Eigen::MatrixXd& states() const { return states_; }
   Eigen::MatrixXd square() const { return map_.topRows(map_.cols()); }
-  /// Size of what the inverse leads out of the states, of a combination of them.
+  /// Norm of the component outside the space that the inverse gives for a combination of states.
   double rest(const Eigen::VectorXcd& combination) const {
     return closed() ? 0 : (map_.bottomRows(map_.rows() - map_.cols()) * combination).norm();
   }
 
  private:
-  /// Adds what `state` has beside the others; returns its shares of all, the added one among them.
+  /// Orthogonalises `state` against the others and adds the rest; returns its components along all.
   Eigen::VectorXd append(const Eigen::VectorXd& state) {
     constexpr double nothing = 1e-14;
     Eigen::VectorXd next = state, shares = Eigen::VectorXd::Zero(states_.cols());
-    for (int pass = 0; pass < 2; ++pass) {  // twice is enough: rounding of the first is taken out
+    for (int pass = 0; pass < 2; ++pass) {  // twice is enough: pass 2 removes the rounding of pass 1
       const Eigen::VectorXd more = states_.transpose() * next;
       next -= states_ * more;
       shares += more;
@@ -123,7 +123,7 @@ class KrylovSpace {
   Eigen::MatrixXd states_, map_;
 };
 
-/// The vibrations in the disc that a space has; none where one is not settled yet.
+/// The vibrations of a space that lie in the disc; empty where one of them has not converged yet.
 std::optional<FreeModes> settled_modes(const ShiftedInverse& inverse, const KrylovSpace& space,
                                        const RateDisc& disc) {
   constexpr double settled = 1e-13;
@@ -167,7 +167,7 @@ FreeModes free_modes(const SpeedMatrices& matrices, const RateDisc& disc) {
   const ShiftedInverse inverse(matrices, disc);
   KrylovSpace space(inverse);
   for (Index states = first_states;; states += states / 2) {
-    // A space of most of all states is dearer than all of them at once, and never closes at a few less.
+    // Building most of the space costs more than all of it at once, and only the full space closes.
     space.grow_to(4 * states > 3 * inverse.states() ? inverse.states() : states);
     if (auto found = settled_modes(inverse, space, disc)) return std::move(*found);
   }
@@ -185,22 +185,23 @@ Eigen::VectorXcd all_rates_per_s(const SpeedMatrices& matrices, double unit_per_
   return Eigen::Map<const Eigen::VectorXcd>(rates.data(), static_cast<Index>(rates.size()));
 }
 
-bool follow_free_mode(const SpeedMatrices& matrices, Complex& rate_per_s, Eigen::VectorXcd& shape) {
+bool follow_free_mode(const SpeedMatrices& matrices, Complex& rate_per_s, Eigen::VectorXcd& shape,
+                      double precision) {
   constexpr int most_steps = 12;
   for (int step = 0; step < most_steps; ++step) {
     const Eigen::VectorXcd next =
         numerics::dense::solve(dynamic_stiffness(matrices, rate_per_s), by_rate(matrices, rate_per_s, shape));
     const Complex change = shape.squaredNorm() / shape.dot(next);
-    if (!next.allFinite() || !std::isfinite(std::abs(change))) return step > 0;  // singular: it is the rate
+    if (!next.allFinite() || !std::isfinite(std::abs(change))) return step > 0;  // singular: this is the rate
     rate_per_s -= change;
     shape = next.normalized();
-    if (std::abs(change) <= 4 * epsilon * std::abs(rate_per_s)) return true;
+    if (std::abs(change) <= precision * std::abs(rate_per_s)) return true;
   }
   return false;
 }
 
 double rate_rounding_per_s(const SpeedMatrices& matrices, Complex rate_per_s, const Eigen::VectorXcd& shape) {
-  // The left vibration is that of the transposed matrices; a little off the rate they are not singular.
+  // Left eigenvector: that of the transposed matrices, which are regular slightly off the rate.
   const Complex beside = rate_per_s * (1 + 1e-10);
   const Eigen::MatrixXcd transposed = dynamic_stiffness(matrices, beside).transpose();
   Eigen::VectorXcd left = Eigen::VectorXcd(shape.conjugate());
@@ -211,8 +212,7 @@ double rate_rounding_per_s(const SpeedMatrices& matrices, Complex rate_per_s, co
                                  rate * (matrices.damping.cwiseAbs() * size) +
                                  matrices.stiffness.cwiseAbs() * size;
   const double change = std::abs((left.transpose() * by_rate(matrices, rate_per_s, shape)).value());
-  constexpr Index of_the_iteration =
-      16;  // steps of the iteration round too, also in a rotor of two coordinates
+  constexpr Index of_the_iteration = 16;  // the iteration rounds as well, even in a rotor of two coordinates
   return static_cast<double>(std::max(2 * shape.size(), of_the_iteration)) * epsilon *
          left.cwiseAbs().dot(forces) / change;
 }

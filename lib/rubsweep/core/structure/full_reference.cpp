@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/numerics/dense/factors.hpp"
+#include "rubsweep/core/numerics/banded_system.hpp"
 #include "rubsweep/core/structure/free_modes.hpp"
 #include "rubsweep/core/structure/seen_modes.hpp"
 
@@ -23,9 +23,9 @@ using Eigen::MatrixXcd;
 using std::numbers::pi;
 
 constexpr double grid_decades = 2.5;
-constexpr double growing = 1e-4;  ///< share of its frequency at which a vibration surely grows
+constexpr double growing = 1e-4;  ///< share of its frequency above which growth is certain
 
-/// Points for a system of so many coordinates: a solution takes the third power of these.
+/// Number of frequency points for a system of this size: each solution costs the third power of it.
 int points_for(Index coordinates) {
   constexpr int most = 100, least = 25;
   constexpr double many = 150;
@@ -33,7 +33,7 @@ int points_for(Index coordinates) {
                     most);
 }
 
-/// Rates of the free vibrations up to a frequency; no numbers where they cannot be told.
+/// Rates of the free vibrations up to a frequency; NaN where they cannot be computed.
 Eigen::VectorXcd rates_within(const SpeedMatrices& matrices, double rad_per_s) {
   try {
     return free_modes(matrices, {0, rad_per_s}).rate_per_s;
@@ -42,10 +42,10 @@ Eigen::VectorXcd rates_within(const SpeedMatrices& matrices, double rad_per_s) {
   }
 }
 
-/// Distance of a growing rate from the nearest of `others`: the larger one of the shares by which frequency
-/// and growth differ.
+/// Distance of a growing rate from the nearest of `others`: the larger of the relative differences in
+/// frequency and in growth.
 double distance(std::complex<double> rate, const Eigen::VectorXcd& others) {
-  constexpr double slow = 0.01;  // share of the frequency: slower growth counts by this
+  constexpr double slow = 0.01;  // share of the frequency: least reference for a growth
   double least = 1;
   for (const std::complex<double>& other : others) {
     const double size = std::abs(rate), growth = std::abs(rate.real() - other.real());
@@ -54,7 +54,7 @@ double distance(std::complex<double> rate, const Eigen::VectorXcd& others) {
   return least;
 }
 
-/// Largest distance from the diagonal at which one of the matrices has a number.
+/// Bandwidth of several matrices: largest distance of a non-zero entry from the diagonal.
 Index band_of(std::initializer_list<const Eigen::MatrixXd*> matrices) {
   Index band = 0;
   for (const Eigen::MatrixXd* matrix : matrices) {
@@ -66,8 +66,8 @@ Index band_of(std::initializer_list<const Eigen::MatrixXd*> matrices) {
   return band;
 }
 
-/// Largest share of `sizes` that differences make; the last one counts by `share_of_last`. Sizes may be 0, as
-/// of loads where there are none.
+/// Largest ratio of differences to `sizes`, the last one weighted by `share_of_last`. A size of 0 is skipped,
+/// as where there are no loads.
 double largest_share(const Eigen::VectorXd& differences, const Eigen::VectorXd& sizes, double share_of_last) {
   double largest = 0;
   for (Index i = 0; i < sizes.size(); ++i) {
@@ -81,8 +81,8 @@ bool any_grows(const Eigen::VectorXcd& rates, double share) {
   return std::ranges::any_of(rates, [=](const auto& rate) { return rate.real() > share * std::abs(rate); });
 }
 
-/// True where some vibration surely grows by one and surely none by the other. Both count only with a
-/// margin, because near the speed at which growth begins either may be right.
+/// Whether one set of rates surely has a growing vibration and the other surely has none. A margin keeps out
+/// speeds near the onset of growth, where either may be right.
 bool contradict(const Eigen::VectorXcd& one, const Eigen::VectorXcd& other) {
   const auto only_first = [](const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
     return any_grows(a, growing) && !any_grows(b, growing / 4);
@@ -194,7 +194,7 @@ MatrixXcd FullReference::receptance(const Rotor& rotor, std::size_t line, double
   }
   // Responses are few, and forces stand wherever the shaft has unbalance: the equations are solved from the
   // left.
-  const MatrixXcd left = numerics::dense::solve_banded(
+  const MatrixXcd left = numerics::solve_banded(
       dynamic.transpose(), rotor.responses.transpose().cast<std::complex<double>>(), rotor.band);
   MatrixXcd value(rotor.responses.rows(), rotor.forces.cols());
   value.real() = left.real().transpose() * rotor.forces;
@@ -205,7 +205,7 @@ MatrixXcd FullReference::receptance(const Rotor& rotor, std::size_t line, double
 Eigen::VectorXd FullReference::sizes(const MatrixXcd& value) const {
   const auto places = static_cast<Index>(forces_m_.size());
   Eigen::VectorXd sizes(places + 1);
-  // One number for all places would hide a force that moves little behind one that moves much.
+  // One norm over all positions would hide a force with a weak response behind one with a strong response.
   for (Index i = 0; i < places; ++i) sizes(i) = value.middleCols<2>(2 * i).norm();
   sizes(places) = value.rightCols(value.cols() - 2 * places).norm();
   return sizes;
@@ -214,7 +214,7 @@ Eigen::VectorXd FullReference::sizes(const MatrixXcd& value) const {
 double FullReference::line_error(const Rotor& reduced, std::size_t line, double enough) const {
   double worst = 0;
   for (int k = points_ - 1; k >= 0 && worst <= enough; --k) {
-    // An antiresonance is no reason to keep on adding modes.
+    // Reference over neighbouring frequencies: an antiresonance is no reason to add more modes.
     Eigen::VectorXd size = Eigen::VectorXd::Zero(static_cast<Index>(forces_m_.size()) + 1);
     for (int j = std::max(0, k - around_); j <= std::min(points_ - 1, k + around_); ++j)
       size = size.cwiseMax(sizes(exact_[line][static_cast<std::size_t>(j)]));
@@ -227,7 +227,7 @@ double FullReference::line_error(const Rotor& reduced, std::size_t line, double 
 double FullReference::peak_error(const Rotor& reduced, std::size_t line, double enough) const {
   constexpr int finer = 8, bits = 20;
   constexpr std::uintmax_t most_iterations = 30;
-  constexpr double loss = 0.004;  // least damping: without it a peak has no height that could be compared
+  constexpr double loss = 0.004;  // least damping: without it the height of a peak is not finite
   const double step = 1.0 / finer;
   const auto height = [&](double at) { return receptance(reduced, line, rad_per_s(at), loss).norm(); };
   double worst = 0, before = 0, here = height(0);
@@ -263,7 +263,7 @@ FullReference::Growth FullReference::growth(const Reduction& reduction) const {
   if (rates_.empty()) return growth;
   const Rotor reduced = reduced_rotor(reduction);
   for (const auto& [at, exact] : rates_) {
-    // Rates of either a little beyond may be those of the other within.
+    // A rate just beyond the limit in one model may lie within it in the other.
     constexpr double beyond = 1.1;
     const double highest = 2 * pi * kit_.modes_up_to_hz;
     const Eigen::VectorXcd found = rates_within(

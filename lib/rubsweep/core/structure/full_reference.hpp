@@ -9,53 +9,54 @@
 
 namespace rubsweep::structure {
 
-/// Resonances move with the last digits of a frequency, and a load away from all attachment modes is followed
-/// by the modes alone: there a difference counts by this share.
+/// Weight of two kinds of difference. Resonances move with the last digits of a frequency; and the response
+/// to a load away from all attachment modes depends on the modes alone.
 inline constexpr double share_beside = 0.2;
 
-/// Judge of reductions of one kit: its full matrices, answered once by direct solution, with dampers, cross
-/// terms, gyroscopic moments and damping that turns.
+/// Reference for reductions of one kit: its full matrices with dampers, cross-coupling, gyroscopic moments
+/// and rotating damping, solved directly once.
 class FullReference {
  public:
-  /// Responses in x and y at `responses_m`; forces at `forces_m`, and beside them at `loads_m` and where the
-  /// shaft has unbalance, whose responses are compared among themselves.
+  /// Responses are in x and y at `responses_m`, forces act at `forces_m`. Responses to forces at `loads_m`
+  /// and to the shaft's unbalance are compared as a group of their own.
   FullReference(const BeamShaft& shaft, const model::RotorKit& kit, std::vector<double> responses_m,
                 std::vector<double> forces_m, std::vector<double> loads_m);
 
-  /// Worst difference of a receptance up to kit.modes_up_to_hz, for each place of a force against its largest
-  /// within a fifth of the frequency: at rest, turning with the force, and with supports at the lowest and
-  /// highest speed of their tables; at even steps of log frequency, and by share_beside at the resonances of
-  /// the reduced rotor and under unbalance and loads. A larger one than `enough` ends the look.
+  /// Worst relative difference of a receptance up to kit.modes_up_to_hz. The reference for each force
+  /// position is its largest receptance within a fifth of the frequency. Compared at standstill, turning with
+  /// the force, and with supports at the lowest and highest speed of their tables, at even steps of log
+  /// frequency. Differences at the resonances of the reduced rotor and under unbalance and loads are weighted
+  /// by share_beside. The search ends once a difference exceeds `enough`.
   double receptance_error(const Reduction& reduction, double enough) const;
 
-  /// How vibrations that grow come out up to kit.modes_up_to_hz.
+  /// Comparison of growing (unstable) vibrations up to kit.modes_up_to_hz.
   struct Growth {
-    double error = 0;  ///< worst difference of rate or frequency of one that grows in either
+    double error = 0;  ///< worst difference of rate or frequency of a vibration that grows in either model
     bool mistaken =
-        false;  ///< true: at some speed full matrices and reduced rotor disagree whether a vibration grows
+        false;  ///< true: at some speed, full and reduced model disagree whether a vibration grows
   };
   Growth growth(const Reduction& reduction) const;
 
  private:
-  /// Frequencies from low to high, and the shaft's speed at them.
+  /// Series of frequencies from low to high, with the shaft speed used for them.
   struct Line {
-    bool with_the_force;  ///< else at `speed_rad_per_s`
+    bool with_the_force;  ///< true: shaft speed = frequency; false: `speed_rad_per_s`
     double speed_rad_per_s;
     std::optional<double> supports_rad_per_s;  ///< see matrices_at
   };
-  /// A rotor and what it is looked at by.
+  /// Matrices of a rotor, full or reduced, with its responses and forces.
   struct Rotor {
     FullSystem matrices;
     Eigen::MatrixXd responses, forces;
-    std::vector<SpeedMatrices> at_lines;  ///< matrices without the force's speed
-    Eigen::Index band = 0;                ///< largest distance from the diagonal that a number stands at
+    std::vector<SpeedMatrices> at_lines;  ///< matrices of each line without the terms of the force's speed
+    Eigen::Index band = 0;                ///< largest distance of a non-zero entry from the diagonal
   };
 
   Rotor rotor_of(const PlaneBases& bases, FullSystem matrices) const;
   Rotor reduced_rotor(const Reduction& reduction) const;
   Eigen::MatrixXcd receptance(const Rotor& rotor, std::size_t line, double rad_per_s, double loss = 0) const;
   double rad_per_s(double step) const;
-  /// Size of the responses to the forces at each of forces_m_, and last to all loads and unbalances.
+  /// Norms of the responses to the forces at each of forces_m_; the last one is for all loads and unbalances.
   Eigen::VectorXd sizes(const Eigen::MatrixXcd& value) const;
   double line_error(const Rotor& reduced, std::size_t line, double enough) const;
   double peak_error(const Rotor& reduced, std::size_t line, double enough) const;
@@ -66,13 +67,13 @@ class FullReference {
   std::vector<Line> lines_;
   int points_ = 0, around_ = 0;
   Rotor full_;
-  std::vector<std::vector<Eigen::MatrixXcd>> exact_;      ///< exact response of each line and point
-  std::vector<std::pair<Line, Eigen::VectorXcd>> rates_;  ///< rates of free vibrations, where some may grow
+  std::vector<std::vector<Eigen::MatrixXcd>> exact_;      ///< exact receptance for each line and point
+  std::vector<std::pair<Line, Eigen::VectorXcd>> rates_;  ///< rates of free vibrations, if some may grow
 };
 
-/// Whether a vibration of a reduced rotor without its stops surely grows at a speed (which tables reach) and
-/// none does by the full matrices of its kit, or one up to kit.modes_up_to_hz by these and none of the
-/// reduced rotor. Stops must be nodes of the shaft.
+/// Whether the reduced rotor, without its stops, is unstable by mistake at a speed within the tables: a
+/// vibration surely grows although none does by the full matrices. Also true if one up to kit.modes_up_to_hz
+/// grows by the full matrices and none in the reduced rotor. Stops must be nodes of the shaft.
 bool growth_is_mistaken(const BeamShaft& shaft, const model::RotorKit& kit, const Assembly& reduced,
                         double speed_rad_per_s);
 

@@ -14,9 +14,9 @@
 namespace rubsweep::structure {
 namespace {
 
-constexpr double node_of_mode = 1e-6;  ///< share of the largest deflection, squared
+constexpr double node_of_mode = 1e-6;  ///< smallest squared deflection off a node, over the squared largest
 
-/// Whether the damper of a contact follows from the mass behind it.
+/// Whether the damping constant of a contact depends on the rotor mass.
 bool takes_mass(const model::ContactDamping& damping) {
   return std::visit(overloaded{[](const model::NominalRestitution&) { return true; },
                                [](const model::DeliveredRestitution&) { return true; },
@@ -56,8 +56,7 @@ class KitBuilder {
   }
 
  private:
-  /// With attachment modes at supports that follow the speed the static compliance is exact at all of their
-  /// speeds.
+  /// Attachment modes at supports with tables keep the static compliance exact at all speeds of the tables.
   std::vector<double> stops_and_tables() const {
     std::vector<double> places = stops_;
     for (const model::Support& support : kit_.supports)
@@ -94,7 +93,7 @@ class KitBuilder {
     result_.assembly.circulatory.topLeftCorner(lateral(), lateral()) = added.circulatory;
   }
 
-  /// A load that turns with the shaft, given in the x plane of the full model.
+  /// Reduced form of a load that turns with the shaft, given in the x plane of the full model.
   Eigen::VectorXcd turning(const Eigen::VectorXcd& load) const {
     const std::complex<double> i(0, 1);
     Eigen::VectorXcd force = Eigen::VectorXcd::Zero(lateral());
@@ -121,7 +120,7 @@ class KitBuilder {
           disc.mass_kg * disc.eccentricity_ratio * disc.eccentricity_ratio;
   }
 
-  /// The shaft bent as one of its modes, with this amplitude where it is largest.
+  /// Shape of one of the shaft's modes, scaled to this amplitude at its largest deflection.
   Eigen::VectorXd line_of(const model::BowMode& mode) const {
     const PlaneModes modes = plane_modes(shaft_.plane_mass(0), shaft_.plane_stiffness(0), mode.mode);
     if (modes.rad_per_s.size() < mode.mode) {
@@ -136,7 +135,7 @@ class KitBuilder {
     return line;
   }
 
-  /// A shaft that is bowed without load pulls towards its bow as a straight one pulls back from it.
+  /// Load of a bow: the force that would bend a straight shaft into the bowed line.
   Eigen::VectorXcd bow_load() const {
     const Eigen::VectorXd line = std::visit(
         overloaded{[&](const model::BowMode& mode) { return line_of(mode); },
@@ -167,7 +166,7 @@ class KitBuilder {
                                                  lateral_.scatter(1, basis(1).transpose() * load.imag());
   }
 
-  /// In the full model, so that the position at rest at the couplings does not depend on the modes kept.
+  /// Uses the full model: the static position at the couplings must not depend on the kept modes.
   void add_twice_per_turn() {
     const std::complex<double> i(0, 1);
     Eigen::VectorXcd load = standing_misalignment_load(shaft_, kit_) -
@@ -179,7 +178,7 @@ class KitBuilder {
         turning(twice_per_turn_load(shaft_, kit_, position_at_rest(shaft_, load)));
   }
 
-  /// An impulse on the shaft, and the other way on the pedestal, if there is one.
+  /// Adds the impulse on the shaft and the opposite one on the pedestal, if there is one.
   void add_faults() {
     for (std::size_t i = 0; i < kit_.supports.size(); ++i) {
       if (!kit_.supports[i].fault) continue;
@@ -217,7 +216,7 @@ class KitBuilder {
     assembly.kick_point = add_point(kick_);
   }
 
-  /// Along the normal of a flat stop; in an annular stop the mean of both planes.
+  /// Modal mass along the normal of a flat stop; mean of both planes in an annular stop.
   double contact_mass_kg(std::size_t i) const {
     const model::Stop& stop = machine_.stops[i];
     const double share_x =

@@ -16,7 +16,7 @@ constexpr const char* no_modes =
     "extreme "
     "numbers";
 
-/// Adds the projected block of planes (a, b) where its shapes stand.
+/// Adds the projected block of planes (a, b) at the indices of its shapes.
 void add(const LateralSystem& system, std::size_t a, std::size_t b, const Eigen::MatrixXd& block,
          Eigen::MatrixXd& matrix) {
   for (Eigen::Index i = 0; i < block.rows(); ++i) {
@@ -35,7 +35,7 @@ bool equal_planes(const BeamShaft& shaft, const PlaneBases& bases) {
 
 using Eigen::Index;
 
-/// Operator 2 ratio w (m shape) (m shape)^T over all modes of a plane: a force by the velocity along it.
+/// Damping matrix, the sum of 2 ratio w (m shape) (m shape)^T over all modes of a plane.
 Eigen::MatrixXd by_modes(const BeamShaft& shaft, std::size_t plane, const std::vector<double>& ratios) {
   const Index n = shaft.coordinates();
   if (std::ranges::all_of(ratios, [](double ratio) { return ratio == 0; }))
@@ -48,7 +48,7 @@ Eigen::MatrixXd by_modes(const BeamShaft& shaft, std::size_t plane, const std::v
   return momentum * rates.asDiagonal() * momentum.transpose();
 }
 
-/// The block of a matrix in the coordinates of planes a (rows) and b.
+/// View of the block of a matrix with rows of plane a and columns of plane b.
 auto block(Eigen::MatrixXd& matrix, Index a, Index b) {
   const Index n = matrix.rows() / 2;
   return matrix(Eigen::seqN(a, n, 2), Eigen::seqN(b, n, 2));
@@ -76,7 +76,7 @@ LateralSystem project(const BeamShaft& shaft, const PlaneBases& bases) {
     return Eigen::MatrixXd(bases[a].transpose() * full * bases[b]);
   };
   for (std::size_t a = 0; a < 2; ++a) {
-    // Equal planes get the same bits: a symmetry of the machine is not lost to rounding.
+    // Equal planes get bitwise equal matrices, so that rounding does not break the symmetry of the machine.
     const std::size_t from = equal_planes(shaft, bases) ? 0 : a;
     add(system, a, a, between(from, from, shaft.plane_mass(from)), system.mass);
     add(system, a, a, between(from, from, shaft.plane_stiffness(from)), system.stiffness);
@@ -97,7 +97,7 @@ LateralSystem project(const BeamShaft& shaft, const PlaneBases& bases) {
 }
 
 PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, Eigen::Index count) {
-  constexpr double massless = 1e-14;  // share of the largest 1/w^2
+  constexpr double massless = 1e-14;  // share of the largest 1/w^2: smaller ones have no mass
   if (!mass.allFinite() || !stiffness.allFinite()) {
     throw ConfigError(
         "rotor: its numbers give a mass or stiffness that is no finite number, allowed: less extreme ones");

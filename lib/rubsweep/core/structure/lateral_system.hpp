@@ -14,16 +14,15 @@ namespace rubsweep::structure {
 using PlaneBases = std::array<Eigen::MatrixXd, 2>;
 
 /// A beam shaft in the coordinates of its shapes: mass q'' + (damping + speed gyroscopic) q' + stiffness q =
-/// forces. The coordinates of shape j in the x and the y plane stand side by side, so that equal planes make
-/// pairs.
+/// forces. The coordinates of shape j in the x and y planes are neighbours, so that equal planes give pairs.
 struct LateralSystem {
   Eigen::MatrixXd mass, damping, gyroscopic, stiffness;
-  std::array<Eigen::Index, 2> shapes{0, 0};  ///< m_x, m_y
+  std::array<Eigen::Index, 2> shapes{0, 0};  ///< m_x and m_y, numbers of shapes
 
   Eigen::Index coordinates() const { return shapes[0] + shapes[1]; }
   /// Index of the coordinate of shape `j` of a plane.
   Eigen::Index index(std::size_t plane, Eigen::Index j) const;
-  /// A vector in one plane, given per shape, among all coordinates.
+  /// Vector of all coordinates from one that is given per shape of one plane; zeros elsewhere.
   Eigen::VectorXd scatter(std::size_t plane, const Eigen::VectorXd& per_shape) const;
 };
 
@@ -34,32 +33,32 @@ LateralSystem project(const BeamShaft& shaft, const PlaneBases& bases);
 /// Undamped modes of one plane at rest, lowest first.
 struct PlaneModes {
   Eigen::VectorXd rad_per_s;
-  Eigen::MatrixXd shape;  ///< columns, mass-normalised
+  Eigen::MatrixXd shape;  ///< shapes as columns, mass-normalised
 };
 
-/// Modes of stiffness v = w^2 mass v; stiffness positive definite, mass at least semidefinite. The `count`
-/// lowest ones, fewer where fewer have mass. Works on the inverse problem, whose largest values are the
-/// lowest frequencies: these are the ones that come out with full relative accuracy. At least one. Throws
-/// ConfigError when the stiffness is not positive definite, or no mode can be computed.
+/// The `count` lowest modes of stiffness v = w^2 mass v (at least one), or fewer where fewer have mass.
+/// Stiffness must be positive definite, mass at least semidefinite. Solves the inverse problem, whose largest
+/// eigenvalues belong to the lowest frequencies and have full relative accuracy. Throws ConfigError when the
+/// stiffness is not positive definite, or no mode can be computed.
 PlaneModes plane_modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, Eigen::Index count);
 
-/// A rotor kit in all coordinates of its finite elements, x and y side by side: what its reduced models are
-/// judged by. Nothing of it comes from a reduced basis: structural damping is that of all modes.
+/// A rotor kit in all coordinates of its finite elements, x and y side by side: the reference for its reduced
+/// models. It uses no reduced basis; structural damping includes all modes.
 struct FullSystem {
-  LateralSystem system;         ///< shapes are the coordinates themselves; without what depends on the speed
-  Eigen::MatrixXd circulatory;  ///< matrix as of Assembly
-  std::vector<TabledSupport> tables;  ///< supports that follow the speed; `system` holds their middle one
+  LateralSystem system;         ///< shapes are the coordinates; without the terms that depend on the speed
+  Eigen::MatrixXd circulatory;  ///< circulatory matrix as in Assembly
+  std::vector<TabledSupport> tables;  ///< supports with tables; `system` has their middle coefficients
 };
 
 FullSystem full_system(const BeamShaft& shaft, const model::RotorKit& kit);
 
-/// mass q'' + damping q' + stiffness q = forces at one speed.
+/// Matrices of mass q'' + damping q' + stiffness q = forces at one speed.
 struct SpeedMatrices {
   Eigen::MatrixXd mass, damping, stiffness;
 };
 
-/// The matrices at a speed; supports by tables as the matrices hold them (`supports_rad_per_s` empty) or at a
-/// speed of their tables.
+/// The matrices at a speed. Supports with tables keep the coefficients in `full` (`supports_rad_per_s` empty)
+/// or have those of a speed of their tables.
 SpeedMatrices matrices_at(const FullSystem& full, double speed_rad_per_s,
                           std::optional<double> supports_rad_per_s = {});
 

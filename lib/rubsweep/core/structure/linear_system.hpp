@@ -5,30 +5,30 @@
 
 namespace rubsweep::structure {
 
-/// A place of the structure where a force may act or a sensor look: displacement (x, y) = map * q, in metres.
-/// A force (fx, fy) at the point enters the equations as map^T (fx, fy).
+/// A point of the structure where a force may act or a sensor measure: displacement (x, y) = map * q, in
+/// metres. A force (fx, fy) at the point enters the equations as map^T (fx, fy).
 struct Point {
-  Eigen::Matrix<double, 2, Eigen::Dynamic> map;  ///< 2 x n
+  Eigen::Matrix<double, 2, Eigen::Dynamic> map;  ///< matrix, 2 x n
 };
 
-/// M q'' + C q' + K q = f(t), n coordinates.
+/// Linear system M q'' + C q' + K q = f(t) with n coordinates.
 struct LinearSystem {
   Eigen::MatrixXd mass;           ///< n x n, positive definite
   Eigen::MatrixXd damping;        ///< n x n; gyroscopic terms are part of it
   Eigen::MatrixXd stiffness;      ///< n x n
-  Eigen::VectorXcd unbalance_kg;  ///< n: an eccentricity e at speed w forces e w^2 Re(unbalance_kg e^{i w t})
-  Eigen::VectorXd weight_kg;      ///< n: gravity g along -y forces g * weight_kg
+  Eigen::VectorXcd unbalance_kg;  ///< n: an eccentricity e gives the force e w^2 Re(unbalance_kg e^{i w t})
+  Eigen::VectorXd weight_kg;      ///< n: gravity g along -y gives the force g * weight_kg
   std::vector<Point> points;
 
   Eigen::Index coordinates() const { return mass.rows(); }
 };
 
-/// Impulses that follow the rotation at a fixed ratio: `multiple` per revolution, the first one
-/// `phase_periods` of the rotation between two after the start of a run.
+/// Impulses at a fixed ratio to the rotation: `multiple` per revolution. The first one comes `phase_periods`
+/// of the interval between two impulses after the start of a run.
 struct ImpulseTrain {
   Eigen::VectorXd impulse_ns;  ///< n: generalised impulse; the velocities jump by mass^-1 impulse
-  double multiple = 0;         ///< > 0
-  double phase_periods = 0;    ///< >= 0 and < 1
+  double multiple = 0;         ///< impulses per revolution, > 0
+  double phase_periods = 0;    ///< share of the interval, >= 0 and < 1
 };
 
 }  // namespace rubsweep::structure

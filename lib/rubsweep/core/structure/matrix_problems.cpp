@@ -19,7 +19,7 @@ std::string number(double value) {
   return text.data();
 }
 
-/// "row 3 (x of node 2), column 5 (y of node 2)".
+/// Text of a matrix entry: "row 3 (x of node 2), column 5 (y of node 2)".
 std::string place_of(const model::ShaftMatrices& matrices, Eigen::Index row, Eigen::Index column) {
   const auto name = [&](Eigen::Index i) {
     const auto& [node, direction, position_m, weight_kg] =
@@ -29,14 +29,12 @@ std::string place_of(const model::ShaftMatrices& matrices, Eigen::Index row, Eig
   return "row " + name(row) + ", column " + name(column);
 }
 
-/// Size that an entry is small or large against: what its own row and column have on the diagonals of
-/// `scale`.
+/// Reference size of an entry: the geometric mean of the diagonal entries of its row and column in `scale`.
 double size_at(const Eigen::MatrixXd& scale, Eigen::Index i, Eigen::Index k) {
   return std::sqrt(std::abs(scale(i, i) * scale(k, k)));
 }
 
-/// Adds the entry of a matrix that `excess` finds most too large against `scale`, with the words of the
-/// caller.
+/// Adds a problem for the entry with the largest `excess`, if that is more than rounding relative to `scale`.
 template <class Excess>
 void refuse_largest(const model::ShaftMatrices& matrices, const std::string& key,
                     const Eigen::MatrixXd& scale, const std::string& wrong, const std::string& allowed,

@@ -15,7 +15,7 @@
 namespace rubsweep::structure {
 namespace {
 
-/// Frees a matrix that was found symmetric of what rounding has left; one that is keeps its bits.
+/// Removes rounding from a matrix that is known to be symmetric; an exactly symmetric one keeps its bits.
 Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& matrix) { return (matrix + matrix.transpose()) / 2; }
 
 void add_node_unbalance(const model::ShaftMatrices& matrices, BeamShaft& shaft) {
@@ -54,7 +54,7 @@ void refuse_what_matrices_cannot_say(const model::RotorKit& kit) {
 /// Coordinates of a beam shaft in the order of the exported degrees of freedom.
 struct Exported {
   model::ShaftMatrices matrices;
-  std::vector<std::pair<std::size_t, Eigen::Index>> source;  ///< plane and coordinate
+  std::vector<std::pair<std::size_t, Eigen::Index>> source;  ///< plane and coordinate of each
   std::vector<double> sign;
 
   void add(const std::string& node, Direction direction, std::optional<double> position_m,
@@ -96,7 +96,7 @@ model::ShaftMatrices matrices_of(const BeamShaft& shaft) {
       const double sign =
           exported.sign[static_cast<std::size_t>(i)] * exported.sign[static_cast<std::size_t>(k)];
       if (a == b) {
-        // The sums that plane_mass and its like make of the same numbers: no bit differs.
+        // The same sums as in plane_mass and plane_stiffness, so that all bits agree.
         matrices.mass(i, k) = sign * (shaft.mass(row, column) + shaft.added_mass[a](row, column));
         matrices.stiffness(i, k) =
             sign * (shaft.elastic(row, column) + shaft.support_stiffness[a][a](row, column));

@@ -14,13 +14,13 @@
 namespace rubsweep::structure {
 namespace {
 
-constexpr double nothing_left = 1e-9;  ///< share of the energy of a deflection
+constexpr double nothing_left = 1e-9;  ///< share of the energy of a deflection: less is rounding
 constexpr const char* too_extreme =
     "rotor: its parts are too far apart in stiffness or mass for the motion at the stops to be computed, "
     "allowed: "
     "less extreme numbers";
 
-/// Residual static deflections of forces at the stops, orthogonal to the modes, as modes among themselves.
+/// Attachment modes: static deflections under forces at the stops, orthogonal to the modes and to each other.
 PlaneModes attachments(const BeamShaft& shaft, const StudiedPlane& plane, const Eigen::MatrixXd& modes,
                        const std::vector<double>& stops_m) {
   Eigen::MatrixXd kept(shaft.coordinates(), 0);
@@ -28,7 +28,7 @@ PlaneModes attachments(const BeamShaft& shaft, const StudiedPlane& plane, const 
     Eigen::VectorXd shape = plane.factor.solve(
         Eigen::VectorXd(Eigen::VectorXd::Unit(shaft.coordinates(), shaft.deflection(stop))));
     const double whole = shape(shaft.deflection(stop));
-    for (int pass = 0; pass < 2; ++pass) {  // twice is enough: rounding of the first is taken out
+    for (int pass = 0; pass < 2; ++pass) {  // twice is enough: pass 2 removes the rounding of pass 1
       shape -= modes * (modes.transpose() * (plane.mass * shape));
       shape -= kept * (kept.transpose() * (plane.stiffness * shape));
     }
@@ -44,7 +44,7 @@ PlaneModes attachments(const BeamShaft& shaft, const StudiedPlane& plane, const 
   return found;
 }
 
-/// Basis of one plane from its `count` lowest seen modes and those beside that are lower.
+/// Basis of one plane from its `count` lowest seen modes and all lower modes of `beside`.
 void fill_plane(const BeamShaft& shaft, const StudiedPlane& plane, std::size_t index, int count,
                 const std::vector<double>& stops_m, Reduction& reduction) {
   const auto seen = std::min(static_cast<std::size_t>(count), plane.seen.size());
@@ -72,7 +72,7 @@ void fill_plane(const BeamShaft& shaft, const StudiedPlane& plane, std::size_t i
   hz /= 2 * std::numbers::pi;
   const auto nodes = static_cast<Eigen::Index>(shaft.node_position_m.size());
   for (Eigen::Index j = 0; j < basis.cols(); ++j) {
-    // A coordinate is then a displacement in metres, and an integrator's tolerance means the same for all.
+    // A coordinate is then a displacement in metres, so that an integrator's tolerance fits all of them.
     Eigen::Index largest = 0;
     basis(Eigen::seqN(0, nodes, 2), j).cwiseAbs().maxCoeff(&largest);
     const double deflection = basis(2 * largest, j);
@@ -107,7 +107,7 @@ class Reducer {
     const FullReference full = reference();
     if (kit_.modes) return as_asked(full);
     const auto most = static_cast<int>(std::max(planes_[0].seen.size(), planes_[1].seen.size()));
-    // Heavy dampers hold a shaft as pins do, which takes many modes, or one attachment mode more.
+    // Heavy dampers hold a shaft like pins, which needs many modes, or one more attachment mode at each.
     for (const std::vector<double>& attached : {stops_, stops_and_supports()}) {
       for (int count = 1; count <= most; ++count) {
         Reduction reduction = with_modes(count, attached);
@@ -230,7 +230,7 @@ RotatingDamping rotating_damping(const BeamShaft& shaft, const model::RotorKit& 
   const bool same = bases[0].cols() == bases[1].cols() && bases[0] == bases[1];
   for (std::size_t a = 0; a < 2; ++a) {
     for (std::size_t b = 0; b < 2; ++b) {
-      // Equal planes get the same bits, as in `project`.
+      // Equal planes get bitwise equal blocks, as in `project`.
       Eigen::MatrixXd block = bases[same ? 0 : a].transpose() * line * bases[same ? 0 : b];
       if (same) block = (block + block.transpose().eval()) / 2;
       Eigen::MatrixXd& matrix = a == b ? added.damping : added.circulatory;

@@ -13,15 +13,15 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double share_of_compliance = 1e-9;  ///< share of the compliance of a place that a mode makes there
-constexpr double share_of_shape = 1e-6;       ///< share of its largest deflection that it has at a place
-constexpr double coupled = 1e-8;  ///< share of the largest coupling by the same matrix; rounding is below
+constexpr double share_of_compliance = 1e-9;  ///< least share of a mode in the compliance at a place
+constexpr double share_of_shape = 1e-6;       ///< least deflection of a mode at a place, over its largest
+constexpr double coupled = 1e-8;  ///< share of the largest coupling by the same matrix; less is rounding
 constexpr const char* nothing_seen =
     "rotor: its parts are too far apart in stiffness or mass for the motion at the stops to be computed, "
     "allowed: "
     "less extreme numbers";
 
-/// Rounding of a mode's shape: slow modes are found best, two that are nearly as fast as each other worst.
+/// Rounding error of a mode's shape: small for slow modes, large for modes of nearly equal frequency.
 double rounding_of(const PlaneModes& modes, Index j) {
   constexpr double of_the_first = 1e-13;
   const Eigen::VectorXd& w = modes.rad_per_s;
@@ -42,7 +42,7 @@ StudiedPlane plane_of(const BeamShaft& shaft, std::size_t index) {
   return plane;
 }
 
-/// Modes that move one of the places.
+/// For each mode, whether it moves one of the places.
 std::vector<bool> seen_by_shape(const BeamShaft& shaft, const StudiedPlane& plane,
                                 const std::vector<double>& places_m) {
   const auto nodes = static_cast<Index>(shaft.node_position_m.size());
@@ -63,7 +63,7 @@ std::vector<bool> seen_by_shape(const BeamShaft& shaft, const StudiedPlane& plan
   return seen;
 }
 
-/// A matrix between planes a (rows) and b, and the power of a mode's frequency that makes its forces
+/// A matrix between planes a (rows) and b, and the power of a mode's frequency by which its forces become
 /// comparable.
 struct Coupling {
   std::size_t a, b;
@@ -89,7 +89,7 @@ std::vector<Coupling> couplings_of(const BeamShaft& shaft, const model::RotorKit
   return all;
 }
 
-/// Which modes (rows: plane a, columns: plane b) a matrix couples.
+/// Pairs of modes (rows: plane a, columns: plane b) that a matrix couples.
 Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> coupled_modes(const Coupling& coupling,
                                                                  const std::array<StudiedPlane, 2>& planes) {
   const auto scaled = [&](std::size_t plane) {
@@ -109,7 +109,7 @@ Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> coupled_modes(const Coupling&
   return above;
 }
 
-/// Marks all modes that are coupled with a marked one, and those coupled with these, and so on.
+/// Marks all modes that are coupled with a marked mode, directly or through others.
 void mark_coupled(const BeamShaft& shaft, const model::RotorKit& kit,
                   const std::array<StudiedPlane, 2>& planes, Marks& marks) {
   std::vector<std::pair<const Coupling*, Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>>> edges;
@@ -174,7 +174,7 @@ std::array<StudiedPlane, 2> study_planes(const BeamShaft& shaft, const model::Ro
   for (std::size_t a = 0; a < 2; ++a) {
     for (std::size_t j = 0; j < marks[a].size(); ++j) {
       const auto mode = static_cast<Index>(j);
-      // Planes that are alike keep the same shapes.
+      // Planes that are alike keep the same modes.
       if (marks[a][j] || (same && marks[1 - a][j])) {
         planes[a].seen.push_back(mode);
       } else if (may_grow) {

@@ -13,11 +13,11 @@ namespace {
 
 constexpr int grid_speeds = 200;
 constexpr int bisections = 30;
-/// Share of its diagonal to which a projection on shapes keeps the symmetry of a matrix.
+/// Relative error of the symmetry of a matrix after projection on shapes.
 constexpr double rounding_of_a_projection = 1e-10;
 
-/// Generator of states (w p, p') of mass-normalised coordinates p, w the frequency that each has alone: all
-/// numbers are rates, and slow vibrations come out as well as fast ones.
+/// State matrix for states (w p, p') of mass-normalised coordinates p, w being the frequency of each alone.
+/// All entries are rates, so that slow vibrations are as accurate as fast ones.
 Eigen::MatrixXd generator_of(const LinearSystem& system) {
   const numerics::dense::CholeskyFactors mass(system.mass);
   const auto normalised = [&](const Eigen::MatrixXd& matrix) {
@@ -26,7 +26,7 @@ Eigen::MatrixXd generator_of(const LinearSystem& system) {
   };
   const Eigen::MatrixXd stiffness = normalised(system.stiffness);
   const double fastest = stiffness.diagonal().cwiseAbs().maxCoeff();
-  // A coordinate that hardly anything holds keeps a unit.
+  // Lower bound of the rate of a coordinate with almost no stiffness.
   const Eigen::VectorXd rate =
       stiffness.diagonal().cwiseAbs().cwiseMax(fastest > 0 ? 1e-16 * fastest : 1).cwiseSqrt();
   const Eigen::Index n = rate.size();
@@ -69,13 +69,13 @@ double growth_per_s(const LinearSystem& system) {
   const double largest = modes.values.real().maxCoeff();
   if (!(largest > 0)) return largest;
   if (never_grows(system)) return 0;
-  // How far the rounding of the iteration moves a rate is the condition of its vector.
+  // The condition number of a rate's eigenvector tells how far rounding moves the rate.
   constexpr double steps = 8;
   const Eigen::MatrixXcd left = numerics::dense::inverse(modes.vectors);
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   double growth = 0;
   for (Eigen::Index k = 0; k < modes.values.size(); ++k) {
-    // A vector that two vibrations share has none; rounding then moves rates by its root.
+    // A defective eigenvector has no condition number; rounding then moves its rate by the root of epsilon.
     const double condition = left.row(k).norm() * modes.vectors.col(k).norm();
     const double share =
         std::isfinite(condition) ? std::min(epsilon * condition, std::sqrt(epsilon)) : std::sqrt(epsilon);
@@ -89,7 +89,7 @@ double growth_per_s(const Assembly& assembly, double speed_rad_per_s) {
   return growth_per_s(system_at(assembly, speed_rad_per_s));
 }
 
-// NaN where the rates are unknown: no vibration is reported to grow.
+// Rates that cannot be computed are NaN: then no vibration is reported to grow.
 bool grows(const Assembly& assembly, double speed_rad_per_s) {
   return grows(system_at(assembly, speed_rad_per_s));
 }

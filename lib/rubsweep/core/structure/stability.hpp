@@ -6,26 +6,25 @@
 
 namespace rubsweep::structure {
 
-/// Whether a proof holds that no free vibration mass q'' + damping q' + stiffness q = 0 grows: a stiffness
-/// that is symmetric and positive definite holds energy, and the symmetric part of the damping takes none in.
-/// A skew part of the damping, as of gyroscopic moments, does no work. `rounding`: share of the sizes on the
-/// diagonals below which a number counts as rounding. Without the proof vibrations may decay all the same.
+/// Whether it is proven that no free vibration mass q'' + damping q' + stiffness q = 0 grows: the stiffness
+/// is symmetric and positive definite, so that it stores energy, and the symmetric part of the damping
+/// supplies none. A skew part of the damping (gyroscopic moments) does no work. `rounding`: share of the
+/// diagonal below which a number counts as rounding. False proves nothing: vibrations may still decay.
 bool dissipates(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& damping, const Eigen::MatrixXd& stiffness,
                 double rounding);
 
-/// Largest growth rate, per second, of a free vibration of a rotor that touches nothing at this speed; 0 or
-/// less where all decay, and 0 where it is positive by no more than rounding may be the cause of.
-/// `speed_rad_per_s` >= 0.
+/// Largest growth rate, per second, of a free vibration of a rotor without contact at this speed. It is 0 or
+/// less where all decay; a positive rate that rounding could explain counts as 0. `speed_rad_per_s` >= 0.
 double growth_per_s(const Assembly& assembly, double speed_rad_per_s);
-/// Growth of a system whose matrices hold for one speed already.
+/// Growth rate of a system whose matrices already hold for one speed.
 double growth_per_s(const LinearSystem& system);
 
-/// Whether such a vibration grows.
+/// Whether a free vibration grows at this speed.
 bool grows(const Assembly& assembly, double speed_rad_per_s);
 bool grows(const LinearSystem& system);
 
-/// The lowest speed up to `highest_hz` from which on a free vibration grows, found on a grid of 200 speeds
-/// and bisected to 1e-9 of it: empty where there is none, 0 where the rotor is unstable at rest.
+/// Lowest speed up to `highest_hz` at which a free vibration begins to grow, found on a grid of 200 speeds
+/// and by bisection to 1e-9 of a grid step. Empty where there is none, 0 where the rotor is unstable at rest.
 std::optional<double> instability_hz(const Assembly& assembly, double highest_hz);
 
 }  // namespace rubsweep::structure

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
@@ -55,6 +56,17 @@ TabledSupport tabled_support(const model::Support& support) {
 void add_lacking(const TabledSupport& support, double speed_rad_per_s, Eigen::MatrixXd& mass,
                  Eigen::MatrixXd& damping, Eigen::MatrixXd& stiffness) {
   const SupportMatrices lacking = support.lacking(speed_rad_per_s);
+  std::vector<Eigen::Index> moved;
+  for (Eigen::Index i = 0; i < support.map.cols(); ++i)
+    if (!support.map.col(i).isZero(0)) moved.push_back(i);
+  // In all coordinates of a shaft a support moves with two of hundreds.
+  if (2 * static_cast<Eigen::Index>(moved.size()) <= support.map.cols()) {
+    const auto map = support.map(Eigen::all, moved);
+    stiffness(moved, moved) += map.transpose() * lacking.stiffness * map;
+    damping(moved, moved) += map.transpose() * lacking.damping * map;
+    mass(moved, moved) += map.transpose() * lacking.mass.asDiagonal() * map;
+    return;
+  }
   stiffness += support.map.transpose() * lacking.stiffness * support.map;
   damping += support.map.transpose() * lacking.damping * support.map;
   mass += support.map.transpose() * lacking.mass.asDiagonal() * support.map;

@@ -6,34 +6,38 @@
 
 namespace rubsweep::basin {
 
-/// Attractors of a rectangular grid of initial conditions: a number for each attractor.
+/// Attractor of each point on a rectangular grid of initial conditions; equal numbers mean the same
+/// attractor.
 struct LabelGrid {
   std::size_t columns = 0, rows = 0;
-  std::vector<int> labels;  ///< columns * rows, row by row
+  std::vector<int> labels;  ///< labels of columns * rows points, row by row
 
   int at(std::size_t column, std::size_t row) const { return labels[row * columns + column]; }
 };
 
-/// How mixed basins are (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan 2016): the mean over boxes of
-/// the entropy sum p log(1 / p), p being the shares of the labels in a box.
+/// Basin entropy, a measure of how mixed basins are (Daza, Wagemakers, Georgeot, Guery-Odelin and Sanjuan
+/// 2016). It is the mean over boxes of sum p log(1 / p), where p is the share of a label in the box.
 struct BasinEntropy {
   double all = 0;       ///< mean over all boxes
   double boundary = 0;  ///< mean over boxes with more than one label; above log 2 the boundary is fractal
 };
 
-/// Entropy from boxes of `side` x `side` points (side >= 1), side by side, without remainders at far ends.
+/// Entropy from boxes of `side` x `side` points (side >= 1), side by side. Points at the far ends that do not
+/// fill a box are left out.
 BasinEntropy basin_entropy(const LabelGrid& grid, std::size_t side);
 
-/// Growth of the share f of uncertain boxes, those that hold more than one label, with their side e: f ~
-/// e^exponent. The dimension of the boundary is that of the plane less this (McDonald, Grebogi, Ott and Yorke
-/// 1985). 1: a line; near 0: a better knowledge of the start hardly helps.
+/// Exponent a in f
+/// e^a, where f is the share of boxes of side e that hold more than one label (McDonald, Grebogi, Ott and
+/// Yorke 1985). The dimension of the boundary is the dimension of the plane minus a. At a = 1 the boundary is
+/// a line; near 0 a more precise initial condition hardly makes the outcome more certain.
 struct UncertaintyExponent {
   double value = 0;
-  double standard_error = 0;  ///< error of the straight line through log f over log e
+  double standard_error = 0;  ///< standard error of the slope of log f over log e
 };
 
 /// Exponent from boxes of 2, 3, 5, 9, ... points a side (1, 2, 4, 8, ... steps), up to a quarter of the
-/// shorter side. Empty where fewer than three sizes have an uncertain box and a certain one.
+/// shorter side of the grid. Empty where fewer than three sizes have boxes of both kinds, with one label and
+/// with several.
 std::optional<UncertaintyExponent> uncertainty_exponent(const LabelGrid& grid);
 
 }  // namespace rubsweep::basin

@@ -8,13 +8,13 @@
 namespace rubsweep::batch {
 namespace {
 
-/// digits * 10^exponent
+/// Decimal number: digits * 10^exponent.
 struct Decimal {
   std::int64_t digits = 0;
   int exponent = 0;
 };
 
-/// The shortest decimal that reads back as a finite number.
+/// Shortest decimal that reads back as the same finite number.
 Decimal shortest_decimal(double value) {
   std::array<char, 32> written{};
   const char* end = std::to_chars(written.begin(), written.end(), value, std::chars_format::scientific).ptr;
@@ -29,7 +29,8 @@ Decimal shortest_decimal(double value) {
   return decimal;
 }
 
-/// A number as a whole multiple of 10^exponent, which it is; empty where that takes too many digits.
+/// Multiple m with number = m * 10^exponent; empty where m has too many digits. `exponent` is not larger than
+/// the number's.
 std::optional<std::int64_t> multiple_of(const Decimal& number, int exponent) {
   constexpr std::int64_t largest = 1'000'000'000'000'000;  // 15 digits, which a double holds
   std::int64_t multiple = number.digits;
@@ -40,7 +41,7 @@ std::optional<std::int64_t> multiple_of(const Decimal& number, int exponent) {
   return std::abs(multiple) < largest ? std::optional(multiple) : std::nullopt;
 }
 
-/// The three numbers as whole multiples of 10^exponent.
+/// Three numbers as integer multiples of 10^exponent.
 struct Lattice {
   std::int64_t from = 0, to = 0, step = 0;
   int exponent = 0;
@@ -51,7 +52,8 @@ std::optional<Lattice> lattice(double from, double to, double step) {
   int exponent = numbers[2].exponent;
   for (const Decimal& number : numbers)
     if (number.digits != 0) exponent = std::min(exponent, number.exponent);
-  // Powers of ten up to this one are doubles, so that one division or product is all that is rounded.
+  // Powers of ten up to this exponent are exact doubles, so that only the last multiplication or division
+  // rounds.
   constexpr int largest_exact_power = 22;
   if (std::abs(exponent) > largest_exact_power) return std::nullopt;
   const auto first = multiple_of(numbers[0], exponent), last = multiple_of(numbers[1], exponent),
@@ -60,7 +62,7 @@ std::optional<Lattice> lattice(double from, double to, double step) {
   return Lattice{*first, *last, *size, exponent};
 }
 
-/// The value after so many steps towards the end, the double nearest to its decimal.
+/// Value after `steps` steps towards the end: the double nearest to its decimal.
 double value_after(const Lattice& all, std::int64_t steps) {
   const auto multiple = static_cast<double>(all.from + (all.to < all.from ? -steps : steps) * all.step);
   const double power = std::pow(10.0, std::abs(all.exponent));

@@ -13,22 +13,23 @@
 
 namespace rubsweep::batch {
 
-/// Number of steps of the size `step` that lead from `from` to `to`, in either direction, counted in
-/// decimals: from 30 to 31 there are ten of 0.1, although the doubles of these numbers say otherwise. `step`
-/// > 0. Empty where no whole number of them meets `to`, and where the three numbers span more than 15 digits.
+/// Number of steps of size `step` > 0 from `from` to `to`, in either direction. Counts in decimals: from 30
+/// to 31 there are ten steps of 0.1, although the doubles of these numbers do not fit exactly. Empty where no
+/// integer number of steps ends at `to`, and where the three numbers together need more than 15 digits.
 std::optional<std::int64_t> whole_steps(double from, double to, double step);
 
-/// Values of these steps from `from` on between which `to` lies, the nearer one to `from` first: for somebody
-/// whose steps miss it. Empty where the three numbers span more than 15 digits.
+/// Two neighbouring values of the sequence `from`, `from` +- `step`, ... between which `to` lies, the nearer
+/// one to `from` first. Used to advise a user whose steps miss `to`. Empty where the three numbers together
+/// need more than 15 digits.
 std::optional<std::pair<double, double>> steps_beside(double from, double to, double step);
 
-/// Values from `from` to `to`, both included, by these steps: each the double nearest to its decimal, 30.3
-/// and not 30.299999999999997. Throws std::invalid_argument where whole_steps is empty.
+/// Values from `from` to `to`, both included, at distances of `step`. Each is the double nearest to its
+/// decimal: 30.3 and not 30.299999999999997. Throws std::invalid_argument where whole_steps is empty.
 std::vector<double> decimal_steps(double from, double to, double step);
 
-/// `count` values from `from` to `to` (either may be the larger one) at equal distances. The first is exactly
-/// `from`, the last exactly `to`, none lies outside; a count of 1 gives `from` alone.
-/// Throws ConfigError when count < 1.
+/// `count` evenly spaced values from `from` to `to`; either may be larger. The first is exactly `from`, the
+/// last exactly `to`, and none lies outside. A count of 1 gives `from` alone. Throws ConfigError where count
+/// < 1.
 inline std::vector<double> evenly_spaced(double from, double to, int count) {
   if (count < 1) {
     throw ConfigError(std::string("count: ")
@@ -39,7 +40,7 @@ inline std::vector<double> evenly_spaced(double from, double to, int count) {
   const auto [low, high] = std::minmax(from, to);
   const double intervals = count - 1;
   for (int i = 1; i + 1 < count; ++i) {
-    // Multiplied before divided: whole numbers stay whole where the grid allows it.
+    // Multiplication before division: integers stay exact where the grid allows it.
     const double value = from + (to - from) * i / intervals;
     values[static_cast<std::size_t>(i)] = std::clamp(value, low, high);
   }
@@ -47,7 +48,7 @@ inline std::vector<double> evenly_spaced(double from, double to, int count) {
   return values;
 }
 
-/// The same at equal ratios: `from` and `to` > 0.
+/// `count` values from `from` to `to`, both > 0, with equal ratios of neighbours.
 inline std::vector<double> logarithmically_spaced(double from, double to, int count) {
   std::vector<double> values = evenly_spaced(std::log(from), std::log(to), count);
   const auto [low, high] = std::minmax(from, to);
@@ -57,19 +58,19 @@ inline std::vector<double> logarithmically_spaced(double from, double to, int co
   return values;
 }
 
-/// Form in which an axis gives its values, in the unit that it is written in.
+/// Definition of an axis by its ends, in the unit in which it was written.
 struct Spacing {
   double from = 0, to = 0;
   int count = 1;
   bool logarithmic = false;
-  double step = 0;  ///< 0: by the count; else the values stand so far apart, see decimal_steps
+  double step = 0;  ///< 0: spaced by the count; else distance of the values, see decimal_steps
 
   bool operator==(const Spacing&) const = default;
 };
 
-/// Values in SI units, of which one is `units_per_si` of the written ones: the ends are divided before the
-/// values between them are placed. By a step, each value is divided. Throws ConfigError as evenly_spaced, and
-/// std::invalid_argument as decimal_steps.
+/// Values of an axis in SI units; 1 SI unit is `units_per_si` written units. Ends are converted before the
+/// values between them are placed, but with a step each value is converted. Throws ConfigError as
+/// evenly_spaced does, and std::invalid_argument as decimal_steps does.
 inline std::vector<double> spaced(const Spacing& spacing, double units_per_si = 1) {
   if (spacing.step > 0) {
     std::vector<double> values = decimal_steps(spacing.from, spacing.to, spacing.step);

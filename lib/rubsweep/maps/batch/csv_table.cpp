@@ -19,7 +19,7 @@ namespace {
   throw IoError(fmt::format("{}:{}: {}", path.string(), line, message));
 }
 
-/// The text of a row and how far it is read.
+/// Text of a row, and the position up to which it has been read.
 struct Cursor {
   const std::filesystem::path& path;
   std::string_view rest;
@@ -114,7 +114,7 @@ double number_of(const std::filesystem::path& path, std::size_t line, const std:
   return value;
 }
 
-/// Refuses a table that is not what its checksum says before anybody takes a number from it.
+/// Refuses a table whose checksum is wrong before any number is taken from it.
 void require_as_written(InputLines& lines, const std::filesystem::path& path) {
   try {
     check_table(lines, path);
@@ -160,7 +160,7 @@ CsvReader::CsvReader(std::filesystem::path path) : path_(std::move(path)), lines
   require_distinct(header_, path_, place_.line);
 }
 
-/// Past comments and empty lines; false when nothing follows.
+/// Reads the next line that is no comment and not empty; false at the end of the file.
 bool CsvReader::read_record() {
   record_.clear();
   std::ptrdiff_t quotes = 0;
@@ -175,7 +175,7 @@ bool CsvReader::read_record() {
     } else if (!record_.empty() || (line != "\n" && line != "\r\n")) {
       record_ += line;
       quotes += std::ranges::count(line, '"');
-      if (quotes % 2 == 0) return true;  // or a quoted cell goes on in the next line
+      if (quotes % 2 == 0) return true;  // an odd count: a quoted cell continues in the next line
     }
   }
 }
@@ -195,7 +195,7 @@ bool CsvReader::next() {
 }
 
 void CsvReader::read_at(const RowPosition& place) {
-  // Maps are read in order: what is buffered already stays.
+  // Maps are mostly read in order, and without a seek the buffered bytes stay valid.
   if (place.offset != next_.offset) lines_.go_to(place.offset);
   next_ = place;
   if (!next()) fail(path_, place.line, "the file has become shorter");

@@ -12,25 +12,25 @@
 
 namespace rubsweep::batch {
 
-/// The shortest text that reads back to the same double; empty for NaN (does not apply), "inf" and "-inf".
+/// Shortest text that reads back to the same double; empty for NaN (does not apply); "inf" and "-inf".
 std::string csv_number(double value);
 
-/// One line without its end: cells joined by commas, quoted (RFC 4180) only where they would read back
-/// otherwise.
+/// One line without its end: cells joined by commas. A cell is quoted (RFC 4180) only where it would not read
+/// back otherwise.
 std::string csv_row(std::span<const std::string> cells);
 
-/// A comma-separated file, a row at a time: comment lines anywhere, then a header of distinct names, then
-/// rows of as many cells. Cells stay text, blanks included; empty lines are skipped. Throws IoError, with
-/// file:line where the text is at fault; DamagedTable where the table has a checksum that is wrong.
+/// Reads a comma-separated file row by row: comment lines anywhere, a header of distinct names, then rows
+/// with as many cells. Cells stay text, blanks included, and empty lines are skipped. Throws IoError, with
+/// file:line for errors in the text, and DamagedTable where the table has a wrong checksum.
 class CsvReader {
  public:
-  /// Reads up to the header.
+  /// Opens the file and reads it up to the header.
   explicit CsvReader(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
   const std::vector<std::string>& comments() const {
     return comments_;
-  }  ///< so far, without '#' and one blank after it
+  }  ///< comments read so far, without '#' and one blank behind it
   const std::vector<std::string>& header() const { return header_; }
 
   /// Position of a row in the file.
@@ -42,16 +42,17 @@ class CsvReader {
   /// Reads the next row; false when there is none.
   bool next();
 
-  /// Reads the row at `place`, the position of a row; `next` continues after it.
+  /// Reads the row at a position that place() gave before; `next` continues after it.
   void read_at(const RowPosition& place);
 
-  const std::vector<std::string>& cells() const { return cells_; }  ///< of the row
-  const RowPosition& place() const { return place_; }               ///< of the row
+  const std::vector<std::string>& cells() const { return cells_; }  ///< cells of the current row
+  const RowPosition& place() const { return place_; }               ///< position of the current row
 
-  /// Place of the column called `name`. Throws IoError naming the file and its columns when there is none.
+  /// Index of the column called `name`. Throws IoError with the file and its columns where it is missing.
   std::size_t column(std::string_view name) const;
 
-  /// The number in one cell of the row; NaN when it is empty. Throws IoError with file:line when it is none.
+  /// Number in a cell of the current row; NaN where it is empty. Throws IoError with file:line where it is no
+  /// number.
   double number(std::size_t column) const;
 
  private:
@@ -62,7 +63,7 @@ class CsvReader {
   InputLines lines_;
   RowPosition next_{0, 1};  ///< where the next line starts
   RowPosition place_;
-  std::string record_;  ///< text of one line, or more where a quoted cell goes on
+  std::string record_;  ///< text of the row: one line, or more where a quoted cell continues
   std::vector<std::string> comments_, header_, cells_;
 };
 

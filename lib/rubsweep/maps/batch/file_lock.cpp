@@ -18,8 +18,9 @@
 namespace rubsweep::batch {
 namespace {
 
-/// Whoever leaves a shared lock holds it alone for an instant to remove its file, and whoever asks for a
-/// holder shares it for one: a lock counts as held when it is refused for a tenth of a second.
+/// Number of refusals, within a tenth of a second, after which a lock counts as held. One refusal is no
+/// proof: a process that leaves a shared lock holds it alone for an instant, and one that asks for the holder
+/// shares it.
 constexpr int most_refusals = 20;
 constexpr std::chrono::milliseconds between_refusals{5};
 
@@ -27,8 +28,8 @@ bool has_no_such_locks(int error) {
   return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP || error == EINVAL;
 }
 
-/// Lock for a file system that has no flock(2): locks of an open file by fcntl(2), which network file systems
-/// pass on to their server.
+/// Lock for a file system without flock(2), by fcntl(2) with locks of open files. Network file systems pass
+/// these on to their server.
 int lock_by_record(int descriptor, int operation) {
   struct flock whole {};
   whole.l_type = (operation & LOCK_EX) != 0 ? F_WRLCK : F_RDLCK;
@@ -41,8 +42,8 @@ int lock_by_record(int descriptor, int operation) {
   return 0;
 }
 
-/// 0, or the system's error number: with LOCK_NB, EWOULDBLOCK when somebody else holds the lock; ENOLCK where
-/// the file system has no locks of any kind.
+/// Locks a file. Returns 0 or the system's error number: EWOULDBLOCK with LOCK_NB where somebody else holds
+/// the lock, ENOLCK where the file system has no locks of any kind.
 int lock(int descriptor, int operation) {
   while (::flock(descriptor, operation) != 0) {
     if (errno == EINTR) continue;
@@ -55,7 +56,7 @@ int lock(int descriptor, int operation) {
 
 constexpr std::string_view identity_mark = ", process ", identity_end = " UTC\n";
 
-/// The line of a lock.
+/// Text of a lock file: its purpose and its owner.
 std::string identity(const std::string& purpose) {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
@@ -64,7 +65,7 @@ std::string identity(const std::string& purpose) {
                      host.data(), fmt::gmtime(now), identity_end);
 }
 
-/// Read through the open file: its name may be gone by now.
+/// Text of a lock file, read through the descriptor, since the file's name may be gone already.
 std::string written_holder(int descriptor) {
   std::array<char, 512> text{};
   const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
@@ -72,7 +73,7 @@ std::string written_holder(int descriptor) {
   return written.empty() ? "another process" : std::string(written.substr(0, written.find('\n')));
 }
 
-/// A file that has another name, too, may be of anybody.
+/// Refuses a file that has a second name: it may belong to somebody else.
 void require_own_file(int descriptor, const std::filesystem::path& path) {
   struct stat facts {};
   if (::fstat(descriptor, &facts) != 0) throw_io_error("lock", path, errno);
@@ -86,7 +87,7 @@ void require_own_file(int descriptor, const std::filesystem::path& path) {
   }
 }
 
-/// Only what a lock of ours says is ever written over: one line, as `identity` makes it.
+/// Refuses to overwrite any text that is not a line made by `identity`.
 void require_own_text(int descriptor, const std::filesystem::path& path) {
   std::array<char, 1024> text{};
   const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
@@ -102,10 +103,10 @@ void require_own_text(int descriptor, const std::filesystem::path& path) {
                   path.string()));
 }
 
-/// The file at `path` to be locked, and whether it may be written: in a directory that is shared it may be
-/// one that only its owner can write, and who that is does not matter when he is dead.
+/// Opens the file at `path` to be locked. The second value is true if it may be written. In a shared
+/// directory only its owner may be able to write it; if that owner is dead, the file can still be locked.
 std::pair<Descriptor, bool> open_lock(const std::filesystem::path& path) {
-  constexpr int most_attempts = 3;  // the file may be removed between opening it and locking it
+  constexpr int most_attempts = 3;  // another process may remove the file during an attempt
   for (int attempt = 1;; ++attempt) {
     constexpr int ours = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
     const int writable = ::open(path.c_str(), O_RDWR | O_CREAT | ours, 0666);
@@ -131,7 +132,7 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
     auto [descriptor, may_write] = open_lock(path_);
     const int error = patience == Patience::wait ? lock(descriptor.get(), operation)
                                                  : lock(descriptor.get(), operation | LOCK_NB);
-    // The holder before us may have removed the file between our opening and our locking it.
+    // The previous holder may have removed the file after we opened it and before we locked it.
     const bool still_there = is_file_at(descriptor.get(), path_);
     if (error == EWOULDBLOCK && still_there) {
       if (++refusals == most_refusals)
@@ -142,7 +143,7 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
     guards_ = error != ENOLCK;
     if (error != 0 && error != EWOULDBLOCK && guards_) throw_io_error("lock", path_, error);
     if (error == EWOULDBLOCK || !still_there) continue;  // the holder has just removed the file
-    // A dead owner's file is replaced by one of ours where the directory lets us.
+    // The file of a dead owner is replaced by our own, where the directory allows it.
     if (!may_write && mode == LockMode::exclusive && ::unlink(path_.c_str()) == 0) continue;
     writable = may_write;
     descriptor_.emplace(std::move(descriptor));
@@ -152,13 +153,13 @@ FileLock::FileLock(std::filesystem::path path, LockMode mode, const std::string&
   require_own_text(descriptor_->get(), path_);
   if (::ftruncate(descriptor_->get(), 0) != 0) throw_io_error("write", path_, errno);
   if (const int error = write_all(descriptor_->get(), identity(purpose))) {
-    (void)!::ftruncate(descriptor_->get(), 0);  // half a line would not pass for one of ours
+    (void)!::ftruncate(descriptor_->get(), 0);  // no half line, which we could not recognise as ours
     throw_io_error("write", path_, error);
   }
 }
 
 FileLock::~FileLock() {
-  // Somebody may have removed the directory and begun another one under its name: that lock is not ours.
+  // The directory may have been replaced by a new one of the same name, whose lock is not ours.
   if ((!guards_ || lock(descriptor_->get(), LOCK_EX | LOCK_NB) == 0) && is_file_at(descriptor_->get(), path_))
     ::unlink(path_.c_str());
 }

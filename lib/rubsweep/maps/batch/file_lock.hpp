@@ -10,26 +10,28 @@
 namespace rubsweep::batch {
 
 enum class LockMode {
-  exclusive,  ///< nobody else may hold the lock
+  exclusive,  ///< no other process may hold the lock
   shared      ///< others may share it
 };
 
 enum class Patience {
-  none,  ///< a lock that somebody else holds is an error
-  wait   ///< until whoever holds it frees it, for locks that nobody holds for long
+  none,  ///< throws where somebody else holds the lock
+  wait   ///< waits for the lock; only for locks that are held briefly
 };
 
-/// A lock that a process holds as long as this lives: the system releases it however the process ends. It is
-/// a file that says who holds it; a file that nobody holds (its process was killed) means nothing.
+/// Lock that a process holds during the life of this object. The system releases it however the process ends.
+/// The lock is on a file that names the holder. If the holder was killed, its file stays, but is no longer
+/// locked.
 class FileLock {
  public:
-  /// Throws LockedError "PATH is held by HOLDER", IoError when there can be no such file. `purpose` is told
-  /// to whoever finds the lock taken, where the file may be written: that of a dead owner in a directory
-  /// where nobody else may remove it goes on naming him.
+  /// Throws LockedError "PATH is held by HOLDER", and IoError where the file cannot be created. `purpose` is
+  /// written to the file, for other processes that find the lock taken. The file of a dead process may belong
+  /// to another user in a directory where only that user may remove it. Such a file is locked, but still
+  /// names its old owner.
   FileLock(std::filesystem::path path, LockMode mode, const std::string& purpose,
            Patience patience = Patience::none);
-  ~FileLock();  ///< removes the file unless others share the lock, or it is no longer the one that was locked
-  /// False where the file system has no locks: then nothing keeps others away.
+  ~FileLock();  ///< removes the file, unless others share the lock or the file was replaced
+  /// False where the file system has no locks, so that others are not kept away.
   bool guards() const { return guards_; }
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
@@ -40,12 +42,12 @@ class FileLock {
   bool guards_ = true;
 };
 
-/// "PROGRAM: DIRECTORY: this file system has no locks: ..." and a line end, to be told where a lock does not
-/// guard.
+/// Warning for a lock that does not guard: "PROGRAM: DIRECTORY: this file system has no locks: ..." and a
+/// line end.
 std::string no_locks(std::string_view program, const std::filesystem::path& directory);
 
-/// Who holds the lock at `path`; empty when nobody does, where the file system has no locks, or there is no
-/// such file. Throws IoError.
+/// Holder of the lock at `path`. Empty where nobody holds it, where the file system has no locks, or where
+/// the file does not exist. Throws IoError.
 std::optional<std::string> lock_holder(const std::filesystem::path& path);
 
 }  // namespace rubsweep::batch

@@ -40,12 +40,13 @@ std::optional<std::size_t> read_size(std::string_view text) {
   return value;
 }
 
-/// Lines of a file of any size, one at a time.
+/// Reads the lines of a file of any size, one at a time.
 class LineReader {
  public:
   explicit LineReader(const std::filesystem::path& path) : lines_(path) {}
 
-  /// The next line without its end; false when no whole line is left: one without an end was torn.
+  /// Takes the next line without its end; false at the end. A last line without an end was torn and is
+  /// ignored.
   bool next(std::string_view& line, std::uint64_t& offset) {
     if (std::exchange(again_, false)) {
       line = line_;
@@ -60,13 +61,13 @@ class LineReader {
     return true;
   }
 
-  /// The next line is the last one once more.
+  /// The next call of `next` returns the last line again.
   void again() { again_ = true; }
 
  private:
   InputLines lines_;
   std::uint64_t position_ = 0;
-  std::string_view line_;  ///< the last one
+  std::string_view line_;  ///< line returned last
   std::uint64_t offset_ = 0;
   bool again_ = false;
 };
@@ -88,7 +89,7 @@ std::string header_text(const JournalHeader& header) {
   return text;
 }
 
-/// Checks the header's own lines first: whether the records can be trusted rests on them.
+/// Reads the header and verifies its lines first, since they decide whether the records can be trusted.
 JournalHeader read_header(LineReader& lines, const std::filesystem::path& path) {
   JournalHeader header;
   int number = 0, first_damaged = 0;
@@ -98,7 +99,7 @@ JournalHeader read_header(LineReader& lines, const std::filesystem::path& path) 
     throw DamagedJournal(fmt::format("{}:{}: not a journal of this program, or a damaged one", path.string(),
                                      first_damaged > 0 ? first_damaged : number));
   };
-  // Empty where the line is damaged: no line of a header is.
+  // Empty for a damaged line, since no line of a header is empty.
   const auto next = [&] {
     ++number;
     if (!lines.next(line, offset)) refuse();
@@ -128,7 +129,7 @@ JournalHeader read_header(LineReader& lines, const std::filesystem::path& path) 
 
 constexpr unsigned offset_bits = 48;
 constexpr std::uint64_t offset_mask = (std::uint64_t{1} << offset_bits) - 1;
-constexpr std::size_t most_files = 0xffff;  // the last index would be `nowhere`
+constexpr std::size_t most_files = 0xffff;  // the last index is reserved for `nowhere`
 
 }  // namespace
 
@@ -167,7 +168,8 @@ Journal::Journal(const std::filesystem::path& path, const JournalHeader& header)
         refuse_link("write", path);
         std::error_code unknown;
         const bool there = std::filesystem::exists(path, unknown);
-        // A file that cannot be examined may well exist: a header in its place would cost all its records.
+        // A file that cannot be examined may still exist, and writing a header over it would destroy its
+        // records.
         if (unknown) throw_io_error("look at", path, unknown.value());
         if (!there) write_whole_file(path, header_text(header));
         return path;

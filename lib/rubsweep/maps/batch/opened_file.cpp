@@ -80,10 +80,10 @@ int write_all(int descriptor, std::string_view text) {
 void sync_directory(const fs::path& directory) {
   const fs::path named = directory.empty() ? fs::path(".") : directory;
   const Descriptor opened(::open(named.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // A directory may be one to write in and not to read.
+  // A directory may be writable but not readable.
   if (opened.get() < 0 && errno == EACCES) return;
   if (opened.get() < 0) throw_io_error("read", named, errno);
-  // EINVAL: a file system that has no disk behind it.
+  // EINVAL comes from a file system without a disk.
   if (::fsync(opened.get()) != 0 && errno != EINVAL && errno != ENOTSUP)
     throw_io_error("write", named, errno);
 }
@@ -91,12 +91,12 @@ void sync_directory(const fs::path& directory) {
 void make_directory(const fs::path& directory) {
   std::error_code error;
   const fs::path whole = fs::absolute(directory, error);
-  fs::path before = whole;  // the directory that is there already
+  fs::path before = whole;  // existing part of the path
   while (before.has_relative_path() && !fs::exists(before, error)) before = before.parent_path();
   error.clear();
   fs::create_directories(directory, error);
   if (error) throw IoError(fmt::format("{}: {}", directory.string(), error.message()));
-  // From the new directory up to that one, each holds a new name.
+  // Syncs from the new directory up to the existing one, since each of them got a new name.
   for (fs::path made = whole; made != before && made.has_relative_path();) {
     made = made.parent_path();
     sync_directory(made);
@@ -110,7 +110,7 @@ Input find_input(const fs::path& path, InputKind kind) {
     if (passed.get() >= 0) return {std::move(passed), ""};
     return {Descriptor(-1), reason(error)};
   }
-  // Opening a pipe waits for its other end, unless it is told not to.
+  // Without O_NONBLOCK opening a pipe would wait for its other end.
   Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (descriptor.get() < 0)
     return {Descriptor(-1), errno == ENXIO ? "it is not a regular file" : reason(errno)};

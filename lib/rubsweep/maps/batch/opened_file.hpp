@@ -10,8 +10,8 @@
 
 namespace rubsweep::batch {
 
-/// "cannot ACTION PATH: the system's reason" for the error number `error`. Throws IoError; bad_alloc where
-/// the system had no memory left.
+/// Throws IoError "cannot ACTION PATH: the system's reason" for the error number `error`, or bad_alloc where
+/// the system was out of memory.
 [[noreturn]] void throw_io_error(std::string_view action, const std::filesystem::path& path, int error);
 
 /// Owns one open file.
@@ -26,54 +26,54 @@ class Descriptor {
 
   int get() const { return value_; }
 
-  /// The caller closes it from now on.
+  /// Gives up the file; the caller must close it.
   int release();
 
  private:
   int value_;
 };
 
-/// Opens with the flags of open(2); a new file may be read and written by all whom the mask allows. Throws
-/// IoError "cannot ACTION KNOWN_AS: ..."; with O_NOFOLLOW also for a symbolic link.
+/// Opens a file with the flags of open(2). A new file gets the permissions that the umask allows. Throws
+/// IoError "cannot ACTION KNOWN_AS: ...", with O_NOFOLLOW also for a symbolic link.
 Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action,
                      const std::filesystem::path& known_as);
 inline Descriptor open_file(const std::filesystem::path& path, int flags, std::string_view action) {
   return open_file(path, flags, action, path);
 }
 
-/// Whether the open file is still the one that has the name `path`.
+/// Whether `path` is still a name of the open file.
 bool is_file_at(int descriptor, const std::filesystem::path& path);
 
-/// For files of ours that are written under names which others could guess. Throws IoError "cannot ACTION
-/// PATH: it is a symbolic link" where it is one, whether or not there is something behind it.
+/// Throws IoError "cannot ACTION PATH: it is a symbolic link" where `path` is one, even if it leads nowhere.
+/// Protects files whose names others could guess.
 void refuse_link(std::string_view action, const std::filesystem::path& path);
 
 /// Writes everything; returns 0 or the system's error number.
 int write_all(int descriptor, std::string_view text);
 
 /// Waits until the names in a directory are on the disk, after files were renamed, created or removed there.
-/// Without it a loss of power may undo any of that, in any order. A file system that cannot do so is left
-/// alone. Throws IoError.
+/// Without this a loss of power may undo any of these changes, in any order. Does nothing on a file system
+/// that cannot sync. Throws IoError.
 void sync_directory(const std::filesystem::path& directory);
 
-/// Creates a directory and those above it where they are missing, on the disk as well. Throws IoError.
+/// Creates a directory and missing ones above it, and syncs them to the disk. Throws IoError.
 void make_directory(const std::filesystem::path& directory);
 
-/// Kinds of files that may be read. Nobody can tell how long a pipe or a device would keep its reader
-/// waiting, so that a name must lead to a regular file; only a file that the caller of the program opened and
-/// passed on, as /dev/stdin or /dev/fd/63, may be of any kind, where the command line names it.
+/// Kinds of files that may be read. A pipe or a device could keep its reader waiting forever, so that a name
+/// must lead to a regular file. With `also_passed_on` any file is allowed that the caller of the program
+/// opened, such as /dev/stdin or /dev/fd/63.
 enum class InputKind { regular_file, also_passed_on };
 
-/// An open file, or why there is none.
+/// An open file, or the reason why it could not be opened.
 struct Input {
   Descriptor descriptor;
-  std::string problem;  ///< "No such file or directory", "it is not a regular file"; empty: it is open
+  std::string problem;  ///< such as "No such file or directory"; empty: it is open
 };
 
-/// Opens a file for reading, without ever waiting for somebody to write it.
+/// Opens a file for reading. Never waits for a writer.
 Input find_input(const std::filesystem::path& path, InputKind kind = InputKind::regular_file);
 
-/// The same. Throws IoError "cannot read PATH: ...".
+/// Opens a file for reading, as find_input does. Throws IoError "cannot read PATH: ...".
 Descriptor open_input(const std::filesystem::path& path);
 
 /// Lines of a file of any size, one at a time.
@@ -100,7 +100,7 @@ class InputLines {
   std::size_t capacity_ = 0;
 };
 
-/// All bytes of a file. Throws IoError.
+/// Reads all bytes of a file. Throws IoError.
 std::string read_input(const std::filesystem::path& path);
 
 /// Appends at most `most` bytes of an open file to `text`; returns 0 or the system's error number.

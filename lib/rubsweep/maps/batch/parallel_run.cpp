@@ -25,7 +25,7 @@
 namespace rubsweep::batch {
 namespace {
 
-/// Number of cells that threw, and the exception of the one with the lowest index.
+/// Number of cells that threw, and the exception of the cell with the lowest index.
 struct Failures {
   std::size_t count = 0;
   std::size_t first_cell = 0;
@@ -57,12 +57,12 @@ struct Failures {
   }
 }
 
-/// Happens-before relations that TBB guarantees, repeated for the thread sanitizer, as libtbb is built
-/// without it: the code before the run happens before every cell, and every cell before the code after it.
+/// Atomics that repeat happens-before relations of TBB for the thread sanitizer, because libtbb is built
+/// without it. Code before the run happens before every cell, and every cell before the code after the run.
 /// Two cells are not ordered, so that a race between them is still found.
 std::atomic<std::size_t> runs_begun{0}, cells_ended{0};
 
-/// Ends of a cell, and of a run, by whatever way they are left.
+/// Marks the end of a cell, and of a run, also after an exception.
 struct CellEnd {
   ~CellEnd() { cells_ended.fetch_add(1, std::memory_order_release); }
 };
@@ -70,8 +70,8 @@ struct RunEnd {
   ~RunEnd() { static_cast<void>(cells_ended.load(std::memory_order_acquire)); }
 };
 
-/// TBB copies it from thread to thread. What reads the copy has a name that tests/thread_sanitizer.supp can
-/// excuse.
+/// Body of the loop, which TBB copies from thread to thread. Its function has a name of its own for
+/// tests/thread_sanitizer.supp.
 struct RunCells {
   const std::function<void(std::size_t)>& run_one;
 
@@ -84,14 +84,14 @@ struct RunCells {
   }
 };
 
-/// A few easy cells say little about the next ones.
+/// Largest growth of a chunk over the last one, since a few easy cells say little about the next ones.
 constexpr double fastest_growth = 4;
 
-/// Divisor of the smallest chunk: towards the end shorter ones would cost more than an uneven end.
+/// Divisor of the smallest chunk. Near the end still smaller chunks would cost more than idle workers.
 constexpr std::size_t least_share = 16;
 
-/// About the golden section of `count`, whose multiples are spread as evenly as can be however many there
-/// are, and without a common divisor with it.
+/// Stride near the golden section of `count`, and without a common divisor with it. Its multiples, however
+/// many, are spread as evenly as possible.
 std::size_t spreading_stride(std::size_t count) {
   auto stride = static_cast<std::size_t>(static_cast<double>(count) / std::numbers::phi);
   while (std::gcd(stride, count) > 1) ++stride;
@@ -115,9 +115,10 @@ std::size_t machine_memory_bytes() {
 void require_threads(int threads, int beside) {
   const int count = thread_count(threads);
   if (count == 1) return;
-  // The calling thread is one of them.
+  // One of the threads is the calling one.
   const auto wanted = static_cast<std::size_t>(count) - 1 + static_cast<std::size_t>(beside);
-  // Joined behind the promise, whose end lets the threads go whatever else is thrown here.
+  // Declared before the promise and joined after it: the promise's destructor releases the threads, whatever
+  // is thrown.
   std::vector<std::jthread> started;
   std::promise<void> all_started;
   const std::shared_future<void> end = all_started.get_future().share();
@@ -138,7 +139,7 @@ std::size_t parallel_run(std::size_t count, int threads,
                          const std::function<void(std::size_t cell)>& on_finished,
                          const std::atomic<bool>& stop) {
   const int concurrency = thread_count(threads);
-  std::mutex one_at_a_time;  // guards what follows and every call of on_finished
+  std::mutex one_at_a_time;  // guards the variables below and every call of on_finished
   std::size_t finished = 0;
   Failures failures;
 
@@ -156,8 +157,8 @@ std::size_t parallel_run(std::size_t count, int threads,
     on_finished(cell);
   };
 
-  // An arena alone never gets more threads than processors, the control alone would let the caller's arena
-  // decide.
+  // Both are needed: an arena alone has at most one thread per processor, and the control alone leaves the
+  // number to the caller's arena.
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(concurrency));
   tbb::task_arena arena(concurrency);

@@ -9,72 +9,72 @@
 
 namespace rubsweep::batch {
 
-/// Number of threads for a request of `threads`: 0 is one per processor this process may use. Throws
-/// ConfigError when threads < 0.
+/// Number of threads to use if `threads` are asked for; 0 means one per processor that this process may use.
+/// Throws ConfigError where threads < 0.
 int thread_count(int threads);
 
 /// Memory of this machine, in bytes.
 std::size_t machine_memory_bytes();
 
-/// Throws ConfigError when the system does not let this process run cells on as many threads as that, and
-/// have `beside` more for itself: tested beforehand, because the threads that run the cells later could only
-/// abort. One thread is always there, that of the caller, and nothing else is then tested.
+/// Throws ConfigError where the system cannot start `threads` threads for cells and `beside` more. Tested
+/// beforehand, since a failure during the run could only abort the program. For one thread nothing is tested,
+/// because the calling thread always exists.
 void require_threads(int threads, int beside = 0);
 
 /// Runs run_cell(0) ... run_cell(count - 1) on thread_count(threads) threads and returns how many finished.
-/// Cells may differ in cost without bound: each is a task of its own. A cell must write to its own slot only;
-/// then results do not depend on the number of threads.
+/// Each cell is a task of its own, since costs of cells may differ without limit. A cell must write to its
+/// own slot only; then results do not depend on the number of threads.
 ///
-/// `on_finished(cell)` follows each cell that did not throw, on the same thread, one call at a time, in any
-/// order. What it throws ends the run: no new cell starts and the exception is rethrown as it is.
+/// `on_finished(cell)` is called after each cell that did not throw, on the same thread, one call at a time,
+/// in any order. An exception in it ends the run: no new cell starts, and the exception is rethrown
+/// unchanged.
 ///
 /// Once `stop` is true no new cell starts; cells already running finish and are counted.
 ///
-/// When cells throw, the others still run; then the failure with the lowest cell index is thrown again with
-/// "cell I: ... (N of COUNT cells failed)" as its message. ConfigError, IoError and SolverError keep their
-/// type, any other std::exception becomes a SolverError. Throws ConfigError when threads < 0.
+/// If cells throw, the others still run. Then the exception of the cell with the lowest index is thrown again
+/// with the message "cell I: ... (N of COUNT cells failed)". ConfigError, IoError and SolverError keep their
+/// type, any other std::exception becomes a SolverError. Throws ConfigError where threads < 0.
 std::size_t parallel_run(std::size_t count, int threads,
                          const std::function<void(std::size_t cell)>& run_cell,
                          const std::function<void(std::size_t cell)>& on_finished,
                          const std::atomic<bool>& stop);
 
-/// Cells that one worker computes before it asks again.
+/// Cells that one worker computes before it asks for more.
 using Chunk = std::vector<std::size_t>;
 
-/// Deals out cells in chunks, to workers on any thread. A chunk is to take its worker about `chunk_time`, by
-/// what its last one took, so that asking costs little whatever a cell costs. Its cells come from all over
-/// the list, so that chunks are alike where neighbours are, and so that what is finished first speaks for
-/// all. Towards the end chunks shrink, so that no worker is left with a large one while the others have
-/// nothing to do.
+/// Gives cells in chunks to workers on any thread. The size of a chunk is chosen to take about `chunk_time`,
+/// judged by the worker's last chunk, so that the cost of asking is small. The cells of a chunk come from all
+/// over the list: then chunks are similar, whatever their neighbours are, and the first results represent the
+/// whole map. Chunks shrink near the end, so that no worker has a large one while the others are idle.
 class ChunkQueue {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::size_t first_chunk = 16, largest_chunk = 16384;
   static constexpr std::chrono::duration<double> chunk_time{0.25};
 
-  /// Workers count from 0.
+  /// `workers`: number of workers, which are numbered from 0.
   ChunkQueue(std::vector<std::size_t> cells, std::size_t workers);
 
-  /// The next cells for a worker that has finished its last chunk; empty when all are dealt out.
+  /// Next cells for a worker that has finished its last chunk; empty when no cells are left.
   Chunk next(std::size_t worker, Clock::time_point now = Clock::now());
 
-  /// Deals out these next, when the others are dealt out.
+  /// Adds a list of cells to give out when all others are given out.
   void refill(std::vector<std::size_t> cells);
 
-  /// Nothing more is dealt out of those there are.
+  /// Gives out no more of the present cells.
   void close();
 
  private:
   struct Last {
-    std::size_t cells = 0;  ///< 0: none yet
+    std::size_t cells = 0;  ///< cells of the chunk; 0: no chunk yet
     Clock::time_point begun;
   };
 
   std::mutex mutex_;
   std::vector<std::size_t> cells_;
-  std::size_t stride_;  ///< distance from a cell to the one dealt out next; every cell is met once
+  std::size_t stride_;  ///< step in the list from a cell to the next one; meets every cell once
   std::size_t dealt_ = 0;
-  std::vector<Last> last_;  ///< chunk of each worker
+  std::vector<Last> last_;  ///< latest chunk of each worker
 };
 
 }  // namespace rubsweep::batch

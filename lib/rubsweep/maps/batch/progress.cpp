@@ -8,10 +8,10 @@
 namespace rubsweep::batch {
 namespace {
 
-/// Small enough to look at all of them ten times a second.
+/// Largest number of tiles: few enough to sum over all of them ten times a second.
 constexpr std::size_t most_tiles = 4096;
 
-/// So many measured cells of a neighbourhood count as much as the wider one around it.
+/// Number of measured cells at which a neighbourhood has as much weight as the wider one around it.
 constexpr double weight_of_wider = 0.5;
 
 constexpr std::size_t tiles_along(std::size_t cells, std::size_t side) { return (cells - 1) / side + 1; }
@@ -22,7 +22,7 @@ constexpr auto redraw_interval = std::chrono::milliseconds(100),
 
 constexpr std::size_t most_ends = 1024;
 
-/// Three figures without an exponent.
+/// Rate with three significant figures and no exponent.
 std::string rate_text(double per_second) {
   const int decimals = per_second >= 100 ? 0 : per_second >= 10 ? 1 : per_second >= 1 ? 2 : 3;
   return fmt::format("{:.{}f}", per_second, decimals);
@@ -195,8 +195,8 @@ void Progress::finish() {
 
 double Progress::elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-/// Time per cell since the first of the kept ends, with the wait since the last: slow cells that are running
-/// count as soon as they are slow.
+/// Time per cell in s, averaged over the kept ends and the time since the last of them. Slow cells that still
+/// run are thus noticed at once.
 double Progress::recent_s_per_cell() const {
   if (ends_.empty()) return 0;
   return std::chrono::duration<double>(Clock::now() - ends_.front()).count() /
@@ -224,7 +224,8 @@ void Progress::draw(const std::string& line) {
     std::fflush(stream_);
     return;
   }
-  // Blanks cover what a longer line left behind. A terminal that is gone must not end the run.
+  // Blanks overwrite the rest of a longer line. The result is ignored, as a closed terminal must not end the
+  // run.
   std::fputs(fmt::format("\r{:<{}}", line, drawn_width_).c_str(), stream_);
   std::fflush(stream_);
   drawn_width_ = line.size();

@@ -13,32 +13,32 @@
 
 namespace rubsweep::batch {
 
-/// `automatic`: only when the stream is a terminal.
+/// Condition for showing progress. `automatic`: only where the stream is a terminal.
 enum class ProgressMode { automatic, always, never };
 
-/// Predicts how long the cells of a map that are left will take. Quiet cells take milliseconds, rubbing ones
-/// a hundred times as long, and chaotic ones ten times that, but neighbours on the map are alike: a cell that
-/// is left counts as the mean of the finished ones near it, the nearer the more, and as the mean of all only
-/// where none is near. Not for use by several threads at once.
+/// Predicts the time for the remaining cells of a map. Quiet cells take milliseconds, rubbing ones a hundred
+/// times as long, and chaotic ones ten times more, but neighbours on the map take similar times. A remaining
+/// cell therefore counts as the mean of the finished cells near it, weighted by closeness, or as the mean of
+/// all where none is near. Only one thread at a time may use it.
 class CellsLeft {
  public:
-  /// A map of `rows` rows of `columns` cells, numbered along the rows; `cells` are those to be computed.
+  /// Map of `rows` rows of `columns` cells, numbered along the rows. `cells` are the cells to be computed.
   CellsLeft(std::size_t columns, std::size_t rows, std::span<const std::size_t> cells);
 
-  /// One of the cells is finished, after `seconds` on one thread; without them where nobody measured.
+  /// Records that a cell is finished, and its `seconds` on one thread, if they were measured.
   void finish(std::size_t cell, std::optional<double> seconds);
 
-  /// Seconds that all cells left take, one after the other; empty before any was measured.
+  /// Time in s for all remaining cells on one thread; empty before any cell was measured.
   std::optional<double> one_by_one_s() const;
 
   std::size_t left() const { return left_; }
 
-  /// Seconds that the finished cells took, one after the other; those that nobody measured count as the
-  /// others do.
+  /// Time in s that the finished cells took, summed over threads. Cells without a measured time count as the
+  /// mean of the others.
   double finished_s() const;
 
  private:
-  /// Cells of a small rectangle of the map.
+  /// Small rectangle of the map, with sums over its cells.
   struct Tile {
     double seconds = 0;
     std::size_t measured = 0, left = 0;
@@ -46,7 +46,7 @@ class CellsLeft {
 
   std::size_t tile_of(std::size_t cell) const;
 
-  /// Sums over all tiles above and to the left of each corner of tiles.
+  /// Sums over all tiles above and to the left of each corner of a tile.
   std::vector<Tile> corner_sums() const;
 
   std::size_t columns_, left_, finished_ = 0;
@@ -55,35 +55,35 @@ class CellsLeft {
   std::vector<Tile> tiles_;
 };
 
-/// "0:07:02", also for days: "50:00:00".
+/// Duration as text, such as "0:07:02" or, for two days, "50:00:00".
 std::string hours_minutes_seconds(double duration_s);
 
-/// "132/1320 cells, 10%, 45.2 cells/s, 0:00:26 left" after `elapsed_s` seconds, which did not go into the
-/// first `done_before` cells. The rate and the time left are missing as long as nothing tells them (no cell
-/// or no time yet). The percentage is rounded down. Cells are not alike: where the last ones took longer than
-/// the average, `recent_s_per_cell`, so may those that are left, and that time is said. Where their
-/// neighbours tell how long they take, `left_s`, that is said instead.
+/// Progress as text, such as "132/1320 cells, 10%, 45.2 cells/s, 0:00:26 left". `elapsed_s` is the time
+/// without that of the first `done_before` cells. Rate and time left are omitted while unknown (no cell or no
+/// time yet), and the percentage is rounded down. The time left follows from the average rate, or from
+/// `recent_s_per_cell` where the last cells were slower. `left_s`, the prediction from neighbouring cells,
+/// replaces both.
 std::string progress_line(std::size_t done, std::size_t total, double elapsed_s, std::size_t done_before = 0,
                           double recent_s_per_cell = 0, std::optional<double> left_s = {});
 
-/// Time until the cells that are left are finished, by their neighbours: they keep as many threads busy as
-/// those before them did in `elapsed_s` seconds, where there are so many of them. `waited_s` seconds without
-/// a finished cell promise as many more. Empty where nothing was measured.
+/// Time in s until the remaining cells are finished, predicted from their neighbours. Assumes that they keep
+/// as many threads busy as the cells before did in `elapsed_s` s, if there are enough cells. A wait of
+/// `waited_s` s without a finished cell adds the same time again. Empty where nothing was measured.
 std::optional<double> time_left_s(const CellsLeft& cells, double elapsed_s, double waited_s);
 
-/// How many of `cells` are run first to tell how long all of them take: a few for each thread, and no more
-/// than a sixteenth, so that nobody waits long for the answer. 0 where there are too few for that.
+/// Number of `cells` that are run first to predict the total time: a few for each thread. At most a sixteenth
+/// of all, so that the prediction comes soon, and 0 where there are too few cells.
 std::size_t pilot_count(std::size_t cells, std::size_t threads);
 
-/// "about 0:12:30 by 32 cells spread over the map", when those took `elapsed_s` seconds and `left` remain;
-/// empty for a small map, of less than 1000 cells, that takes less than ten seconds.
+/// Prediction such as "about 0:12:30 by 32 cells spread over the map", if these took `elapsed_s` s and `left`
+/// cells remain. Empty for a map of less than 1000 cells that takes less than ten seconds.
 std::string forecast(std::size_t pilots, double elapsed_s, std::size_t left);
 
-/// A line that counts finished cells: on a terminal rewritten in place at most ten times a second, in a file
-/// or a pipe one line after another, every ten seconds. The time left is what the neighbours of the cells
-/// left say, where it is known which these are, else what the average cell says, or what as many last cells
-/// as are left say, whichever is longer. Time counts from construction; `done_before` cells were finished by
-/// then. Not for use by several threads at once.
+/// Line that counts finished cells. On a terminal it is rewritten in place at most ten times a second; in a
+/// file or pipe a new line follows every ten seconds. The time left follows from the neighbours of the
+/// remaining cells if these are known. Otherwise it follows from the average over all cells or over as many
+/// last cells as remain, whichever gives more. Time counts from construction, when `done_before` cells were
+/// finished. Only one thread at a time may use it.
 class Progress {
  public:
   Progress(std::size_t total, ProgressMode mode, std::FILE* stream = stderr, std::size_t done_before = 0);
@@ -91,20 +91,19 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Tells which cells are to be finished, before any is.
+  /// Sets the cells that are to be finished. Call it before any cell is finished.
   void expect(CellsLeft cells) { cells_ = std::move(cells); }
 
-  /// Counts so many more finished cells.
+  /// Counts `cells` more finished cells.
   void advance(std::size_t cells = 1);
 
-  /// Counts a finished cell that was expected, and the seconds that it took on its thread, where they are
-  /// known.
+  /// Counts a finished cell out of the expected ones, and the seconds that it took on its thread, if known.
   void finish_cell(std::size_t cell, std::optional<double> seconds);
 
-  /// Draws the line anew, as time goes by while no cell is finished; on a terminal at most once a second.
+  /// Redraws the line while no cell is finished, on a terminal at most once a second.
   void refresh();
 
-  /// Puts `text` on a line of its own above, where progress is shown; true if it is.
+  /// Prints `text` on a line of its own above the progress line, if progress is shown; returns whether it is.
   bool say(const std::string& text);
 
   /// Replaces the line by "1320/1320 cells in 0:00:29" and ends it; later calls do nothing. The destructor
@@ -123,19 +122,19 @@ class Progress {
   std::size_t done_before_;
   std::size_t done_ = done_before_;
   std::size_t total_;
-  std::FILE* stream_;  ///< null: nothing is (or is any longer) shown
+  std::FILE* stream_;  ///< null: nothing is shown, or no longer
   bool in_place_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point drawn_ = start_;
   std::size_t drawn_width_ = 0;
   std::optional<CellsLeft> cells_{};
-  std::deque<Clock::time_point> ends_;  ///< ends of the last cells, as many as are left, within reason
+  std::deque<Clock::time_point> ends_;  ///< end times of the last cells: as many as remain, up to a limit
 };
 
-/// Time of one task after the other on each of several threads.
+/// Measures the time of consecutive tasks on each of several threads.
 class LapTime {
  public:
-  /// Seconds since the calling thread asked this or another of them last, or since this one was made.
+  /// Seconds since the calling thread last called lap_s of any LapTime, or since construction of this one.
   double lap_s() const {
     static thread_local Clock::time_point last{};
     const Clock::time_point begun = std::max(start_, last);

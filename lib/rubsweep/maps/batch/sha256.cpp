@@ -10,7 +10,7 @@
 namespace rubsweep::batch {
 namespace {
 
-/// The first 32 bits of the fractional parts of the cube roots of the first 64 primes.
+/// First 32 bits of the fractional parts of the cube roots of the first 64 primes.
 constexpr std::array<std::uint32_t, 64> round_constants{
     0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
     0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
@@ -70,7 +70,7 @@ void Sha256::add(std::string_view text) {
   }
 }
 
-/// The text ends with a bit 1, and its length in bits fills the last block.
+/// Padding: a bit 1 follows the text, and the last block ends with the length of the text in bits.
 std::string Sha256::digits() {
   const std::uint64_t bits = 8 * bytes_;
   add(std::string_view("\x80", 1));

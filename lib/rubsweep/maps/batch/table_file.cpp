@@ -20,7 +20,8 @@ constexpr std::string_view growing_ending = ".partial.csv";
 
 std::string sum_line(std::string_view digits) { return fmt::format("{}{}\n", sum_mark, digits); }
 
-/// Sum of all lines but its own, and what the head says. No row begins with '#'.
+/// Computes the checksum of all lines except its own, and collects what the head says. No row begins with
+/// '#'.
 class TableCheck {
  public:
   void add(std::string_view line) {
@@ -62,12 +63,12 @@ class TableCheck {
 
  private:
   Sha256 sum_;
-  std::optional<std::string> said_;  ///< checksum that the line of the sum gives
+  std::optional<std::string> said_;  ///< checksum that the table itself gives
   std::optional<int> format_;
   bool first_ = true;
-  bool ends_ = true;  ///< true: the text ends with the end of a line
+  bool ends_ = true;  ///< true: the text ends with a line end
   bool ends_in_cr_lf_ =
-      false;  ///< true: lines end in CR LF, as in a checkout for another system, which changes no number
+      false;  ///< true: lines end in CR LF, as programs of other systems write them, which changes no number
 };
 
 }  // namespace
@@ -151,10 +152,10 @@ TableSource table_source(const ResultSource& source) {
   return {fmt::format("{} {}", source.program, RUBSWEEP_VERSION), source.digest, {}, source.captions};
 }
 
-/// Only tables hold their sums themselves.
+/// Whether a file is a table, which holds its own checksum.
 bool is_table(const fs::path& name) { return name.extension() == ".csv"; }
 
-/// A file that is whole on the disk, and has not its name yet.
+/// File that is complete on the disk but does not have its final name yet.
 using Waiting = std::variant<std::unique_ptr<TableFile>, std::unique_ptr<WholeFile>>;
 
 Waiting waiting_file(const fs::path& path, const std::string& text, const TableSource& source) {
@@ -179,7 +180,7 @@ void write_result_files(const ResultFiles& files, std::span<const std::string_vi
   table.files.insert(table.files.end(), source.made_of.begin(), source.made_of.end());
   std::vector<Waiting> waiting;
   for (const auto& [name, text] : files) waiting.push_back(waiting_file(directory / name, text, table));
-  // A link stays: the file behind it is replaced.
+  // A symbolic link stays, and the file that it leads to is replaced.
   for (const auto& [name, text] : files) fs::remove(file_behind(directory / name));
   std::vector<std::string_view> others(names.begin(), names.end());
   std::erase_if(others, [&](std::string_view name) { return files.contains(name); });

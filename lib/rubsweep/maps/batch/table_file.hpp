@@ -16,32 +16,33 @@
 
 namespace rubsweep::batch {
 
-/// Layout of tables, the number after `# format`. A new column at the end or a new comment leaves it.
+/// Version of the layout of tables, given by `# format`. New columns at the end or new comments do not change
+/// it.
 inline constexpr int table_format = 1;
 
-/// Author program of a table, and the study that its numbers belong to.
+/// Program that wrote a table, and the study to which its numbers belong.
 struct TableSource {
   std::string program;             ///< name with version: "rubsweep 1.0.0"
-  std::string digest;              ///< digest of all that decides the numbers
-  std::vector<std::string> files;  ///< names of all files that were written together; empty: this one alone
+  std::string digest;              ///< digest of everything that decides the numbers
+  std::vector<std::string> files;  ///< names of all files that were written together; empty: only this one
   std::string captions{};          ///< comment lines of title, author and note (see Captions)
   std::vector<std::pair<std::string, std::string>>
-      sums{};  ///< SHA-256 of files that have no place for it, by name
+      sums{};  ///< SHA-256 of files that cannot contain it, by name
 };
 
-/// The comment lines that every table begins with, but for its checksum, which a table that grows has not.
+/// Comment lines at the begin of every table, without the checksum, which a growing table cannot have.
 std::string table_head(const TableSource& source);
 
-/// A comma-separated file with its head, whole or not at all. One of its lines, `# sha256 DIGITS`, holds the
-/// SHA-256 of all others: `sed '/^# sha256 /d' FILE | sha256sum`. Every function throws IoError.
+/// Comma-separated file with its head, which appears whole or not at all. Its line `# sha256 DIGITS` has the
+/// SHA-256 of all other lines: `sed '/^# sha256 /d' FILE | sha256sum`. Every function throws IoError.
 class TableFile {
  public:
   TableFile(std::filesystem::path path, const TableSource& source);
 
-  /// Comments, header and rows that follow the head.
+  /// Writes comments, header and rows below the head.
   void write(std::string_view text);
 
-  /// As of WholeFile; nothing may be written afterwards.
+  /// Like WholeFile::finish; nothing may be written afterwards.
   void finish();
   void commit();
   void rename();
@@ -53,69 +54,69 @@ class TableFile {
   bool finished_ = false;
 };
 
-/// A table that is not as it was written.
+/// Thrown where a table was changed after it was written.
 class DamagedTable : public IoError {
   using IoError::IoError;
 };
 
 enum class TableSum {
   right,
-  none  ///< a version of the program without checksums wrote the table, or something else did
+  none  ///< no checksum: an old version of the program, or another program, wrote the table
 };
 
-/// Compares a table with its checksum. Throws DamagedTable where they do not agree, or where the checksum of
-/// a table that must have one is missing; IoError. Ends of lines in CR LF, as a checkout for another system
-/// makes them, change nothing.
+/// Compares a table with its checksum. Throws DamagedTable where they do not agree, or where a table that
+/// must have a checksum has none. Throws IoError. Line ends CR LF, which other systems may write, count as
+/// LF.
 TableSum check_table(const std::filesystem::path& path);
 
-/// The same of an open file, which is at its begin before and after.
+/// Checks the table in an open file, which must be at its begin and is there again afterwards.
 TableSum check_table(InputLines& lines, const std::filesystem::path& path);
 
-/// The same of all bytes of a file.
+/// Checks the table with these bytes; `path` is only for messages.
 TableSum check_table_text(std::string_view text, const std::filesystem::path& path);
 
-/// Remarks of a person on a configuration, beside its numbers: shown, and part of no digest. UTF-8 without
-/// control characters, but line ends in the note.
+/// Remarks of a person on a configuration. They are shown, but no digest includes them. UTF-8 without control
+/// characters; the note may have line ends.
 struct Captions {
   std::string title{}, author{}, note{};
 
   bool operator==(const Captions&) const = default;
 };
 
-/// Comment lines for the head of a table, each with its end: `# title T`, `# author A`, and one `# note N`
-/// for every line of the note. Empty where nothing is said.
+/// Comment lines for the head of a table, each with its line end: `# title T`, `# author A`, and `# note N`
+/// for every line of the note. Empty where all captions are empty.
 std::string caption_lines(const Captions& captions);
 
-/// Texts by file name; tables without the head that all tables have.
+/// Texts by file name. Tables are given without the head that write_result_files adds.
 using ResultFiles = std::map<std::string_view, std::string>;
 
-/// Program that wrote some results, and the study that they belong to.
+/// Program that wrote some results, and the study to which they belong.
 struct ResultSource {
   std::string program;  ///< name without version
   std::string digest;
   std::string captions{};              ///< lines as caption_lines gives them
-  std::vector<std::string> made_of{};  ///< names of files in the same directory that the results are made of
+  std::vector<std::string> made_of{};  ///< files in the same directory that the results come from
 };
 
-/// Replaces the files `names` of a directory, all that a run may leave there, by those of a new run: a file
-/// of `names` without a text is removed. A directory never mixes two runs, wherever the process or the power
-/// ends: all new files are on the disk before the first of the old ones goes, and all old ones are gone
-/// before the first new one has its name. Throws IoError.
+/// Replaces the files `names` of a directory, all that a run may leave there, by those of a new run. A file
+/// of `names` without a text is removed. A directory never mixes two runs, even after a crash or a loss of
+/// power. First all new files are written to the disk under temporary names, then all old ones are removed,
+/// and only then do the new files get their names. Throws IoError.
 void write_result_files(const ResultFiles& files, std::span<const std::string_view> names,
                         const std::filesystem::path& directory, const ResultSource& source);
 
-/// Removes the existing files of `names`, on the disk as well, and temporaries that killed processes left for
-/// these names. Throws IoError.
+/// Removes the existing files of `names`, also on the disk, and temporary files for these names that killed
+/// processes left. Throws IoError.
 void remove_result_files(std::span<const std::string_view> names, const std::filesystem::path& directory);
 
-/// The head of a table of such results that grows, and so has no checksum.
+/// Head of a table of `source` that still grows and therefore has no checksum.
 std::string growing_table_head(const ResultSource& source);
 
-/// "files     DIRECTORY: NAME NAME" and a line end.
+/// Line for a terminal, "files     DIRECTORY: NAME NAME", with its line end.
 std::string files_line(const ResultFiles& files, const std::filesystem::path& directory);
 
-/// The directory of another result of the study whose map goes into `map`: results/map and results/map/ to
-/// results/map_trace.
+/// Directory for another result of the study whose map goes into `map`: with the ending trace, results/map or
+/// results/map/ gives results/map_trace.
 std::filesystem::path directory_beside(const std::filesystem::path& map, std::string_view ending);
 
 }  // namespace rubsweep::batch

@@ -25,7 +25,7 @@ struct Files {
   std::unordered_set<std::string> names;
 };
 
-std::mutex mutex;  // guards the files
+std::mutex mutex;  // guards the list of files
 
 Files& files() {
   static Files of_this_process;
@@ -36,15 +36,15 @@ constexpr std::size_t buffer_bytes = 65536;
 
 constexpr std::string_view mark = ".tmp-";
 
-/// Whoever writes a temporary holds its lock until it has its name (see WholeFile).
+/// Removes a temporary file unless it is locked, as its writer locks it until it is renamed (see WholeFile).
 void remove_where_nobody_writes(const std::filesystem::path& file) {
   const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   if (opened.get() < 0 || ::flock(opened.get(), LOCK_EX | LOCK_NB) != 0) return;
   if (is_file_at(opened.get(), file)) ::unlink(file.c_str());
 }
 
-/// Name of the temporary for a file that is to take the name `path`: beside it, under a name that no other
-/// process of this or of another host has.
+/// Name of the temporary file for `path`: in the same directory, and different from the names that other
+/// processes and hosts use.
 std::filesystem::path temporary_beside(const std::filesystem::path& path) {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
@@ -52,15 +52,16 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path) {
   return temporary += fmt::format("{}{}-{}", mark, host.data(), ::getpid());
 }
 
-/// Size of a file, 0 for a device. An unknown size must never pass for an empty file, which would be cut to
-/// nothing.
+/// Size of a file in bytes, 0 for a device. Throws where the size is unknown: such a file must not count as
+/// empty, as it would then be truncated.
 off_t size_of(int descriptor, const std::filesystem::path& path) {
   struct stat facts {};
   if (::fstat(descriptor, &facts) != 0) throw_io_error("look at", path, errno);
   return S_ISREG(facts.st_mode) ? facts.st_size : 0;
 }
 
-/// Length of the file up to the end of its last whole line: read from the end, whatever its size.
+/// Length of the file up to the end of its last complete line. Reads backwards, so that the size does not
+/// matter.
 off_t whole_lines(int descriptor, const std::filesystem::path& path) {
   std::array<char, 4096> block;
   off_t end = size_of(descriptor, path);
@@ -85,8 +86,8 @@ WholeFile::WholeFile(std::filesystem::path path)
         return open_temporary();
       }()) {}
 
-/// Locked, so that no other process takes it for what a killed one left; on a file system without locks
-/// nobody can.
+/// Opens the temporary file and locks it, so that no other process removes it as a leftover. A file system
+/// without locks cannot protect it.
 Descriptor WholeFile::open_temporary() const {
   while (true) {
     Descriptor opened = open_file(temporary_, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK, "write", path_);
@@ -143,12 +144,12 @@ void WholeFile::rename() {
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw_io_error("write", path_, errno);
   committed_ = true;
   note_written_file(path_);
-  ::close(descriptor_.release());  // and with it the lock of a temporary that is none any more
+  ::close(descriptor_.release());  // also unlocks the file, which now has its final name
 }
 
 std::filesystem::path file_behind(std::filesystem::path path) {
   std::error_code none;
-  constexpr int most_links = 40;  // of a circle, the system says so when the file is opened
+  constexpr int most_links = 40;  // a cycle of links is reported when the file is opened
   for (int i = 0; i < most_links && std::filesystem::is_symlink(path, none); ++i)
     path = path.parent_path() / std::filesystem::read_symlink(path);
   if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none) &&
@@ -185,7 +186,7 @@ bool is_temporary(std::string_view name) {
 
 void remove_leftovers(const std::filesystem::path& directory,
                       const std::function<bool(std::string_view name)>& is_ours) {
-  std::error_code none;  // a directory that cannot be read keeps what is in it
+  std::error_code none;  // files of an unreadable directory stay
   for (std::filesystem::directory_iterator entry(directory.empty() ? "." : directory, none), end;
        !none && entry != end; entry.increment(none)) {
     const std::string name = entry->path().filename();
@@ -207,7 +208,7 @@ LineLog::LineLog(std::filesystem::path path, std::chrono::milliseconds interval)
 void LineLog::append(std::string_view line) {
   const off_t before = size_of(descriptor_.get(), path_);
   int error = write_all(descriptor_.get(), std::string(line) + '\n');
-  // Best effort: the next one who opens the log cuts an unfinished line as well.
+  // A failure is ignored here: the next process that opens the log cuts off an incomplete line, too.
   if (error != 0) (void)!::ftruncate(descriptor_.get(), before);
   if (error != 0) throw_io_error("write", path_, error);
   appended_ = true;
@@ -223,7 +224,7 @@ void LineLog::refresh() {
 void LineLog::sync() {
   synced_ = std::chrono::steady_clock::now();
   appended_ = false;
-  // EINVAL: a device that has no disk behind it.
+  // EINVAL comes from a device without a disk.
   if (::fdatasync(descriptor_.get()) != 0 && errno != EINVAL) sync_error_ = errno;
 }
 

@@ -18,16 +18,16 @@
 
 namespace rubsweep::config {
 
-/// Parses a configuration, writes it over its bases (see base.hpp; `file` is where they are looked for from)
-/// and applies the overrides (see override.hpp), whose problems `diagnostics` collects. Throws ConfigError
-/// when the text is no YAML document or nothing at all, `form` says what may stand there, and when a base
-/// cannot be had. `alternatives` of its keys are taken back where one of them is written over another.
+/// Parses a configuration, merges it with its bases (see base.hpp; their paths are relative to `file`), and
+/// applies the overrides (see override.hpp). Problems go to `diagnostics`. Throws ConfigError where the text
+/// is empty or no YAML document, and where a base cannot be read. `form` says in words what may stand in the
+/// configuration. `alternatives` of its keys are taken back where one of them is written over another.
 yaml::Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
                         const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics,
                         const yaml::Alternatives& alternatives = {});
 
-/// Value that `read` makes of the root of a configuration. Throws ConfigError as parse_config does, and with
-/// every problem that `read` added.
+/// Value that `read` makes from the root of a configuration. Throws ConfigError as parse_config does, and
+/// also with every problem that `read` added.
 template <class Read>
 auto read_parsed(std::string_view text, const std::filesystem::path& file, std::string_view form,
                  const std::vector<std::string>& overrides, Read read,
@@ -39,28 +39,28 @@ auto read_parsed(std::string_view text, const std::filesystem::path& file, std::
   return value;
 }
 
-/// `base` of any map.
+/// Key `base`, which any map may have.
 keys::Key base_of_map();
 
-/// Refuses a configuration of another program, of which every key would be unknown: one that has a key of
-/// `theirs` and none of `ours`. Throws ConfigError.
+/// Refuses a configuration of another `program`: one that has a key of `theirs` and no key of `ours`, so that
+/// every key would be unknown. Throws ConfigError.
 void refuse_foreign(const yaml::Node& root, std::initializer_list<std::string_view> theirs,
                     std::initializer_list<std::string_view> ours, std::string_view program,
                     yaml::Diagnostics& diagnostics);
 
-/// `output`: {directory}.
+/// Reads the map `output`: {directory}.
 std::filesystem::path read_output(const yaml::Value& value);
 keys::Form output_form();
 void print_output(yaml::Printer& printer, const std::filesystem::path& directory);
 
-/// `output` of a rub configuration: {directory, warn_over_clearances}.
+/// Reads the map `output` of a rub configuration: {directory, warn_over_clearances}.
 void read_run_output(const yaml::Value& value, RunConfig& config);
 keys::Form run_output_form();
 void print_run_output(yaml::Printer& printer, const RunConfig& config);
 
-/// Reads `title`, `author` and `note` of a root: texts that change no number. Refuses characters that would
-/// not be shown as written: control characters (in a note all but its line ends), and those that turn the
-/// direction of writing.
+/// Reads `title`, `author` and `note` of a root: texts that change no number. Refuses characters that are not
+/// shown as written: control characters (a note may have line ends), and characters that turn the direction
+/// of writing.
 void read_captions(yaml::Section& root, batch::Captions& captions);
 
 /// The keys that read_captions reads.

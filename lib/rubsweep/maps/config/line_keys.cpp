@@ -19,7 +19,7 @@
 namespace rubsweep::config {
 namespace {
 
-/// Whether an override writes the key itself or a map around it.
+/// Whether an override writes the key itself or a map that contains it.
 bool is_named(std::string_view key, const std::vector<std::string>& overrides) {
   return std::ranges::any_of(overrides, [&](std::string_view text) {
     const std::string_view path = text.substr(0, text.find('='));

@@ -11,39 +11,41 @@
 
 namespace rubsweep::config {
 
-/// Split of a configuration's axes over keys for a line of cells.
+/// Values and axis over keys that a line of cells takes from a configuration.
 struct LineKeys {
-  std::vector<sweep::KeyValue> fixed;  ///< values on every cell of the line
-  sweep::KeyAxis along;  ///< the axis that the line runs along, with its values; no keys: it runs along none
-  double factor = 1;     ///< factor of that axis for the key that names the line, not 0
+  std::vector<sweep::KeyValue> fixed;  ///< values that hold in every cell of the line
+  sweep::KeyAxis along;  ///< axis that the line runs along, with its values; empty keys: no such axis
+  double factor = 1;     ///< factor of that axis for the key that the line is named by; not 0
 };
 
-/// Whether all keys of an axis are named by an override, which writes the key itself or a map around it.
+/// Whether overrides name all keys of an axis. An override names a key if it writes the key or a map that
+/// contains it.
 bool are_named(const sweep::KeyAxis& axis, const std::vector<std::string>& overrides);
 
-/// `along` is the key that the line runs along, empty for a single cell. The keys of an axis that are all
-/// named by an override hold what that says; an axis with one value holds it. Throws ConfigError with the
-/// places of all other axes: which of their values is meant must be said. `grid` is that of the configuration
-/// in `file` under these overrides; keys that are `said_elsewhere` count as named.
+/// Splits the axes over keys of `grid`, the grid of the configuration in `file` under these overrides.
+/// `along` is the key that the line runs along, empty for a single cell. An axis whose keys are all named by
+/// overrides has the values that these give. An axis with one value keeps that value. For any other axis the
+/// caller must choose a value: throws ConfigError with the places of all such axes. Keys in `said_elsewhere`
+/// count as named.
 LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::filesystem::path& file,
                    const std::vector<std::string>& overrides,
                    const std::vector<std::string>& said_elsewhere = {});
 
-/// Configuration of cells that differ by speed and unbalance alone: the values of axes over keys are written
-/// into their keys, and there are no such axes any more. An axis whose keys are all named by overrides or are
-/// among those `said_elsewhere` has the values given there. Throws ConfigError as read_run_config does, and
-/// with its place for every other axis of several values.
+/// Reads a configuration whose cells differ by speed and unbalance alone: values of axes over keys are
+/// written into their keys, and these axes are removed. An axis has the values given elsewhere if all its
+/// keys are named by overrides or are in `said_elsewhere`. Throws ConfigError as read_run_config does, and
+/// with the place of every other axis of several values.
 RunConfig read_cell_config(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                            const std::vector<std::string>& said_elsewhere = {});
 
-/// Place of a key of a configuration that was read before, as problems name it: `file:line:column`, or `--set
-/// key=value` of an override. The file alone where the key is not given. `path` is spelt as overrides are.
-/// Throws ConfigError where the file is none any more.
+/// Place of a key of a configuration that was read before: `file:line:column`, or `--set key=value` for an
+/// override. Only the file where the key is not given. `path` is spelt as overrides are. Throws ConfigError
+/// where the file is no longer a configuration.
 std::string place_of_key(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                          std::string_view path);
 
-/// The number that a complete configuration has at `path`, spelt as overrides are (see override.hpp). Empty
-/// where there is nothing there or no number.
+/// Number at `path` in a complete configuration; `path` is spelt as overrides are (see override.hpp). Empty
+/// where the path does not exist or holds no number.
 std::optional<double> number_at(const RunConfig& config, std::string_view path);
 
 }  // namespace rubsweep::config

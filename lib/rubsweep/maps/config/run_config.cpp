@@ -35,7 +35,7 @@ constexpr std::string_view root_form = "a map with rotor, stops, sweep, output";
 
 RunConfig read_sections(const yaml::Value& root) {
   yaml::Section section(root, root_form);
-  section.find(yaml::base_key);  // resolved before; still a name that a misspelt key may mean
+  section.find(yaml::base_key);  // resolved before, but a known key that a misspelt one may resemble
   RunConfig config;
   config.study = study::read_study(section);
   if (const auto value = section.require("output", "a map")) read_run_output(*value, config);
@@ -53,7 +53,8 @@ const model::JeffcottRotor* jeffcott(const sweep::Study& study) {
   return std::get_if<model::JeffcottRotor>(&study.machine.rotor);
 }
 
-/// Speeds are often given as multiples of the natural frequency, and that as a critical speed in rpm.
+/// Unit in which slow speeds were probably given: multiples of the natural frequency, or Hz beside a natural
+/// frequency in rpm.
 std::string_view unit_of_slow_speeds(double fastest_hz, double natural_hz) {
   if (fastest_hz >= 0.5 && fastest_hz <= 20) return " (multiples of it?)";
   const double by_minute = natural_hz / model::rpm_per_hz;
@@ -83,18 +84,25 @@ std::optional<Question> idle_kick(const sweep::Study& study) {
       "1?)"};
 }
 
-/// Clearances count from the position without weight.
+/// Clearances count from the position without weight. A start that lies on the stop is meant so.
 std::optional<Question> sag_onto_stop(const sweep::Study& study) {
   const auto* rotor = jeffcott(study);
   const double gravity = study.machine.gravity_m_per_s2;
   if (rotor == nullptr || gravity == 0) return std::nullopt;
   const double sag_m = gravity / std::pow(2 * std::numbers::pi * rotor->natural_frequency_hz, 2);
   const Eigen::Vector2d down(0, -sag_m);
+  const auto touches = [](const model::Stop& stop, const Eigen::Vector2d& at_m) {
+    const contact::Wall wall = contact::wall_of(stop.geometry);
+    const Eigen::Vector2d distance = at_m + contact::offset(wall);
+    return distance.dot(contact::normal_at(wall, distance)) >= stop.clearance_m;
+  };
+  const auto given_m = [](const model::Start& start) {
+    return Eigen::Vector2d(start.rotor.x_m.value_or(0), start.rotor.y_m.value_or(0));
+  };
+  const auto& start = study.machine.start;
   for (std::size_t i = 0; i < study.machine.stops.size(); ++i) {
     const model::Stop& stop = study.machine.stops[i];
-    const contact::Wall wall = contact::wall_of(stop.geometry);
-    const Eigen::Vector2d distance = down + contact::offset(wall);
-    if (distance.dot(contact::normal_at(wall, distance)) < stop.clearance_m) continue;
+    if (!touches(stop, down) || (start && touches(stop, given_m(*start)))) continue;
     return Question{
         "gravity_m_per_s2",
         fmt::format("the rotor sags by {:.3g} m and rests on stop {}, whose clearance counts from the "
@@ -115,14 +123,14 @@ void add_restitutions(const sweep::Study& study, std::vector<Question>& question
          fmt::format("{} is nominal, and an impact returns {:.2g} of its speed: this law returns at least {} "
                      "(restitution_delivered?)",
                      nominal->value, contact::delivered_restitution(ratio), least)});
-    return;  // the first of equal questions
+    return;  // only the first of equal questions
   }
 }
 
-/// Questions about a study whose numbers are plausible each by itself and odd together, as unit_questions
-/// asks: all speeds far below the natural frequency of a Jeffcott rotor, a kick that no cell takes because
-/// each begins in contact, a rotor that sags onto a stop, a nominal restitution that no impact delivers.
-/// `root` is the configuration that `study` was read from without a problem.
+/// Questions about numbers that are plausible each alone but odd together: all speeds far below the natural
+/// frequency of a Jeffcott rotor, a kick that no cell uses because each begins in contact, a rotor that sags
+/// onto a stop, a nominal restitution that no impact reaches. `root` is the configuration that `study` was
+/// read from without a problem. Each question has the form that unit_questions describes.
 std::vector<std::string> plan_questions(const yaml::Value& root, const sweep::Study& study) {
   std::vector<Question> asked;
   for (auto& question : {slow_speeds(root.node, study), idle_kick(study), sag_onto_stop(study)}) {
@@ -131,7 +139,7 @@ std::vector<std::string> plan_questions(const yaml::Value& root, const sweep::St
   add_restitutions(study, asked);
   std::vector<std::string> questions;
   for (const auto& [key, text] : asked) {
-    // A value that a cell or an axis gives stands nowhere.
+    // A value that comes from a default or an axis has no place in the file.
     if (const yaml::Node* node = find_node(root.node, key))
       questions.push_back(fmt::format("{}: {}: {}", root.diagnostics.describe(node->place), key, text));
   }
@@ -184,7 +192,7 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
   if (diagnostics.count() == 0) vary_keys({root, "", diagnostics}, config.study);
   diagnostics.throw_if_any();
   config.questions = unit_questions({root, "", diagnostics}, &config.study.machine);
-  // A number in another unit makes all the rest odd.
+  // After a question about units other oddities follow from the same slip, and are not asked about.
   if (config.questions.empty()) config.questions = plan_questions({root, "", diagnostics}, config.study);
   return config;
 }

@@ -26,15 +26,15 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 enum class Scale {
   one,
   frequency_hz,      ///< the lowest natural frequency
-  frequency_rpm,     ///< the same in revolutions per minute
-  period_s,          ///< period of that frequency
+  frequency_rpm,     ///< lowest natural frequency in revolutions per minute
+  period_s,          ///< period of the lowest natural frequency
   clearance,         ///< clearance of the stop
-  clearance_g_mm,    ///< unbalance whose eccentricity is that clearance
+  clearance_g_mm,    ///< unbalance in g mm whose eccentricity is the clearance
   contact_radius,    ///< radius of the stop
   rotor_stiffness,   ///< stiffness of a Jeffcott rotor
-  rotor_power,       ///< the same as K of the stop's K p^n at a twentieth of its clearance
+  rotor_power,       ///< K in N/m^n of a law K p^n as stiff as the rotor at p = clearance / 20
   clearance_blow_n,  ///< force of the kick that moves a Jeffcott rotor by the clearance of the stop
-  weight_per_mm      ///< stiffness that gives way by one millimetre under the rotor's weight
+  weight_per_mm      ///< stiffness that yields by 1 mm under the rotor's weight, in N/m
 };
 
 /// A plausible number lies between `low` and `high` times its scale, both included unless said otherwise.
@@ -43,11 +43,11 @@ struct SlipRule {
   Scale scale;
   double low, high;
   bool high_open;
-  double floor;           ///< numbers up to here are never judged
-  bool certain;           ///< refused; else asked about
-  std::string_view what;  ///< {0}: the number, {1}: the number by its scale, {2}: the end that it is beyond
+  double floor;           ///< absolute values up to this number are plausible
+  bool certain;           ///< true: refused; false: only asked about
+  std::string_view what;  ///< format: {0} number, {1} number / scale, {2} exceeded end, {3} `high`
   std::string_view slip;  ///< the unit that was probably meant ...
-  double factor;          ///< ... and by what it turns into that of the key; 0: no unit explains it
+  double factor;          ///< ... and its value in units of the key; 0: no unit explains the number
 };
 
 using enum Quantity;
@@ -110,7 +110,7 @@ constexpr std::array rules{
              "grams per cubic centimetre", 1e3},
 };
 
-/// Lowest natural frequency, of a kit at rest; empty where no structure can be computed.
+/// Lowest natural frequency in Hz, for a kit at rest; empty where its structure cannot be computed.
 std::optional<double> lowest_frequency_hz(const model::Machine& machine) {
   if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor))
     return rotor->natural_frequency_hz;
@@ -121,17 +121,17 @@ std::optional<double> lowest_frequency_hz(const model::Machine& machine) {
       if (plane.size() > 0) lowest = std::min(lowest, plane.minCoeff());
     }
     if (lowest > 0 && std::isfinite(lowest)) return lowest;
-  } catch (const ConfigError&) {  // said by whoever simulates it
+  } catch (const ConfigError&) {  // reported by the simulation later
   }
   return std::nullopt;
 }
 
-/// A bound that costs nothing: shafts rarely vibrate slower than this, so that slower speeds and shorter
-/// kicks of a kit are never judged, and its structure need not be computed.
+/// Lower bound of a kit's lowest natural frequency, in Hz, for a check without cost: speeds that are
+/// plausible at this frequency are accepted without computing the structure.
 constexpr double slow_hz = 10;
 
-/// Force whose half sine moves an undamped Jeffcott rotor by the clearance, by its impulse if it is short,
-/// else by its stiffness; empty without a kick or a Jeffcott rotor.
+/// Force in N whose half sine moves an undamped Jeffcott rotor by the clearance: by its impulse if it is
+/// short, else by a quasi-static push. Empty without a kick or a Jeffcott rotor.
 std::optional<double> clearance_blow_n(const model::Machine& machine, const model::Stop* stop) {
   const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor);
   if (rotor == nullptr || stop == nullptr || !machine.kick) return std::nullopt;
@@ -140,7 +140,7 @@ std::optional<double> clearance_blow_n(const model::Machine& machine, const mode
   return stop->clearance_m * rotor->mass_kg * w * w / std::min(short_blow, long_push);
 }
 
-/// Stiffness of a Jeffcott rotor; of a kit the one that gives way by a millimetre under its weight.
+/// Stiffness of a Jeffcott rotor; for a kit the stiffness that yields by 1 mm under the kit's weight.
 double rotor_stiffness_n_per_m(const model::Machine& machine) {
   if (const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor))
     return rotor->mass_kg * std::pow(2 * std::numbers::pi * rotor->natural_frequency_hz, 2);
@@ -168,7 +168,7 @@ std::optional<double> scale_of(const SlipRule& rule, double value, const model::
       if (scale) scale = *scale * model::rpm_per_hz;
       break;
     case Scale::period_s:
-      // Ten times faster than that is no slow shaft any more.
+      // Kicks up to the floor were accepted before, so that the frequency is always computed here.
       scale = frequency_hz(value > rule.floor);
       if (scale) scale = 1 / *scale;
       break;
@@ -202,7 +202,7 @@ bool plausible(const SlipRule& rule, double ratio) {
   return ratio >= rule.low && (rule.high_open ? ratio < rule.high : ratio <= rule.high);
 }
 
-/// A wall or a kick that is given in degrees seldom stands at 1.57 or 3.14 of them.
+/// Asks about an angle in degrees that is a simple fraction of pi, such as 1.57 or 3.14: probably radians.
 std::optional<Slip> radians(double value) {
   constexpr double close = 2e-3;
   constexpr std::array parts{1. / 6, 1. / 4, 1. / 3, 1. / 2, 2. / 3, 3. / 4, 1., 3. / 2, 2.};
@@ -217,12 +217,13 @@ std::optional<Slip> radians(double value) {
 
 std::optional<Slip> slip_by(const SlipRule& rule, double value, const model::Machine* machine,
                             std::size_t stop) {
-  // 0 stiffness of a support is none at all, and no other quantity is too small at 0.
+  // A stiffness of 0 means no support, and for all other quantities 0 is plausible.
   if (value == 0 || (rule.floor > 0 && std::abs(value) <= rule.floor)) return std::nullopt;
   const auto scale = scale_of(rule, value, machine, stop);
   if (!scale) return std::nullopt;
   const double ratio = value / *scale;
-  // An end is compared as it is shown, not as division leaves it.
+  // Compares the value itself with the upper end, as the message shows both. A quotient could differ by
+  // rounding.
   const bool beyond =
       ratio < rule.low || value > rule.high * *scale || (rule.high_open && value >= rule.high * *scale);
   if (!beyond) return std::nullopt;
@@ -241,7 +242,7 @@ std::optional<Slip> slip_of(Quantity quantity, double value, const model::Machin
                             std::size_t stop) {
   if (quantity == angle_deg) return radians(value);
   if (quantity == support_stiffness_n_per_m && value < 0)
-    return std::nullopt;  // a seal, which carries no weight
+    return std::nullopt;  // seal, which carries no weight
   for (const SlipRule& rule : rules) {
     if (rule.quantity != quantity) continue;
     if (auto slip = slip_by(rule, value, machine, stop)) return slip;

@@ -8,7 +8,7 @@
 
 namespace rubsweep::config {
 
-/// Quantities that a number of a configuration or a command line may stand for.
+/// Quantities that a number in a configuration or on a command line may be.
 enum class Quantity {
   speed_hz,
   speed_rpm,
@@ -33,15 +33,15 @@ enum class Quantity {
   density_kg_per_m3
 };
 
-/// A number that is in range but cannot, or can hardly, be meant in the unit of its key.
+/// Number that is in range, but implausible in the unit of its key.
 struct Slip {
-  std::string wrong;     ///< finishes a sentence about the number, with the question what was meant
-  std::string allowed;   ///< the plausible end that it is beyond
-  bool certain = false;  ///< no machine has such a number: refused; else asked about
+  std::string wrong;     ///< rest of a sentence about the number, with a question what was meant
+  std::string allowed;   ///< plausible end that the number exceeds
+  bool certain = false;  ///< true: refused, as no machine has it; false: only asked about
 };
 
-/// Empty where the number is plausible. `machine` (null: not known) gives the scales of comparison, at stop
-/// `stop` where there are several; numbers without a known scale are not judged.
+/// Checks a number; empty where it is plausible. `machine` and its stop number `stop` give the scales of
+/// comparison. Numbers without a known scale, such as where `machine` is null, are not judged.
 std::optional<Slip> slip_of(Quantity quantity, double value, const model::Machine* machine,
                             std::size_t stop = 0);
 

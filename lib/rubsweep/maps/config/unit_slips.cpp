@@ -19,8 +19,7 @@ namespace {
 
 using enum Quantity;
 
-/// Position of the numbers of a quantity; `*` is any index of a list, or any key of a map of casings. For an
-/// axis all its values.
+/// Path of a number and its quantity. `*` is any index of a list. An axis stands for all its values.
 struct Standing {
   std::string_view pattern;
   Quantity quantity;
@@ -79,7 +78,8 @@ class Search {
  public:
   Search(const model::Machine* machine, bool certain) : machine_(machine), certain_(certain) {}
 
-  /// Walks down the rest of a pattern; `index` is that of the first list that was met.
+  /// Follows the rest of a pattern from `value`; `index` is the latest index of a list on the way, the stop's
+  /// number.
   void walk(const yaml::Value& value, std::string_view pattern, Quantity quantity, std::size_t index = 0) {
     if (pattern.empty()) {
       judge_axis(value, quantity, index);
@@ -100,7 +100,7 @@ class Search {
   std::vector<Found> take() { return std::move(found_); }
 
  private:
-  /// A single number, both ends, or a list.
+  /// Judges a single number, or both ends or all values of an axis.
   void judge_axis(const yaml::Value& value, Quantity quantity, std::size_t index) {
     judge(value, quantity, index);
     for (const std::string_view end : {"from", "to"}) walk_to(value, end, quantity, index);
@@ -150,7 +150,7 @@ double largest_of(const yaml::Node* axis) {
   return largest;
 }
 
-/// Speeds where whirl ratios should be and the other way round.
+/// Question where speeds look like whirl ratios and whirl ratios like speeds.
 std::optional<std::string> swapped_axes(const yaml::Value& root) {
   const yaml::Node* speeds = find_node(root.node, "sweep.speed_hz");
   const yaml::Node* ratios = find_node(root.node, "sweep.whirl_ratio");
@@ -172,7 +172,7 @@ std::vector<std::string> unit_questions(const yaml::Value& root, const model::Ma
   if (auto swapped = swapped_axes(root)) return {*std::move(swapped)};
   std::string last_key;
   for (const Found& found : search(root, machine, false)) {
-    // The key of an axis, without its ends and the places of its values.
+    // Key of the axis, without `from`, `to` or the index of a value.
     const std::string path = found.value.path;
     const std::string key = path.starts_with("sweep.") ? path.substr(0, path.find('.', 6)) : path;
     if (key == last_key) continue;

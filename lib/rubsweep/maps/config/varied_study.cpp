@@ -25,12 +25,13 @@ namespace {
 constexpr std::string_view allowed_keys =
     "a number of rotor, stops, kick, start, gravity_m_per_s2, solver or response, as --print-config names it";
 
-/// The study as a document without the keys that no axis may name.
+/// Study as a YAML document, without the parts that an axis may not vary.
 yaml::Node document_of(const sweep::Study& study) {
   sweep::Study plain = study;
   plain.threshold.reset();
   plain.basin.reset();
-  // The largest speed may be too large for another rotor, the smallest one makes the longest run for a kick.
+  // The smallest and the largest speed suffice for the checks. The largest may be too fast for a varied
+  // rotor, and the smallest has the longest run, which limits the kick.
   const auto [slowest, fastest] = std::ranges::minmax(study.grid.speed_hz);
   plain.grid = {.speed_hz = slowest < fastest ? std::vector{slowest, fastest} : std::vector{fastest},
                 .measure = study.grid.measure,
@@ -41,7 +42,7 @@ yaml::Node document_of(const sweep::Study& study) {
   return *std::move(document);
 }
 
-/// The study with these keys changed; problems with them are reported at `place`.
+/// Study with the numbers of `keys` written over it; problems with them are reported at `place`.
 sweep::Study read_varied(yaml::Node document, std::span<const sweep::KeyValue> keys,
                          const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
   const std::size_t problems = diagnostics.count();
@@ -72,8 +73,9 @@ bool is_part_of_the_mass(const std::string& key) {
          key.starts_with("rotor.unbalance.");
 }
 
-/// A key of which nothing can be said yet may be one that the printed study leaves out. `by_mass`: the key
-/// whose eccentricities follow from the mass of the rotor, once for all cells.
+/// Checks whether an axis may vary a key; adds a problem and returns false if not. A key that is missing in
+/// the document passes, as the printed study leaves out some keys. `by_mass`: key of the sweep whose
+/// eccentricities follow from the mass of the rotor, once for all cells.
 bool may_be_swept(const yaml::Node& document, const std::string& key, std::string_view by_mass,
                   const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
   constexpr std::array<std::string_view, 6> own_axes{"speed_hz",           study::speed_rpm_key,
@@ -97,9 +99,9 @@ bool may_be_swept(const yaml::Node& document, const std::string& key, std::strin
   return true;
 }
 
-/// A rotor given by constants is kept by its frequency and damping ratio, which an axis over its mass would
-/// leave as they are: refused, as the constants would be expected to stay. Empty where the key changes none
-/// of them.
+/// Constant, stiffness or damping, that was given for a Jeffcott rotor and would change along an axis over
+/// `key`. The study keeps frequency and damping ratio instead of constants, but the user expects the
+/// constants to stay. Empty where none would change.
 std::string_view key_of_constants(const yaml::Node& root, std::string_view key) {
   const auto is_given = [&](std::string_view name) {
     return yaml::entry(*find_node(root, "rotor"), name) != nullptr;
@@ -114,7 +116,7 @@ std::string_view key_of_constants(const yaml::Node& root, std::string_view key) 
   return changes_ratio && damping ? machine::rotor_damping_key : "";
 }
 
-/// Refuses an axis over such a key; true where it did.
+/// Refuses an axis over a key that would change a given constant; true where it did.
 bool refuse_constants(const yaml::Node& root, const std::string& key, const yaml::SourcePosition& place,
                       yaml::Diagnostics& diagnostics) {
   const std::string_view constant = key_of_constants(root, key);
@@ -138,7 +140,8 @@ void refuse_impossible(const sweep::KeyAxis& axis, const yaml::SourcePosition& p
   }
 }
 
-/// An axis over the same key would have no effect: what a study tries is written last.
+/// Refuses an axis of the sweep over a key that the study varies itself: the study would overwrite its
+/// values.
 void refuse_swept(const sweep::Study& study, const std::vector<std::string>& keys,
                   const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
   const std::vector<std::string> swept = sweep::key_names(study.grid);

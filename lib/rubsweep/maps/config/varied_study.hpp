@@ -5,10 +5,10 @@
 
 namespace rubsweep::config {
 
-/// Gives a study that was read from `root` without a problem its with_keys, if it varies keys at all: each
-/// call writes the numbers over the printed study, as `--set` would over the printed configuration, and reads
-/// the result. Every value of every axis is tried by itself; the first of an axis that is not allowed, a key
-/// that does not exist and one that holds no number are problems of the place where the keys are named.
+/// Sets with_keys of a study that was read from `root` without a problem and varies keys. Each call of
+/// with_keys writes numbers over the printed study, as `--set` would, and reads the result. Here every value
+/// of every axis is tried alone. Problems are reported where the keys are named: the first value of an axis
+/// that is not allowed, a key that does not exist, a key that holds no number.
 void vary_keys(const yaml::Value& root, sweep::Study& study);
 
 }  // namespace rubsweep::config

@@ -30,7 +30,7 @@ std::string describe_difference(const batch::JournalHeader& there, const batch::
 
 namespace fs = std::filesystem;
 
-/// One line for each key, or why they are not known.
+/// One line for each key that differs, or the reason why the keys are unknown.
 std::string keys_that_differ(const fs::path& config_file, const std::string& digest,
                              const std::string& study_here) {
   std::string study_there;
@@ -49,7 +49,7 @@ std::string keys_that_differ(const fs::path& config_file, const std::string& dig
   return text;
 }
 
-/// Digest in the comments before the header of a table; empty where there is none.
+/// Digest in the comments above the header of a table; empty where there is none.
 std::string digest_in(const fs::path& table) {
   batch::InputLines lines(table);
   constexpr std::string_view mark = "# digest ";

@@ -35,8 +35,8 @@ std::string comments_and_header(const sweep::Study& study) {
   return report::map_comments(study) + report::map_header(study) + report::unit_header(study.grid) + '\n';
 }
 
-/// Putting a map together opens the journal of every part, of which there may be more than the files that a
-/// process is allowed unless it asks for more.
+/// Raises the limit of open files to the most that the system allows: a map may have more journals, one for
+/// each part, than the usual limit.
 void allow_as_many_files_as_there_may_be() {
   rlimit files{};
   if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
@@ -67,7 +67,7 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   written_.written_unbalance = config.study.grid.written_unbalance;
   allow_as_many_files_as_there_may_be();
   batch::make_directory(directory_);
-  // Programs begin one at a time: no file that one of them reads here is removed meanwhile.
+  // Only one program at a time may begin here, so that no file is removed while another one reads it.
   const batch::FileLock beginning(directory_ / "map.begin.lock", batch::LockMode::exclusive, program,
                                   batch::Patience::wait);
   lock(program);
@@ -77,9 +77,9 @@ MapDirectory::MapDirectory(fs::path directory, const config::RunConfig& config, 
   refuse_journals_of_others();
   if (fs::exists(map())) {
     finished_map_ = read_finished_map(program, map(), config.study, warn_over_clearances_);
-    if (refined_) finished_map_->cells = header_.cells;  // how many it wanted is for it alone to know
+    if (refined_) finished_map_->cells = header_.cells;  // only the map knows how many it needs
     refuse_map_of_another(*finished_map_, map(), header_);
-    // Whoever wrote it may have been killed before they were gone.
+    // The process that wrote the map may have been killed before it removed its journals.
     if (!part_) remove_journals();
   }
   batch::write_whole_file(directory_ / "config.yaml", config::print_config(config));
@@ -122,7 +122,7 @@ fs::path MapDirectory::path(std::string_view ending) const {
 
 std::vector<fs::path> MapDirectory::journals() const { return files(directory_, ".journal"); }
 
-/// Parts share the directory, each with a lock of its own; the whole takes it alone.
+/// Each part takes a lock of its own and shares the directory; a whole map locks the directory alone.
 void MapDirectory::lock(const std::string& program) {
   lock_share(program);
   if (!directory_lock_->guards()) config::yaml::say(batch::no_locks(program, directory_));
@@ -147,11 +147,12 @@ void MapDirectory::lock_share(const std::string& program) {
   }
 }
 
-/// Nothing is begun that could not be ended, and nobody waits for the other end of a pipe.
+/// Refuses existing files with our names that are not regular: writing them would fail, and reading a pipe
+/// would wait forever.
 void MapDirectory::refuse_what_is_no_file() const {
   std::vector<fs::path> ours = journals();
   ours.push_back(partial());
-  // Their names are ours alone: behind a link would be a file of somebody's that is no journal.
+  // These names are used by this program alone, so that a link there leads to a foreign file.
   for (const fs::path& file : ours) batch::refuse_link("write", file);
   ours.insert(ours.end(), {directory_ / "config.yaml", map()});
   for (const fs::path& file : ours) {
@@ -160,7 +161,7 @@ void MapDirectory::refuse_what_is_no_file() const {
   }
 }
 
-/// Removes temporary files that killed processes left behind.
+/// Removes temporary files of processes that were killed.
 void MapDirectory::remove_leftovers() const {
   batch::remove_leftovers(directory_, [](std::string_view name) {
     return name == "config.yaml" || name == family_journal_file || name.starts_with("map.") ||
@@ -168,8 +169,8 @@ void MapDirectory::remove_leftovers() const {
   });
 }
 
-/// The map goes last: whatever is left when this ends half way belongs to it. The disk has each step before
-/// the next one is taken.
+/// Removes earlier results, the map last: if this is interrupted, everything left still belongs to the map.
+/// Each step is on the disk before the next one begins.
 void MapDirectory::forget() const {
   if (const auto holder = batch::lock_holder(directory_ / family_lock_file)) {
     throw LockedError(fmt::format("{} is held by {}", (directory_ / family_lock_file).string(), *holder));
@@ -185,8 +186,8 @@ void MapDirectory::forget() const {
   batch::sync_directory(directory_);
 }
 
-/// The journal of another part stays where it belongs to this study: only that part itself forgets it. Throws
-/// LockedError where it belongs to another one, and its process is at work.
+/// Whether the journal of another part belongs to this study, so that it must stay. Throws LockedError where
+/// it belongs to another study and its process is at work.
 bool MapDirectory::belongs_to_other_part(const fs::path& journal) const {
   if (journal == path(".journal")) return false;
   try {
@@ -237,7 +238,7 @@ std::string MapDirectory::in_map(const std::string& line) const {
   return line + report::unit_cells(line, written_);
 }
 
-/// Removes the journals and the partial map once everything is in map.csv.
+/// Removes the journals and the partial map when map.csv is complete.
 void MapDirectory::remove_journals() const {
   for (const fs::path& other : files(directory_, ".partial.csv")) fs::remove(other);
   for (const fs::path& journal : journals()) fs::remove(journal);
@@ -269,7 +270,7 @@ report::MapSummary MapDirectory::write_map() const {
     file.write(in_map(line) + '\n');
   }
   file.finish();
-  batch::remove_result_files(derived_files(), directory_);  // those of an earlier map
+  batch::remove_result_files(derived_files(), directory_);  // derived files of an earlier map
   file.commit();
   remove_journals();
   return summary;

@@ -18,64 +18,64 @@
 
 namespace rubsweep::map {
 
-/// The directory of one map while a process is at work there:
-/// - map.csv, the result, only ever whole, and config.yaml, the complete configuration;
-/// - `NAME.journal`: finished cells as one process wrote them, until they are in map.csv;
-/// - `NAME.partial.csv`: the same cells to look at;
-/// - `NAME.lock`: says who is at work; `map.begin.lock`: who is about to begin.
+/// Directory of one map while a process works there. Files:
+/// - map.csv, the result, which appears only when complete, and config.yaml, the complete configuration
+/// - `NAME.journal`: finished cells of one process, until they are in map.csv
+/// - `NAME.partial.csv`: the same cells for people to read
+/// - `NAME.lock`: lock of the process at work; `map.begin.lock`: lock of a process that is about to begin
 /// NAME is `map`, or `map.shard-I-of-N` for a part, or `map.rank-R`.
 class MapDirectory {
  public:
-  /// Begins work on a share, or continues it; `fresh`: after removing finished cells, a finished map and
-  /// results of other configurations included. `program` is the name in the lock. Throws LockedError when
-  /// another process is at work there, ConfigError when the finished cells belong to another configuration or
-  /// program, IoError; then everything there is as it was.
+  /// Begins work on a share of the map, or continues it. `fresh`: first removes finished cells and a finished
+  /// map, even those of other configurations. `program` is the name in the lock. Throws LockedError where
+  /// another process is at work there, ConfigError where the finished cells belong to another configuration
+  /// or program, and IoError. After an exception the directory is unchanged.
   MapDirectory(std::filesystem::path directory, const config::RunConfig& config, std::optional<Share> part,
                bool fresh, const std::string& program);
 
   std::size_t cells() const { return cells_; }                       ///< cells of the share
-  std::size_t finished() const { return cells_ - missing_.size(); }  ///< number when the work began
+  std::size_t finished() const { return cells_ - missing_.size(); }  ///< finished before this run
   const std::vector<std::size_t>& missing() const { return missing_; }
 
-  /// Whether the cell is one of the share.
+  /// Whether the cell belongs to this share.
   bool has_in_share(std::size_t cell) const { return share_of(cell) == part_.value_or(Share{}).index; }
 
-  /// The shard, from 0, that has the cell in a division into `count` of them.
+  /// Index, from 0, of the shard to which a cell belongs if the map is divided into `count` shards.
   std::size_t share_in(std::size_t cell, std::size_t count) const;
 
-  /// How many shards the division has of which one was begun here, the finest of several; 0 where none was.
+  /// Number of shards in the finest division of which a shard was begun here; 0 where none was.
   std::size_t shards_begun() const;
 
-  /// Whether another process is at work on a share that has one of these cells. Throws IoError.
+  /// Whether another process is at work on a share with one of these cells. Throws IoError.
   bool is_at_work_on(const std::vector<std::size_t>& cells) const;
 
-  /// The whole map of this study, where an earlier run left it: then there is nothing to do, and no cell is
-  /// missing.
+  /// Whole map of this study, if an earlier run left it: then no cell is missing and nothing is left to do.
   const std::optional<FinishedMap>& finished_map() const { return finished_map_; }
 
-  /// Opens the journal of this process to add finished cells. Throws IoError.
+  /// Opens the journal of this process, to which finished cells are added. Throws IoError.
   batch::Journal journal() const { return {path(".journal"), header_}; }
 
-  /// File in which finished cells can be watched: holds those that were finished when the work began.
+  /// File for people to watch finished cells. It begins with those that were finished when the work began.
   std::filesystem::path partial() const { return path(".partial.csv"); }
 
-  /// Every finished cell with its line, ascending. Throws IoError.
+  /// Calls `visit` with every finished cell and its line, ascending. Throws IoError.
   void for_each_finished(const std::function<void(std::size_t cell, const std::string& line)>& visit) const;
 
-  /// Writes map.csv from every journal and removes those; only when no cell is missing, or when a refined map
-  /// wants no more. Throws IoError.
+  /// Writes map.csv from all journals, then removes them. Call it only when no cell is missing, or when a
+  /// refined map needs no more. Throws IoError.
   report::MapSummary write_map() const;
 
   std::filesystem::path map() const { return directory_ / "map.csv"; }
 
-  /// Writes painted.csv beside a refined map that has none (see write_painted_map); nothing for any other
-  /// map. The grid is that of the study. Throws IoError.
+  /// Writes painted.csv beside a refined map if it is missing (see write_painted_map). Does nothing for any
+  /// other map. `grid` is the grid of the study. Throws IoError.
   void paint(const sweep::Grid& grid) const;
 
-  /// A finished cell as the map shows it: its line in a journal, and numbers in the units of the person.
+  /// Line of a finished cell in map.csv: its line in a journal, with the columns in units of the
+  /// configuration added.
   std::string in_map(const std::string& line) const;
 
-  /// Frees the directory for others, for a process that ends at once.
+  /// Removes the locks, for a process that ends at once, so that others may work in the directory.
   void leave();
 
  private:
@@ -98,17 +98,18 @@ class MapDirectory {
   std::optional<Share> part_;
   batch::JournalHeader header_;
   batch::TableSource source_;
-  std::string head_;  ///< head of the map: what stands between the head of every table and its rows
+  std::string head_;  ///< text of the map between the head of every table and the rows
   double warn_over_clearances_ = 0;
-  sweep::Grid written_;  ///< only how its axes are written
+  sweep::Grid written_;  ///< grid of the configuration, used only for the units of its axes
   std::optional<batch::FileLock> own_lock_, directory_lock_;
   std::size_t cells_ = 0;
   std::vector<std::size_t> missing_;
   std::optional<FinishedMap> finished_map_;
-  bool refined_ = false;  ///< the map holds some of the cells
+  bool refined_ = false;  ///< true: the map has only some of the cells
 };
 
-/// Opens the journal of another process that helps the one whose MapDirectory this is. Throws IoError.
+/// Opens a journal for another process, MPI rank `rank`, that helps the owner of the MapDirectory. Throws
+/// IoError.
 batch::Journal rank_journal(const config::RunConfig& config, int rank);
 
 }  // namespace rubsweep::map

@@ -9,39 +9,39 @@
 
 namespace rubsweep::map {
 
-/// The cells that are `index` modulo `count`: a part of every map that takes about as long as the other
-/// parts. Of a refined map, whose cells lie on lattices, those that are by their number well mixed.
+/// A part of a map: the cells that are `index` modulo `count`, so that all parts take about the same time.
+/// For a refined map, whose cells lie on a lattice, the cell number is first mixed by a hash.
 struct Share {
   std::size_t index = 0;
   std::size_t count = 1;
 };
 
-/// Index of the share that has a cell, of a division into `count`.
+/// Index of the share to which a cell belongs, in a division into `count` shares.
 std::size_t share_of(std::size_t cell, std::size_t count, bool refined);
 
-/// Name of its files without their endings: `map.shard-I-of-N` with I from 1, or `map` of the whole.
+/// Common name of the files of a share: `map.shard-I-of-N` with I from 1, or `map` for the whole map.
 std::string share_name(const std::optional<Share>& part);
 
-/// N of the name of a part, with any ending; 0 of any other name.
+/// N in the file name of a part, whatever its ending; 0 for any other name.
 std::size_t share_count_of(std::string_view name);
 
-/// Files of rubbranch --map about a map.
+/// Files that rubbranch --map writes beside a map.
 inline constexpr std::array<std::string_view, 4> family_files{"boundaries.csv", "contradictions.csv",
                                                               "edges.csv", "families.csv"};
 
-/// Files of rubbasin about its map.
+/// Files that rubbasin writes beside its map.
 inline constexpr std::array<std::string_view, 2> slice_files{"attractors.csv", "slice.csv"};
 
-/// Journal and lock of rubbranch --map, which stay until the files above are there.
+/// Journal and lock of rubbranch --map, which exist until the files above are written.
 inline constexpr std::string_view family_journal_file = "families.journal",
                                   family_lock_file = "families.lock";
 
 inline constexpr std::string_view report_page_file = "report.html";
 
-/// All cells of a refined map with the motion that they show.
+/// Table of all cells of a refined map, with the motion that each shows.
 inline constexpr std::string_view painted_map_file = "painted.csv";
 
-/// All results that are made of a map and lie beside it: without that map they mean nothing.
+/// All results that are computed from a map and lie beside it. Without the map they mean nothing.
 inline std::vector<std::string_view> derived_files() {
   std::vector<std::string_view> names{report_page_file, painted_map_file};
   names.insert(names.end(), family_files.begin(), family_files.end());

@@ -7,24 +7,23 @@
 #include <cstdio>
 #include <thread>
 
-#include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/explain_rotor.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/evaluate_cell.hpp"
 #include "rubsweep/maps/sweep/footprint.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
 
 namespace rubsweep::map {
 namespace {
 
-/// Time until the journals of other shards are read again.
+/// Time between two readings of the journals of other shards.
 constexpr std::chrono::milliseconds shard_patience{500};
 
-/// Shards that were begun with one command are not there at one instant, and the first may have no more to do
-/// before the last has begun.
+/// Least time that a shard without work waits for others: shards started by one command do not begin at the
+/// same instant.
 constexpr std::chrono::seconds beginners_patience{5};
 
 }  // namespace
@@ -70,14 +69,14 @@ MissingCells::MissingCells(const ComputeOptions& options, const sweep::Study& st
       program_(options.program),
       stop_(options.stop ? *options.stop : never_),
       log_(directory, options.progress) {
-  // Which cells a refinement wants is not known beforehand.
+  // The cells that a refined map needs are not known beforehand.
   if (study.grid.refinement) return;
   const std::size_t speeds = study.grid.speed_hz.size();
   log_.progress().expect({speeds, sweep::cell_count(study.grid) / speeds, directory.missing()});
 }
 
-/// Computes round after round of the cells that the refinement of those before needs. Shards at work at the
-/// same time wait for each other's.
+/// Computes the cells of a refined map in rounds: each needs the labels of the one before. Shards at work at
+/// the same time wait for each other's cells.
 bool MissingCells::run_refined() {
   RefinedCells known(study_.grid);
   bool alone = false;
@@ -94,7 +93,7 @@ bool MissingCells::run_refined() {
       alone = false;
       std::this_thread::sleep_for(shard_patience);
     } else if (!wanted.empty() && !alone) {
-      alone = true;  // reads once more: others may have written before they left
+      alone = true;  // reads once more, as others may have written before they ended
     } else {
       left_to_others_ = wanted.size();
       break;
@@ -108,7 +107,7 @@ bool MissingCells::run_refined() {
   return true;
 }
 
-/// A few cells from all over the map tell how long it will take.
+/// Computes a few cells spread over the map first, to predict the total time.
 void MissingCells::run_pilots(std::vector<std::size_t>& cells, std::size_t pilots_wanted,
                               const std::string& hint) {
   const auto pilots = sweep::take_pilot_cells(cells, pilots_wanted);
@@ -121,12 +120,16 @@ void MissingCells::run_pilots(std::vector<std::size_t>& cells, std::size_t pilot
   if (!hint.empty()) say_progress(hint);
 }
 
+const scene::PreparedMachine& MissingCells::prepared() {
+  if (!prepared_) prepared_ = scene::prepare_machine(study_.machine);
+  return *prepared_;
+}
+
 bool MissingCells::run() {
   if (study_.grid.refinement) return run_refined();
-  const scene::PreparedMachine prepared = scene::prepare_machine(study_.machine);
   const double slowest_hz = *std::ranges::min_element(study_.grid.speed_hz);
-  for (std::string why : {sweep::why_torsion_is_idle(prepared, slowest_hz),
-                          sweep::why_walls_stay_untouched(study_, prepared)}) {
+  for (std::string why : {sweep::why_torsion_is_idle(prepared(), slowest_hz),
+                          sweep::why_walls_stay_untouched(study_, prepared())}) {
     if (why.empty()) continue;
     why.pop_back();
     say_progress(why);
@@ -135,8 +138,8 @@ bool MissingCells::run() {
   std::vector<std::size_t> cells = directory_.missing();
   const std::size_t pilots_wanted = batch::pilot_count(cells.size(), static_cast<std::size_t>(threads));
   // Only where somebody is there to read it.
-  if (say_progress(report::describe_footprint(study_, prepared, {threads})) && pilots_wanted > 0)
-    run_pilots(cells, pilots_wanted, report::describe_many_modes(prepared));
+  if (say_progress(report::describe_footprint(study_, prepared(), {threads})) && pilots_wanted > 0)
+    run_pilots(cells, pilots_wanted, report::describe_many_modes(prepared()));
   run_cells(cells);
   const std::lock_guard lock(mutex_);
   return all_finished();
@@ -145,7 +148,7 @@ bool MissingCells::run() {
 void MissingCells::run_cells(std::span<const std::size_t> cells) {
   const batch::LapTime time;
   sweep::run_cells(
-      study_, cells, threads_,
+      study_, prepared(), cells, threads_,
       [&](std::size_t cell, const sweep::Row& row) { write_down(cell, row, time.lap_s()); }, stop_);
 }
 

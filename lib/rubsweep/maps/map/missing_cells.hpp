@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/journal.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
@@ -21,17 +22,18 @@
 
 namespace rubsweep::map {
 
-/// Finished cells on their way into the journal of this process, into the partial map and into the line of
-/// progress on stderr. Not for several threads at once.
+/// Writes finished cells to the journal of this process, to the partial map and to the progress line on
+/// stderr. Only one thread at a time may use it.
 class CellLog {
  public:
-  /// Opens both files; the directory must outlive it. Throws IoError.
+  /// Opens both files. `directory` must outlive this log. Throws IoError.
   CellLog(const MapDirectory& directory, batch::ProgressMode mode);
 
-  /// Writes down a cell with its line of the map, and the seconds that it took on its thread. Throws IoError.
+  /// Writes a cell with its line of the map. `seconds` is the time that it took on its thread. Throws
+  /// IoError.
   void add(std::size_t cell, const std::string& line, std::optional<double> seconds = {});
 
-  /// Counts and shows a cell that the journal of another process holds.
+  /// Counts and shows a cell that another process wrote to its own journal.
   void add_of_other_process(std::size_t cell, const std::string& line);
 
   /// Number of added cells.
@@ -39,10 +41,10 @@ class CellLog {
 
   batch::Progress& progress() { return progress_; }
 
-  /// Redraws the progress and asks for the journal to be on the disk, each where it is due.
+  /// Redraws the progress line and syncs the journal to the disk, each only when due.
   void refresh();
 
-  /// Asks for the journal to be on the disk and ends the line of progress: the process is about to end.
+  /// Syncs the journal to the disk and ends the progress line, before the process ends.
   void close();
 
  private:
@@ -55,46 +57,48 @@ class CellLog {
   std::size_t finished_ = 0;
 };
 
-/// Message of `program` after a signal: how many cells are finished, `finished` of them by this run.
+/// Message of `program` after a signal: number of finished cells, of which this run computed `finished`.
 std::string interrupted_map(std::string_view program, const MapDirectory& directory, std::size_t finished);
 
-/// How the cells of a map are computed.
+/// Options for computing the cells of a map.
 struct ComputeOptions {
   int threads = 0;                                            ///< 0: as many as the machine has cores
   const std::atomic<bool>* stop = nullptr;                    ///< once it is true, no further cell begins
   batch::ProgressMode progress = batch::ProgressMode::never;  ///< progress on stderr
-  std::string program = "rubsweep";                           ///< named in locks and messages
+  std::string program = "rubsweep";                           ///< name in locks and messages
 };
 
-/// Computes the cells that a directory misses and writes each one down as it is finished. `run` works in the
-/// calling thread and in threads of its own; meanwhile one other thread may call `refresh` and `give_up`.
+/// Computes the missing cells of a directory and writes each as it is finished. `run` uses the calling thread
+/// and threads of its own. One other thread may call `refresh` and `give_up` during that time.
 class MissingCells {
  public:
-  /// All three must outlive it. Opens journal and partial map; throws IoError.
+  /// Opens journal and partial map. All arguments must outlive this object. Throws IoError.
   MissingCells(const ComputeOptions& options, const sweep::Study& study, MapDirectory& directory);
 
-  /// False when it was stopped before all were finished. Throws IoError.
+  /// Returns false where it was stopped before all cells were finished. Throws IoError.
   bool run();
 
-  /// Redraws the progress, and asks for the journal to be on the disk where that is due.
+  /// Redraws the progress line and syncs the journal to the disk, each only when due.
   void refresh();
 
-  /// Cells that still run are not waited for: nothing of them gets into the journal any more, and the
-  /// directory is free for others. False, and nothing done, where no cell is left to give up.
+  /// Gives up cells that still run: nothing of them is written to the journal any more, and the directory is
+  /// unlocked. Returns false, and does nothing, where no cell is left.
   bool give_up();
 
-  /// After a run that was stopped or given up: ends the progress, and returns a message of how many cells are
-  /// finished.
+  /// Ends the progress line after a run that was stopped or given up. Returns a message with the number of
+  /// finished cells.
   std::string interrupted();
 
-  /// Cells that a refined map wants of other shards, none of which was at work when this one had no more to
-  /// do.
+  /// Number of cells that a refined map still needs but that belong to other shards, none of which was at
+  /// work when this shard ended.
   std::size_t left_to_others() const { return left_to_others_; }
 
-  /// Cost of a refined map that is complete; empty for any other.
+  /// Text on the cost of a complete refined map; empty for any other map.
   const std::string& description() const { return description_; }
 
  private:
+  /// Made once for all rounds.
+  const scene::PreparedMachine& prepared();
   bool all_finished() const { return log_.finished() == directory_.missing().size(); }
   bool run_refined();
   void run_pilots(std::vector<std::size_t>& cells, std::size_t pilots_wanted, const std::string& hint);
@@ -104,22 +108,23 @@ class MissingCells {
 
   const int threads_;
   const sweep::Study& study_;
+  std::optional<scene::PreparedMachine> prepared_;
   MapDirectory& directory_;
   const std::string program_;
   const std::atomic<bool> never_ = false;
   const std::atomic<bool>& stop_;
-  std::mutex mutex_;  ///< guards all that follows
+  std::mutex mutex_;  ///< guards all members below
   CellLog log_;
-  bool complete_ = false;  ///< a refined map wants no more cells
+  bool complete_ = false;  ///< true: a refined map needs no more cells
   bool given_up_ = false;
   std::size_t left_to_others_ = 0;
   std::string description_;
 };
 
-/// Computes the map of a configuration in `directory`, or goes on with what an earlier call left there, and
-/// returns the summary of the whole map.csv, which stands there with the configuration; empty where it was
-/// stopped: a later call computes the rest. Throws LockedError where another process is at work there,
-/// ConfigError where the cells there belong to another configuration, IoError.
+/// Computes the map of a configuration in `directory`, or continues what an earlier call left there. Writes
+/// map.csv and the configuration, and returns the summary of the whole map. Empty where the run was stopped;
+/// a later call then computes the rest. Throws LockedError where another process is at work there,
+/// ConfigError where the cells there belong to another configuration, and IoError.
 std::optional<report::MapSummary> compute(const config::RunConfig& config,
                                           const std::filesystem::path& directory,
                                           const ComputeOptions& options = {});

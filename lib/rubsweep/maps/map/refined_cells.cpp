@@ -12,10 +12,10 @@
 namespace rubsweep::map {
 namespace {
 
-/// Motions of the cells that a refined map holds.
+/// Motions of the computed cells of a refined map.
 struct ComputedMotions {
-  std::vector<int> labels;           ///< labels of all cells, sweep::unknown_label where none was computed
-  std::vector<std::string> motions;  ///< class, order and kind, empty as above
+  std::vector<int> labels;           ///< labels of all cells; sweep::unknown_label if not computed
+  std::vector<std::string> motions;  ///< class, order and kind of all cells; empty if not computed
 };
 
 ComputedMotions read_motions(const std::filesystem::path& map, const sweep::Grid& grid) {

@@ -16,30 +16,31 @@ namespace rubsweep::map {
 /// at once.
 class RefinedCells {
  public:
-  /// Nothing is known. The grid must outlive it.
+  /// Begins without any labels. The grid must outlive this object.
   explicit RefinedCells(const sweep::Grid& grid);
 
-  /// All cells that any journal of the directory holds. Throws IoError.
+  /// Reads all cells in the journals of the directory. Throws IoError.
   void read(const MapDirectory& directory);
 
-  /// A finished cell with its line of the map.
+  /// Adds a finished cell with its line of the map.
   void add(std::size_t cell, const std::string& line);
 
   /// Cells that the map needs next, ascending; none when it is complete.
   std::vector<std::size_t> wanted() const;
 
-  /// Cost of a complete map and the islands that it may miss, for a terminal.
+  /// Text for a terminal on a complete map: its cost, and the size of islands that it may miss.
   std::string description() const;
 
  private:
   const sweep::Grid& grid_;
   std::vector<int> labels_;
-  std::map<std::string, int> numbers_;  ///< numbers of the labels
+  std::map<std::string, int> numbers_;  ///< number of each label
 };
 
 /// Writes `painted.csv` beside the complete refined map at `map`: a row for every cell of `grid` with its
-/// axes, class, order and kind, and whether it was computed (1) or shows the motion of its block (0, see
-/// sweep/refinement.hpp). Throws IoError, also where a row of the map is no cell of the grid.
+/// values on the axes, class, order and kind. The last column is 1 if the cell was computed, or 0 if it shows
+/// the motion of its block (see sweep/refinement.hpp). Throws IoError, also where a row of the map is no cell
+/// of the grid.
 void write_painted_map(const std::filesystem::path& map, const sweep::Grid& grid,
                        const batch::TableSource& source);
 

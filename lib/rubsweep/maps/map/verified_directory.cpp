@@ -30,11 +30,12 @@ constexpr std::string_view config_file = "config.yaml", labels_file = "labels.cs
 /// Head of a table.
 struct TableHead {
   std::string program, digest;
-  std::vector<std::string> files;  ///< files written with it, or that it is made of
+  std::vector<std::string> files;  ///< files that were written with the table, or that it is made from
 
   bool is_of(std::string_view name) const { return program.starts_with(std::string(name) + ' '); }
 
-  /// Whether its digest is that of the study in config.yaml; of a recording or a data set it is another one.
+  /// Whether the digest of the table is the digest of the study in config.yaml. A recording or a data set has
+  /// another one.
   bool tells_the_study() const {
     return !is_of("rubscope") && !is_of("rubdiagnose") && !is_of("rubdata") && !is_of("rubsweep-compare");
   }
@@ -83,7 +84,7 @@ class Verification {
       fault(fmt::format("{}: rubbranch --map has not finished", name));
     } else if (name.starts_with("map.") && name.ends_with(".journal") && !has("map.csv")) {
       fault(fmt::format("{}: the map is not finished", name));
-    } else if (name == "recordings.journal") {  // stays, so that a lost recording is made again
+    } else if (name == "recordings.journal") {  // kept by its program, so that a lost recording is made again
       if (!has(labels_file)) fault(fmt::format("{}: the set of recordings is not finished", name));
     } else if (name.ends_with(".journal")) {
       remark(fmt::format("{}: its results are there, the next call removes it", name));
@@ -130,7 +131,7 @@ class Verification {
     }
   }
 
-  /// A page without a checksum is ours beside a map alone.
+  /// Checks a page. One without a checksum counts as ours only if it is the report of a map.
   void look_at_page(const std::string& name) {
     const bool of_map = name == report_page_file && has("map.csv");
     const CheckedPage checked = check_page_file(directory_ / name, of_map);
@@ -148,7 +149,8 @@ class Verification {
     verdict_.files.push_back(name);
   }
 
-  /// Files whose sums a table tells; a configuration may be annotated as long as its digest stays.
+  /// Checks files whose checksums stand in a table. A configuration may be annotated as long as its digest is
+  /// the same.
   void look_at_summed() {
     for (const auto& [name, sums] : sums_) {
       if (!has(name)) continue;
@@ -175,13 +177,13 @@ class Verification {
     if (!as_written_.contains(config_file)) verdict_.files.emplace_back(config_file);
   }
 
-  /// All that lies in one directory belongs to the map there, or to the configuration.
+  /// Checks that all tables in the directory belong to the map there, or else to the configuration.
   void compare_digests() {
     const auto map = heads_.find("map.csv");
     auto first = map;
     for (auto head = heads_.begin(); first == heads_.end() && head != heads_.end(); ++head)
       if (head->second.tells_the_study()) first = head;
-    std::map<std::string, std::string> of_program;  // programs of files that tell no study
+    std::map<std::string, std::string> of_program;  // digest by program, for tables without a study
     for (const auto& [name, head] : heads_) {
       const bool study = head.tells_the_study();
       const std::string& other =
@@ -197,7 +199,8 @@ class Verification {
     compare_configuration(first->first, first->second);
   }
 
-  /// The configuration that is written may be another one than the one that was read, as after a fit.
+  /// Compares config.yaml with the tables. After a fit the written configuration differs from the one that
+  /// was read.
   void compare_configuration(const std::string& table, const TableHead& head) {
     if (configuration_.digest.empty() || as_written_.contains(config_file)) return;
     if (configuration_.digest == digest_ && !head.is_of("rubfit")) return;
@@ -205,7 +208,7 @@ class Verification {
     if (summed && head.is_of("rubfit"))
       return fault(fmt::format("config.yaml: is not as it was written with {}", table));
     const bool of_this_version = head.program.ends_with(std::string(" ") + RUBSWEEP_VERSION);
-    // A later version may have keys that the digest of an earlier one did not know.
+    // A later version may have keys that are missing in the digest of an earlier version.
     if (!summed && (!of_this_version || head.is_of("rubfit"))) {
       remark(
           fmt::format("config.yaml: has digest {} by this version, {} is of {}: whether they belong together "
@@ -218,7 +221,7 @@ class Verification {
   }
 
   void check_files() {
-    std::map<std::string, std::string> listed;  // files and the table that names each
+    std::map<std::string, std::string> listed;  // listed files, each with the table that names it
     for (const auto& [name, head] : heads_)
       for (const std::string& file : head.files) listed.emplace(file, name);
     if (heads_.contains("map.csv")) listed.emplace(config_file, "map.csv");
@@ -272,14 +275,14 @@ class Verification {
 
   fs::path directory_;
   const ReadConfiguration& read_;
-  std::vector<std::string> names_;  ///< ascending
+  std::vector<std::string> names_;  ///< names in the directory, ascending
   std::map<std::string, TableHead, std::less<>> heads_;
-  std::map<std::string, std::set<std::string>, std::less<>> sums_;  ///< digests of other files, by tables
+  std::map<std::string, std::set<std::string>, std::less<>> sums_;  ///< checksums of files, given by tables
   std::set<std::string, std::less<>> as_written_;                   ///< files whose digest agrees
-  std::vector<std::string> pages_;                                  ///< pages that are whole
-  std::string page_;                                                ///< report.html, where it is ours
+  std::vector<std::string> pages_;                                  ///< pages that are undamaged
+  std::string page_;                                                ///< text of report.html, if it is ours
   VerifiedConfiguration configuration_;
-  std::string digest_;  ///< digest of all that belongs together
+  std::string digest_;  ///< digest of the study that the files belong to
   DirectoryVerdict verdict_;
 };
 

@@ -13,21 +13,21 @@ namespace rubsweep::map {
 /// Facts from config.yaml, as the program that wrote it reads it.
 struct VerifiedConfiguration {
   std::string digest;
-  std::optional<sweep::Study> study = {};  ///< study of a rotor
+  std::optional<sweep::Study> study = {};  ///< study, for a configuration of a rotor
 };
 using ReadConfiguration = std::function<VerifiedConfiguration(const std::filesystem::path& file)>;
 
-/// Verdict on a directory of results that no program is at work in.
+/// Verdict on a directory of results where no program is at work.
 struct DirectoryVerdict {
-  std::vector<std::string> faults;   ///< why it is not whole; none: it is
-  std::vector<std::string> remarks;  ///< on facts that are uncertain or do no harm
-  std::vector<std::string> files;    ///< names of those that were checked
+  std::vector<std::string> faults;   ///< reasons why it is not whole; none: it is whole
+  std::vector<std::string> remarks;  ///< uncertain or harmless facts
+  std::vector<std::string> files;    ///< names of the files that were checked
 };
 
-/// Checks whether the results in a directory, of whichever program, are whole and belong together: every
-/// table by its checksum, by its digest and by the files that it was written with, the map by its cells, the
-/// configuration and the report by the digest of the map. Throws LockedError where a program is at work
-/// there, IoError where the directory cannot be read. `read` throws where the configuration is none.
+/// Checks whether the results in a directory, of any program, are whole and belong together. Tables are
+/// checked by checksum, by digest and by the files written with them, the map also by its cells,
+/// configuration and report by the digest of the map. Throws LockedError where a program is at work there,
+/// IoError where the directory cannot be read. `read` must throw where a file is no configuration.
 DirectoryVerdict verify_directory(const std::filesystem::path& directory, const ReadConfiguration& read);
 
 }  // namespace rubsweep::map

@@ -54,7 +54,7 @@ CheckedPage check_page_file(const fs::path& page, bool of_map) {
   checked.problem = batch::find_input(page).problem;
   if (!checked.problem.empty()) return checked;
   const bool marked = begin_of(page).find("\n<!-- sha256 ") != std::string::npos;
-  if (!marked && !of_map) return checked;  // a file of anybody, and of any size
+  if (!marked && !of_map) return checked;  // some other file, which may be of any size
   checked.text = batch::read_input(page);
   const batch::PageSum sum = batch::check_page(checked.text);
   checked.summed = sum != batch::PageSum::none;

@@ -10,37 +10,39 @@
 
 namespace rubsweep::map {
 
-/// First bytes of a file, enough for the head of a table; empty where there is no regular file.
+/// First bytes of a file, enough for the head of a table; empty where it is no regular file.
 std::string begin_of(const std::filesystem::path& file);
 
-/// Whether a table says that a program of ours wrote it, by any of the lines of its head.
+/// Whether a program of ours wrote a table, as any line of its head shows.
 struct Origin {
   bool ours = false;
-  std::string why_not;  ///< "it is not a regular file", "is empty"
+  std::string why_not;  ///< reason if not, such as "it is not a regular file", "is empty"
 };
 Origin origin_of(const std::filesystem::path& table);
 
-/// Whether a table in the directory says that this program wrote it.
+/// Whether a table in the directory names this program in its head.
 bool was_written_by(std::string_view program, const std::filesystem::path& directory);
 
-/// Empty where the SHA-256 of a file is one of `sums`, with ends of lines in CR LF or not; otherwise what is
-/// wrong. An empty sum says that it is not known: then the file must only be there and not empty.
+/// Compares the SHA-256 of a file with `sums`, with line ends LF or CR LF. Returns what is wrong, or an empty
+/// text if one of them agrees. An empty sum is an unknown one: then the file must only exist and not be
+/// empty.
 std::string problem_of(const std::filesystem::path& file, const std::set<std::string>& sums);
 
-/// Verdict on a page of HTML; one without a checksum is looked at only where it is the report of a map.
+/// Verdict on an HTML page. A page without a checksum is checked only if it is the report of a map.
 struct CheckedPage {
   std::string text;
-  bool summed = false;  ///< true: the file has a checksum, and so has ours
+  bool summed = false;  ///< true: the file has a checksum, so it is one of ours
   std::string problem;
 };
 CheckedPage check_page_file(const std::filesystem::path& page, bool of_map);
 
-/// Whether kept cases of a diagnosis are as their first line says; empty where they are none.
+/// Whether the file of cases that a diagnosis kept is undamaged, as its first line tells; empty for any other
+/// file.
 std::optional<bool> are_cases_whole(const std::filesystem::path& file);
 
-/// Verdict on the recordings that the labels of a set name.
+/// Verdict on the recordings that the table of labels names.
 struct CheckedRecordings {
-  bool summed = false;  ///< the labels have their checksums
+  bool summed = false;  ///< true: the labels contain checksums of the recordings
   std::size_t whole = 0;
   std::vector<std::string> faults;
 };

@@ -12,7 +12,8 @@
 
 namespace rubsweep::matlab {
 
-/// Bytes of a file from front to back, in either order of bytes. What would go beyond the end is a FileError.
+/// Reads the bytes of a file from front to back, in either byte order. Throws FileError at the end of the
+/// bytes.
 class Bytes {
  public:
   Bytes(std::string_view rest, bool swapped) : rest_(rest), swapped_(swapped) {}
@@ -42,7 +43,7 @@ class Bytes {
   bool swapped_;
 };
 
-/// Types of stored numbers, as version 5 counts them.
+/// Types of stored numbers, with their codes in version 5.
 enum class Stored : std::uint32_t {
   int8 = 1,
   uint8 = 2,
@@ -56,7 +57,7 @@ enum class Stored : std::uint32_t {
   uint64 = 13
 };
 
-/// Takes `count` numbers. Throws FileError where there are fewer, or the type is none of these.
+/// Takes `count` numbers. Throws FileError where fewer bytes are left, or the type is not in the list above.
 inline std::vector<double> take_numbers(Bytes& bytes, Stored type, std::size_t count) {
   const auto all = [&]<class Number>(Number) {
     if (count > bytes.left() / sizeof(Number)) throw FileError{"breaks off"};
@@ -89,7 +90,8 @@ inline std::vector<double> take_numbers(Bytes& bytes, Stored type, std::size_t c
   throw FileError{"is damaged: numbers of an unknown type"};
 }
 
-/// A sparse matrix as a full one: rows of the stored values, and which of them each column begins with.
+/// Full matrix of a sparse one: `row` has the row of each stored value, `begin` the index of the first value
+/// of each column.
 inline std::vector<double> full_matrix(const Variable& head, const std::vector<double>& row,
                                        const std::vector<double>& begin, const std::vector<double>& stored) {
   const std::size_t rows = head.dims[0], columns = head.dims[1];

@@ -12,7 +12,7 @@
 namespace rubsweep::matlab {
 namespace {
 
-/// Types by the digit P of the type MOPT.
+/// Types of numbers by the digit P of the type code MOPT of version 4.
 constexpr std::array<Stored, 6> stored_types{Stored::double_, Stored::single_, Stored::int32,
                                              Stored::int16,   Stored::uint16,  Stored::uint8};
 
@@ -28,7 +28,7 @@ Type type_of(std::int32_t mopt) {
   return {mopt / 1000, mopt / 100 % 10, mopt / 10 % 10, mopt % 10};
 }
 
-/// Sparse: rows of row, column and value, the last one of which says the size.
+/// Reads a sparse matrix: lines of row, column and value, the last of which gives the size of the matrix.
 void read_sparse(Variable& variable, std::size_t rows, const std::vector<double>& table,
                  const Wanted& wanted) {
   const auto at = [&](std::size_t row, std::size_t column) { return table[column * rows + row]; };
@@ -47,14 +47,14 @@ void read_sparse(Variable& variable, std::size_t rows, const std::vector<double>
   }
 }
 
-/// Variables of a file of version 4. Throws FileError.
+/// Reads the variables of a file of version 4. Throws FileError.
 std::vector<Variable> read_version_4(std::string_view bytes, const Wanted& wanted) {
   const Type first = type_of(Bytes(bytes, false).number<std::int32_t>());
   Bytes in(bytes, !(first.is_sound() && first.order == 0));
   std::vector<Variable> variables;
   while (in.left() > 0) {
     const Type type = type_of(in.number<std::int32_t>());
-    std::array<std::int32_t, 4> head{};  // rows, columns, whether complex, letters of the name
+    std::array<std::int32_t, 4> head{};  // rows, columns, 1 if complex, length of the name
     for (std::int32_t& number : head) {
       number = in.number<std::int32_t>();
       if (number < 0) throw FileError{"is damaged: a size below 0"};

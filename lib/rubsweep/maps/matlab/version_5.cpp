@@ -12,7 +12,8 @@
 namespace rubsweep::matlab {
 namespace {
 
-/// Unpacks until the end, or until there are more than `most` bytes; `ended` says which.
+/// Unpacks until the end, or until there are more than `most` bytes; `ended` tells whether the end was
+/// reached.
 std::string unpack(std::string_view packed, std::size_t most, bool& ended) {
   struct Stream : z_stream {
     Stream() : z_stream{} {
@@ -47,9 +48,10 @@ std::string unpack(std::string_view packed, std::size_t most, bool& ended) {
 constexpr std::uint32_t matrix_type = 14, compressed_type = 15;
 
 /// Classes of arrays.
-constexpr std::uint32_t structure_class = 2, sparse_class = 5, last_number_class = 15, opaque_class = 17;
+constexpr std::uint32_t cell_class = 1, structure_class = 2, sparse_class = 5, last_number_class = 15,
+                        opaque_class = 17;
 
-/// A tag and the bytes that it announces.
+/// Data element: a tag, and the bytes whose type and size the tag gives.
 struct Element {
   std::uint32_t type = 0;
   Bytes data;
@@ -57,7 +59,7 @@ struct Element {
 
 Element take_element(Bytes& in) {
   const auto tag = in.number<std::uint32_t>();
-  if (const std::uint32_t size = tag >> 16; size > 0) {  // four bytes at most, in the tag itself
+  if (const std::uint32_t size = tag >> 16; size > 0) {  // small element of up to four bytes inside the tag
     if (size > 4) throw FileError{"is damaged: an element of another size than it can have"};
     return {tag & 0xffff, Bytes(in.take(4).substr(0, size), in.swapped())};
   }
@@ -90,24 +92,39 @@ std::vector<double> read_sparse(Bytes& in, const Variable& head) {
   return full_matrix(head, row, begin, all_numbers(take_element(in)));
 }
 
-Variable read_array(Bytes in, const Wanted& wanted, bool in_structure);
+Variable read_array(Bytes in, const Wanted& wanted, int depth);
 
-void read_fields(Bytes& in, Variable& variable, const Wanted& wanted) {
+/// An array in another one.
+Variable read_part(Bytes& in, const Wanted& wanted, int depth) {
+  const Element part = take_element(in);
+  if (part.type != matrix_type) throw FileError{"is damaged: a field that is no array"};
+  return part.data.left() > 0 ? read_array(part.data, wanted, depth + 1) : Variable{};
+}
+
+void read_fields(Bytes& in, Variable& variable, const Wanted& wanted, int depth) {
   const std::vector<double> length = all_numbers(take_element(in));
   const std::string names = text_of(take_element(in));
   if (length.size() != 1 || !(length[0] >= 1)) throw FileError{"is damaged: a structure without names"};
   const auto step = static_cast<std::size_t>(length[0]);
-  for (std::size_t begin = 0; begin + step <= names.size() && in.left() > 0; begin += step) {
-    const Element field = take_element(in);
-    if (field.type != matrix_type) throw FileError{"is damaged: a field that is no array"};
-    variable.fields.push_back(field.data.left() > 0 ? read_array(field.data, wanted, true) : Variable{});
-    const std::string name = names.substr(begin, step);
-    variable.fields.back().name = name.substr(0, name.find('\0'));
+  if (names.size() < step) return;
+  for (std::size_t one = 1; one <= count_of(variable) && in.left() > 0; ++one) {
+    for (std::size_t begin = 0; begin + step <= names.size() && in.left() > 0; begin += step) {
+      variable.fields.push_back(read_part(in, wanted, depth));
+      const std::string name = names.substr(begin, step);
+      variable.fields.back().name = field_name(name.substr(0, name.find('\0')), one);
+    }
+  }
+}
+
+void read_cells(Bytes& in, Variable& variable, const Wanted& wanted, int depth) {
+  for (std::size_t one = 1; one <= count_of(variable) && in.left() > 0; ++one) {
+    variable.fields.push_back(read_part(in, wanted, depth));
+    variable.fields.back().name = cell_name(one);
   }
 }
 
 /// An array from its flags on.
-Variable read_array(Bytes in, const Wanted& wanted, bool in_structure) {
+Variable read_array(Bytes in, const Wanted& wanted, int depth) {
   const std::vector<double> flags = all_numbers(take_element(in));
   if (flags.empty()) throw FileError{"is damaged: an array without flags"};
   const auto flag = static_cast<std::uint32_t>(flags[0]), kind = flag & 0xff;
@@ -120,9 +137,10 @@ Variable read_array(Bytes in, const Wanted& wanted, bool in_structure) {
     if (variable.dims.size() < 2) throw FileError{"is damaged: an array of fewer than two dimensions"};
   }
   variable.name = text_of(take_element(in));
-  if (kind == structure_class) {
+  if (kind == structure_class || kind == cell_class) {
     variable.kind = Variable::Kind::structure;
-    if (!in_structure) read_fields(in, variable, wanted);
+    if (depth < most_depth && kind == cell_class) read_cells(in, variable, wanted, depth);
+    if (depth < most_depth && kind == structure_class) read_fields(in, variable, wanted, depth);
   } else if (kind >= sparse_class && kind <= last_number_class) {
     variable.kind = Variable::Kind::numbers;
     if (wanted(variable))
@@ -152,7 +170,7 @@ std::vector<Variable> read_version_5(Bytes bytes, const Wanted& wanted) {
     std::string unpacked;
     if (element.type == compressed_type) {
       const std::string_view packed = element.data.take(element.data.left());
-      // libmatio says some bytes too few.
+      // libmatio writes a size that is a few bytes too small.
       constexpr std::size_t tag_bytes = 8, slack = 64;
       const std::string begin = inflate_begin(packed, tag_bytes);
       Bytes tag(begin, bytes.swapped());
@@ -166,7 +184,7 @@ std::vector<Variable> read_version_5(Bytes bytes, const Wanted& wanted) {
       element = {type, Bytes(std::string_view(unpacked).substr(tag_bytes), bytes.swapped())};
     }
     if (element.type != matrix_type) throw FileError{"is damaged: an element that is no array"};
-    variables.push_back(read_array(element.data, wanted, false));
+    variables.push_back(read_array(element.data, wanted, 0));
   }
   return variables;
 }

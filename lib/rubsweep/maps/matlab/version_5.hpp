@@ -11,24 +11,25 @@
 
 namespace rubsweep::matlab {
 
-/// Variables of a file of version 5, from behind its head. Throws FileError.
+/// Reads the variables of a file of version 5, beginning behind its head. Throws FileError.
 std::vector<Variable> read_version_5(Bytes bytes, const Wanted& wanted);
 
-/// A vector to be written under a name.
+/// Vector that is written under a name.
 struct NamedVector {
   std::string_view name;
   std::span<const double> values;
 };
 
-/// Bytes of a file of version 5 with these columns, compressed; `words` are its head, at most 116.
+/// Bytes of a compressed MATLAB file of version 5 with these vectors. `words` are the text of its head, at
+/// most 116 bytes.
 std::string version_5_file(std::string_view words, std::span<const NamedVector> columns);
 
-/// The first `count` bytes of what zlib packed, or fewer where it holds fewer. Throws FileError where it is
-/// damaged so far.
+/// First `count` bytes of data packed by zlib, or all of them if there are fewer. Throws FileError where the
+/// data are damaged before that.
 std::string inflate_begin(std::string_view packed, std::size_t count);
 
-/// All bytes of what zlib packed, to its end and with its checksum. Throws FileError where these are wrong,
-/// or it holds more than `most`.
+/// All bytes of data packed by zlib, with the checksum verified. Throws FileError where the data are damaged
+/// or unpack to more than `most` bytes.
 std::string inflate_all(std::string_view packed, std::size_t most);
 
 }  // namespace rubsweep::matlab

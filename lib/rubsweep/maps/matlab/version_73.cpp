@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "rubsweep/maps/matlab/bytes.hpp"
@@ -16,7 +17,7 @@ void* open_library() {
   return library;
 }
 
-/// File, object or type of HDF5, all of which it counts by numbers.
+/// Owns a file, object or type of HDF5, each of which has a numeric identifier.
 class Handle {
  public:
   Handle(const Hdf5Library& library, hid_t id) : library_(library), id_(id) {
@@ -36,28 +37,67 @@ class Reader {
  public:
   Reader(const Hdf5Library& library, const Wanted& wanted) : h5_(library), wanted_(wanted) {}
 
-  std::vector<Variable> read_group(hid_t group, bool in_structure) {
+  std::vector<Variable> read_group(hid_t group, int depth) {
     std::vector<Variable> variables;
     for (const std::string& name : names_in(group)) {
-      if (name.starts_with('#')) continue;  // cells and objects of MATLAB
+      if (name.starts_with('#')) continue;  // what cells and objects of MATLAB refer to
       const Handle object = open(group, name);
-      const H5I_type_t type = h5_.H5Iget_type(object);
-      Variable variable{.name = name};
-      if (type == H5I_GROUP && has(object, "MATLAB_sparse")) {
-        read_sparse(object, variable);
-      } else if (type == H5I_GROUP) {
-        variable.kind = Variable::Kind::structure;
-        variable.dims = {1, 1};
-        if (!in_structure) variable.fields = read_group(object, true);
-      } else if (type == H5I_DATASET) {
-        read_dataset(object, variable);
+      if (depth > 0 && refers(object) && !is_class(object, "cell")) {  // a field of an array of structures
+        std::size_t place = 0;
+        for (Variable& one : referred(object, depth)) {
+          one.name = field_name(name, ++place);
+          variables.push_back(std::move(one));
+        }
+      } else {
+        variables.push_back(read_object(object, name, depth));
       }
-      variables.push_back(std::move(variable));
     }
     return variables;
   }
 
  private:
+  Variable read_object(hid_t object, const std::string& name, int depth) {
+    constexpr std::size_t most_variables = 100000;
+    if (++variables_ > most_variables) throw FileError{"holds more than 100000 variables", "fewer"};
+    Variable variable{.name = name};
+    const H5I_type_t type = h5_.H5Iget_type(object);
+    if (type == H5I_GROUP && has(object, "MATLAB_sparse")) {
+      read_sparse(object, variable);
+    } else if (type == H5I_GROUP) {
+      variable.kind = Variable::Kind::structure;
+      variable.dims = {1, 1};
+      if (depth < most_depth) variable.fields = read_group(object, depth + 1);
+    } else if (type == H5I_DATASET && refers(object) && is_class(object, "cell")) {
+      variable.kind = Variable::Kind::structure;
+      variable.dims = dims_of(object);
+      if (depth < most_depth) variable.fields = referred(object, depth);
+    } else if (type == H5I_DATASET) {
+      read_dataset(object, variable);
+    }
+    return variable;
+  }
+
+  bool refers(hid_t object) const {
+    if (h5_.H5Iget_type(object) != H5I_DATASET) return false;
+    const Handle type{h5_, h5_.H5Dget_type(object)};
+    return h5_.H5Tget_class(type) == H5T_REFERENCE && h5_.H5Tget_size(type) == sizeof(hobj_ref_t);
+  }
+
+  /// Objects that a dataset of references refers to, each named as a cell.
+  std::vector<Variable> referred(hid_t dataset, int depth) {
+    const Handle type{h5_, h5_.H5Dget_type(dataset)};
+    std::vector<hobj_ref_t> references(count_of({.name = "a cell", .dims = dims_of(dataset)}));
+    if (references.empty()) return {};
+    require_own_numbers(dataset, "a cell");
+    require(h5_.H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, references.data()) >= 0, "a cell");
+    std::vector<Variable> variables;
+    for (std::size_t k = 0; k < references.size(); ++k) {
+      const Handle object{h5_, h5_.H5Rdereference2(dataset, H5P_DEFAULT, H5R_OBJECT, &references[k])};
+      variables.push_back(read_object(object, cell_name(k + 1), depth + 1));
+    }
+    return variables;
+  }
+
   void require(bool sound, const std::string& name) const {
     if (!sound) throw FileError{"is damaged: '" + name + "' cannot be read"};
   }
@@ -80,7 +120,7 @@ class Reader {
     return names;
   }
 
-  /// An object that the group itself holds.
+  /// Opens an object that is in the group itself, not a link.
   Handle open(hid_t group, const std::string& name) const {
     H5L_info_t facts{};
     require(h5_.H5Lget_info(group, name.c_str(), &facts, H5P_DEFAULT) >= 0, name);
@@ -93,7 +133,7 @@ class Reader {
 
   bool has(hid_t object, const char* attribute) const { return h5_.H5Aexists(object, attribute) > 0; }
 
-  bool is_text(hid_t object) const {
+  bool is_class(hid_t object, std::string_view name) const {
     if (!has(object, "MATLAB_class")) return false;
     const Handle attribute{h5_, h5_.H5Aopen(object, "MATLAB_class", H5P_DEFAULT)};
     const Handle type{h5_, h5_.H5Aget_type(attribute)};
@@ -102,10 +142,10 @@ class Reader {
     if (h5_.H5Tget_class(type) != H5T_STRING || h5_.H5Tis_variable_str(type) != 0 || size > longest)
       return false;
     std::string word(size, '\0');
-    return h5_.H5Aread(attribute, type, word.data()) >= 0 && word.starts_with("char");
+    return h5_.H5Aread(attribute, type, word.data()) >= 0 && word.starts_with(name);
   }
 
-  /// Sizes in MATLAB's order, the reverse of HDF5's.
+  /// Dimensions in MATLAB's order, the reverse of HDF5's.
   std::vector<std::size_t> dims_of(hid_t dataset) const {
     const Handle space{h5_, h5_.H5Dget_space(dataset)};
     const int rank = h5_.H5Sget_simple_extent_ndims(space);
@@ -117,14 +157,18 @@ class Reader {
     return dims;
   }
 
+  void require_own_numbers(hid_t dataset, const std::string& name) const {
+    const Handle made{h5_, h5_.H5Dget_create_plist(dataset)};
+    if (h5_.H5Pget_external_count(made) != 0 || h5_.H5Pget_layout(made) == H5D_VIRTUAL)
+      throw FileError{"leads elsewhere: the numbers of '" + name + "' are in another file",
+                      "a file that holds its variables itself"};
+    require(h5_.H5Dget_storage_size(dataset) > 0, name);
+  }
+
   std::vector<double> numbers_of(hid_t dataset, const Variable& head) const {
     std::vector<double> values(count_of(head));
     if (values.empty()) return values;
-    const Handle made{h5_, h5_.H5Dget_create_plist(dataset)};
-    if (h5_.H5Pget_external_count(made) != 0 || h5_.H5Pget_layout(made) == H5D_VIRTUAL)
-      throw FileError{"leads elsewhere: the numbers of '" + head.name + "' are in another file",
-                      "a file that holds its variables itself"};
-    require(h5_.H5Dget_storage_size(dataset) > 0, head.name);
+    require_own_numbers(dataset, head.name);
     require(h5_.H5Dread(dataset, h5_.doubles, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, head.name);
     return values;
   }
@@ -135,12 +179,12 @@ class Reader {
     variable.dims = dims_of(dataset);
     variable.complex = kind == H5T_COMPOUND;
     const bool numbers = kind == H5T_INTEGER || kind == H5T_FLOAT || kind == H5T_COMPOUND;
-    if (!numbers || has(dataset, "MATLAB_empty") || is_text(dataset)) return;
+    if (!numbers || has(dataset, "MATLAB_empty") || is_class(dataset, "char")) return;
     variable.kind = Variable::Kind::numbers;
     if (!variable.complex && wanted_(variable)) variable.values = numbers_of(dataset, variable);
   }
 
-  /// A group of values, their rows, and which of them each column begins with.
+  /// Reads a sparse matrix: a group of values, their rows, and the index of the first value of each column.
   void read_sparse(hid_t group, Variable& variable) const {
     std::uint64_t rows = 0;
     const Handle attribute{h5_, h5_.H5Aopen(group, "MATLAB_sparse", H5P_DEFAULT)};
@@ -148,7 +192,7 @@ class Reader {
     require(h5_.H5Tget_size(type) == sizeof rows && h5_.H5Aread(attribute, type, &rows) >= 0, variable.name);
     const auto part = [&](const char* name) {
       if (h5_.H5Lexists(group, name, H5P_DEFAULT) <= 0)
-        return std::vector<double>();  // a matrix of zeros has none
+        return std::vector<double>();  // a matrix of zeros has no such data set
       const Handle dataset = open(group, name);
       require(h5_.H5Iget_type(dataset) == H5I_DATASET, variable.name);
       const Handle kind{h5_, h5_.H5Dget_type(dataset)};
@@ -166,6 +210,7 @@ class Reader {
 
   const Hdf5Library& h5_;
   const Wanted& wanted_;
+  std::size_t variables_ = 0;
 };
 
 }  // namespace
@@ -173,7 +218,7 @@ class Reader {
 void* Hdf5Library::symbol(const char* name) {
   void* const library = open_library();
   void* found = library == nullptr ? nullptr : dlsym(library, name);
-  // In a program that is linked with the same library, its numbers are those of the program.
+  // In a program that is linked with the same library, the variables are the program's own copies.
   if (found != nullptr && dlsym(RTLD_DEFAULT, "H5open") == dlsym(library, "H5open"))
     found = dlsym(RTLD_DEFAULT, name);
   if (found == nullptr)
@@ -205,9 +250,9 @@ std::vector<Variable> read_version_73(std::string_view bytes, const Wanted& want
   if (library.H5Pset_fapl_core(access, step, 0) < 0 ||
       library.H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()) < 0)
     throw FileError{"cannot be read by HDF5"};
-  // HDF5 reads what is in memory, and refuses the name of a file that there is.
+  // HDF5 reads the bytes in memory, but it needs a file name that does not exist.
   const Handle file{library, library.H5Fopen("/dev/null/matlab", 0, access)};
-  return Reader(library, wanted).read_group(file, false);
+  return Reader(library, wanted).read_group(file, 0);
 }
 
 }  // namespace rubsweep::matlab

@@ -9,13 +9,13 @@
 
 namespace rubsweep::matlab {
 
-/// Functions and numbers of the library of HDF5, which no program is linked with: it brings a dozen others,
-/// of the network too, and few read such files. A name may be a macro that stands for that of a version.
+/// Functions and variables of the HDF5 library, which is loaded only when needed and not linked: it brings a
+/// dozen other libraries, and few users read such files. A function name may be a macro for a versioned name.
 #define RUBSWEEP_TEXT_OF(name) #name
 #define RUBSWEEP_HDF5(name) \
   decltype(&::name) name = reinterpret_cast<decltype(&::name)>(symbol(RUBSWEEP_TEXT_OF(name)))
 struct Hdf5Library {
-  /// Opens the library, once. Throws FileError where there is none.
+  /// Opens the library, once. Throws FileError where it is not installed.
   static const Hdf5Library& get();
 
   RUBSWEEP_HDF5(H5open);
@@ -46,9 +46,10 @@ struct Hdf5Library {
   RUBSWEEP_HDF5(H5Dget_create_plist);
   RUBSWEEP_HDF5(H5Dget_storage_size);
   RUBSWEEP_HDF5(H5Dread);
+  RUBSWEEP_HDF5(H5Rdereference2);
   RUBSWEEP_HDF5(H5Sget_simple_extent_ndims);
   RUBSWEEP_HDF5(H5Sget_simple_extent_dims);
-  // Numbers that HDF5's own macros look up in the library.
+  // Identifiers to which HDF5's own macros refer.
   hid_t doubles = -1, file_access = -1;
 
  private:
@@ -58,10 +59,9 @@ struct Hdf5Library {
 #undef RUBSWEEP_HDF5
 #undef RUBSWEEP_TEXT_OF
 
-/// Variables of the bytes of a file of version 7.3, which is one of HDF5, in the order of the alphabet. The
-/// library of HDF5 is opened when it is needed for the first time, says nothing itself, and loads no filters
-/// of others. Throws FileError, also where there is no such library, and where a variable is a link or keeps
-/// its numbers in another file.
+/// Variables of a file of version 7.3, an HDF5 file, from its bytes, in alphabetical order. The HDF5 library
+/// is opened at the first call, with its error messages off and without filter plugins. Throws FileError,
+/// also where the library is missing, and where a variable is a link or keeps its numbers in another file.
 std::vector<Variable> read_version_73(std::string_view bytes, const Wanted& wanted);
 
 }  // namespace rubsweep::matlab

@@ -36,7 +36,7 @@ std::string explain_casing(const model::Stop& stop, double rotor_mass_kg) {
       stop.casing->mass_kg, hz, stop.casing->damping_ratio, half_period_ms);
 }
 
-/// Says that largest forces depend on rotor.modes; docs/method/rotors.md says by how much.
+/// Line that says that the largest forces depend on rotor.modes; docs/method/rotors.md says by how much.
 std::string explain_fast_contact(const model::Stop& stop, double rotor_mass_kg, const model::RotorKit& kit) {
   const double contact_hz = 1 / (2 * contact_half_period_s(stop, rotor_mass_kg));
   if (contact_hz <= kit.modes_up_to_hz) return "";
@@ -46,7 +46,7 @@ std::string explain_fast_contact(const model::Stop& stop, double rotor_mass_kg, 
       contact_hz, kit.modes_up_to_hz);
 }
 
-/// Law that is not linear, and what a free impact there really returns.
+/// Line about a force law that is not linear, with the restitution of a free impact at this stop.
 std::string explain_law(const model::Stop& stop) {
   const model::NormalLaw& law = stop.law;
   const contact::CurvedLaw curve(stop);
@@ -70,8 +70,8 @@ std::string explain_law(const model::Stop& stop) {
                       contact::restitution_of_factor(curve.factor()));
   if (curve.remembers())
     text +=
-        "    the motion goes by how each contact began: no proof of a period, no exponent, two windows "
-        "decide\n";
+        "    the motion goes by how each contact began: no proof of a period where one touches "
+        "at phase 0 of a turn\n";
   return text;
 }
 
@@ -132,7 +132,8 @@ std::string describe(const model::StopGeometry& geometry) {
                     geometry);
 }
 
-/// Sag of a stop whose clearance counts from where weight and static loads leave the shaft.
+/// Line about the sag at a stop whose clearance counts from the position of the shaft under weight and static
+/// loads.
 std::string explain_sag(const scene::PreparedMachine& prepared, std::size_t stop) {
   if (!model::kit_of(prepared.machine)->clearances_from_sag) return "";
   const Eigen::Vector2d sag = scene::sag_m(prepared, stop);

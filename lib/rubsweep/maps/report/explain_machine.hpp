@@ -9,12 +9,12 @@
 
 namespace rubsweep::report {
 
-/// Lines about one stop for `--explain`: its geometry, force law, friction and casing. `cell` is of the speed
-/// at which slip and friction saturation are stated.
+/// Lines for `--explain` on one stop: geometry, force law, friction and casing. Slip and saturation of
+/// friction are stated at the speed of `cell`.
 std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Cell& cell, std::size_t stop);
 
-/// Explanation of a run of `machine` for a terminal: its model, the omissions and their reasons. `speed_hz`
-/// is the speed at which slip and friction saturation are stated, the lowest of a sweep.
+/// Explanation of `machine` for a terminal: the model, and what it leaves out and why. Slip and saturation of
+/// friction are stated at `speed_hz`, the lowest speed of a sweep.
 std::string explain_machine(const model::Machine& machine, double speed_hz);
 
 }  // namespace rubsweep::report

@@ -23,7 +23,7 @@ std::string name_of(const model::DegreeOfFreedom& one) {
   return fmt::format("{} of node {}", to_string(one.direction), one.node);
 }
 
-/// Whether a matrix has one and the same number for both orders of two places.
+/// Line that says whether a matrix is symmetric, and if not, where it differs most from its transpose.
 std::string explain_symmetry(const model::ShaftMatrices& matrices, std::string_view name,
                              const Eigen::MatrixXd& matrix) {
   if (matrix.isZero(0)) return fmt::format("  {}: none\n", name);
@@ -46,7 +46,7 @@ std::size_t massless(const model::ShaftMatrices& matrices) {
   return count;
 }
 
-/// Its name in the file that it was read from.
+/// Name of a support in the file that it was read from, in parentheses.
 std::string named(const model::Support& support) {
   return support.name.empty() ? "" : " (" + support.name + ")";
 }
@@ -102,8 +102,8 @@ std::string explain_faults(const model::RotorKit& kit) {
   return text;
 }
 
-/// At another speed supports by tables are others: where the whirl is unstable is then said of the sweep
-/// alone.
+/// Line about damping that turns with the shaft. The speed from which on the whirl is unstable is left out
+/// where supports follow tables, since the supports are then different at every speed.
 std::string explain_rotating_damping(const scene::PreparedMachine& prepared, const model::RotorKit& kit,
                                      bool by_tables) {
   if (!model::has_rotating_damping(kit)) return "";
@@ -127,7 +127,7 @@ std::string explain_shaft(const model::RotorKit& kit) {
       kit.bow ? ", residual bow" : "", kit.torsion ? ", torsion against the drive (1 coordinate)" : "");
 }
 
-/// Couplings that are not equally stiff all around.
+/// Line about couplings whose stiffness depends on the direction of bending.
 std::string explain_second_harmonic(const scene::PreparedMachine& prepared) {
   if (prepared.assembly.second_n.size() == 0) return "";
   return "  couplings that are stiffer along one axis: a force twice per revolution, whatever the unbalance; "
@@ -243,7 +243,7 @@ std::string describe_sparse_tables(const model::Machine& machine) {
 }
 
 std::string describe_many_modes(const scene::PreparedMachine& prepared) {
-  // The exact solver's work at every step grows with them.
+  // With more modes every step of the exact solver becomes slower.
   constexpr std::size_t many = 12;
   const model::RotorKit* kit = model::kit_of(prepared.machine);
   if (kit == nullptr || !prepared.reduction || !prepared.reduction->automatic) return "";

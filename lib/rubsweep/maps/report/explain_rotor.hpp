@@ -9,24 +9,22 @@
 
 namespace rubsweep::report {
 
-/// Lines about the rotor of a machine for `--explain`: its coordinates, what of it is reduced and left out.
-/// `by_tables`: supports of the machine follow the speed, and `prepared` is the machine at one of its speeds.
+/// Lines for `--explain` on the rotor of a machine: its coordinates, how it is reduced and what is left out.
+/// `by_tables`: supports depend on the speed by tables, and `prepared` is the machine at one of its speeds.
 std::string explain_rotor(const scene::PreparedMachine& prepared, bool by_tables);
 
-/// Lines about the matrices of a kit: their size, mass and nodes, and what of them is symmetric and what is
-/// not.
+/// Lines about the matrices of a kit: size, mass, nodes, and which matrices are symmetric.
 std::string explain_matrices(const model::RotorKit& kit);
 
-/// For people: the coefficients of every support that follows a table, at the slowest, a middle and the
-/// fastest of these speeds, which the tables must reach. Empty where there is no table.
+/// Lines for people: coefficients of every support that follows a table, at the slowest, a middle and the
+/// fastest of these speeds, all of which must lie within the tables. Empty where there is no table.
 std::string explain_tables(const model::Machine& machine, std::vector<double> speeds_hz);
 
-/// One line for every table with so few points that the curve between them is left to chance; empty where
-/// there is none.
+/// One line for every table with too few points to fix the curve between them; empty where there is none.
 std::string describe_sparse_tables(const model::Machine& machine);
 
-/// Advice on the key to lower where `modes: auto` keeps so many modes of a rotor kit that cells become slow,
-/// one line without its end; empty where it does not.
+/// Advice to lower a key where `modes: auto` keeps so many modes of a rotor kit that cells become slow. One
+/// line without a line end; empty where no advice is needed.
 std::string describe_many_modes(const scene::PreparedMachine& prepared);
 
 }  // namespace rubsweep::report

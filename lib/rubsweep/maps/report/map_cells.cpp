@@ -14,7 +14,7 @@ namespace {
 
 using batch::csv_number;
 
-/// Name of the row that was read last, from these columns.
+/// Name of the cell to which the row read last belongs: the names and texts of these columns.
 std::string name_of_row(const batch::CsvReader& row, const std::vector<std::size_t>& columns) {
   std::string name;
   for (const std::size_t column : columns)

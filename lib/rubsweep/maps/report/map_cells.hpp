@@ -12,8 +12,8 @@
 
 namespace rubsweep::report {
 
-/// Which cell a row of map.csv is: speed in Hz, unbalance in the unit of the second axis, then the axes over
-/// keys of the configuration.
+/// Numbers that identify the cell of a row of map.csv: speed in Hz, unbalance in the unit of the second axis,
+/// then the values of the axes over keys.
 using CellKey = std::vector<double>;
 
 /// A cell and the position of its row.
@@ -25,41 +25,41 @@ struct CellPlace {
 /// Text after `mark` in the comments of a map; empty where there is none.
 std::string comment_after(const batch::CsvReader& map, std::string_view mark);
 
-/// whirl_ratio or eccentricity_m, whichever the two maps are swept over: the axis holds few values that come
-/// again and again in both, the other measure follows from it, and may be empty. Throws IoError where a
-/// column is missing or a file cannot be read.
+/// Column of the second axis, whirl_ratio or eccentricity_m, of two maps. It is the one with few values that
+/// recur all over both maps; the other column follows from it and may be empty. Throws IoError where a column
+/// is missing or a file cannot be read.
 std::string second_axis(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// The columns of the axes over keys, which hold no comma.
+/// Columns of the axes over keys. Their names hold no comma.
 std::vector<std::string> keys_of(const batch::CsvReader& map);
 
 /// Columns that identify the cell of a row. Throws IoError where one is missing.
 std::vector<std::size_t> key_columns(const batch::CsvReader& map, const std::string& axis,
                                      const std::vector<std::string>& keys);
 
-/// Key of the row that was read last, by its `key_columns`. Throws IoError where one holds no number.
+/// Key of the row that was read last, by its `key_columns`. Throws IoError where one of them holds no number.
 CellKey key_of(const batch::CsvReader& row, const std::vector<std::size_t>& columns);
 
-/// The rows of a map, in the order of their cells. Throws IoError where a cell is there twice.
+/// Rows of a map, sorted by their cells. Throws IoError where a cell occurs twice.
 std::vector<CellPlace> rows_by_cell(const std::filesystem::path& map, const std::string& axis,
                                     const std::vector<std::string>& keys);
 
-/// Place of a cell in the list of `rows_by_cell`; none where there is no such cell.
+/// Index of a cell in the list of `rows_by_cell`; empty where the list has no such cell.
 std::optional<std::size_t> find_cell(const std::vector<CellPlace>& places, const CellKey& key);
 
 /// Name of a cell < cell_count(grid) by the columns of a map: "speed_hz 60, whirl_ratio 0.4, kick.force_n
 /// 200".
 std::string name_of_cell(const sweep::Grid& grid, std::size_t cell);
 
-/// Finds out which cell of a grid each row of its map is: by its columns, never by its position. Takes a bit
-/// for each cell of the grid, which must outlive it.
+/// Finds the cell of a grid to which each row of its map belongs, by the columns and not by the position of
+/// the row. Takes one bit for each cell of the grid. The grid must outlive it.
 class CellsOfRows {
  public:
   /// Throws IoError where a column that identifies the cell of a row is missing.
   CellsOfRows(const batch::CsvReader& map, const sweep::Grid& grid);
 
-  /// The cell of the row that was read last. Throws IoError with file:line where that is no cell of the grid,
-  /// or one that came before.
+  /// Cell of the row that was read last. Throws IoError with file:line where it is no cell of the grid, or a
+  /// cell that occurred before.
   std::size_t take(const batch::CsvReader& row);
 
   std::size_t taken() const { return taken_; }
@@ -70,14 +70,14 @@ class CellsOfRows {
   void require_all() const;
 
  private:
-  /// An axis as its columns show it: one, or one for each key of an axis over keys.
+  /// Columns of one axis: a single column, or one for each key of an axis over keys.
   struct Axis {
-    std::vector<double> values;  ///< values of the grid
+    std::vector<double> values;  ///< values of the axis in the grid
     std::vector<std::size_t> columns;
-    std::vector<double> factors;          ///< a column holds the value times its factor
-    std::size_t leading = 0;              ///< a column that changes along the axis
-    std::vector<double> leading_numbers;  ///< values of the first column, ascending
-    std::vector<std::size_t> places;      ///< places of these in `values`
+    std::vector<double> factors;          ///< factor of each column: it holds the value times this
+    std::size_t leading = 0;              ///< index of a column that varies along the axis
+    std::vector<double> leading_numbers;  ///< values of the axis in that column, ascending
+    std::vector<std::size_t> places;      ///< index in `values` of each of these numbers
   };
 
   static Axis axis_of(const batch::CsvReader& map, const std::vector<double>& values,
@@ -86,7 +86,7 @@ class CellsOfRows {
 
   const sweep::Grid& grid_;
   std::filesystem::path path_;
-  std::vector<Axis> axes_;  ///< fastest first
+  std::vector<Axis> axes_;  ///< axes of the grid, the fastest first
   std::vector<bool> met_;
   std::size_t taken_ = 0;
 };

@@ -10,13 +10,13 @@
 
 namespace rubsweep::report {
 
-/// How rubsweep-compare takes a column of two maps.
+/// Treatment of a column by rubsweep-compare, which compares two maps.
 enum class Comparison {
   ignored,
-  key,     ///< says which cell it is
-  label,   ///< part of what the motion is called: must be equal in every cell
+  key,     ///< identifies the cell
+  label,   ///< part of the name of the motion: must be equal in every cell
   text,    ///< must be equal where the motion repeats
-  number,  ///< must agree to the tolerance where the motion repeats; what has unit m relative to the cell's
+  number,  ///< must agree to the tolerance where the motion repeats; lengths relative to the cell's
            ///< peak
 };
 
@@ -30,28 +30,28 @@ struct MapColumn {
   std::string (*text)(const sweep::Row&) = nullptr;
 };
 
-/// The columns in the order of the file. A new one stands at the end, where it moves no other.
+/// Columns of map.csv in the order of the file. A new column goes to the end, so that no other moves.
 std::span<const MapColumn> map_columns();
 
 /// Place of the column called `name`, from 0. Throws SolverError where there is none.
 std::size_t place_of_column(std::string_view name);
 
-/// Every column and every class with its description, for --help; lines end with '\n'.
+/// Descriptions of all columns and classes of motion, for --help; lines end with '\n'.
 std::string describe_map_columns();
 
 /// Names of the columns with this comparison, joined by ", ".
 std::string columns_compared(Comparison comparison);
 
-/// The column names of map.csv, as one line without its end: those of every map, then those that this study
-/// has beside them.
+/// Column names of map.csv as one line without its end: first those of every map, then those that only this
+/// kind of study has.
 std::string map_header(const sweep::Study& study = {});
 
-/// One row of the map of `study`, without its end. Numbers read back to the same double; an entry that does
-/// not apply is empty.
+/// One row of the map of `study`, without its line end. Numbers read back to the same double; an entry that
+/// does not apply is empty.
 std::string map_line(const sweep::Row& row, const sweep::Study& study = {});
 
-/// Comment lines above the header of a map, after the head that every table has: a `#` line on the units and,
-/// for axes over keys, one that names the columns of their keys; each with its line end.
+/// Comment lines of a map, between the head that every table has and the column names. One is on the units.
+/// For axes over keys another one names the columns of their keys. Each has its line end.
 std::string map_comments(const sweep::Study& study = {});
 
 }  // namespace rubsweep::report

@@ -16,20 +16,20 @@ namespace {
 
 using response::motion::MotionClass;
 
-/// Text of a column; none of the columns used here is ever quoted.
+/// Text of a column of a line. None of the columns used here is ever quoted.
 std::string_view cell(std::string_view line, std::size_t column) {
   for (; column > 0; --column) line.remove_prefix(line.find(',') + 1);
   return line.substr(0, line.find(','));
 }
 
-/// 0 where there is none.
+/// Number in a cell; 0 where there is none.
 double number_in(std::string_view cell) {
   double value = 0;
   std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return value;
 }
 
-/// `name`: class and order.
+/// Name of a motion from `name`, its class and order, with the kind added where it needs one.
 std::string name_of(std::string name, std::string_view motion_class, bool circle, bool comb,
                     std::string_view whirl) {
   if (motion_class == to_string(MotionClass::synchronous) && circle)

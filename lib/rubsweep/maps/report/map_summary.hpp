@@ -10,25 +10,24 @@
 
 namespace rubsweep::report {
 
-/// Name of the motion of a row on a terminal: class and order, and the distinction between motions of one
-/// class that are not alike: a whip that rolls backward on its own force from an oval that the unbalance
-/// drives, a circle forward from one backward.
+/// Name of the motion of a row on a terminal: class and order, and a distinction within one class. A whip
+/// that its own friction force drives backward is distinguished from an oval that the unbalance drives, and a
+/// forward circle from a backward one.
 std::string motion_name(const sweep::Row& row);
-/// The same of a line of map.csv.
+/// Name of the motion in a line of map.csv, as motion_name gives it for a row.
 std::string motion_name(std::string_view map_line);
 
-/// Its kind; throws IoError where the line has none.
+/// Kind of the motion in a line of map.csv. Throws IoError where the line has none.
 const response::motion::MotionKind& kind_in(std::string_view map_line);
 
-/// Class and order of a line of map.csv: equal for cells that a refined map takes for equal.
+/// Class and order of a line of map.csv. A refined map treats cells as equal if these are equal.
 std::string label_of(std::string_view map_line);
 
-/// Counts the rows of a map without keeping them. They come as lines of map.csv because that is all there is
-/// of them: a row that was computed by another process or before a break lives on as text in a journal or a
-/// map.
+/// Counts the rows of a map without keeping them. Takes lines of map.csv rather than rows, because a row that
+/// another process or an earlier run computed exists only as text, in a journal or a map.
 class MapSummary {
  public:
-  /// `warn_over_clearances`: cells whose rotor moves farther, in clearances of the first stop, are counted.
+  /// `warn_over_clearances`: cells with a larger deflection, in clearances of the first stop, are counted.
   explicit MapSummary(double warn_over_clearances = 10) : warn_over_clearances_(warn_over_clearances) {}
 
   void add(std::string_view map_line);
@@ -38,13 +37,13 @@ class MapSummary {
   std::size_t cells() const { return total_; }
   const std::map<std::string, std::size_t>& cells_by_name() const { return by_name_; }
 
-  /// Table for a terminal: cells per class and order, circles and ovals by the sense of their whirl, largest
-  /// share first, then every status that is not `ok`, how many cells move farther than the limit, and why
-  /// nothing rubs where no cell does.
+  /// Table for a terminal: cells per class and order, with circles and ovals by their sense of whirl, the
+  /// largest share first. Then every status other than `ok`, the number of cells that move farther than the
+  /// limit, and, where no cell rubs, the reason.
   std::string text() const;
 
-  /// One line on the cells that move too far for a linear shaft to be believed, and another that asks for the
-  /// unbalance where no rotor moves so far; empty where there are none.
+  /// One line on cells that move too far for a linear shaft. Above 100 clearances a second line asks whether
+  /// the unbalance is right. Empty where there are no such cells.
   std::string warning() const;
 
  private:

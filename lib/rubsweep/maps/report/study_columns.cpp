@@ -21,7 +21,7 @@ using sweep::Row;
 std::string text_of(double value) { return batch::csv_number(value); }
 std::string text_of(std::integral auto value) { return fmt::format("{}", value); }
 
-/// Text of an optional member of a row, or of the member `get` of that.
+/// Text of the optional member `part` of a row, or of a member of that.
 template <auto part>
 std::string given(const Row& row) {
   return row.*part ? text_of(*(row.*part)) : "";
@@ -45,7 +45,8 @@ std::string threshold_motion(const Row& row) {
   return first ? first->motions.front() : "";
 }
 
-/// "35.1..70.3 subharmonic 1/2; 90..400 chaotic + subharmonic 1/3": no comma, so that no cell is quoted.
+/// Intervals with rub, such as "35.1..70.3 subharmonic 1/2; 90..400 chaotic + subharmonic 1/3". No comma, so
+/// that no cell is quoted.
 std::string intervals(const Row& row) {
   std::string text;
   if (!row.threshold) return text;
@@ -70,7 +71,7 @@ std::string attractors(const Row& row) {
   return row.basins ? fmt::format("{}", row.basins->attractors.size()) : "";
 }
 
-/// "non_contact 0.6+-0.01; subharmonic 1/2 0.4+-0.01 (1.9 mm)".
+/// Basins with their shares, such as "non_contact 0.6+-0.01; subharmonic 1/2 0.4+-0.01 (1.9 mm)".
 std::string basins(const Row& row) {
   std::string text;
   if (!row.basins) return text;
@@ -82,7 +83,7 @@ std::string basins(const Row& row) {
   return text;
 }
 
-/// All attractors that rub together.
+/// Sum of the shares of all attractors that rub.
 std::string rub_probability(const Row& row) {
   if (!row.basins) return "";
   double share = 0;
@@ -132,7 +133,7 @@ constexpr std::array of_hertz{
                 given<&Row::hertz, &sweep::HertzSecant::stiffness_n_per_m>},
 };
 
-/// Columns that some studies have, in the order of the file.
+/// Columns that some studies have in addition, in the order of the file.
 struct Group {
   std::string_view when;
   std::span<const StudyColumn> columns;
@@ -159,14 +160,14 @@ constexpr std::array groups{
 struct UnitColumn {
   std::string_view name, description;
 };
-/// In the order of the file.
+/// Columns in the units of the configuration, in the order of the file.
 constexpr std::array unit_columns{
     UnitColumn{"speed_rpm", "shaft speed in revolutions per minute"},
     UnitColumn{"unbalance_g_mm", "unbalance of the rotor in g mm"},
     UnitColumn{"balance_grade_mm_per_s", "balance quality grade at the rated speed, in mm/s"},
 };
 
-/// The number in the column called `name` of a row.
+/// Function that gives the number in the column called `name` of a row.
 using CellOf = std::function<double(std::string_view name)>;
 
 std::string cells_by(const CellOf& cell, const sweep::Grid& grid) {

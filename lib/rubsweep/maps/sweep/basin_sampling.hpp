@@ -9,58 +9,58 @@
 
 namespace rubsweep::sweep {
 
-/// Outcome of one start, as far as attractors are told apart.
+/// Outcome of one start, as far as it distinguishes attractors.
 struct SampledMotion {
   std::string name;  ///< class and order
   bool failed = false;
   bool rubs = false;
-  bool repeats = false;         ///< else the numbers depend on when one looks, and the name alone counts
-  std::vector<double> orbit_m;  ///< lengths of its orbit, the largest first
+  bool repeats = false;         ///< false: the numbers vary with time, and only the name counts
+  std::vector<double> orbit_m;  ///< lengths that describe the orbit, the largest first
 };
 
-/// One attractor, or all motions of a name that never repeat.
+/// One attractor, or all motions of the same name that never repeat.
 struct Attractor {
   SampledMotion motion;  ///< motion of the first start that led there
   std::size_t samples = 0;
-  double share = 0;           ///< share of all starts, failed ones among them
+  double share = 0;           ///< share of all starts, including failed ones
   double standard_error = 0;  ///< sqrt(share (1 - share) / starts)
 };
 
-/// Attractors of all starts; the most frequent first, of equally frequent ones the one that was met first.
+/// Attractors of all starts, the most frequent first; of equally frequent ones the one found first.
 struct Basins {
   std::vector<Attractor> attractors;
   std::vector<int> numbers;  ///< attractor that each start led to, from 1; 0: its run failed
-  std::size_t failed = 0;    ///< starts whose run failed; they count among the starts and to no attractor
+  std::size_t failed = 0;    ///< starts whose run failed; part of the total, but of no attractor
 };
 
-/// Tells attractors apart, a start at a time: orbits are one attractor when their names are equal and no
-/// length differs by more than a thousandth of the largest one. Keeps one orbit for each attractor.
+/// Counts attractors, one start at a time. Two motions belong to one attractor if their names are equal and
+/// no length differs by more than a thousandth of the largest one. Keeps one orbit for each attractor.
 class AttractorCount {
  public:
   void add(SampledMotion motion);
 
-  /// All that were added.
+  /// Attractors of all motions that were added.
   Basins basins() const;
 
  private:
-  Basins met_;  ///< basins in the order in which they are met, without shares
+  Basins met_;  ///< basins in the order of discovery, without shares
 };
 
-/// A key of the configuration that is drawn evenly between two numbers, or evenly between their logarithms.
+/// Key of the configuration that is drawn with even density between two numbers, or between their logarithms.
 struct DrawnKey {
   std::string key;
   double from = 0, to = 0;
   bool logarithmic = false;
 };
 
-/// Which starts a study of basins draws in every cell: points of low discrepancy in the box of the keys, the
-/// same ones in every cell.
+/// Starts that a study of basins tries in every cell: points of low discrepancy in the box that the keys
+/// span. They are the same in every cell.
 struct BasinSampling {
   std::size_t samples = 0;
   std::vector<DrawnKey> over;  ///< keys that are drawn, at least one
 };
 
-/// The numbers of sample `index`, from 0.
+/// Values of the drawn keys for sample `index`, counted from 0.
 std::vector<KeyValue> draw(const BasinSampling& sampling, std::size_t index);
 
 /// Runs every sample and counts the attractors.

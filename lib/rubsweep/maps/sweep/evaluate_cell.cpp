@@ -15,7 +15,6 @@
 #include "rubsweep/core/contact/hertz_line.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/overloaded.hpp"
-#include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
 #include "rubsweep/maps/sweep/robustness.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
@@ -23,8 +22,8 @@
 namespace rubsweep::sweep {
 namespace {
 
-/// Whether a force is too large for the stiffness of some stop that has it from a line contact. Where stops
-/// differ the narrowest counts, whichever the force acts at: the word marks a doubt.
+/// Whether a force exceeds the range of some stop whose stiffness is the secant of a Hertz line contact. All
+/// stops are tested, whichever one the force acts on: the status only marks a doubt.
 bool beyond_hertz(const model::Machine& machine, double force_n) {
   return std::ranges::any_of(machine.stops, [force_n](const model::Stop& stop) {
     return stop.by_hertz_secant() && force_n > contact::hertz_force_limit_n(*stop.hertz);
@@ -38,7 +37,7 @@ void flag_model_limits(Row& row, const model::Machine& machine, double clearance
   if (beyond_hertz(machine, row.measures->contact.peak_contact_force_n)) add_status(row, "beyond_hertz");
 }
 
-/// No motion is called by numbers that are none.
+/// Marks a row as failed where a measured number is not finite.
 void refuse_what_is_not_finite(Row& row) {
   if (!row.measures) return;
   const response::motion::Measures& of = *row.measures;
@@ -56,7 +55,7 @@ void refuse_what_is_not_finite(Row& row) {
   }
 }
 
-/// Flags a run that ended sooner than its kick: it shows the kick, not the motion after it.
+/// Flags a run that ended before its kick: it shows the kick, not the motion after it.
 void doubt_unfinished_kick(Row& row, const scene::Scene& scene) {
   const double run_s = static_cast<double>(row.revolutions) * scene.period_s();
   const bool over = std::ranges::all_of(scene.pulses, [&](const scene::Pulse& pulse) {
@@ -95,7 +94,7 @@ Row not_allowed(const scene::Place& place) {
   return row;
 }
 
-/// The machine with its supports at a speed; empty where they do not hold the shaft there.
+/// Machine with its supports at a speed; empty where they do not hold the shaft at this speed.
 std::optional<scene::PreparedMachine> with_supports_at(const scene::PreparedMachine& prepared,
                                                        double speed_hz) {
   try {
@@ -105,7 +104,7 @@ std::optional<scene::PreparedMachine> with_supports_at(const scene::PreparedMach
   }
 }
 
-/// The cell at a place with the stiffnesses that the machine has.
+/// Row of a cell at a place, computed with the contact stiffnesses of `prepared`.
 Row evaluate_as_it_is(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
                       response::motion::Workspace& workspace) {
   const scene::Cell start = scene::build_cell(prepared, place.speed_hz, place.unbalance);
@@ -114,7 +113,7 @@ Row evaluate_as_it_is(const Study& study, const scene::PreparedMachine& prepared
   return row_of(start, place.speed_hz, prepared.machine, &run);
 }
 
-/// The cell at a place, of a prepared machine that may differ from the study's.
+/// Row of a cell at a place, for a prepared machine that may differ from the study's.
 Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
              response::motion::Workspace& workspace) {
   if (prepared.at_speeds) {
@@ -123,17 +122,17 @@ Row evaluate(const Study& study, const scene::PreparedMachine& prepared, const s
   }
   if (!takes_secants_anew(study)) return evaluate_as_it_is(study, prepared, place, workspace);
   return with_hertz_iterations(prepared.machine, study.hertz_iterations, [&](const model::Machine& machine) {
-    // Only stiffnesses of contacts differ: the structure stays.
+    // The structure is reused, since only stiffnesses of contacts differ.
     return evaluate_as_it_is(study, {machine, prepared.assembly, prepared.reduction}, place, workspace);
   });
 }
 
-/// The row of a place, with the runs that robustness needs.
+/// Row of a cell at a place, including the further runs for robustness.
 Row evaluate_place(const Study& study, const scene::PreparedMachine& prepared, const scene::Place& place,
                    response::motion::Workspace& workspace) {
   Row row = evaluate(study, prepared, place, workspace);
   const auto with_kick_of = [&](const model::Machine& machine) {
-    // Only the kick differs: the structure stays.
+    // The structure is reused, since only the kick differs.
     return evaluate(study, {machine, prepared.assembly, prepared.reduction, prepared.at_speeds}, place,
                     workspace);
   };
@@ -145,7 +144,7 @@ Row evaluate_place(const Study& study, const scene::PreparedMachine& prepared, c
   return row;
 }
 
-/// A study and its machine, prepared.
+/// A study, and its machine prepared.
 struct Varied {
   Study study;
   scene::PreparedMachine prepared;
@@ -157,8 +156,8 @@ bool of_kick_alone(const KeyValue& key) {
   return std::ranges::find(keys, key.key) != keys.end();
 }
 
-/// The study with these numbers under `keys`; `others` are those of them that `prepared` was not made with.
-/// Empty where each number is allowed by itself, which was seen to before, but all of them together are not.
+/// Study with new numbers under `keys`, and its machine. `others` are those keys in which it differs from
+/// `prepared`. Empty where the numbers are not allowed together, although each alone is.
 std::optional<Varied> vary(const Study& study, std::span<const KeyValue> keys,
                            const scene::PreparedMachine& prepared, std::span<const KeyValue> others) {
   try {
@@ -172,7 +171,8 @@ std::optional<Varied> vary(const Study& study, std::span<const KeyValue> keys,
   }
 }
 
-/// Where the quiet motion itself reaches a wall no kick is simulated, whatever its numbers.
+/// Whether varying these keys can change the cell: a kick has no effect where the quiet motion itself reaches
+/// a wall.
 bool may_be_varied(const Row& row, std::span<const KeyValue> keys) {
   const bool of_kick =
       std::ranges::all_of(keys, [](const KeyValue& key) { return key.key.starts_with("kick."); });
@@ -188,9 +188,6 @@ Probe probe_of(const Row& row) {
   return {response::motion::row_of(row.motion_class).rubs,
           row.motion_class == response::motion::MotionClass::failed, class_and_order(row)};
 }
-
-thread_local response::motion::Workspace workspace;
-thread_local Row latest;  ///< handed on by the thread that made it, before it takes another cell
 
 }  // namespace
 
@@ -228,7 +225,7 @@ Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, st
                   response::motion::Workspace& workspace) {
   const scene::Place place = place_of(study.grid, cell);
   const std::vector<KeyValue> keys = key_values(study.grid, cell);
-  std::optional<Varied> own;  // of a cell whose keys hold numbers of their own
+  std::optional<Varied> own;  // study and machine of a cell with axes over keys
   if (!keys.empty()) own = vary(study, keys, prepared, keys);
   Row row = keys.empty() ? evaluate_place(study, prepared, place, workspace)
             : own        ? evaluate_place(own->study, own->prepared, place, workspace)
@@ -248,16 +245,6 @@ Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, st
         *study.basin, [&](const std::vector<KeyValue>& drawn) { return sampled_motion(run(drawn)); });
   }
   return row;
-}
-
-std::size_t run_cells(const Study& study, std::span<const std::size_t> cells, int threads,
-                      const std::function<void(std::size_t cell, const Row&)>& on_row,
-                      const std::atomic<bool>& stop) {
-  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
-  return batch::parallel_run(
-      cells.size(), threads,
-      [&](std::size_t i) { latest = evaluate_cell(study, prepared, cells[i], workspace); },
-      [&](std::size_t i) { on_row(cells[i], latest); }, stop);
 }
 
 }  // namespace rubsweep::sweep

@@ -14,22 +14,22 @@
 
 namespace rubsweep::sweep {
 
-/// The row of a cell of `machine` at a speed, and of its run; null: it could not run.
+/// Row of a cell of `machine` at a speed, from its settled run; `run` is null where the cell could not run.
 Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machine,
            const response::SettledRun* run);
 
-/// Runs one cell from kick to verdict. Depends on its arguments alone, so that any thread may run any cell.
-/// A cell that fails numerically is a row of class `failed` whose status names the cause.
-/// `prepared` is that of study.machine.
+/// Runs one cell from kick to classification. The result depends on the arguments alone, so that any thread
+/// may run any cell. A cell that fails numerically gives a row of class `failed` whose status names the
+/// cause. `prepared` is the prepared study.machine.
 Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                   response::motion::Workspace& workspace);
 
-/// The same for a single cell, with a prepared machine of its own.
+/// Runs a single cell, and prepares the machine for it.
 Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Workspace& workspace);
 
 /// Evaluates the cells listed in `cells` on `threads` threads (0: all processors) and returns how many
-/// finished. `on_row` gets each row as it is finished, one at a time, in any order; a row depends on its cell
-/// alone, and no row is kept. What on_row throws ends the run. Once `stop` is true no new cell starts.
+/// finished. `on_row` gets each finished row, one at a time, in any order. A row depends on its cell alone,
+/// and no row is kept. An exception in on_row ends the run. Once `stop` is true no new cell starts.
 std::size_t run_cells(const Study& study, std::span<const std::size_t> cells, int threads,
                       const std::function<void(std::size_t cell, const Row&)>& on_row,
                       const std::atomic<bool>& stop);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t program_bytes = 12'000'000, mpi_bytes = 30'000'000, thread_bytes = 1'000'000,
                       sample_bytes = 192, cell_bytes = 24, row_bytes = 3 * 340;
 
-/// Numbers under such a key leave the flows of a machine as they are.
+/// Whether a number under this key leaves the flows of a machine unchanged.
 bool changes_no_flow(std::string_view key) {
   constexpr std::array<std::string_view, 4> parts{"kick.", "start.", "solver.", "response."};
   return std::ranges::any_of(parts, [key](std::string_view part) { return key.starts_with(part); });
@@ -24,7 +24,7 @@ bool changes_no_flow(const KeyAxis& axis) {
   return std::ranges::all_of(axis.keys, [](const std::string& key) { return changes_no_flow(key); });
 }
 
-/// Whether cells try numbers of their own that make another machine of each run.
+/// Whether a cell tries numbers (thresholds, basins) that give each run its own machine and flows.
 bool varies_machines(const Study& study) {
   if (study.threshold && !changes_no_flow(study.threshold->axis)) return true;
   return study.basin && !std::ranges::all_of(study.basin->over, [](const DrawnKey& drawn) {
@@ -32,7 +32,7 @@ bool varies_machines(const Study& study) {
          });
 }
 
-/// Largest size of the flows of a study's machines in the cache of one thread.
+/// Upper bound in bytes of the flows that one thread keeps in its cache for this study.
 std::size_t flow_bytes(const Study& study, const structure::Assembly& assembly) {
   const bool by_speed =
       assembly.gyroscopic.size() > 0 || assembly.circulatory.size() > 0 || !assembly.tables.empty();
@@ -43,7 +43,7 @@ std::size_t flow_bytes(const Study& study, const structure::Assembly& assembly) 
   for (const KeyAxis& axis : study.grid.axes) {
     if (!changes_no_flow(axis)) machines *= axis.values.size();
   }
-  // Every cell may find secants of its own.
+  // Each cell may need secants of its own.
   if (study.hertz_iterations > 0)
     machines = cell_count(study.grid) * (1 + static_cast<std::size_t>(study.hertz_iterations));
   constexpr std::size_t most = integrate::exact::modes::most_bytes_of_a_mode_cache;
@@ -78,7 +78,7 @@ std::vector<std::size_t> take_pilot_cells(std::vector<std::size_t>& cells, std::
   std::vector<std::size_t> pilots, others;
   const std::size_t wanted = std::min(count, cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    // The middle one of each of `wanted` stretches.
+    // Takes the middle cell of each of `wanted` equal stretches.
     const bool chosen =
         pilots.size() < wanted && i == ((2 * pilots.size() + 1) * cells.size()) / (2 * wanted);
     (chosen ? pilots : others).push_back(cells[i]);

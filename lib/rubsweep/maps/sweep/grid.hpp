@@ -14,40 +14,40 @@
 
 namespace rubsweep::sweep {
 
-/// A number under a key of the configuration, as `--set KEY=VALUE` would write it.
+/// Number for a key of the configuration, as `--set KEY=VALUE` would write it.
 struct KeyValue {
   std::string key;  ///< dotted path, such as stops.0.friction.coefficient
   double value = 0;
 };
 
-/// An axis of a sweep over numbers of the configuration, in the units of their keys. At its i-th place each
-/// key holds values[i] times its own factor.
+/// Axis of a sweep over numbers of the configuration, in the units of their keys. At its i-th value each key
+/// has the number values[i] times the factor of the key.
 struct KeyAxis {
   std::vector<std::string> keys;            ///< keys, at least one
   std::vector<double> factors;              ///< factor of each key
   std::vector<double> values;               ///< values, at least one, all different
-  std::optional<batch::Spacing> spacing{};  ///< how they are written; empty where they are listed
+  std::optional<batch::Spacing> spacing{};  ///< spacing in which the values were written; empty for a list
 };
 
-/// Values of all keys of an axis at one of its values.
+/// Numbers of all keys of an axis at one value of the axis.
 std::vector<KeyValue> keys_at(const KeyAxis& axis, double value);
 
 /// Form in which a person wrote speeds or unbalances, for output. No number of a map depends on it.
 struct WrittenAxis {
   std::string key{};                        ///< such as speed_rpm; empty: in SI units
   std::string unit{};                       ///< such as "rpm" or "g mm"
-  double units_per_si = 1;                  ///< how many of that unit are one in SI
+  double units_per_si = 1;                  ///< 1 SI unit in that unit, such as 60 for rpm
   std::optional<batch::Spacing> spacing{};  ///< spacing in that unit; empty where values were listed
   double rated_speed_hz = 0;                ///< rated speed of a balance grade
 
   bool is_si() const { return key.empty(); }
 };
 
-/// A number in SI units as text in the unit that it was written in. The 15 digits that are kept hide that it
-/// was divided and multiplied: 3100 rpm do not come back as 3100.0000000000005.
+/// Number given in SI units, as text in the unit of the axis. It has 15 digits, which hides the rounding of
+/// conversions: 3100 rpm do not come back as 3100.0000000000005.
 std::string in_units(const WrittenAxis& axis, double si);
 
-/// The text of in_units where it reads back as the same number in SI units, else empty.
+/// Text of in_units if it reads back as the same number in SI units, else empty.
 std::optional<std::string> exactly_in_units(const WrittenAxis& axis, double si);
 
 /// Quantity on the second axis of the map.
@@ -56,7 +56,7 @@ enum class UnbalanceMeasure {
   eccentricity_m  ///< e of the disc, in metres
 };
 
-/// Its key in a configuration and its column of map.csv.
+/// Key of the measure in a configuration, and name of its column in map.csv.
 constexpr std::string_view to_string(UnbalanceMeasure measure) { return enumerator_word(measure); }
 
 /// Grid of cells. Speeds in Hz, strictly > 0; unbalance values >= 0 in the unit of `measure`.
@@ -64,7 +64,7 @@ struct Grid {
   std::vector<double> speed_hz;
   UnbalanceMeasure measure = UnbalanceMeasure::whirl_ratio;
   std::vector<double> unbalance;
-  std::vector<KeyAxis> axes{};             ///< x, y, z: each slower than those before it
+  std::vector<KeyAxis> axes{};             ///< x, y, z: each varies more slowly than those before it
   std::optional<Refinement> refinement{};  ///< empty: every cell is computed
   WrittenAxis written_speed{}, written_unbalance{};
 };
@@ -73,16 +73,16 @@ struct Grid {
 /// cell = (... i_x) * unbalances * speeds + i_unbalance * speeds + i_speed.
 std::size_t cell_count(const Grid& grid);
 
-/// A value of the second axis as the scene takes it.
+/// Unbalance of a scene from a value of the second axis.
 scene::Unbalance unbalance_of(const Grid& grid, double value);
 
-/// Where a cell < cell_count(grid) lies.
+/// Place of a cell < cell_count(grid) in the grid: its speed and unbalance.
 scene::Place place_of(const Grid& grid, std::size_t cell);
 
-/// Every key of every axis, in their order: the columns that a map has for them.
+/// Keys of all axes over keys, in the order of their columns in a map.
 std::vector<std::string> key_names(const Grid& grid);
 
-/// Values of these keys in a cell < cell_count(grid), in the same order.
+/// Numbers of these keys in a cell < cell_count(grid), in the same order.
 std::vector<KeyValue> key_values(const Grid& grid, std::size_t cell);
 
 /// The columns that say where a cell < cell_count(grid) lies, with its numbers: speed_hz, the measure of the
@@ -95,14 +95,14 @@ struct SweptAxis {
   std::vector<double> values;
 };
 
-/// The axes with more than one value, fastest first.
+/// All axes with more than one value, the fastest first.
 std::vector<SweptAxis> swept_axes(const Grid& grid);
 
-/// The first axis whose values neither rise nor fall all along: next to each other in the grid are then not
-/// cells that are neighbours on the axis. Empty where there is none.
+/// First axis whose values neither rise nor fall throughout, so that cells side by side in the grid are no
+/// neighbours on the axis. Empty where there is none.
 std::optional<std::string> disordered_axis(const Grid& grid);
 
-/// The grid of the one cell there.
+/// Grid with the single cell at `place`.
 Grid grid_of(const scene::Place& place);
 
 }  // namespace rubsweep::sweep

@@ -11,7 +11,7 @@ namespace {
 
 bool has_hertz(const model::Stop& stop) { return stop.by_hertz_secant(); }
 
-/// Whether both machines have nearly the same secants.
+/// Whether the secants of both machines agree within contact::hertz_secant_tolerance at every stop.
 bool fits(const model::Machine& used, const model::Machine& asked) {
   for (std::size_t i = 0; i < used.stops.size(); ++i) {
     const double ratio = asked.stops[i].stiffness_n_per_m / used.stops[i].stiffness_n_per_m;
@@ -21,8 +21,8 @@ bool fits(const model::Machine& used, const model::Machine& asked) {
   return true;
 }
 
-/// Every other stop is made again from the force of the one with the smallest design force: a force below its
-/// own design force changes nothing at a stop.
+/// Reports the secant by the stop with the smallest design force. The secants of all other stops can be
+/// computed again from its force, because forces below the design force of a stop do not change its secant.
 HertzSecant secant_of(const model::Machine& original, const model::Machine& used, int iterations) {
   std::optional<std::size_t> lowest;
   for (std::size_t i = 0; i < original.stops.size(); ++i) {

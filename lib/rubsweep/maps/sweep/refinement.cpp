@@ -10,12 +10,13 @@
 namespace rubsweep::sweep {
 namespace {
 
-/// An axis of the plane: how many cells, and how far apart they are numbered.
+/// One axis of a plane: its number of cells, and the distance of neighbours in the numbers of cells.
 struct PlaneAxis {
   std::size_t count = 1, stride = 0;
 };
 
-/// Planes of blocks: the first two axes with several values, once for each combination of the others.
+/// Planes in which blocks are formed: the first two axes with several values, one plane for each combination
+/// of the others.
 struct Planes {
   std::array<PlaneAxis, 2> sides;
   std::vector<std::size_t> origins;
@@ -41,7 +42,7 @@ Planes planes_of(const Grid& grid) {
   return planes;
 }
 
-/// Both ends included; equal where the axis has one value.
+/// Interval of indices on an axis, both ends included. The ends are equal where the axis has one value.
 struct Interval {
   std::size_t first = 0, last = 0;
 
@@ -49,7 +50,7 @@ struct Interval {
   bool splits() const { return last - first > 1; }
 };
 
-/// The interval itself, or both halves.
+/// Both halves of an interval that can be split, else the interval itself.
 std::vector<Interval> halves(const Interval& whole) {
   if (!whole.splits()) return {whole};
   return {{whole.first, whole.middle()}, {whole.middle(), whole.last}};
@@ -75,7 +76,7 @@ std::size_t cell_at(const Planes& planes, std::size_t origin, std::size_t i, std
   return origin + i * planes.sides[0].stride + j * planes.sides[1].stride;
 }
 
-/// Every block of the lattice.
+/// Calls `visit` with every block of the lattice.
 template <class Visit>
 void visit_lattice(const Planes& planes, int levels, const Visit& visit) {
   const auto across = lattice(planes.sides[0].count, levels), up = lattice(planes.sides[1].count, levels);
@@ -95,7 +96,8 @@ std::vector<std::size_t> corners(const Planes& planes, const Block& block) {
   return cells;
 }
 
-/// Spread by the additive recurrence on the plastic number, whose gaps are small after any number of probes.
+/// Probe cells of a block, spread by the additive recurrence on the plastic number, which leaves only small
+/// gaps for any number of probes.
 std::vector<std::size_t> probes(const Planes& planes, const Block& block, int count) {
   constexpr std::array steps{0.7548776662466927, 0.5698402909980532};
   std::vector<std::size_t> cells;
@@ -113,7 +115,7 @@ std::vector<std::size_t> probes(const Planes& planes, const Block& block, int co
   return cells;
 }
 
-/// Calls `visit` with every cell of a block until it returns false.
+/// Calls `visit` with each cell of a block until `visit` returns false.
 template <class Visit>
 void visit_cells(const Planes& planes, const Block& block, const Visit& visit) {
   for (std::size_t j = block.intervals[1].first; j <= block.intervals[1].last; ++j) {
@@ -154,8 +156,8 @@ void ask(const Planes& planes, const Block& block, std::span<const int> labels,
   visit_children(block, [&](const Block& child) { ask(planes, child, labels, wanted); });
 }
 
-/// Calls `leaf` with every block that is not split, `split` with every other and how often it was split
-/// before.
+/// Calls `leaf` with every block that is not split further, and `split` with every block that is, and its
+/// level.
 template <class Leaf, class Split>
 void visit_blocks(const Planes& planes, const Block& block, std::span<const int> labels, int level,
                   const Leaf& leaf, const Split& split) {
@@ -165,13 +167,13 @@ void visit_blocks(const Planes& planes, const Block& block, std::span<const int>
                  [&](const Block& child) { visit_blocks(planes, child, labels, level + 1, leaf, split); });
 }
 
-/// The interval of the lattice that holds an index; of two that meet there the first.
+/// Interval of the lattice that holds an index; where two intervals meet, the first.
 Interval interval_of(std::size_t index, std::size_t count, int levels) {
   const std::vector<Interval> intervals = lattice(count, levels);
   return *std::ranges::find_if(intervals, [&](const Interval& interval) { return index <= interval.last; });
 }
 
-/// Probes lie inside their block.
+/// Whether a cell is a probe of its block. Probes lie inside their block.
 bool is_probe(const Planes& planes, const Refinement& refinement, std::size_t cell) {
   Block block;
   block.origin = cell;
@@ -184,7 +186,7 @@ bool is_probe(const Planes& planes, const Refinement& refinement, std::size_t ce
   return std::ranges::count(probes(planes, block, refinement.probes), cell) > 0;
 }
 
-/// How often the interval of an index on the lattice is halved before it ends there.
+/// Number of halvings after which the interval of an index on the lattice has the index as an end.
 int level_on_axis(std::size_t index, std::size_t count, int levels) {
   int level = 0;
   for (Interval at = interval_of(index, count, levels); index != at.first && index != at.last; ++level)
@@ -225,7 +227,7 @@ std::vector<int> painted_labels(const Grid& grid, std::span<const int> labels) {
   std::vector<int> painted(labels.begin(), labels.end());
   const auto paint = [&](const Block& block) {
     const int label = labels[corners(planes, block).front()];
-    if (!uniform(planes, block, labels)) return;  // corners that are neighbours, all computed
+    if (!uniform(planes, block, labels)) return;  // smallest block: all its corners are computed
     visit_cells(planes, block, [&](std::size_t cell) {
       painted[cell] = label;
       return true;
@@ -260,8 +262,8 @@ std::size_t island_bound(const Grid& grid) {
     for (const std::size_t cell : corners(planes, block)) met[cell] = true;
     for (const std::size_t cell : probes(planes, block, grid.refinement->probes)) met[cell] = true;
   });
-  // Side of the largest square without a met cell that ends in each cell of a row, from those of the row
-  // before; along a single axis as many cells one after the other.
+  // Side of the largest empty square whose last corner is the cell, computed from the row before. Empty means
+  // without computed cells. For a single axis, the number of such cells in sequence.
   std::size_t largest = 0;
   std::vector<std::size_t> before(across.count, 0), sides(across.count, 0);
   for (std::size_t j = 0; j < up.count; ++j) {
@@ -293,7 +295,7 @@ std::optional<double> boundary_exponent(const Grid& grid, std::span<const int> l
         });
   });
   if (split_cells.size() < 3) return std::nullopt;
-  // Least squares of log2(area) over log2(size) = levels - level.
+  // Slope of log2(area) over log2(size) = levels - level, by least squares.
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const auto& [level, cells] : split_cells) {
     const double size = levels - level, area = std::log2(cells);

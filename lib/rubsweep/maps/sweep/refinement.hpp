@@ -11,10 +11,11 @@ namespace rubsweep::sweep {
 
 struct Grid;
 
-/// How a map is computed without most of its cells: from a coarse lattice on, only where labels differ.
+/// Options of a refined map, which computes a coarse lattice of cells and more of them only where labels
+/// differ.
 struct Refinement {
-  int levels = 1;  ///< the lattice holds every 2^levels-th cell of each axis, and the last
-  int probes = 0;  ///< further cells inside every block of the lattice, so that islands are met
+  int levels = 1;  ///< the lattice has every 2^levels-th cell of each axis, and the last cell
+  int probes = 0;  ///< further cells inside every block of the lattice, to find islands
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("levels", self.levels,
@@ -25,36 +26,37 @@ struct Refinement {
   }
 };
 
-/// A cell that was not computed, in a span of labels.
+/// Label of a cell that was not computed.
 inline constexpr int unknown_label = -1;
 
-/// Which cells a refined map needs next, ascending; none when it is complete. `labels`: one for each cell of
-/// the grid, unknown_label or any other number, equal where two cells have the same motion.
+/// Cells that a refined map needs next, ascending; none when it is complete. `labels` has one number for each
+/// cell of the grid: unknown_label, or any other number, equal for cells with the same motion.
 ///
-/// A block is a rectangle of cells between lattice lines. One in which all known labels are equal, corners,
-/// probes and what its neighbours asked for on its edges, stays as it is; any other is split in the middle of
-/// both sides until its corners are neighbours. The first two axes with several values span the blocks; every
-/// other axis has maps of its own. What is asked for grows with what is known, so that in the end the same
-/// cells are computed in whatever order and after whatever break.
+/// A block is a rectangle of cells between lattice lines. It stays as it is if all known labels in it are
+/// equal: of its corners, its probes, and cells on its edges that its neighbours needed. Any other block is
+/// split in the middle of both sides, until its corners are neighbouring cells. The first two axes with
+/// several values span the blocks, and each combination of the other axes has blocks of its own. A cell once
+/// needed stays needed whatever else becomes known, so that in the end the same cells are computed in any
+/// order and after any interruption.
 std::vector<std::size_t> wanted_cells(const Grid& grid, std::span<const int> labels);
 
-/// Refinement level at which a cell is first evaluated; 0 on the lattice and for probes.
+/// Refinement level at which a cell is first needed; 0 for the lattice and the probes.
 int refinement_level(const Grid& grid, std::size_t cell);
 
-/// Labels of all cells of a complete refined map: those of a block whose known labels are equal belong to
-/// every cell of it.
+/// Labels of all cells of a complete refined map. The common label of a block's known cells holds for all its
+/// cells.
 std::vector<int> painted_labels(const Grid& grid, std::span<const int> labels);
 
-/// For each cell of a complete refined map the computed cell whose motion it shows: itself, or the last one
-/// before it, else the first one after it, that has its painted label.
+/// For each cell of a complete refined map the computed cell whose motion it shows. That is the cell itself
+/// if computed, else the last cell before it, or the first after it, with its painted label.
 std::vector<std::size_t> shown_cells(const Grid& grid, std::span<const int> labels);
 
-/// Side, in cells, of the smallest square island that none of the cells of the lattice and none of the probes
-/// can miss; where one axis alone has several values, as many cells one after the other.
+/// Side, in cells, of the smallest square island that surely has a cell of the lattice or a probe in it.
+/// Where only one axis has several values, the length in cells.
 std::size_t island_bound(const Grid& grid);
 
-/// Uncertainty exponent of the boundaries of a complete refined map: the share of the area in blocks of a
-/// size that are not uniform grows with that size to this power. 1: lines; less: they are fractal down to the
+/// Uncertainty exponent a of the boundaries in a complete refined map: the area of all blocks of a size that
+/// are not uniform grows as size^a. At 1 the boundaries are lines. Below 1 they are fractal down to the
 /// cells, and more levels gain little. Empty where fewer than three sizes have such blocks.
 std::optional<double> boundary_exponent(const Grid& grid, std::span<const int> labels);
 

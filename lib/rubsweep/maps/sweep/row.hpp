@@ -14,27 +14,27 @@
 
 namespace rubsweep::sweep {
 
-/// How the run of a cell began.
+/// Start of the run of a cell.
 enum class RunStart {
-  kick,      ///< the quiet whirl, kicked
-  quiet,     ///< the quiet whirl; there is no kick
-  contact,   ///< rest in the static position, not kicked: the quiet motion itself reaches a wall
-  state,     ///< a state that the configuration gives, not kicked
-  handed_on  ///< on the motion of the cell before it on a line, never in a map
+  kick,      ///< on the quiet whirl, with a kick
+  quiet,     ///< on the quiet whirl, as there is no kick
+  contact,   ///< at rest in the static position, without a kick: the quiet motion itself reaches a wall
+  state,     ///< from a state in the configuration, without a kick
+  handed_on  ///< on the motion of the cell before it on a line; never in a map
 };
 
 constexpr std::string_view to_string(RunStart start) { return enumerator_word(start); }
 
-/// The secant of Hertz' line contacts that a cell was computed with in the end.
+/// Secant of Hertz' line contacts with which a cell was finally computed.
 struct HertzSecant {
-  int iterations = 0;  ///< how often it was taken anew
-  /// Force at which the secant is taken, of the stop with hertz that has the smallest design force; those of
-  /// the other stops follow from it.
+  int iterations = 0;  ///< number of times that the secant was adapted
+  /// Force at which the secant is taken, at the stop with hertz that has the smallest design force. The
+  /// secants of the other stops follow from it.
   double force_n = 0;
   double stiffness_n_per_m = 0;  ///< stiffness of that stop
 };
 
-/// All that survives of one cell: one row of the map. What does not apply is empty.
+/// Result of one cell, kept as one row of the map. Members that do not apply are empty.
 struct Row {
   double speed_hz = 0;
   double whirl_ratio = 0;
@@ -46,18 +46,18 @@ struct Row {
   std::optional<response::motion::Proof> proof;
   std::optional<bool> robust;                     ///< see is_robust; empty unless asked for
   std::optional<double> floquet_modulus;          ///< largest multiplier of a proven orbit over its period
-  std::optional<double> lyapunov_per_revolution;  ///< largest exponent, where a period was not found
+  std::optional<double> lyapunov_per_revolution;  ///< largest Lyapunov exponent, where no period was found
   std::optional<long> last_contact_revolution;
   long revolutions = 0;
   std::string status = "ok";                  ///< `ok` or one word per cause, joined by ';'
-  std::optional<double> peak_over_clearance;  ///< ratio of the measured motion to the first stop's clearance
-  std::optional<RunStart> start;              ///< empty: nothing was run
-  std::optional<double> robust_share{};       ///< see the function; empty unless asked for
+  std::optional<double> peak_over_clearance;  ///< peak_displacement_m over the clearance of the first stop
+  std::optional<RunStart> start;              ///< empty: nothing was simulated
+  std::optional<double> robust_share{};       ///< see the function robust_share; empty unless asked for
   std::optional<int> refinement_level{};      ///< level in a refined map
   std::optional<Basins>
       basins{};  ///< basins of a study that asks for them; empty where no kick was simulated
   std::vector<double> key_values{};              ///< values of the axes over keys, in the order of key_names
-  std::optional<HertzSecant> hertz{};            ///< secants that may be taken anew
+  std::optional<HertzSecant> hertz{};            ///< secants that may be adapted
   std::optional<response::Survival> survival{};  ///< survival of a chaotic motion
   std::optional<Threshold>
       threshold{};  ///< threshold of a study that asks for it; empty where no kick was simulated
@@ -68,10 +68,10 @@ std::string class_and_order(const Row& row);
 
 const response::motion::MotionKind& kind_of(const Row& row);
 
-/// Adds a word to the status of a row, once.
+/// Adds a word to the status of a row unless the status already has it.
 void add_status(Row& row, std::string_view word);
 
-/// Signature of a row's attractor: class, order, peak_displacement_m and the two lines at 1X.
+/// Numbers that identify a row's attractor: class, order, peak_displacement_m and both amplitudes at 1X.
 SampledMotion sampled_motion(const Row& row);
 
 }  // namespace rubsweep::sweep

@@ -14,12 +14,12 @@
 
 namespace rubsweep::sweep {
 
-/// Whether each cell is run again with other kicks to tell how firmly it holds its class (see is_robust and
-/// robust_share).
+/// Further runs of each cell with slightly different kicks, which test whether it keeps its class (see
+/// is_robust and robust_share).
 enum class Robustness { off, on, probability };
 inline constexpr auto robustness_words = words_of<Robustness>();
 
-/// Kicks beside that of the configuration, for Robustness::probability.
+/// Neighbouring kicks for Robustness::probability.
 struct Neighbours {
   int count = 8;       ///< even: half of them weaker, half stronger
   double part = 0.01;  ///< largest relative change of the force, in (0, 1)
@@ -34,7 +34,7 @@ struct Neighbours {
   }
 };
 
-/// Everything that decides the numbers of a map: never paths, threads or times.
+/// Everything that decides the numbers of a map. It has no paths, threads or times.
 struct Study {
   model::Machine machine;
   Grid grid;
@@ -42,17 +42,17 @@ struct Study {
   response::motion::ResponseOptions response;
   Robustness robustness = Robustness::off;
   Neighbours neighbours{};
-  /// How often a cell whose forces leave the range of its Hertz secants is run again with the secants at the
-  /// force found, at most; see with_hertz_iterations.
+  /// Limit on how often a cell whose forces leave the range of its Hertz secants is run again with secants at
+  /// the force found; see with_hertz_iterations.
   int hertz_iterations = 0;
-  std::optional<BasinSampling> basin{};      ///< each cell is also asked where these starts lead
-  std::optional<ThresholdScan> threshold{};  ///< each cell is also asked after which of these numbers it rubs
+  std::optional<BasinSampling> basin{};      ///< starts for a count of attractors in each cell
+  std::optional<ThresholdScan> threshold{};  ///< numbers for a search of thresholds of rub in each cell
   /// Makes this study with other numbers under some of its keys, and with an empty grid. Throws ConfigError
-  /// where they are not allowed. The reader of the study sets it, and leaves it empty where nothing varies
+  /// where the numbers are not allowed. The reader of the study sets it; it is empty where nothing varies
   /// keys. Threads may share it.
   std::function<Study(std::span<const KeyValue>)> with_keys{};
 
-  /// Keys of `response` behind those of ResponseOptions.
+  /// Visits the keys of `response` that follow those of ResponseOptions.
   static void visit_fields(auto& self, auto&& visit) {
     visit("robustness", self.robustness,
           model::key(robustness_words, "more runs of each cell with other kicks: two, or many"));

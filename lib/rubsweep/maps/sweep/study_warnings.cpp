@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::size_t most_speeds = 100;
 
-/// The quiet cell nearest to the wall at one speed; empty where all touch without a kick. `descending`: all
-/// unbalances.
+/// Quiet cell nearest to the wall at one speed; empty where all cells touch without a kick. `descending`: all
+/// unbalances, the largest first.
 std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::PreparedMachine& prepared,
                                               double speed_hz, const std::vector<double>& descending) {
   for (const double unbalance : descending) {
@@ -35,8 +35,9 @@ std::optional<scene::Cell> nearest_quiet_cell(const Study& study, const scene::P
   return std::nullopt;
 }
 
-/// No modal amplitude can grow by more than its share of the whole impulse, however the pulse spreads it in
-/// time. Not applicable to several pulses, whose shares do not simply add up.
+/// Whether the kick surely cannot bring the rotor to a wall. A pulse, however long, changes no modal
+/// amplitude by more than its whole impulse at once would. Returns false for several pulses, since their
+/// bounds do not simply add up.
 bool never_touches(const scene::Cell& cell, numerics::ModalFormCache& forms) {
   const scene::Scene& scene = cell.scene;
   if (scene.pulses.size() > 1) return false;
@@ -51,7 +52,8 @@ bool never_touches(const scene::Cell& cell, numerics::ModalFormCache& forms) {
   return response::proof::RestProof(cell, forms).proves(section);
 }
 
-/// `forms`: known ones, which no kick changes.
+/// Reason why no cell touches; empty if some may. `forms`: cache of modal forms, which do not depend on the
+/// kick.
 std::string why_untouched(const Study& study, const scene::PreparedMachine& prepared,
                           numerics::ModalFormCache& forms) {
   if (!study.grid.axes.empty()) return "";  // the machine differs from cell to cell
@@ -80,8 +82,8 @@ std::string why_untouched(const Study& study, const scene::PreparedMachine& prep
       kick->force_n, kick->duration_s);
 }
 
-/// Negligible change, as a share of the speed and in radians of the unbalance's direction: the unbalance is
-/// not known better than to a hundredth.
+/// Negligible change, as a share of the speed, and in radians for the direction of the unbalance. The
+/// unbalance is not known better than to a hundredth.
 constexpr double negligible_share = 0.01;
 
 double polar_inertia_kg_m2(const scene::PreparedMachine& prepared) {
@@ -91,7 +93,7 @@ double polar_inertia_kg_m2(const scene::PreparedMachine& prepared) {
 
 constexpr std::size_t most_speeds_tried = 400, most_machines = 16;
 
-/// Indices of at most `most` elements, spread evenly, the first and the last among them.
+/// Indices of at most `most` elements, spread evenly, including the first and the last.
 std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
   const std::size_t taken = std::min(count, most);
   std::vector<std::size_t> places;
@@ -99,7 +101,7 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
   return places;
 }
 
-/// Throws where the full matrices of a kit say otherwise at one of the speeds.
+/// Throws ConfigError where full and reduced matrices of a kit disagree on stability at one of the speeds.
 void refuse_mistaken(const scene::PreparedMachine& prepared, const std::set<double>& speeds_hz) {
   const model::RotorKit* kit = model::kit_of(prepared.machine);
   if (kit == nullptr) return;
@@ -118,7 +120,7 @@ void refuse_mistaken(const scene::PreparedMachine& prepared, const std::set<doub
 struct Found {
   std::size_t looked_at = 0, unstable = 0;
   double lowest_hz = 0, highest_hz = 0;
-  double growth_per_s = 0, growth_hz = 0;  ///< the fastest, and the speed that it is at
+  double growth_per_s = 0, growth_hz = 0;  ///< fastest growth, and speed at which it occurs
 
   void look(const structure::Assembly& assembly, double speed_hz) {
     const double speed = 2 * std::numbers::pi * speed_hz;
@@ -140,7 +142,7 @@ struct Found {
   }
 };
 
-/// Machine of a cell's values on the axes; empty where its numbers are not allowed together.
+/// Machine for the values of a cell on the axes; empty where its numbers are not allowed together.
 std::optional<scene::PreparedMachine> machine_of(const Study& study, std::size_t cell) {
   try {
     return scene::prepare_machine(study.with_keys(key_values(study.grid, cell)).machine);
@@ -182,7 +184,7 @@ std::optional<double> least_kick_force_n(const Study& study, const scene::Prepar
 std::string why_torsion_is_idle(const scene::PreparedMachine& prepared, double slowest_hz) {
   const model::RotorKit* kit = model::kit_of(prepared.machine);
   if (kit == nullptr || !kit->torsion) return "";
-  if (prepared.machine.start) return "";  // hits of any strength
+  if (prepared.machine.start) return "";  // a given state may cause hits of any strength
   const double impulse_ns = prepared.machine.kick ? 2 / std::numbers::pi * prepared.machine.kick->force_n *
                                                         prepared.machine.kick->duration_s
                                                   : 0;

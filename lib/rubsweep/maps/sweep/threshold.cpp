@@ -9,10 +9,11 @@ namespace {
 
 using Probes = std::map<double, Probe>;
 
-/// Halves the ratio of two positive numbers, the distance of others.
+/// Middle of two numbers: their geometric mean if both are positive, else their arithmetic mean.
 double between(double a, double b) { return a > 0 ? a * std::sqrt(b / a) : a + (b - a) / 2; }
 
-/// Adds probes until the one change between `a` and `b` that bisection follows is closed in on.
+/// Bisects between `a` and `b`, one of which rubs, and adds every number tried to `probes`, until the
+/// interval is within the tolerance.
 void bisect(Probes& probes, double a, double b, double tolerance, double floor,
             const std::function<Probe(double)>& probe) {
   const bool before = probes.at(a).rubs;

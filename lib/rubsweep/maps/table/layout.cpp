@@ -2,120 +2,41 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <string>
+
+#include "rubsweep/maps/table/head.hpp"
+#include "rubsweep/maps/table/judged_columns.hpp"
 
 namespace rubsweep::table {
 namespace {
 
-/// Lines that the layout is judged by.
-constexpr std::size_t most_lines = 1000;
-constexpr std::array<char, 4> separators{'\t', ';', ',', ' '};
-
-struct Line {
-  std::string_view text;
-  std::size_t number = 0, offset = 0;
-};
-
-/// The first lines that are not blank.
-std::vector<Line> first_lines(std::string_view text) {
-  std::vector<Line> lines;
-  const char* begin = text.data();
-  for (std::size_t number = 1; !text.empty() && lines.size() < most_lines; ++number) {
-    const auto offset = static_cast<std::size_t>(text.data() - begin);
-    const std::string_view line = take_line(text);
-    if (line.starts_with("***End_of_Header***"))
-      lines.clear();  // lines of LabVIEW's head: the table comes behind it
-    else if (line.find_first_not_of(" \t") != std::string_view::npos)
-      lines.push_back({line, number, offset});
-  }
-  return lines;
-}
-
-bool is_number(std::string_view cell, std::size_t column, char separator) {
-  if (cell.empty()) return false;
-  for (const bool comma : {false, true}) {
-    const NumberStyle style{separator, comma};
-    if (number_in(cell, style) || (column == 0 && time_stamp_in(cell, style))) return true;
-  }
-  return false;
-}
-
-std::vector<bool> numbers_in(const std::vector<std::string_view>& cells, char separator) {
-  std::vector<bool> numbers;
-  for (std::size_t i = 0; i < cells.size(); ++i) numbers.push_back(is_number(cells[i], i, separator));
-  return numbers;
-}
-
-/// The separator that most lines have two numbers by; a comma may also be that of decimals. Blanks stand in
-/// words, too: they part the cells where most lines have numbers by them.
-char separator_of(const std::vector<Line>& lines) {
-  char best = '\t';
-  long most = 0;
-  for (const char separator : separators) {
-    const auto parts = std::ranges::count_if(lines, [&](const Line& line) {
-      return !is_comment(line.text) &&
-             std::ranges::count(numbers_in(cells_of(line.text, separator), separator), true) > 1;
-    });
-    if (separator == ' ' && 2 * parts <= std::ssize(lines)) continue;
-    if (parts > most) best = separator;
-    most = std::max<long>(most, parts);
-  }
-  return best;
-}
-
-/// Cells of a row, and which of its columns hold numbers; lines count by the square of how many numbers they
-/// have, so that a head of keys and values is outdone by few rows.
-void judge_columns(const std::vector<Line>& lines, Layout& layout) {
-  std::map<std::size_t, std::ptrdiff_t> weight_of_count;
-  const auto for_rows = [&](auto&& take) {
-    for (const Line& line : lines) {
-      if (is_comment(line.text)) continue;
-      const auto cells = cells_of(line.text, layout.separator);
-      const auto numbers = numbers_in(cells, layout.separator);
-      const auto there = std::ranges::count(numbers, true);
-      if (there > 0) take(line, cells, numbers, there);
-    }
-  };
-  for_rows([&](const Line&, const auto& cells, const auto&, std::ptrdiff_t weight) {
-    weight_of_count[cells.size()] += weight;
-  });
-  if (weight_of_count.empty())
-    throw Fault{1, 1, "has no numbers", "a table whose cells are parted by tabs, semicolons or commas"};
-  const auto heavier = [](const auto& a, const auto& b) { return a.second < b.second; };
-  const std::size_t count = std::ranges::max_element(weight_of_count, heavier)->first;
-  layout.columns.resize(count);
-  std::vector<std::ptrdiff_t> votes(count, 0);
-  for_rows([&](const Line& line, const auto& cells, const auto& numbers, std::ptrdiff_t weight) {
-    for (std::size_t i = 0; i < count && cells.size() == count; ++i) {
-      if (cells[i].empty()) continue;
-      votes[i] += (numbers[i] ? 1 : -1) * weight * weight;
-      if (!numbers[i] && layout.columns[i].text_line == 0) layout.columns[i].text_line = line.number;
-    }
-  });
-  for (std::size_t i = 0; i < count; ++i) {
-    layout.columns[i].is_text = votes[i] < 0;
-    if (votes[i] > 0) layout.fewest_cells = i + 1;
-  }
-}
-
-/// Whether a line is a row of numbers, at least half of which are there.
-bool is_row(const Line& line, const Layout& layout) {
-  const auto cells = cells_of(line.text, layout.separator);
-  if (cells.size() < layout.fewest_cells) return false;
-  std::size_t numbers = 0, there = 0;
-  for (std::size_t i = 0; i < layout.fewest_cells; ++i) {
-    if (layout.columns[i].is_text) continue;
-    ++numbers;
-    if (cells[i].empty()) continue;
-    if (!is_number(cells[i], i, layout.separator)) return false;
-    ++there;
-  }
-  return 2 * there >= numbers;
-}
-
 bool is_unit_row(const std::vector<std::string_view>& cells) {
   return std::ranges::any_of(cells, [](auto cell) { return !cell.empty(); }) &&
          std::ranges::all_of(cells, [](auto cell) { return cell.empty() || is_unit(cell); });
+}
+
+/// Whether words of a row are units, where numbers stand among them: some oscilloscopes give a step of time
+/// there.
+bool is_unit_row_with_numbers(const std::vector<std::string_view>& cells, char separator) {
+  std::size_t words = 0, units = 0, numbers = 0;
+  for (const std::string_view cell : cells) {
+    if (cell.empty()) continue;
+    const bool number = is_number(cell, separator);
+    numbers += number;
+    words += !number;
+    units += !number && is_unit(cell);
+  }
+  return numbers > 0 && units > 0 && 2 * units >= words && words >= numbers;
+}
+
+/// Whether cells behind the first one count the columns, from 1 on.
+bool count_columns(const std::vector<std::string_view>& cells, const Layout& layout) {
+  if (cells.size() < std::max<std::size_t>(layout.fewest_cells, 2) || cells[0].empty() ||
+      is_number(cells[0], layout.separator))
+    return false;
+  for (std::size_t i = 1; i < layout.fewest_cells; ++i)
+    if (number_in(cells[i], {}) != static_cast<double>(i)) return false;
+  return true;
 }
 
 /// Whether cells name the columns: the first one may be a number of the row, without a name, and where no
@@ -125,7 +46,7 @@ bool are_names(const std::vector<std::string_view>& cells, const Layout& layout,
   std::size_t once = 0, named = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i].empty() && i > 0 && i < layout.fewest_cells) return false;
-    if (is_number(cells[i], i, layout.separator)) return false;
+    if (is_number(cells[i], layout.separator)) return false;
     if (cells[i].empty()) continue;
     once += std::ranges::count(cells, cells[i]) == 1;
     ++named;
@@ -137,7 +58,7 @@ bool are_names(const std::vector<std::string_view>& cells, const Layout& layout,
 void set_names(Layout& layout, const Line& line, std::string_view text) {
   const auto cells = cells_of(text, layout.separator);
   layout.names_line = line.number;
-  // Columns behind the numbers that have a name, and cells in some rows alone.
+  // Columns behind the numbers, which have a name but cells only in some rows.
   for (std::size_t i = layout.columns.size(); i < cells.size(); ++i)
     layout.columns.push_back({.heading = {}, .is_text = true});
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -149,16 +70,25 @@ void set_names(Layout& layout, const Line& line, std::string_view text) {
 void set_units(Layout& layout, const std::vector<std::string_view>& cells) {
   for (std::size_t i = 0; i < std::min(cells.size(), layout.columns.size()); ++i) {
     const Heading bracketed = heading_of(cells[i]);
-    if (!cells[i].empty())
+    if (!cells[i].empty() && !is_number(cells[i], layout.separator))
       layout.columns[i].heading.unit = bracketed.unit.empty() ? cells[i] : bracketed.unit;
   }
+}
+
+/// A line of a head that says units behind a key: "VUnit,V,V".
+bool is_keyed_unit_row(const std::vector<std::string_view>& cells, const Layout& layout) {
+  constexpr std::array<std::string_view, 6> keys{"vunit", "verticalunits", "vertical units",
+                                                 "unit",  "units",         "einheit"};
+  return cells.size() >= layout.fewest_cells && cells.size() > 1 &&
+         std::ranges::find(keys, in_small_letters(cells[0])) != keys.end() &&
+         is_unit_row({cells.begin() + 1, cells.end()});
 }
 
 std::string_view uncommented(std::string_view line) {
   return line.substr(std::min(line.find_first_not_of(" \t#%"), line.size()));
 }
 
-/// A row of numbers above the others would be left out.
+/// Refuses a row of numbers above the table, which would otherwise be lost.
 void refuse_other_rows(const Layout& layout, const std::vector<Line>& above) {
   for (const Line& line : above) {
     if (line.number < layout.names_line || is_comment(line.text)) continue;
@@ -171,7 +101,7 @@ void refuse_other_rows(const Layout& layout, const std::vector<Line>& above) {
   }
 }
 
-/// Names and units from the lines above the numbers.
+/// Takes names and units from the lines above the numbers.
 void find_names(Layout& layout, const std::vector<Line>& above) {
   std::vector<std::string_view> units;
   const Line* names = nullptr;
@@ -179,12 +109,15 @@ void find_names(Layout& layout, const std::vector<Line>& above) {
     for (auto line = above.rbegin(); line != above.rend() && names == nullptr; ++line) {
       if (is_comment(line->text)) continue;
       const auto cells = cells_of(line->text, layout.separator);
-      if (is_unit_row(cells) && cells.size() >= layout.fewest_cells) {
+      if (cells.size() >= layout.fewest_cells &&
+          (is_unit_row(cells) || is_unit_row_with_numbers(cells, layout.separator))) {
         if (units.empty()) units = cells;
-      } else if (are_names(cells, layout, all_differ)) {
+      } else if (is_keyed_unit_row(cells, layout)) {
+        continue;  // its units are taken below
+      } else if (are_names(cells, layout, all_differ) || (!units.empty() && count_columns(cells, layout))) {
         names = &*line;
       } else if (!all_differ) {
-        break;  // the line above the numbers alone
+        break;  // here only the line directly above the numbers counts
       }
     }
   }
@@ -199,6 +132,12 @@ void find_names(Layout& layout, const std::vector<Line>& above) {
         return set_names(layout, line, line.text);
   }
   set_units(layout, units);
+  for (const Line& line : above) {
+    auto cells = cells_of(line.text, layout.separator);
+    if (!units.empty() || !is_keyed_unit_row(cells, layout)) continue;
+    cells[0] = {};
+    set_units(layout, cells);
+  }
 }
 
 }  // namespace
@@ -217,7 +156,19 @@ bool is_comment(std::string_view line) {
 }
 
 Layout layout_of(std::string_view text) {
-  const std::vector<Line> lines = first_lines(text);
+  std::vector<Line> lines;
+  Lines rest(text);
+  // A long head is passed over: the last lines that were read must have numbers.
+  const auto has_number = [](const Line& line) {
+    return !is_comment(line.text) && std::ranges::any_of(separators, [&](char separator) {
+      const auto numbers = std::ranges::count(numbers_in(cells_of(line.text, separator), separator), true);
+      return numbers > (separator == ' ' ? 1 : 0);
+    });
+  };
+  while (rest.read_on(lines) &&
+         std::ranges::none_of(lines.end() - std::min<std::ptrdiff_t>(std::ssize(lines), 20), lines.end(),
+                              has_number)) {
+  }
   Layout layout{.separator = separator_of(lines), .columns = {}};
   judge_columns(lines, layout);
   const auto first = std::ranges::find_if(
@@ -227,12 +178,14 @@ Layout layout_of(std::string_view text) {
   layout.numbers_offset = first->offset;
   layout.numbers_line = first->number;
   find_names(layout, {lines.begin(), first});
+  if (layout.head_beside && layout.names_line == 0) name_from_beside(text, layout);
   refuse_other_rows(layout, {lines.begin(), first});
   return layout;
 }
 
 Layout layout_of(std::string_view text, const std::function<bool(const Heading&)>& is_name) {
-  const std::vector<Line> lines = first_lines(text);
+  std::vector<Line> lines;
+  Lines(text).read_on(lines);
   Layout layout;
   long most = 0;
   std::size_t names = 0;
@@ -251,7 +204,7 @@ Layout layout_of(std::string_view text, const std::function<bool(const Heading&)
       std::ranges::any_of(lines, [](const Line& line) { return !is_comment(line.text); });
   if (most == 0 && holds_cells) {
     const auto number = std::ranges::find_if(lines, [](const Line& line) {
-      return !is_comment(line.text) && is_number(cells_of(line.text, ' ')[0], 1, ' ');
+      return !is_comment(line.text) && is_number(cells_of(line.text, ' ')[0], ' ');
     });
     const bool any = number != lines.end();
     const std::string first(any ? cells_of(number->text, ' ')[0] : "");
@@ -264,7 +217,7 @@ Layout layout_of(std::string_view text, const std::function<bool(const Heading&)
   layout.columns.resize(cells_of(uncommented(lines[names].text), layout.separator).size());
   set_names(layout, lines[names], uncommented(lines[names].text));
   if (names > 0) {
-    // A unit under a name, among names with their units behind them.
+    // Names with units behind them may stand one line above, so that a name here may be missing.
     const auto above = cells_of(lines[names - 1].text, layout.separator);
     for (std::size_t i = 0; i < std::min(above.size(), layout.columns.size()); ++i)
       if (layout.columns[i].heading.name.empty()) layout.columns[i].heading.name = heading_of(above[i]).name;

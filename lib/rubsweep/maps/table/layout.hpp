@@ -15,9 +15,11 @@ struct Column {
   std::size_t column = 1;     ///< byte of its name in its line, from 1
   bool is_text = false;       ///< true: cells are words and no numbers: a comment, a status
   std::size_t text_line = 0;  ///< line of one such cell
+  bool is_stamp = false;      ///< true: cells are time stamps
+  bool is_empty = false;      ///< true: none of the first lines has a cell there
 };
 
-/// How a table is laid out, as far as its first lines tell.
+/// Layout of a table, found from its first lines.
 struct Layout {
   char separator = ',';
   std::vector<Column> columns;
@@ -25,22 +27,24 @@ struct Layout {
   std::size_t numbers_offset = 0;  ///< place of the first number
   std::size_t numbers_line = 1;    ///< line of the first numbers, from 1
   std::size_t fewest_cells = 1;    ///< least length of a row: up to its last column of numbers
+  bool head_beside = false;        ///< keys and values stand beside the first rows
 };
 
 /// Takes the next line off a text; a line ends with LF, CR LF or CR.
 std::string_view take_line(std::string_view& text);
 
-/// Whether a line has nothing but blanks, or begins with # or %.
+/// Whether a line is blank or begins with # or %.
 bool is_comment(std::string_view line);
 
 /// Layout of a table of numbers in UTF-8. Numbers begin in the first line with the layout that most lines of
 /// numbers have. Lines of units may stand above. Names are the nearest line above with one different name for
-/// each column, which is no number and no unit; a comment serves where there is no other line. Throws Fault
-/// for a text without numbers.
+/// each column, which is no number and no unit, or above units one that counts the columns; a comment serves
+/// where there is no other line. A head may also stand beside the first rows. Throws Fault for a text without
+/// numbers.
 Layout layout_of(std::string_view text);
 
-/// The same of a table that must have some of the names that `is_name` knows: these begin it, and every cell
-/// may be text. Throws Fault where there are none.
+/// Finds the layout of a table by a line of names of which `is_name` knows some. The table begins with this
+/// line, and every cell may be text. Throws Fault where no name is known.
 Layout layout_of(std::string_view text, const std::function<bool(const Heading&)>& is_name);
 
 }  // namespace rubsweep::table

@@ -1,9 +1,14 @@
 #include "rubsweep/maps/table/rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
+#include <optional>
 
 #include "rubsweep/maps/table/cell.hpp"
+#include "rubsweep/maps/table/judged_columns.hpp"
+#include "rubsweep/maps/table/time_stamp.hpp"
 
 namespace rubsweep::table {
 namespace {
@@ -42,10 +47,22 @@ std::string of_utf16(std::string_view bytes, bool large_end_first) {
     const auto first = static_cast<unsigned char>(bytes[i]),
                second = static_cast<unsigned char>(bytes[i + 1]);
     const std::uint32_t letter = large_end_first ? 256u * first + second : 256u * second + first;
-    // A half of a pair stands for a sign that no number, name or unit has.
+    // A character outside the basic plane, written as two halves, occurs in no number, name or unit.
     append(text, letter >= 0xd800 && letter <= 0xdfff ? '?' : letter);
   }
   return text;
+}
+
+/// UTF-16 without a mark: of its first letters every other byte is zero; true: the first of each pair.
+std::optional<bool> zero_in_a_pair(std::string_view bytes) {
+  constexpr std::size_t looked_at = 64;
+  if (bytes.size() < 8 || bytes.size() % 2 != 0) return std::nullopt;
+  std::array<std::size_t, 2> zeros{};
+  const std::size_t count = std::min(looked_at, bytes.size());
+  for (std::size_t i = 0; i < count; ++i) zeros[i % 2] += bytes[i] == '\0';
+  for (const bool first : {false, true})
+    if (zeros[first ? 1 : 0] == 0 && 4 * zeros[first ? 0 : 1] > count) return first;
+  return std::nullopt;
 }
 
 /// Whether commas may part thousands: groups of three digits behind the first one, which is shorter.
@@ -59,13 +76,29 @@ bool may_part_thousands(std::string_view cell) {
   return cell.find_first_not_of("0123456789,") == std::string_view::npos;
 }
 
-/// A cell fit for a message.
-std::string quoted(std::string_view cell) {
-  std::string text(cell.substr(0, 40));
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < 32; }, '?');
-  return '\'' + text + '\'';
+/// Words that stand in the place of a reading: out of range, or not there.
+bool stands_for_a_reading(std::string_view cell) {
+  constexpr std::array<std::string_view, 14> words{"nan",      "-nan", "\u221e", "-\u221e", "+\u221e",
+                                                   "ol",       "ovl",  "ovld",   "over",    "overload",
+                                                   "overflow", "---",  "n/a",    "#n/a"};
+  return std::ranges::find(words, in_small_letters(cell)) != words.end();
 }
+
+bool begins_a_number(std::string_view cell) {
+  const std::size_t digit = cell.find_first_not_of("+-.");
+  return digit < std::min<std::size_t>(cell.size(), 3) && cell[digit] >= '0' && cell[digit] <= '9';
+}
+
+bool says_words_alone(const std::vector<std::string_view>& cells, char separator) {
+  const auto reads = [&](std::string_view cell) {
+    return begins_a_number(cell) || is_number(cell, separator) || stands_for_a_reading(cell);
+  };
+  return std::ranges::any_of(cells, [](auto cell) { return !cell.empty(); }) &&
+         std::ranges::none_of(cells, reads);
+}
+
+/// A cell fit for a message.
+std::string quoted(std::string_view cell) { return '\'' + printable(cell.substr(0, 40)) + '\''; }
 
 }  // namespace
 
@@ -75,6 +108,8 @@ std::string utf8_of(std::string_view bytes) {
     text = of_utf16(bytes.substr(2), bytes.front() == '\xFE');
   } else if (bytes.starts_with("\xEF\xBB\xBF")) {
     text = bytes.substr(3);
+  } else if (const auto first = zero_in_a_pair(bytes)) {
+    text = of_utf16(bytes, *first);
   } else if (is_utf8(bytes)) {
     text = bytes;
   } else {
@@ -90,7 +125,7 @@ Rows::Rows(std::string_view text, const Layout& layout)
       style_{layout.separator, false},
       next_line_(layout.numbers_line) {}
 
-bool Rows::next() {
+bool Rows::read_line() {
   do {
     if (rest_.empty()) return false;
     text_ = take_line(rest_);
@@ -98,13 +133,43 @@ bool Rows::next() {
   } while (is_comment(text_));
   if (first_line_ == 0) first_line_ = line_;
   cells_ = cells_of(text_, layout_.separator);
-  const std::size_t given = cells_.size();
-  while (cells_.size() > layout_.columns.size() && cells_.back().empty()) cells_.pop_back();
-  if (cells_.size() >= layout_.fewest_cells && cells_.size() <= layout_.columns.size()) return true;
-  throw Fault{line_, 1, "has another number of cells, " + std::to_string(given),
+  return true;
+}
+
+bool Rows::fits() const {
+  const auto filled =
+      std::ranges::find_if(cells_.rbegin(), cells_.rend(), [](auto cell) { return !cell.empty(); });
+  return cells_.size() >= layout_.fewest_cells && cells_.rend() - filled <= std::ssize(layout_.columns);
+}
+
+void Rows::refuse_count() const {
+  throw Fault{line_, 1, "has another number of cells, " + std::to_string(cells_.size()),
               std::to_string(layout_.columns.size()) + (first_line_ == line_
                                                             ? ", as many as there are names"
                                                             : " as in line " + std::to_string(first_line_))};
+}
+
+bool Rows::next() {
+  if (!read_line()) return false;
+  if (!fits()) refuse_count();
+  cells_.resize(std::min(cells_.size(), layout_.columns.size()));
+  return true;
+}
+
+bool Rows::next_reading() {
+  while (read_line()) {
+    const bool as_usual = fits() && begins_a_number(cells_[0]);
+    if (!as_usual && says_words_alone(cells_, layout_.separator)) {
+      notes_.push_back(line_);
+      continue;
+    }
+    if (fits()) {
+      cells_.resize(std::min(cells_.size(), layout_.columns.size()));
+      return true;
+    }
+    refuse_count();
+  }
+  return false;
 }
 
 bool Rows::is_empty() const {
@@ -146,16 +211,15 @@ double Rows::number(std::size_t column) {
   return *value;
 }
 
-bool Rows::begins_with_stamp() const {
-  const NumberStyle comma{style_.separator, true};
-  return !number_in(cells_[0], style_) && !number_in(cells_[0], comma) &&
-         (time_stamp_in(cells_[0], style_) || time_stamp_in(cells_[0], comma));
+double Rows::reading(std::size_t column) {
+  if (stands_for_a_reading(cells_[column])) return std::numeric_limits<double>::quiet_NaN();
+  return number(column);
 }
 
-double Rows::time_stamp() {
-  if (const auto stamp = time_stamp_in(cells_[0], style_)) return *stamp;
-  if (const auto stamp = time_stamp_in(cells_[0], {style_.separator, true})) return *stamp;
-  throw fault(0, "is no time stamp", "hours:minutes:seconds, with or without a date before them");
+double Rows::time_stamp(std::size_t column) {
+  for (const bool comma : {false, true})
+    if (const auto stamp = time_stamp_in(cells_[column], {style_.separator, comma})) return *stamp;
+  throw fault(column, "is no time stamp", "hours:minutes:seconds, with or without a date before them");
 }
 
 }  // namespace rubsweep::table

@@ -38,14 +38,15 @@ fs::path made(const fs::path& directory) {
   return directory;
 }
 
-/// 000123.csv, and what becomes 000123.mat once it is whole.
+/// Whether a file is a recording: 000123.csv, 000123.mat, or 000123.mat.part, which is not whole yet.
 bool is_recording(std::string_view name) {
   if (name.ends_with(scratch_ending)) name.remove_suffix(scratch_ending.size());
   const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
   return digits > 0 && (name.substr(digits) == ".csv" || name.substr(digits) == ".mat");
 }
 
-/// Removes what killed processes left. An earlier version gave its scratch files the ending alone.
+/// Removes unfinished files of killed processes. An earlier version named its scratch files with
+/// `scratch_ending` alone.
 void remove_left_over(const fs::path& directory) {
   for (const std::string_view part : parts) {
     batch::remove_leftovers(directory / part, is_recording);
@@ -56,7 +57,7 @@ void remove_left_over(const fs::path& directory) {
   }
 }
 
-/// Refuses a directory with recordings of something else.
+/// Returns `journal`. Throws ConfigError where the directory holds recordings of another study or build.
 fs::path checked(const fs::path& journal, const batch::JournalHeader& header) {
   if (fs::exists(journal) && !batch::same_results(batch::read_journal_header(journal), header))
     throw ConfigError(
@@ -65,20 +66,20 @@ fs::path checked(const fs::path& journal, const batch::JournalHeader& header) {
   return journal;
 }
 
-/// The file that a line of labels names, its second cell.
+/// Name of the recording's file: the second cell of a line of labels.csv.
 std::string_view file_in(std::string_view label) {
   label.remove_prefix(label.find(',') + 1);
   return label.substr(0, label.find(','));
 }
 
-/// The sum of a recording's file, the last cell of its line of labels.
+/// Checksum of the recording's file: the last cell of its line in labels.csv.
 std::string_view sum_in(std::string_view label) { return label.substr(label.rfind(',') + 1); }
 
 bool is_whole(const fs::path& file, std::string_view sum) {
   return batch::find_input(file).problem.empty() && batch::sha256_of(batch::read_input(file)) == sum;
 }
 
-/// Returns the sum of the file.
+/// Writes the file of a recording; returns the file's checksum.
 std::string write_recording(const DataStudy& study, const LabelledRecording& recording) {
   const fs::path file = study.directory / file_of(study, recording);
   if (study.format == Format::matlab) return batch::sha256_of(write_recording_matlab(recording, file));

@@ -61,7 +61,7 @@ Split read_split(const yaml::Value& value) {
   return split;
 }
 
-/// Fewest readings a turn: below, motion at 2X is folded down.
+/// Fewest readings per turn: with fewer, the motion at 2X would be aliased.
 constexpr double fewest_readings = 5;
 
 void check_rate(const yaml::Section& section, const DataStudy& study, const MachineRanges& machine) {

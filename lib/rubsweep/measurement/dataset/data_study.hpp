@@ -16,30 +16,30 @@ namespace rubsweep::dataset {
 enum class Format { csv, matlab };
 constexpr std::string_view to_string(Format format) { return enumerator_word(format); }
 
-/// How motions are read.
+/// Way in which the motions are sampled by the instrument.
 struct Measurement {
-  int turns = 32;                  ///< turns of the shaft in every recording, as far as whole readings go
+  int turns = 32;                  ///< turns of the shaft in every recording, rounded down to whole readings
   double sampling_rate_hz = 5000;  ///< > 0
   int probes = 2;                  ///< 2: x and y; 1: x alone
-  /// White noise of every reading, standard deviation over the size of the motion.
+  /// White noise of every reading: its standard deviation divided by the size of the motion.
   diagnose::Spread noise_share{1e-3, 3e-2, true};
   diagnose::OtherLines other_lines{};  ///< run-out and the like: lines at 1X, 2X, 3X
   double gain_error = 0.02;            ///< standard deviation of each probe's gain about 1
 };
 
-/// Shares of the machines in each part of the set, all together 1.
+/// Shares of the machines in the three parts of the set; they add up to 1.
 struct Split {
   double training = 0.7, validation = 0.15, test = 0.15;
 };
 
-/// Bounds of a rub, in its recorded turns, that a machine survives.
+/// Limits of a rub during the recorded turns, above which a machine would not survive.
 struct RubBounds {
-  /// Largest force / stiffness of the contact / smallest clearance.
+  /// Largest force / (contact stiffness x smallest clearance).
   double penetration_ratio = diagnose::usual_penetration_ratio;
-  double force_ratio = 100;  ///< largest force of a stop / weight of the rotor
+  double force_ratio = 100;  ///< largest force on a stop / weight of the rotor
 };
 
-/// Everything that decides the bytes of a data set: never threads, paths or times.
+/// Everything that decides the bytes of a data set; threads, paths and times do not.
 struct DataStudy {
   long recordings = 1000;
   int recordings_per_machine = 10;

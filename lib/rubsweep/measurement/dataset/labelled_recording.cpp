@@ -22,7 +22,7 @@ constexpr bool of_one_recording(Unknown unknown) {
          unknown == Unknown::kick_angle || unknown == Unknown::kick_phase;
 }
 
-/// Sets how deep and how hard the stops are touched.
+/// Computes the penetration and force ratios of the recording's rub.
 void measure_rub(const DataStudy& study, LabelledRecording& recording) {
   constexpr double gravity_m_per_s2 = 9.80665;
   const double force_n = recording.motion.contact.peak_contact_force_n;
@@ -31,7 +31,8 @@ void measure_rub(const DataStudy& study, LabelledRecording& recording) {
   recording.force_ratio = force_n / (study.fixed.rotor_mass_kg * gravity_m_per_s2);
 }
 
-/// A motion with the numbers that are drawn until it runs and is no harder than a machine survives.
+/// Draws the numbers of this recording until its motion can be simulated and its rub stays within the study's
+/// limits.
 void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRecording& recording,
                  response::motion::Workspace& workspace) {
   constexpr int most_draws = 300;
@@ -56,7 +57,7 @@ void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRec
           recording.force_ratio <= study.rub.force_ratio)
         return;
     } catch (const ConfigError&) {
-      // Numbers that are each allowed, but not together.
+      // Each of these numbers is allowed, but their combination is not.
     }
   }
   throw SolverError(
@@ -64,12 +65,12 @@ void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRec
       ": no draw could be simulated that stays within rub.penetration_ratio and rub.force_ratio");
 }
 
-/// Readings of one direction at times that are in turns of the shaft.
+/// Readings of one direction at instants that are given in turns of the shaft.
 std::vector<double> read(const std::vector<std::complex<double>>& motion, bool y,
                          const std::vector<double>& turns) {
   std::vector<double> signal;
   for (const std::complex<double> z : motion) signal.push_back(y ? z.imag() : z.real());
-  // A reading is one sample of a stretch of its own; the last time only ends the last stretch.
+  // Each reading is the first sample of a stretch of its own, so one more instant must end the last stretch.
   std::vector<double> ends = turns;
   ends.push_back(2 * turns.back() - turns[turns.size() - 2]);
   return recording::at_equal_angles(signal, 0, samples_per_revolution, ends, 1);
@@ -85,7 +86,8 @@ MachineDraw draw_machine(const DataStudy& study, std::size_t machine) {
   diagnose::RandomStream random(study.seed, machine, Purpose::of_machine);
   MachineDraw drawn;
   for (const diagnose::UnknownRow& row : diagnose::unknown_rows())
-    if (!row.of_kit) drawn.unit[static_cast<std::size_t>(row.unknown)] = random.uniform();
+    if (!row.of_kit && row.unknown != Unknown::exponent)
+      drawn.unit[static_cast<std::size_t>(row.unknown)] = random.uniform();
   drawn.clearance_m = value_at(study.candidates[candidate_of(study, machine)].clearance_m, random.uniform());
   drawn.stop_angle_deg = 360 * random.uniform();
   drawn.mark_turns = random.uniform();
@@ -95,6 +97,8 @@ MachineDraw draw_machine(const DataStudy& study, std::size_t machine) {
                                                                        : "test";
   for (int probe = 0; probe < study.measurement.probes; ++probe)
     drawn.gain.push_back(1 + study.measurement.gain_error * random.normal());
+  // The last number of the stream, so that sets of springs stay what they were.
+  drawn.unit[static_cast<std::size_t>(Unknown::exponent)] = random.uniform();
   return drawn;
 }
 

@@ -27,7 +27,7 @@ bool touches(const DataStudy& study, const LabelledRecording& recording) {
   return study.candidates[recording.candidate].cause != Cause::no_rub;
 }
 
-/// A number of machines with stops.
+/// Value of an unknown that only machines with stops have; empty for the others.
 template <Unknown unknown>
 std::string of_stop(const DataStudy& study, const LabelledRecording& recording) {
   return touches(study, recording) ? number(value_of(recording.values, unknown)) : "";
@@ -135,6 +135,8 @@ std::vector<Column> motion_columns() {
       {{"force_ratio", "largest normal force at one stop over the weight of the rotor, in the recording"},
        [](S s, R r) { return touches(s, r) ? number(r.force_ratio) : std::string(); }},
       {{"sha256", "SHA-256 of its file"}, [](S, R r) { return r.sha256; }},
+      {{"exponent", "exponent of the penetration in the force of the contact; 1: a spring"},
+       of_stop<Unknown::exponent>},
   };
 }
 
@@ -157,8 +159,9 @@ std::string text_of(const diagnose::Spread& spread) {
 std::string ranges_of(const diagnose::Candidate& candidate) {
   std::string text;
   for (const diagnose::UnknownRow& row : diagnose::unknown_rows())
-    fmt::format_to(std::back_inserter(text), "  {}: {}\n", row.key,
-                   text_of(spread_of(candidate, row.unknown)));
+    if (row.unknown != Unknown::exponent || spread_of(candidate, row.unknown).high > 1)
+      fmt::format_to(std::back_inserter(text), "  {}: {}\n", row.key,
+                     text_of(spread_of(candidate, row.unknown)));
   fmt::format_to(std::back_inserter(text), "  clearance_m: {}\n", text_of(candidate.clearance_m));
   return text;
 }

@@ -16,7 +16,7 @@ using diagnose::Cause;
 using diagnose::Unknown;
 
 constexpr model::Range any_share{.low = 0, .high = 1}, noise{.low = 0, .high = 1, .low_open = true};
-/// The time of each reading is written with twelve digits.
+/// Allowed sampling rates, Hz; above 1 MHz, times written with twelve digits would no longer differ.
 constexpr model::Range rate_hz{.low = 0, .high = 1e6, .low_open = true};
 
 void read_disturbances(yaml::Section& section, diagnose::Spread& noise_share, diagnose::OtherLines& lines,
@@ -30,7 +30,7 @@ void read_disturbances(yaml::Section& section, diagnose::Spread& noise_share, di
 
 constexpr std::string_view candidate_file_form =
     "a map with clearance_m, eccentricity_m, candidates, prior, measurement";
-/// Range from a labyrinth seal of a small machine to the screw of a rotor kit.
+/// Usual clearances, from a labyrinth seal of a small machine to the screw of a rotor kit.
 constexpr diagnose::Spread usual_clearance_m{5e-5, 1e-3, true};
 
 void read_prior(const yaml::Value& value, std::vector<double>& prior) {
@@ -70,7 +70,7 @@ CandidateFile read_file_root(const yaml::Value& root) {
   return file;
 }
 
-/// Whether stops of this kind have a number.
+/// Whether a file of candidates may give this number for stops of this kind.
 bool has(Cause cause, const diagnose::UnknownRow& row) {
   if (!row.of_file || cause == Cause::no_rub) return false;
   if (row.unknown == Unknown::second_clearance_ratio) return cause == Cause::two_sides;
@@ -78,8 +78,8 @@ bool has(Cause cause, const diagnose::UnknownRow& row) {
   return true;
 }
 
-/// Reads the name, which is a cell of a table: a program for tables would take one that begins as a formula
-/// for one, and compute it.
+/// Reads the name, which becomes a cell of a table. A name that begins like a formula is refused, because a
+/// spreadsheet program would compute it.
 void read_name(const yaml::Value& value, std::string& name) {
   const auto text = yaml::read_text(value);
   if (!text) return;

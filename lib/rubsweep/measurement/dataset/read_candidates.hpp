@@ -14,38 +14,39 @@
 
 namespace rubsweep::config::dataset {
 
-/// Reads a number, which is then known, or a list of two, the bounds of an interval; `logarithmic` is how
-/// every part of an interval is equally likely. Leaves `target` as it is where the key is missing.
+/// Reads one number, which is then known, or a list of two numbers, the bounds of an interval. `logarithmic`:
+/// the logarithm is uniformly distributed between the bounds. Leaves `target` as it is where the key is
+/// missing.
 void read_spread(yaml::Section& section, std::string_view name, const model::Range& range, bool logarithmic,
                  diagnose::Spread& target);
 
-/// Reads how the motions of a data set are measured: turns, sampling_rate_hz, probes, and what read_measuring
-/// reads.
+/// Reads how the motions of a data set are measured: turns, sampling_rate_hz, probes, and the keys of
+/// read_measuring.
 rubsweep::dataset::Measurement read_measurement(const yaml::Value& value);
 
-/// Reads what is known of noise, of lines of other origin, and of gains: noise_share, backward_1x_share,
+/// Reads the prior knowledge of noise, lines of other origin and probe gains: noise_share, backward_1x_share,
 /// order_2_share, order_3_share, gain_error.
 void read_measuring(const yaml::Value& value, diagnose::Measuring& measuring);
 
-/// Candidates of a diagnosis, and what is known of the measurement beforehand.
+/// Candidates of a diagnosis, and the prior knowledge of the measurement.
 struct CandidateFile {
   std::vector<diagnose::Candidate>
-      candidates{};             ///< with their clearances; machine and speed come from elsewhere
-  std::vector<double> prior{};  ///< probability of each, add up to 1
+      candidates{};             ///< candidates with their clearances; machine and speed come from other files
+  std::vector<double> prior{};  ///< probability of each candidate; they add up to 1
   std::optional<diagnose::Spread> eccentricity_m{};  ///< unbalance of the recorded machine; empty: not known
   diagnose::Measuring measuring{};                   ///< probes and readings come from the recording
 };
 
-/// The usual candidates, equally likely.
+/// The usual candidates with equal probabilities.
 CandidateFile usual_candidate_file();
 
-/// Reads clearance_m, eccentricity_m, candidates, prior and measurement; what is missing is as usual. `name`
-/// stands for the file in messages. Throws ConfigError with every problem.
+/// Reads clearance_m, eccentricity_m, candidates, prior and measurement; a missing key has its usual value.
+/// `name` stands for the file in messages. Throws ConfigError with every problem.
 CandidateFile read_candidate_file_text(std::string_view text, const std::string& name);
 
-/// Reads a list of candidates, each the word of a cause or a map with kind, name, clearance_m and the keys of
-/// diagnose::unknown_rows that its stops have; other ranges are the usual ones. `of_any_rotor`: with those
-/// that only stops of a rotor kit have.
+/// Reads a list of candidates. Each is the name of a cause, or a map with kind, name, clearance_m and the
+/// keys of diagnose::unknown_rows that its stops have; missing keys have their usual ranges. `of_any_rotor`:
+/// keys that only stops of a rotor kit have are allowed, too.
 std::vector<diagnose::Candidate> read_candidates(const yaml::Value& value, bool of_any_rotor);
 
 }  // namespace rubsweep::config::dataset

@@ -1,5 +1,7 @@
 #include "rubsweep/measurement/diagnose/candidate.hpp"
 
+#include "rubsweep/core/model/normal_law.hpp"
+
 namespace rubsweep::diagnose {
 
 const std::array<UnknownRow, unknown_count>& unknown_rows() {
@@ -8,17 +10,17 @@ const std::array<UnknownRow, unknown_count>& unknown_rows() {
   static const std::array<UnknownRow, unknown_count> rows{{
       {Unknown::natural_frequency, "natural_frequency_hz", model::positive, {}, false, false},
       {Unknown::damping_ratio, "damping_ratio", model::positive, {}, false, false},
-      // Below a tenth no kick that a machine survives reaches the stop; three times the clearance is far
-      // inside it.
+      // Below 0.1 no kick that a machine survives reaches the stop; at 3 the quiet whirl would be three times
+      // as large as the clearance.
       {Unknown::whirl_ratio, "whirl_ratio", model::positive, {0.1, 3, true}, true},
-      // From a seal strip to steel on steel.
+      // Contact stiffness from a seal strip to steel on steel.
       {Unknown::stiffness, "stiffness_n_per_m", model::positive, {1e5, 1e8, true}, true},
       {Unknown::restitution, "restitution", restitution, {0.3, 0.95, false}, false},
-      // Oiled steel to dry metal.
+      // Friction from oiled steel to dry metal.
       {Unknown::friction, "friction_coefficient", friction, {0.02, 0.3, false}, false},
       {Unknown::casing_mass, "casing_mass_kg", model::positive, {0.02, 2, true}, true},
       {Unknown::casing_frequency, "casing_frequency_hz", model::positive, {100, 2000, true}, true},
-      // From a knock that just reaches the stop to one that crosses the clearance many times a turn.
+      // Kicks from a knock that just reaches the stop to one that crosses the clearance many times per turn.
       {Unknown::kick_ratio, "kick_ratio", model::positive, {0.5, 20, true}, true},
       {Unknown::kick_angle, "kick_angle_deg", model::any_finite, {-180, 180, false}, false, false},
       {Unknown::kick_phase, "kick_phase_deg", model::any_finite, {0, 360, false}, false, false},
@@ -27,6 +29,8 @@ const std::array<UnknownRow, unknown_count>& unknown_rows() {
       {Unknown::stop_angle, "stop_angle_deg", model::any_finite, {}, false, false, true},
       {Unknown::position, "position_m", model::not_negative, {}, false, false, true},
       {Unknown::kit, "kit", model::any_finite, {}, false, false, true},
+      // A spring, for which closed forms know the motion; others take many times the time.
+      {Unknown::exponent, "exponent", model::NormalLaw::exponent_range, {1, 1, false}, false},
   }};
   return rows;
 }
@@ -50,7 +54,7 @@ Candidate usual_candidate(Cause cause) {
   known(Unknown::kick_angle, 0);
   known(Unknown::kick_phase, 0);
   known(Unknown::offset_ratio, 0);
-  // From a rotor that is well balanced to one whose quiet whirl just clears the stop.
+  // Without a rub: from a well-balanced rotor to one whose quiet whirl just clears the stop.
   spread_of(candidate, Unknown::whirl_ratio) = {0.01, 1, true};
   return candidate;
 }

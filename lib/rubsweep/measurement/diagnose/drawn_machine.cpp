@@ -14,6 +14,23 @@ model::Rotor rotor_of(const Point& values, const FixedNumbers& fixed) {
                               value_of(values, Unknown::damping_ratio), fixed.rotating_damping_ratio};
 }
 
+/// Share of the clearance at which a contact with an exponent is as stiff as `stiffness` says.
+constexpr double share_of_stiffness = 0.05;
+
+/// A spring, or a power of the penetration with the damping of Hunt & Crossley.
+model::NormalLaw law_of(const Point& values, double clearance_m) {
+  model::NormalLaw law;
+  const double exponent = value_of(values, Unknown::exponent);
+  if (exponent <= 1) return law;
+  law.exponent = exponent;
+  law.kind = model::ForceCurve::power;
+  law.stiffness_n_per_m_n =
+      value_of(values, Unknown::stiffness) / std::pow(share_of_stiffness * clearance_m, law.exponent - 1);
+  law.damping = model::ImpactDamping::hunt_crossley;
+  law.restitution = value_of(values, Unknown::restitution);
+  return law;
+}
+
 model::Stop stop_of(Cause cause, const Point& values, double clearance_m, const FixedNumbers& fixed) {
   const double mass_kg = value_of(values, Unknown::casing_mass),
                angular = 2 * pi * value_of(values, Unknown::casing_frequency);
@@ -25,6 +42,7 @@ model::Stop stop_of(Cause cause, const Point& values, double clearance_m, const 
   stop.clearance_m = clearance_m;
   stop.stiffness_n_per_m = value_of(values, Unknown::stiffness);
   stop.damping = model::NominalRestitution{value_of(values, Unknown::restitution)};
+  stop.law = law_of(values, clearance_m);
   stop.contact_radius_m = fixed.contact_radius_m;
   stop.friction = model::ConstantFriction{value_of(values, Unknown::friction)};
   stop.casing = model::Casing{mass_kg, mass_kg * angular * angular, fixed.casing_damping_ratio};
@@ -70,7 +88,11 @@ model::Machine drawn_machine(Cause cause, const Point& values, double clearance_
 double penetration_ratio(Cause cause, const Point& values, double clearance_m, double force_n) {
   const double smallest =
       cause == Cause::two_sides ? std::fmin(1, value_of(values, Unknown::second_clearance_ratio)) : 1;
-  return force_n / value_of(values, Unknown::stiffness) / (smallest * clearance_m);
+  const double exponent = value_of(values, Unknown::exponent),
+               stiffness_n_per_m = value_of(values, Unknown::stiffness);
+  if (exponent <= 1) return force_n / stiffness_n_per_m / (smallest * clearance_m);
+  const double stiff_m = share_of_stiffness * clearance_m;
+  return share_of_stiffness * std::pow(force_n / (stiffness_n_per_m * stiff_m), 1 / exponent) / smallest;
 }
 
 }  // namespace rubsweep::diagnose

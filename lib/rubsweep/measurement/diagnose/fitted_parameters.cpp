@@ -16,14 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Quantile of the normal distribution: 95 % lie within so many standard deviations.
+/// Half width of the central 95 % interval of a normal distribution, in standard deviations.
 constexpr double deviations_of_95 = 1.959963984540054;
 
 [[noreturn]] void fail(const batch::CsvReader& rows, const std::string& what) {
   throw IoError(fmt::format("{}:{}: {}", rows.path().string(), rows.place().line, what));
 }
 
-/// Refuses numbers that no fit finds; a parameter without an interval has no end or two that are not finite.
+/// Refuses numbers that cannot come from a fit: the ends of an interval must be both finite or both infinite.
 void require_interval(const batch::CsvReader& rows, const std::string& name, double value, double low,
                       double high) {
   if (!std::isfinite(value)) fail(rows, fmt::format("{}: value: is no number, allowed: a finite one", name));
@@ -34,7 +34,7 @@ void require_interval(const batch::CsvReader& rows, const std::string& name, dou
   }
 }
 
-/// Correlations that some errors may have, whatever rounding is in the file.
+/// Whether a matrix can be a correlation matrix, apart from rounding in the file.
 bool are_correlations(const Eigen::MatrixXd& correlation) {
   constexpr double rounding = 1e-6;
   return (correlation - correlation.transpose()).cwiseAbs().maxCoeff() <= rounding &&

@@ -11,7 +11,7 @@
 
 namespace rubsweep::diagnose {
 
-/// Parameters that rubfit found, with what it left open.
+/// Parameters that rubfit found, with their uncertainty.
 struct FittedParameters {
   std::vector<std::string> name{};
   Eigen::VectorXd value{}, low_95{}, high_95{};
@@ -19,15 +19,15 @@ struct FittedParameters {
   std::string text{};            ///< bytes of the files
 };
 
-/// Reads parameters.csv and correlation.csv of a directory; without the second one errors are not correlated.
-/// Empty where there is no parameters.csv. Throws IoError where a file is damaged.
+/// Reads parameters.csv and correlation.csv of a directory; without correlation.csv the errors are
+/// uncorrelated. Empty where there is no parameters.csv. Throws IoError where a file is damaged.
 std::optional<FittedParameters> read_fitted_parameters(const std::filesystem::path& directory);
 
 /// 95 % interval of a parameter; empty where it was not fitted.
 std::optional<Spread> interval_of(const FittedParameters& fitted, std::string_view name);
 
-/// Values as the fit leaves them: normally distributed, correlated. A value whose interval is not finite
-/// stays as it was found.
+/// Draws parameter values from the normal distribution with the fit's standard errors and correlation. A
+/// value without a finite interval keeps its fitted value.
 Eigen::VectorXd draw_parameters(const FittedParameters& fitted, RandomStream& random);
 
 }  // namespace rubsweep::diagnose

@@ -21,7 +21,8 @@
 namespace rubsweep::diagnose {
 namespace {
 
-/// Part of a kit that ties its motion to a length or a force of its own.
+/// Part of a kit that fixes a length or a force, so that the motion cannot be scaled; empty where there is
+/// none.
 std::optional<std::string_view> part_of_its_own_size(const model::RotorKit& kit) {
   if (kit.bow) return "rotor.bow";
   if (model::has_misalignment(kit) || model::has_standing_misalignment(kit)) return "rotor.couplings";
@@ -34,7 +35,7 @@ std::optional<std::string_view> part_of_its_own_size(const model::RotorKit& kit)
   return std::nullopt;
 }
 
-/// The kit in a round stop that nothing reaches.
+/// The kit with a round stop out of its reach.
 model::Machine in_a_wide_stop(const model::RotorKit& kit, double position_m) {
   model::Stop stop;
   stop.geometry = model::AnnularGeometry{};
@@ -57,7 +58,8 @@ std::vector<double> nodes_of(const model::RotorKit& kit) {
   return nodes_m;
 }
 
-/// First and last support on the shaft; the whole shaft where they stand at one place or there is none.
+/// Positions of the first and the last support on the shaft; both ends of the shaft where these do not
+/// differ.
 std::pair<double, double> span_of(const model::RotorKit& kit) {
   double from_m = std::numeric_limits<double>::infinity(), to_m = 0;
   for (const model::Support& support : kit.supports) {
@@ -74,8 +76,8 @@ double lowest_frequency_hz(const scene::PreparedMachine& prepared) {
                   prepared.reduction->frequency_hz[1].minCoeff());
 }
 
-/// Modes that are kept in each plane: those within the orders that are compared, and one more. The attachment
-/// modes of the stops make up for the compliance of the others.
+/// Number of modes kept in each plane: those up to the highest compared order, and one more. The attachment
+/// modes of the stops replace the compliance of the modes left out.
 int modes_kept(const structure::Reduction& reduction, double speed_hz) {
   const double compared_hz = most_order * speed_hz;
   Eigen::Index most = 1;
@@ -93,7 +95,7 @@ void add(const Matrix& matrix, batch::Sha256& sum) {
            static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar)});
 }
 
-/// Everything that moves the kit, whatever file it came from.
+/// Adds everything that decides the motion of the kit to a digest, whatever file it came from.
 void add(const scene::PreparedMachine& prepared, batch::Sha256& sum) {
   const structure::LinearSystem& system = prepared.assembly.system;
   for (const Eigen::MatrixXd* matrix :
@@ -127,7 +129,7 @@ KnownKit known_kit(std::vector<model::RotorKit> drawn, double speed_hz, const st
   const model::RotorKit& first = drawn.front();
   refuse_unscalable(first, name);
   KnownKit known = places_of(first);
-  // Off the middle, where every second mode of a symmetric shaft has a node.
+  // A place away from midspan, where every second mode of a symmetric shaft has a node.
   const double inside_m = place_of_stop(known, std::lerp(known.from_m, known.to_m, 0.3));
   const int modes = modes_kept(*scene::prepare_machine(in_a_wide_stop(first, inside_m)).reduction, speed_hz);
   std::vector<std::pair<double, std::size_t>> order;

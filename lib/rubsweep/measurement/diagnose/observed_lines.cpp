@@ -17,7 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-/// A share between the smallest one and `largest`, its logarithm drawn evenly.
+/// A random share between the smallest one and `largest`, uniform in its logarithm.
 double share(double largest, RandomStream& random) {
   const double unit = random.uniform();
   if (largest <= OtherLines::smallest_share) return largest * unit;
@@ -31,7 +31,7 @@ void add_line(std::span<Complex> samples, int order, Complex amplitude) {
   }
 }
 
-/// z = x + iy after each of both was multiplied: conj(z) has the lines conj(A_-k).
+/// Lines after x and y were multiplied by their gains; the lines of conj(z) are conj(A_-k).
 MotionLines with_gains(const MotionLines& lines, double x_gain, double y_gain) {
   MotionLines seen = lines;
   for (int k = -lines.last(); k <= lines.last(); ++k)
@@ -39,13 +39,13 @@ MotionLines with_gains(const MotionLines& lines, double x_gain, double y_gain) {
   return seen;
 }
 
-/// A line that no rub made.
+/// A line in the spectrum that no rub caused.
 struct OtherLine {
   int order = 0;
   Complex amplitude = 0;  ///< amplitude in the unit of the motion
 };
 
-/// Lines at -1X, 2X, -2X, 3X and -3X of a motion of this size.
+/// Draws lines at -1X, 2X, -2X, 3X and -3X for a motion of this size.
 std::array<OtherLine, 5> draw_other_lines(const OtherLines& lines, double size, RandomStream& random) {
   std::array<OtherLine, 5> drawn{{{-1}, {2}, {-2}, {3}, {-3}}};
   for (OtherLine& line : drawn) {
@@ -120,14 +120,14 @@ MotionLines observed(const MotionLines& motion, const Measuring& measuring, Rand
     probe_angle_rad = measuring.directions ? measuring.probe_angle_rad : 2 * pi * random.uniform();
   seen.amplitude *= std::polar(1.0, -probe_angle_rad);
   seen = with_gains(seen, x_gain, measuring.probes == 1 ? 0 : y_gain);
-  // White noise of n readings leaves noise / sqrt(n) in each line, from x and from y.
+  // White noise of n readings leaves noise / sqrt(n) in each line, from x and from y alike.
   const double of_a_line = noise / std::sqrt(measuring.readings_per_turn * seen.turns);
   MotionLines rustle{seen.turns, Eigen::VectorXcd(seen.amplitude.size())};
   for (Complex& a : rustle.amplitude) {
     const double real = random.normal();
     a = of_a_line * Complex(real, random.normal());
   }
-  // Noise of one probe is real, too.
+  // With one probe the noise is real, like the signal.
   seen.amplitude += measuring.probes == 1 ? with_gains(rustle, 1, 0).amplitude : rustle.amplitude;
   if (measuring.from_rest) {
     const double x = random.normal(), y = random.normal();

@@ -4,7 +4,7 @@
 
 namespace rubsweep::diagnose {
 
-/// Purposes of the random numbers of a diagnosis.
+/// Purposes that keep the random streams of a diagnosis apart.
 enum DrawPurpose : std::uint64_t {
   of_prior = 100,
   of_proposal,
@@ -16,16 +16,16 @@ enum DrawPurpose : std::uint64_t {
   of_half
 };
 
-/// Random numbers that depend on three numbers alone, so that any thread may make any stream: a seed, the
-/// index of what is drawn, and its purpose, which keeps draws of one index apart. SplitMix64 (Steele, Lea,
-/// Flood 2014) from a start that these numbers are mixed into.
+/// Random numbers that depend on three numbers alone, so that any thread can make any stream: a seed, the
+/// index of the drawn object, and the purpose, which separates streams of the same index. The generator is
+/// SplitMix64 (Steele, Lea, Flood 2014), started from a mixture of the three numbers.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::uint64_t index, std::uint64_t purpose);
 
   std::uint64_t bits();
-  double uniform();  ///< in [0, 1), multiples of 2^-53
-  double normal();   ///< mean 0, standard deviation 1 (Box and Muller 1958)
+  double uniform();  ///< uniform in [0, 1), a multiple of 2^-53
+  double normal();   ///< normal with mean 0 and standard deviation 1 (Box and Muller 1958)
 
  private:
   std::uint64_t state_;
@@ -33,14 +33,14 @@ class RandomStream {
   bool has_waiting_ = false;
 };
 
-/// Knowledge of a number before a recording is looked at: it lies between two bounds, every part of the
-/// interval being as likely, or every part of its logarithm. Equal bounds: it is known.
+/// Prior distribution of a number between two bounds: uniform, or uniform in its logarithm. Equal bounds: the
+/// number is known.
 struct Spread {
   double low = 0, high = 0;  ///< low <= high; both > 0 where logarithmic
   bool logarithmic = false;
 };
 
-/// Value below which the number lies with probability `unit`, in [0, 1].
+/// Quantile: the number lies below this value with probability `unit`, in [0, 1].
 double value_at(const Spread& spread, double unit);
 
 }  // namespace rubsweep::diagnose

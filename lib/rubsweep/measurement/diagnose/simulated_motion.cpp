@@ -17,8 +17,8 @@ namespace {
 
 constexpr int samples_of_a_turn = 32;
 
-/// A kit that says how many modes it keeps is not asked again whether they are enough: that takes most of the
-/// time of a short run.
+/// A kit with a fixed number of modes is not checked for whether they suffice: the check would take most of
+/// the time of a short run.
 scene::Cell cell_of(const model::Machine& machine, double speed_hz, const scene::Unbalance& unbalance) {
   const model::RotorKit* kit = model::kit_of(machine);
   if (!kit || !kit->modes) return scene::build_cell(machine, speed_hz, unbalance);
@@ -28,7 +28,7 @@ scene::Cell cell_of(const model::Machine& machine, double speed_hz, const scene:
 
 std::optional<LastingMotion> record(const scene::Cell& cell, const response::motion::Settling& settling,
                                     int turns, response::spectrum::SpectrumWorkspace& workspace) {
-  // Every machine is another one: a cache for all of them would only grow.
+  // Every machine is different, so a cache shared by all of them would only grow.
   integrate::exact::modes::ModeCache modes;
   const auto motion = response::motion::record_settled(
       cell.scene, {}, modes,
@@ -93,7 +93,7 @@ std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, do
   response.max_revolutions = 400;
   response.window_revolutions = 64;
   response.samples_per_revolution = samples_per_revolution;
-  // Tells chaos from what is not decided, at a price.
+  // The Lyapunov exponent separates chaos from undecided motion; it takes more time.
   response.exponent = true;
   const response::SettledRun settled = response::settle(cell, solver, response, workspace);
   if (settled.outcome != integrate::run::Outcome::ok) return std::nullopt;
@@ -103,7 +103,7 @@ std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, do
                          .eccentricity_m = cell.eccentricity_m,
                          .whirl_ratio = cell.whirl_ratio,
                          .kicked = !cell.scene.pulses.empty()};
-  // Set back to revolution 0 the run would be kicked again.
+  // The clock returns to revolution 0, where the pulses would act again.
   cell.scene.pulses.clear();
   const bool touches = response::motion::row_of(settled.motion.motion_class).rubs;
   const int waiting = turns_after_verdict(std::get<model::JeffcottRotor>(machine.rotor), speed_hz, touches);

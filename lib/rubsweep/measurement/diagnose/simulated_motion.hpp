@@ -13,65 +13,64 @@
 
 namespace rubsweep::diagnose {
 
-/// Turns of the shaft in which free vibration of a damped rotor falls to the share `left` of what it was: its
-/// envelope is exp(-damping_ratio * natural angular frequency * time). At most a million.
+/// Turns of the shaft after which a damped free vibration has fallen to the share `left` of its first value:
+/// its envelope is exp(-damping_ratio * natural angular frequency * time). At most a million.
 int turns_to_decay(double natural_frequency_hz, double damping_ratio, double speed_hz, double left);
 
-/// Turns without contact after which a motion counts as one that has fallen back to quiet whirling.
+/// Turns without contact after which a motion counts as quiet whirling again.
 inline constexpr int turns_in_flight = 30;
 
-/// Turns between the kick and the recording. A Jeffcott rotor's free vibration dies away to a two-hundredth
-/// in them, but for slow decay: no more than `most_turns_before_recording`. A rotor kit waits as long as most
-/// Jeffcott rotors do.
+/// Turns between the kick and the recording. In them the free vibration of a Jeffcott rotor decays to 1/200,
+/// unless that takes longer than `most_turns_before_recording`. A rotor kit waits about as long as most
+/// Jeffcott rotors.
 inline constexpr int fewest_turns_before_recording = 120, most_turns_before_recording = 400,
                      kit_turns_before_recording = 200;
 int turns_before_recording(const model::Machine& machine, double speed_hz);
 
-inline constexpr double most_order = 8;  ///< highest order of lines that are looked at
+inline constexpr double most_order = 8;  ///< highest order of the lines used
 
-/// A motion that a kick left, without a verdict on it: several times cheaper than SimulatedMotion.
+/// A motion after a kick, without a verdict: several times cheaper than SimulatedMotion.
 struct LastingMotion {
-  MotionLines lines{};                       ///< up to most_order
-  response::motion::ContactFacts contact{};  ///< over the recorded turns
+  MotionLines lines{};                       ///< lines up to most_order
+  response::motion::ContactFacts contact{};  ///< facts over the recorded turns
   double eccentricity_m = 0;
 };
 
-/// Runs a machine from its start for turns_before_recording() and records so many turns. Empty
-/// where it touches nothing in them, fails, or cannot start.
+/// Runs a machine from its start for turns_before_recording() and then records `turns` turns. Empty where the
+/// recorded turns have no contact, the run fails, or it cannot start.
 std::optional<LastingMotion> rubbing_motion(const model::Machine& machine, double speed_hz,
                                             const scene::Unbalance& unbalance, int turns,
                                             response::spectrum::SpectrumWorkspace& workspace);
 
-/// The same of a machine that touches nothing: its quiet motion.
+/// Records the quiet motion of a machine in the same way; empty where it touches a stop.
 std::optional<LastingMotion> motion_without_contact(const model::Machine& machine, double speed_hz,
                                                     const scene::Unbalance& unbalance, int turns,
                                                     response::spectrum::SpectrumWorkspace& workspace);
 
 inline constexpr int samples_per_revolution = 128;
 
-/// Most and fewest turns that pass between the verdict on a motion and its recording; in between those in
-/// which free vibration falls to a hundred thousandth. The verdict comes while it is still dying away, and
-/// may find ten times the quiet whirl: a thousandth of that would stand in a recording as a line of its own.
-/// Motions that touch a stop are not waited for longer than `most_turns_touching`, as contacts damp them,
-/// too.
+/// Limits for the number of turns between the verdict on a motion and its recording; between these limits it
+/// is the number after which the free vibration has decayed to 1e-5. At the verdict this vibration may be ten
+/// times the quiet whirl, and a thousandth of it would appear as a line of its own in a recording. Motions
+/// that touch a stop wait for `most_turns_touching` at most, because contacts damp them, too.
 inline constexpr int fewest_turns_after_verdict = 40, most_turns_after_verdict = 2000,
                      most_turns_touching = 150;
 
 /// A settled motion and its label.
 struct SimulatedMotion {
-  /// x + iy in metres, samples_per_revolution of every turn.
+  /// x + iy in metres, samples_per_revolution values per turn.
   std::vector<std::complex<double>> displacement_m{};
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
   std::optional<int> order{};
   std::optional<response::motion::Proof> proof{};
   response::motion::ContactFacts contact{};  ///< facts over the recorded turns
   double eccentricity_m = 0, whirl_ratio = 0;
-  bool kicked = false;  ///< false: it started at rest, as the quiet whirl touches a stop, or has no kick
+  bool kicked = false;  ///< false: it started at rest, as its quiet whirl touches a stop, or it has no kick
   bool rubs = false;    ///< touched a stop in the recorded turns
 };
 
-/// Runs a machine with a Jeffcott rotor from its start until its motion is known, on until its free vibration
-/// has died away, and then records so many turns. Empty where the run fails, or cannot start.
+/// Runs a machine with a Jeffcott rotor from its start until its motion is classified, goes on until the free
+/// vibration has decayed, and then records `turns` turns. Empty where the run fails or cannot start.
 std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, double speed_hz,
                                                const scene::Unbalance& unbalance, int turns,
                                                response::motion::Workspace& workspace);

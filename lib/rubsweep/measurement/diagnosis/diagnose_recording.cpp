@@ -16,10 +16,10 @@ namespace {
 
 namespace inference = diagnose::inference;
 
-/// Fewest motions that an interrupted diagnosis answers from.
+/// Fewest motions from which an interrupted diagnosis still answers.
 constexpr std::size_t fewest_motions = 100;
 
-/// Knowledge of the machine in the candidates.
+/// Sets the known intervals of the machine in all candidates.
 void tell_machine(const DiagnosedMachine& machine, const std::string& list,
                   std::vector<diagnose::Candidate>& candidates) {
   const diagnose::KnownKit* kit = machine.fixed.kit.get();

@@ -19,63 +19,63 @@
 
 namespace rubsweep::diagnosis {
 
-/// Turns that are compared: as many as fractions of the speed up to 1/6 have whole periods in.
+/// Limits of the number of compared turns. In 30 turns, or 12, many fractions of the speed have whole
+/// periods.
 inline constexpr int most_turns = 30, fewest_turns = 12;
 
-/// A recording, and the motions that it is compared with.
+/// A recording, and the problem that defines the motions it is compared with.
 struct RecordedProblem {
   recording::Recording recording{};
   diagnose::inference::DiagnosisProblem problem{};
-  std::vector<std::string> remarks{};  ///< sources of intervals that are not the file's
-  std::string text{};                  ///< files of the machine, as they were read
+  std::vector<std::string> remarks{};  ///< sources of intervals that do not come from the file
+  std::string text{};                  ///< text of the machine's files as they were read
 };
 
-/// Questions of a diagnosis.
+/// Input of a diagnosis beside the recording.
 struct DiagnosisQuestions {
   std::string name{};               ///< name of the recording, in messages and in the answer
-  std::filesystem::path machine{};  ///< configuration of the machine, perhaps beside the files of a fit
+  std::filesystem::path machine{};  ///< machine's configuration, with the files of a fit beside it if any
   config::dataset::CandidateFile candidates = config::dataset::usual_candidate_file();
-  std::string list{};  ///< name of the file of candidates, in messages
+  std::string list{};  ///< name of the candidates' file, in messages
   std::uint64_t seed = 1;
 };
 
-/// Puts recording and machine together, which is that of `questions.machine`; stops of a kit may stand
-/// anywhere between its supports, and at any angle where it is not the same all around. Throws ConfigError
-/// for fewer turns than `fewest_turns`, for a speed that changes, and for places that the machine does not
-/// have.
+/// Combines a recording with the machine of `questions.machine`. Stops of a kit may stand anywhere between
+/// its supports and, on an anisotropic kit, at any angle. Throws ConfigError for fewer turns than
+/// `fewest_turns`, for a changing speed, and for positions that the machine does not have.
 RecordedProblem recorded_problem(DiagnosedMachine machine, recording::Recording recording,
                                  const recording::Instrument& instrument,
                                  const DiagnosisQuestions& questions);
 
 /// Effort of a diagnosis.
 struct DiagnosisEffort {
-  int motions = 600;                     ///< motions of each candidate, from the priors
-  int rounds = 3;                        ///< most rounds of draws near motions that resemble the recording
-  int threads = 0;                       ///< 0: all; decides no result
+  int motions = 600;                     ///< motions drawn from the priors, per candidate
+  int rounds = 3;                        ///< most rounds with draws near motions that resemble the recording
+  int threads = 0;                       ///< 0: all processors; decides no result
   const std::atomic<bool>* stop{};       ///< true: no new draw begins
-  std::filesystem::path kept_motions{};  ///< directory where motions are kept from call to call; empty: none
-  std::function<void(std::size_t done, std::size_t all)> on_motions{};  ///< one call at a time
+  std::filesystem::path kept_motions{};  ///< directory that keeps motions between calls; empty: none
+  std::function<void(std::size_t done, std::size_t all)> on_motions{};  ///< progress; one call at a time
 };
 
-/// Motions of the priors that an earlier call kept; empty where there are none.
+/// Motions that an earlier call drew from the priors and kept; empty where there are none.
 std::optional<diagnose::inference::CaseSet> kept_motions(const RecordedProblem& recorded,
                                                          const DiagnosisEffort& effort);
 
-/// Simulates motions of the priors, and keeps them unless it was stopped. Throws IoError.
+/// Simulates motions drawn from the priors, and keeps them unless the run was stopped. Throws IoError.
 diagnose::inference::CaseSet simulated_motions(const RecordedProblem& recorded,
                                                const DiagnosisEffort& effort);
 
-/// Lines of the last turns of the recording, which are compared.
+/// Lines of the last turns of the recording, with which motions are compared.
 diagnose::MotionLines lines_of(const RecordedProblem& recorded);
 
-/// Compares them with the recording. Empty where it was stopped before there were motions enough for an
-/// answer.
+/// Compares the motions with the recording. Empty where it was stopped before there were enough motions for
+/// an answer.
 std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorded, const std::string& name,
                                                   diagnose::inference::CaseSet motions,
                                                   const DiagnosisEffort& effort);
 
-/// The same in one call: which stop a recording tells of, with probabilities and numbers of the machine.
-/// Throws as read_diagnosed_machine and recorded_problem, and IoError.
+/// Complete diagnosis in one call: which stop the recording shows, with probabilities and parameters of the
+/// machine. Throws like read_diagnosed_machine and recorded_problem, and IoError.
 std::optional<diagnose::answer::Answer> diagnose_recording(recording::Recording recording,
                                                            const recording::Instrument& instrument,
                                                            const DiagnosisQuestions& questions,

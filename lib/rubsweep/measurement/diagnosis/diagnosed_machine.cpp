@@ -18,16 +18,16 @@ namespace {
 namespace fs = std::filesystem;
 using Fitted = std::optional<diagnose::FittedParameters>;
 
-/// Shares on either side of a number that no fit gives an interval of.
+/// Relative half widths of the intervals of parameters for which a fit gives none.
 constexpr double frequency_share = 0.01, damping_share = 0.2;
 
-/// Kits that stand for all that are likely.
+/// Number of kits that represent all likely ones.
 constexpr std::size_t likely_kits = 60;
 
-/// The unbalance of a run is not that of another day: a quarter more and less.
+/// Relative margin on both sides of the fitted unbalance, which may differ from run to run.
 constexpr double unbalance_share = 0.25;
 
-/// The interval of the fit, else a share about the value.
+/// Interval of the fit, or one of relative half width `share` about the value.
 diagnose::Spread interval_of(const Fitted& fitted, const std::string& key, double value, double share,
                              std::vector<std::string>& remarks) {
   const auto interval = fitted ? diagnose::interval_of(*fitted, key) : std::nullopt;
@@ -65,7 +65,7 @@ void set_jeffcott(const model::JeffcottRotor& rotor, const Fitted& fitted, const
       "called none of these; a rotor_kit has its modes");
 }
 
-/// Refuses a fit of another machine than that of the configuration beside it.
+/// Throws ConfigError where the fit belongs to another machine than the configuration beside it.
 void require_same_machine(const diagnose::FittedParameters& fitted, const config::RunConfig& config,
                           const fs::path& file) {
   constexpr double rounding = 1e-6;
@@ -82,7 +82,7 @@ void require_same_machine(const diagnose::FittedParameters& fitted, const config
   }
 }
 
-/// Values of the fitted keys of the rotor as overrides of a configuration.
+/// Fitted values of the rotor's keys as overrides of a configuration.
 std::vector<std::string> overrides_of(const diagnose::FittedParameters& fitted,
                                       const Eigen::VectorXd& values) {
   std::vector<std::string> overrides;
@@ -92,7 +92,8 @@ std::vector<std::string> overrides_of(const diagnose::FittedParameters& fitted,
   return overrides;
 }
 
-/// Kits by draws from the errors of the fit, the best one first. Draws that are not allowed are left out.
+/// Kits with parameters drawn from the errors of the fit, the best fit first. Draws with forbidden values are
+/// left out.
 std::vector<model::RotorKit> fitted_kits(const std::string& text, const fs::path& file,
                                          const diagnose::FittedParameters& fitted, std::uint64_t seed) {
   std::vector<model::RotorKit> kits;
@@ -136,7 +137,7 @@ void prepare_kits(const fs::path& file, double speed_hz, DiagnosedMachine& diagn
   diagnose::KnownKit known = diagnose::known_kit(std::move(diagnosed.kits), speed_hz, file.string());
   diagnosed.fixed.rotor_mass_kg = known.rotor_mass_kg;
   diagnosed.natural_frequency_hz = {known.natural_frequency_hz, known.natural_frequency_hz};
-  // A kit has damping of its own.
+  // A kit contains its own damping, so the damping ratio is not used.
   diagnosed.damping_ratio = {1, 1};
   diagnosed.fixed.kit = std::make_shared<const diagnose::KnownKit>(std::move(known));
 }

@@ -12,7 +12,7 @@
 namespace rubsweep::fit {
 namespace {
 
-/// Sum of squares; infinite at values that are impossible.
+/// Sum of squares at these values; infinite where they are impossible.
 double left_at(const LeastSquares& squares, const Eigen::VectorXd& values) {
   try {
     return squares.residuals(values).squaredNorm();
@@ -28,9 +28,9 @@ bool has_rubs(const MachineFit& problem) {
       problem.data, [](const MeasuredData& data) { return std::holds_alternative<RubLines>(data.data); });
 }
 
-/// Turns the starts of angles by 24ths of a turn between their bounds to what leaves the least, one angle
-/// after the other and twice: a descent that begins a quarter turn beside the truth may end elsewhere. In
-/// orbits of rubs an angle other than that of the mark may not be turned so far: it changes the motion.
+/// Tries each angle at 24 places of a turn within its bounds and keeps the one with the smallest sum of
+/// squares; goes through the angles twice. A descent that starts a quarter turn off may end in a wrong
+/// minimum. For orbits of rubs only the angle of the mark is moved that far: other angles change the motion.
 void turn_angles(const MachineFit& problem, const LeastSquares& squares, Eigen::VectorXd& start) {
   constexpr int rounds = 2, places = 24;
   constexpr double turn_deg = 360;
@@ -55,7 +55,7 @@ void turn_angles(const MachineFit& problem, const LeastSquares& squares, Eigen::
   }
 }
 
-/// Shortest period in which the strongest line of a ring-down's sensors returns; infinite without ring-downs.
+/// Shortest period of the strongest line in the sensors' ring-downs; infinite without ring-downs.
 double ringing_period_s(const MachineFit& problem) {
   double shortest_s = INFINITY;
   for (const MeasuredData& data : problem.data) {
@@ -71,8 +71,8 @@ double ringing_period_s(const MachineFit& problem) {
   return shortest_s;
 }
 
-/// Places of the instant of the hit between its bounds, a sixth of a period apart or wider, ascending by what
-/// they leave: the sum of squares has a minimum every half period of the vibration.
+/// Candidates for the instant of the hit between its bounds, at least a sixth of a period apart, sorted by
+/// ascending sum of squares. The sum of squares has a minimum in every half period of the vibration.
 std::vector<double> places_of_hit(const MachineFit& problem, const LeastSquares& squares,
                                   const Eigen::VectorXd& start, Eigen::Index hit) {
   constexpr double share_of_period = 6;
@@ -95,9 +95,9 @@ std::vector<double> places_of_hit(const MachineFit& problem, const LeastSquares&
   return found;
 }
 
-/// Sets the instant of the hit in the start, where it is a parameter of a ring-down: short descents begin at
-/// many instants, and the best one is kept. The other numbers are still wrong in the first round, so that a
-/// second round goes through the instants with the numbers that the first one found.
+/// Sets the instant of the hit in the start values, if it is a parameter of a ring-down: short descents start
+/// at many instants, and the best one is kept. In the first round the other parameters are still wrong, so a
+/// second round repeats the search with their improved values.
 void find_hit(const MachineFit& problem, LeastSquares squares, const LeastSquaresOptions& options,
               Eigen::VectorXd& start) {
   const auto named = std::ranges::find(problem.parameters, hit_name, &Parameter::name);
@@ -108,7 +108,7 @@ void find_hit(const MachineFit& problem, LeastSquares squares, const LeastSquare
   for (const std::size_t descents : {8u, 3u}) {
     std::vector<double> places = places_of_hit(problem, squares, start, hit);
     if (has_rubs(problem)) {
-      // A rub is followed from step to step: descents here and there would lose it.
+      // A rub must be followed in small steps: descents from distant points would lose it.
       if (places.empty()) return;
       Eigen::VectorXd moved = start;
       moved(hit) = places.front();

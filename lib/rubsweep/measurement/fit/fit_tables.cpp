@@ -17,7 +17,7 @@ namespace {
 
 using batch::csv_number;
 
-/// One series of a file's numbers: a sensor's signal, or real or imaginary parts of its 1X.
+/// One series of numbers in a file: a sensor's signal, or the real or imaginary parts of its 1X.
 struct Series {
   std::string kind, part;
   Eigen::Index sensor = 0, begin = 0;
@@ -54,13 +54,13 @@ std::vector<Series> series_of(const MeasuredData& data) {
       data.data);
 }
 
-/// Sentence on the residuals of a series, one of so many; empty where they are noise. In a run-up neighbours
-/// always hang together, since its readings are interpolated and its marks smoothed: what hangs together
-/// counts there from this share of 1X on.
+/// Sentence about the residuals of one of `of_series` series; empty where they are noise. In a run-up
+/// neighbouring residuals are always correlated, since its readings are interpolated and its marks smoothed.
+/// There a correlation is reported only if the correlated part exceeds the share of_run_ups of 1X.
 std::string doubt_of(const Series& series, std::span<const double> residuals, double size_m,
                      std::size_t of_series) {
   constexpr double level = 1e-3, of_run_ups = 0.03;
-  // Neighbouring lines of a spectrum have nothing to do with each other.
+  // Neighbouring lines of a spectrum are not neighbours in time.
   if (series.kind == "rub") return {};
   const ResidualTest test = test_residuals(residuals, level / static_cast<double>(of_series));
   if (test.white) return {};
@@ -77,10 +77,11 @@ std::string doubt_of(const Series& series, std::span<const double> residuals, do
   return fmt::format("neighbours hang together, correlation {:.2f}", test.first_correlation);
 }
 
-/// Fewest rows of a series that tell noise from what is missing.
+/// Fewest rows of a series for which noise can be told from a misfit.
 constexpr std::size_t fewest_to_test = 24;
 
-/// Line on a file of which more than a tenth is left, and no noise; `doubted`: something is missing there.
+/// Line about a file whose residuals exceed a tenth of its size and are not noise. `doubted`: its residuals
+/// are not white.
 std::string too_much_left(const MeasuredData& data, const WhatIsLeft& left, bool doubted) {
   constexpr double too_much = 0.1;
   if (!(left.share() > too_much) || !doubted) return {};
@@ -182,7 +183,7 @@ FitTables tables_of(const MachineFit& problem, const MachineFitResult& result) {
 
 std::string comparison_text(const MachineFitResult& with, const MachineFitResult& less,
                             const std::string& without) {
-  // Differences of 2, 6 and 10 by Kass and Raftery, J. Am. Stat. Assoc. 90 (1995).
+  // Levels 2, 6 and 10 of the difference by Kass and Raftery, J. Am. Stat. Assoc. 90 (1995).
   const double difference = less.bic - with.bic;
   const char* words = difference > 10   ? "the data need it"
                       : difference > 6  ? "the data speak strongly for it"

@@ -19,8 +19,8 @@ bool is_stopped(const LeastSquaresOptions& options) {
   return options.stop != nullptr && options.stop->load();
 }
 
-/// Residuals and derivatives at one point, made once for all residuals. Once the fit is stopped nothing is
-/// evaluated any more, and the solver gets numbers with which it comes to its end without a complaint.
+/// Residuals and derivatives at one point, computed once for all residuals. After a stop nothing more is
+/// evaluated, and the solver gets zero derivatives, with which it ends normally.
 class Evaluation : public ceres::EvaluationCallback {
  public:
   Evaluation(const LeastSquares& problem, const LeastSquaresOptions& options)
@@ -45,10 +45,10 @@ class Evaluation : public ceres::EvaluationCallback {
   }
 
   bool possible() const { return possible_; }
-  /// Whether residuals and derivatives are those of the point.
+  /// Whether the derivatives are real ones; false after a stop, when they are zero.
   bool whole() const { return whole_; }
   const Eigen::VectorXd& residuals() const { return residuals_; }
-  /// Derivatives by the parameters in units of their scales.
+  /// Derivatives with respect to the parameters in units of their scales.
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
 
  private:
@@ -71,7 +71,8 @@ class Evaluation : public ceres::EvaluationCallback {
     }
   }
 
-  /// One column; beside a bound, or where one side is impossible, by the other side alone.
+  /// Computes one column by central differences. The difference is one-sided at a bound, or where the
+  /// residuals exist on one side only.
   bool differentiate(Eigen::Index i) {
     const Parameter& parameter = problem_.parameters[static_cast<std::size_t>(i)];
     Eigen::VectorXd up = scaled_, down = scaled_, above, below;
@@ -112,7 +113,7 @@ class Evaluation : public ceres::EvaluationCallback {
   bool possible_ = false, whole_ = true;
 };
 
-/// One residual, read from the evaluation.
+/// A single residual for Ceres, read from the shared evaluation.
 class Residual : public ceres::CostFunction {
  public:
   Residual(const Evaluation& evaluation, Eigen::Index row, int parameters)
@@ -136,7 +137,7 @@ class Residual : public ceres::CostFunction {
   Eigen::Index row_;
 };
 
-/// Point that a descent has reached; no value before its derivatives are there.
+/// Best point of a descent so far; empty until its derivatives are computed.
 struct Reached {
   Eigen::VectorXd value, residuals;
   Eigen::MatrixXd jacobian;
@@ -166,7 +167,7 @@ class Watch : public ceres::IterationCallback {
   Reached reached_;
 };
 
-/// Descent from one start. Empty cost (infinite) where nothing can be had there.
+/// Descent from one start. The cost is infinite where the residuals do not exist at the start.
 LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& from,
                         const LeastSquaresOptions& options, int start, double robust_size) {
   const auto count = static_cast<Eigen::Index>(problem.parameters.size());
@@ -229,7 +230,7 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& from
   return fit;
 }
 
-/// A start between the bounds; along a range of more than a decade above 0 by its logarithm.
+/// A random start between the bounds, uniform in the logarithm for positive ranges of more than a decade.
 Eigen::VectorXd drawn_start(const LeastSquares& problem, std::mt19937_64& random) {
   std::uniform_real_distribution<double> share(0.1, 0.9);
   Eigen::VectorXd start(static_cast<Eigen::Index>(problem.parameters.size()));

@@ -8,50 +8,50 @@
 
 namespace rubsweep::fit {
 
-/// A number that is looked for.
+/// A parameter to be fitted.
 struct Parameter {
   std::string name;
   double start = 0;
-  double low = 0, high = 0;  ///< low < high; start lies between
-  /// Size of a change that matters: steps of the derivatives are a hundred-thousandth of it.
+  double low = 0, high = 0;  ///< low < high; `start` lies between them
+  /// Typical size of a change; the step of the derivatives is 1e-5 of it.
   double scale = 1;
 };
 
 struct LeastSquares {
   std::vector<Parameter> parameters;
-  /// Residuals at values of the parameters, always as many. May throw ConfigError or SolverError: these
-  /// values are then impossible. May be called by several threads at once.
+  /// Residuals at these values of the parameters; their number never changes. May throw ConfigError or
+  /// SolverError: the values then count as impossible. Several threads may call it at once.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> residuals;
-  /// Told of the values that a start begins at and of those that each step leads to, never beside
+  /// Called with the values at the start and after each step of a descent, never at the same time as
   /// `residuals`.
   std::function<void(const Eigen::VectorXd&)> accepted{};
 };
 
 struct LeastSquaresOptions {
-  /// Residuals beyond this many root mean squares of the first fit count by their size and not its square
-  /// (Huber); 0: all count by the square.
+  /// Residuals larger than this many root mean squares of the first fit count linearly instead of by their
+  /// squares (Huber); 0: all count by their squares.
   double robust_beyond = 0;
-  int starts = 1;            ///< further ones are drawn between the bounds, the same in every run
-  int most_iterations = 60;  ///< limit of each start
+  int starts = 1;            ///< further starts are drawn between the bounds, the same in every run
+  int most_iterations = 60;  ///< limit for each start
   std::function<void(int start, int iteration, double cost)> on_iteration{};
-  /// The best so far is returned, without waiting for the derivatives that are being made; no value where
-  /// there is none yet.
+  /// When true, the best result so far is returned without waiting for unfinished derivatives; without values
+  /// where there is none yet.
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Minimum of the sum of squares / 2, and what the data say of it near there.
+/// Minimum of half the sum of squares, and what the data tell near it.
 struct LeastSquaresFit {
   Eigen::VectorXd value, residuals;
   double cost = 0;
   Eigen::MatrixXd jacobian;      ///< derivatives of the residuals, by central differences
   int iterations = 0;            ///< iterations of the best start
-  int starts = 0, agreeing = 0;  ///< finished ones, and those that reached the same cost within 1 %
+  int starts = 0, agreeing = 0;  ///< finished starts, and those that reached the same cost within 1 %
   bool converged = false, stopped = false;
-  std::vector<bool> at_bound;  ///< flag of each parameter
+  std::vector<bool> at_bound;  ///< one flag per parameter
 };
 
-/// Levenberg and Marquardt's descent between bounds (Ceres Solver), from each start; derivatives by central
-/// differences, on two threads. Throws SolverError where the residuals cannot be had at the first start.
+/// Levenberg-Marquardt descent between bounds (Ceres Solver) from each start, with derivatives by central
+/// differences on two threads. Throws SolverError where the residuals do not exist at the first start.
 LeastSquaresFit least_squares(const LeastSquares& problem, const LeastSquaresOptions& options = {});
 
 }  // namespace rubsweep::fit

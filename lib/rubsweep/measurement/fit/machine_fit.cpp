@@ -10,7 +10,7 @@
 namespace rubsweep::fit {
 namespace {
 
-/// Residuals of all files, each over its noise.
+/// Residuals of all files, each divided by the noise of its file.
 Eigen::VectorXd residuals_of(const MachineFit& problem, const std::vector<double>& noise_m,
                              const Eigen::VectorXd& values, LastRamps& ramps) {
   const scene::PreparedMachine machine = problem.machine(values);
@@ -30,14 +30,14 @@ Eigen::VectorXd residuals_of(const MachineFit& problem, const std::vector<double
   return all;
 }
 
-/// A hundredth of the size of the data: what the first fit weighs them by.
+/// First guess of a file's noise: a hundredth of the size of its data. It weights them in the first fit.
 double rough_noise_m(const MeasuredData& data) {
   const Eigen::VectorXd measured = measured_of(data);
   const double mean = measured.mean();
   return std::max(0.01 * std::sqrt((measured.array() - mean).square().mean() + mean * mean * 1e-6), 1e-300);
 }
 
-/// A ramp with knots has speeds at its instants: no one rate takes their place.
+/// Refuses a rate as a parameter for ramps with knots: their speed does not change at a single rate.
 void refuse_rate_of_uneven_ramps(const MachineFit& problem) {
   if (std::ranges::find(problem.parameters, rate_name, &Parameter::name) == problem.parameters.end()) return;
   for (const MeasuredData& data : problem.data) {
@@ -48,7 +48,7 @@ void refuse_rate_of_uneven_ramps(const MachineFit& problem) {
   }
 }
 
-/// Rubs that the next ones are found from.
+/// Makes the rubs at these values the starting points for finding rubs at later values.
 void follow_rubs(const MachineFit& problem, const Eigen::VectorXd& values) {
   if (!problem.follow_rub) return;
   for (const MeasuredData& data : problem.data)
@@ -64,8 +64,8 @@ Eigen::VectorXd start_of(const MachineFit& problem) {
   return start;
 }
 
-/// Angles that may have any value of a turn go on beyond their bounds, so that a descent does not end at one
-/// of them while the truth is behind the other.
+/// Removes the bounds of angles that may have any value of a turn, so that a descent does not end at a bound
+/// while the solution lies beyond it.
 void open_whole_turns(LeastSquares& squares) {
   constexpr double turn_deg = 360;
   for (Parameter& angle : squares.parameters) {
@@ -75,7 +75,7 @@ void open_whole_turns(LeastSquares& squares) {
   }
 }
 
-/// Sets such angles back between their bounds.
+/// Brings such angles back between their bounds.
 void close_whole_turns(const MachineFit& problem, LeastSquaresFit& fit) {
   constexpr double turn_deg = 360;
   for (Eigen::Index i = 0; i < fit.value.size(); ++i) {
@@ -86,7 +86,7 @@ void close_whole_turns(const MachineFit& problem, LeastSquaresFit& fit) {
   }
 }
 
-/// Which residuals are of which file.
+/// Range of each file's residuals among all residuals.
 std::vector<DataResidual> parts_of(const MachineFit& problem, const std::vector<double>& noise_m) {
   std::vector<DataResidual> parts;
   int begin = 0;
@@ -99,7 +99,8 @@ std::vector<DataResidual> parts_of(const MachineFit& problem, const std::vector<
   return parts;
 }
 
-/// Run-ups: errors of the marks turn all 1X of an instant, and are smoothed over neighbouring ones.
+/// Rows of the run-ups' residuals: an error of a mark rotates all 1X values of an instant and, by smoothing,
+/// those of its neighbours.
 std::vector<RowsInTime> rows_in_time(const MachineFit& problem, const MachineFitResult& result) {
   std::vector<RowsInTime> found;
   for (std::size_t i = 0; i < problem.data.size(); ++i)
@@ -108,7 +109,7 @@ std::vector<RowsInTime> rows_in_time(const MachineFit& problem, const MachineFit
   return found;
 }
 
-/// Makes the noise of each file what its residuals say; returns the largest change of a logarithm.
+/// Sets the noise of each file from its residuals; returns the largest change of its logarithm.
 double weigh_anew(const MachineFitResult& result, std::vector<double>& noise_m) {
   double change = 0;
   for (std::size_t i = 0; i < noise_m.size(); ++i) {
@@ -122,7 +123,7 @@ double weigh_anew(const MachineFitResult& result, std::vector<double>& noise_m) 
   return change;
 }
 
-/// Schwarz' criterion of so many parameters.
+/// Schwarz' criterion of a fit with this number of parameters.
 double bic_of(const MachineFitResult& result, std::size_t parameters) {
   double bic = static_cast<double>(parameters) * std::log(static_cast<double>(result.fit.residuals.size()));
   for (const DataResidual& data : result.data) {
@@ -140,7 +141,7 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
   for (const MeasuredData& data : problem.data) noise_m.push_back(rough_noise_m(data));
   LastRamps ramps(problem);
   Eigen::VectorXd start = start_of(problem);
-  // Whatever is wrong with the first values is said here: a descent takes it for values that are impossible.
+  // Errors of the first values are thrown here: a descent would only count the values as impossible.
   follow_rubs(problem, start);
   residuals_of(problem, noise_m, start, ramps);
   LeastSquares squares{
@@ -156,8 +157,8 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
   result.data = parts_of(problem, noise_m);
   LeastSquaresOptions again = options;
   again.starts = 1;
-  // The first fit may have followed the noisy data and left much of the others: a few rounds find the noise
-  // of each.
+  // The first fit may have weighted noisy data too much, so a few rounds estimate the noise of each file
+  // again.
   constexpr int most_rounds = 4;
   constexpr double settled = 0.05;
   double change = problem.data.size() > 1 ? INFINITY : 0;

@@ -20,7 +20,7 @@ using batch::CsvReader;
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-/// Piece of a ramp with knots that holds an instant, or is the nearest one.
+/// Index of the piece, of a ramp with knots, that contains an instant or is nearest to it.
 std::size_t piece_of(const Ramp& ramp, double t_s) {
   const auto above = std::ranges::upper_bound(ramp.knot_s, t_s) - ramp.knot_s.begin();
   return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(ramp.knot_s) - 2));
@@ -31,10 +31,10 @@ double rate_hz_per_s(const Ramp& ramp, std::size_t piece) {
 }
 
 constexpr double degree = pi / 180;
-/// Longest period of a rub.
+/// Longest period of a rub, in turns.
 constexpr int most_turns = 64;
 
-/// Numbers of a row; an empty cell is refused.
+/// Number in a cell of the row; throws for an empty cell.
 template <class Table>
 double number(const Table& table, std::size_t column) {
   const double value = table.number(column);
@@ -56,8 +56,8 @@ Eigen::MatrixXcd matrix_of(const std::vector<std::vector<Complex>>& rows) {
   return matrix;
 }
 
-/// Numbers taken to have phases of one meaning, as they are in another; one of both is `mark`, whose phases
-/// are those of A in Re(A e^{i phi}).
+/// Converts phases from one convention to another; one of the two must be `mark`, whose phases are those of A
+/// in Re(A e^{i phi}).
 void recount(PhaseConvention from, PhaseConvention to, const std::vector<double>& angle_deg,
              Eigen::MatrixXcd& phasor_m) {
   if (from == PhaseConvention::lag || to == PhaseConvention::lag) phasor_m = phasor_m.conjugate().eval();

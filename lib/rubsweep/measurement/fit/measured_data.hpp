@@ -9,28 +9,29 @@
 
 namespace rubsweep::fit {
 
-/// Shaft angle phi = 2 pi (from_hz t + rate_hz_per_s t^2 / 2); or, of a speed that changes unevenly, straight
-/// lines between the speeds at ascending instants, of which the first and last go on beyond them.
+/// Shaft angle phi = 2 pi (from_hz t + rate_hz_per_s t^2 / 2). For a speed that changes unevenly: straight
+/// lines between speeds at ascending instants, the first and the last line being extended.
 struct Ramp {
   double from_hz = 0;
   double rate_hz_per_s = 0;
-  std::vector<double> knot_s{}, knot_hz{};  ///< empty, or two or more of each
+  std::vector<double> knot_s{}, knot_hz{};  ///< both empty, or two or more knots
 
   bool even() const { return knot_s.empty(); }
 };
 double speed_hz(const Ramp& ramp, double t_s);
 
-/// Speed and angle of the shaft over time, in radians; the angle is 0 at t = 0, or at the first knot.
+/// Speed and angle of the shaft as functions of time, in radians; the angle is 0 at t = 0, or at the first
+/// knot.
 class RampTurning {
  public:
   explicit RampTurning(const Ramp& ramp);
 
   double speed(double t_s) const;  ///< rad/s
-  double gain(double t_s) const;   ///< rate of the speed, rad/s^2
+  double gain(double t_s) const;   ///< rate of change of the speed, rad/s^2
   double angle(double t_s) const;
-  double most_gain() const { return most_gain_; }  ///< largest size of the rate
+  double most_gain() const { return most_gain_; }  ///< largest magnitude of the rate, rad/s^2
 
-  /// Lowest and highest speed between two instants: at one of them or at a knot.
+  /// Lowest and highest speed between two instants; each occurs at an end or at a knot.
   std::pair<double, double> speeds_between(double from_s, double to_s) const;
 
  private:
@@ -39,77 +40,80 @@ class RampTurning {
   double most_gain_ = 0;
 };
 
-/// Readings after an impulse at standstill: samples x sensors, in metres.
+/// Readings after an impulse at standstill: one row per sample, one column per sensor, in metres.
 struct RingDown {
   std::vector<double> t_s;
   Eigen::MatrixXd signal_m;
 };
 
-/// 1X during a run-up or coast-down: A of Re(A e^{i phi}), phi = 0 at the mark;
-/// points x sensors.
+/// 1X during a run-up or coast-down: A of Re(A e^{i phi}), phi = 0 at the mark; one row per instant, one
+/// column per sensor.
 struct RunUp {
   Ramp ramp;
   std::vector<double> t_s;
   Eigen::MatrixXcd phasor_m;
-  double window_turns = 0;  ///< number of turns that each point is the mean of
-  /// Means of twice the readings times e^{-i phi} from mark to mark, as rubscope has them, and not of A.
+  double window_turns = 0;  ///< number of turns over which each value is averaged
+  /// Whether each value is the mean of twice the readings times e^{-i phi} from mark to mark, as rubscope
+  /// computes it, instead of the mean of A.
   bool from_readings = false;
 };
 
-/// 1X at steady speeds: speeds x sensors.
+/// 1X at steady speeds: one row per speed, one column per sensor.
 struct Steady {
   std::vector<double> speed_hz;
   Eigen::MatrixXcd phasor_m;
 };
 
-/// Lines of the full spectrum of a rub that repeats after whole turns: L of x + iy = sum of L e^{i order
-/// phi}, phi = 0 at the mark.
+/// Lines of the full spectrum of a rub that repeats after whole turns: x + iy is the sum of L e^{i order phi}
+/// over its lines L, phi = 0 at the mark.
 struct RubLines {
   double speed_hz = 0;
-  int turns = 1;              ///< turns of the period
+  int turns = 1;              ///< period in turns
   std::vector<double> order;  ///< multiples of 1 / turns other than 0
   Eigen::VectorXcd line_m;
 };
 
-/// One file of data; sensors in the order of the configuration's sensors (of a Jeffcott rotor x and y).
+/// One file of data; its sensors are in the order of the configuration (for a Jeffcott rotor x and y).
 struct MeasuredData {
   std::string name;  ///< name of the file
   std::variant<RingDown, RunUp, Steady, RubLines> data;
-  bool run_out = false;  ///< a constant of every sensor is eliminated from 1X
+  bool run_out = false;  ///< a constant per sensor is eliminated from its 1X
 };
 
-/// Table with t_s and sensor_0_m, sensor_1_m, ...: as rubtrace writes sensors.csv. Times before `from_s` are
-/// left out. Throws IoError with file:line for what is no such table, as the others do, ConfigError for fewer
-/// than 8 rows.
+/// Reads a table with t_s and sensor_0_m, sensor_1_m, ..., as rubtrace writes sensors.csv. Times before
+/// `from_s` are left out. Throws IoError with file:line for another kind of table, like the other readers,
+/// and ConfigError for fewer than 8 rows.
 RingDown read_ring_down(const std::filesystem::path& file, double from_s);
 
-/// bode.csv of rubscope: t_s, speed_hz, order, x_amplitude_m, x_phase_deg and perhaps y; of order 1 every
-/// second row is taken, since each is the mean of two turns. The ramp is that of measured_ramp. Throws
-/// ConfigError where times do not rise.
+/// Reads bode.csv of rubscope: t_s, speed_hz, order, x_amplitude_m, x_phase_deg and perhaps y. Of order 1
+/// every second row is used, since each row is the mean of two turns. The ramp comes from measured_ramp.
+/// Throws ConfigError where times do not ascend.
 RunUp read_run_up(const std::filesystem::path& file);
 
-/// Meaning of the phases of a table: degrees from the instant at which the mark passes each sensor, negative
-/// where the displacement lags (bode.csv of rubtrace); the same from the one instant of the mark (bode.csv of
-/// rubscope); or degrees by which the positive peak lags behind the one mark, as instruments have it.
+/// Meaning of a table's phases, in degrees. `sensor`: from the instant when the mark passes each sensor,
+/// negative where the displacement lags (bode.csv of rubtrace). `mark`: the same from the single instant of
+/// the mark (bode.csv of rubscope). `lag`: lag of the positive peak behind the single mark, as instruments
+/// show it.
 enum class PhaseConvention { sensor, mark, lag };
 
-/// Table of speed_hz, sensor_0_amplitude_m, sensor_0_phase_deg, ...; sensors look in directions `angle_deg`.
+/// Reads a table of speed_hz, sensor_0_amplitude_m, sensor_0_phase_deg, ...; `angle_deg`: directions of the
+/// sensors.
 Steady read_steady(const std::filesystem::path& file, const std::vector<double>& angle_deg,
                    PhaseConvention convention = PhaseConvention::sensor);
 
-/// Whether phases of these data are of a table, and mean what is said beside it.
+/// Whether the phases of these data come from a table, so that their convention has to be given.
 bool has_phases_of_a_table(const MeasuredData& data);
 
-/// The phases of such data taken in another meaning than the one that they were read in.
+/// Changes the phases of such data from the convention in which they were read to another one.
 void take_phases_as(PhaseConvention other, PhaseConvention read_as, const std::vector<double>& angle_deg,
                     MeasuredData& data);
 
-/// Directory that rubscope wrote of a steady recording by two probes: speed and period of measures.csv, lines
-/// of lines.csv but the gap (0X) and those that noise leaves no phase. Throws ConfigError for a motion
-/// without a period, or with one that is no whole number from 1 to 64.
+/// Reads the directory that rubscope wrote for a steady recording by two probes: speed and period from
+/// measures.csv, lines from lines.csv without the gap (0X) and lines whose phase is lost in noise. Throws
+/// ConfigError for a motion without a period, or with a period that is not a whole number from 1 to 64.
 RubLines read_rub(const std::filesystem::path& directory);
 
-/// The same speeds as a run-up of this rate, each a mean of `window_turns`.
+/// Run-up through the same speeds at this rate; each value is a mean over `window_turns` turns.
 RunUp as_run_up(const Steady& steady, double rate_hz_per_s, double window_turns);
 
 }  // namespace rubsweep::fit

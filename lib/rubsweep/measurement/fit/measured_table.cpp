@@ -20,7 +20,7 @@
 namespace rubsweep::fit {
 namespace {
 
-/// Turns since the first row, where rows are whole turns apart; else empty.
+/// Number of turns from the first row to each row, where rows are whole turns apart; else empty.
 std::vector<double> whole_turns(const std::vector<double>& t_s, const std::vector<double>& speed_hz) {
   constexpr double whole_to = 0.1;
   std::vector<double> turns{0};
@@ -32,7 +32,7 @@ std::vector<double> whole_turns(const std::vector<double>& t_s, const std::vecto
   return turns;
 }
 
-/// Chebyshev's polynomials and their derivatives by time, one column for each degree.
+/// Chebyshev polynomials and their time derivatives, one column per degree.
 struct Chebyshev {
   Eigen::MatrixXd value, rate;
 };
@@ -53,9 +53,8 @@ Chebyshev chebyshev(const std::vector<double>& t_s, Eigen::Index degree) {
   return basis;
 }
 
-/// Speeds of the polynomial that goes through what was measured, of the `least` degree, and of the degree
-/// that Schwarz' criterion asks for. Its penalty counts three times, since errors of marks are smoothed and
-/// hang together.
+/// Speeds from polynomials fitted to the measured values: of the `least` degree, and of the degree with the
+/// best Schwarz criterion. Its penalty is tripled, because errors of smoothed marks are correlated.
 struct Polynomials {
   Eigen::ArrayXd least_hz, best_hz;
 };
@@ -78,7 +77,7 @@ Polynomials polynomials(const std::vector<double>& t_s, const std::vector<double
                                       .solve(rotated.head(degree + 1));
     return ((of_turns ? basis.rate : basis.value).leftCols(degree + 1) * found).array();
   };
-  // Residuals below the rounding of the numbers tell no degree.
+  // Residuals below rounding must not decide the degree.
   const double rounding = n * std::pow(1e-13 * (1 + all.cwiseAbs().maxCoeff()), 2);
   Eigen::Index best = least;
   double least_criterion = INFINITY;
@@ -113,8 +112,8 @@ constexpr std::array<Unit, 15> units{{{"s", "_s", 1},
                                       {"\u00b0", "_deg", 1},
                                       {"rad", "_deg", 180 / std::numbers::pi}}};
 
-/// Name of a column as the programs have it, and how many of its units one of these is; of an unknown unit
-/// the name stays without one, and is not found.
+/// Name of a column in the programs' own form, and the factor that converts its unit. A name with an unknown
+/// unit stays without a unit, so it is not found.
 std::pair<std::string, double> own_name(const table::Heading& heading) {
   std::string name;
   for (const char c : heading.name)
@@ -149,11 +148,11 @@ bool MeasuredTable::read_of_somebody(std::string_view needed) {
   std::vector<std::size_t> places;
   try {
     const std::string bytes = batch::read_input(path_);
-    batch::check_table_text(bytes, path_);  // a damaged table of ours is no table of somebody
+    batch::check_table_text(bytes, path_);  // a damaged table of our own must not be read as a foreign one
     text = table::utf8_of(bytes);
     layout = table::layout_of(text);
   } catch (const table::Fault&) {
-    return false;  // the message of the programs' own reader is used
+    return false;  // the programs' own reader gives the message instead
   }
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
     if (layout.columns[i].is_text) continue;

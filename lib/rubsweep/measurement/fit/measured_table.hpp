@@ -12,13 +12,14 @@
 
 namespace rubsweep::fit {
 
-/// Numbers of a table row by row: one of the programs' own, read as strictly as they are everywhere, or one
-/// of somebody else (table/layout.hpp) whose names and units say the same: "Time [ms]" is t_s, "Speed (rpm)"
-/// speed_hz, "sensor_0 [um]" sensor_0_m.
+/// Rows of numbers from a table. A table of the programs' own is read as strictly as everywhere else. A
+/// foreign table (table/layout.hpp) must have corresponding names and units: "Time [ms]" is t_s, "Speed
+/// (rpm)" is speed_hz, "sensor_0 [um]" is sensor_0_m.
 class MeasuredTable {
  public:
-  /// Table that has the column called `needed`. Throws IoError, of the program's own reader, where there is
-  /// none in either way, ConfigError with file:line:column for a number of somebody else that is none.
+  /// Opens a table that has the column `needed`. Throws IoError of the program's own reader where neither
+  /// form has this column, and ConfigError with file:line:column for a cell of a foreign table that is not a
+  /// number.
   MeasuredTable(const std::filesystem::path& file, std::string_view needed);
 
   const std::filesystem::path& path() const { return path_; }
@@ -36,14 +37,14 @@ class MeasuredTable {
   std::vector<std::string> header_;
   std::vector<std::vector<double>> rows_;
   std::vector<std::size_t> lines_;
-  std::size_t row_ = 0;  ///< line number from 1; 0: before the first one
+  std::size_t row_ = 0;  ///< line number from 1; 0: before the first row
 };
 
-/// Ramp of a shaft with these speeds at ascending instants, 4 or more. Where rows are whole turns apart, as
-/// those of rubscope are, their instants tell it, which are better known than speeds. A polynomial goes
-/// through them, of a degree that the data ask for: where it is a straight line of speeds to
-/// two ten-thousandths, the ramp is even, else its speeds at the rows are knots. Speeds that are off the
-/// polynomial by more than 2 % of their change are followed from row to row.
+/// Ramp of a shaft with these speeds at 4 or more ascending instants. Where rows are whole turns apart, as in
+/// rubscope's tables, the instants decide, because they are known better than the speeds. A polynomial is
+/// fitted whose degree the data decide. If its speed is a straight line within 2e-4 the ramp is even;
+/// otherwise its speeds at the rows are the knots. Speeds that deviate from the polynomial by more than 2 %
+/// of their change are followed from row to row.
 Ramp measured_ramp(const std::vector<double>& t_s, const std::vector<double>& speed_hz);
 
 }  // namespace rubsweep::fit

@@ -19,7 +19,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Answer of a' = value a + sin(w t) for 0 < t < d, from rest.
+/// Response a(t) of a' = value a + sin(pi t / duration) for 0 < t < duration, from rest; free after the
+/// pulse.
 Complex answer(Complex value, double t, double duration_s) {
   if (t <= 0) return 0;
   const double w = std::numbers::pi / duration_s;
@@ -29,7 +30,7 @@ Complex answer(Complex value, double t, double duration_s) {
   return w * (std::exp(value * t) + std::exp(value * (t - duration_s))) / denominator;
 }
 
-/// Real and imaginary parts one below the other, sensor by sensor.
+/// Real parts, then imaginary parts, in one column, sensor by sensor.
 Eigen::VectorXd stacked(const Eigen::MatrixXcd& phasors) {
   const Eigen::Map<const Eigen::VectorXcd> all(phasors.data(), phasors.size());
   Eigen::VectorXd parts(2 * all.size());
@@ -37,7 +38,7 @@ Eigen::VectorXd stacked(const Eigen::MatrixXcd& phasors) {
   return parts;
 }
 
-/// The scale of the kick and an offset of each sensor, by least squares.
+/// Model values with the scale of the kick and an offset per sensor from linear least squares.
 Eigen::VectorXd with_scale(const Eigen::MatrixXd& measured, const Eigen::MatrixXd& shape) {
   const Eigen::MatrixXd centred = measured.rowwise() - measured.colwise().mean();
   const Eigen::MatrixXd moved = shape.rowwise() - shape.colwise().mean();
@@ -52,8 +53,8 @@ Eigen::VectorXd with_run_out(const Eigen::MatrixXcd& measured, Eigen::MatrixXcd 
   return stacked(model);
 }
 
-/// Lines of a rub turned to the measured mark. A period of several turns may begin with any of them: the one
-/// that leaves the least.
+/// Lines of a rub rotated to the measured mark. A period of several turns may begin at any of its turns; the
+/// one with the smallest residual is taken.
 Eigen::VectorXd with_first_turn(const RubLines& rub, const Eigen::VectorXcd& lines_m, double mark_rad) {
   Eigen::VectorXcd best;
   for (int turn = 0; turn < rub.turns; ++turn) {
@@ -138,7 +139,7 @@ Eigen::VectorXd modelled_of(const MachineFit& problem, const MeasuredData& data,
                    std::vector<double> t_s = run.t_s;
                    const double rate = value_named(problem, values, rate_name, ramp.rate_hz_per_s);
                    if (rate != ramp.rate_hz_per_s) {
-                     // The speeds stay, the instants follow.
+                     // The speeds stay the same, so the instants change with the rate.
                      for (double& t : t_s) t = t * ramp.rate_hz_per_s / rate;
                      ramp.rate_hz_per_s = rate;
                    }

@@ -19,19 +19,19 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// Places of a window, from -1 to 1, that a polynomial of fourth degree goes through.
+/// Places in a window, from -1 to 1, through which a polynomial of fourth degree is laid.
 constexpr std::array<double, 5> places{-1, -0.5, 0, 0.5, 1};
 constexpr auto degrees = static_cast<Eigen::Index>(places.size());
 
-/// Weights of values at `places` in the means, over a window of some turns, of themselves and times
-/// e^{-2i phi}, phi = 0 in the middle.
+/// Weights that turn values at `places` into means over a window of some turns: the mean of the values, and
+/// the mean of the values times e^{-2i phi}, phi = 0 in the middle.
 struct WindowWeights {
   Eigen::RowVectorXd mean;
   Eigen::RowVectorXcd mirrored;
 };
 
 WindowWeights window_weights(double turns) {
-  // Means of the powers u^p and u^p e^{-i k u}, by parts, where e^{ik} = 1.
+  // Means of u^p and u^p e^{-i k u} over -1 < u < 1 by partial integration; e^{ik} = 1.
   const double k = 2 * pi * turns;
   Eigen::MatrixXd powers(degrees, degrees);
   Eigen::RowVectorXd mean(degrees);
@@ -51,10 +51,10 @@ WindowWeights window_weights(double turns) {
           (inverse.cast<Complex>() * mirrored.transpose()).transpose()};
 }
 
-/// A mode follows the speed where |rate of the shaft| / |distance from resonance|^2 is below this: what is
-/// left out is the square of it.
+/// Limit of |rate of the shaft| / |distance from resonance|^2, below which a mode follows the speed
+/// quasi-statically to second order. The error is about the square of this limit.
 constexpr double far_from_resonance = 1e-4;
-/// Modes are those of stretches of this width, or of so many.
+/// Width of the stretches with constant modes, and the largest number of stretches.
 constexpr double stretch_hz = 0.25, most_stretches = 64, most_stretches_of_tables = 128;
 constexpr double longest_step_rad = 2;
 
@@ -67,8 +67,8 @@ constexpr std::array<GaussPoint, 5> gauss{{{0.046910077030668, 0.118463442528095
                                            {0.769234655052842, 0.239314335249683},
                                            {0.953089922969332, 0.118463442528095}}};
 
-/// Forces that turn with the shaft, and modes, at the speed of the moment: one column of the motion for the
-/// unbalance of an eccentricity of 1 m, one for the bow.
+/// Modal integration of the motion in the frame that turns with the shaft. The first column is the motion due
+/// to an unbalance of 1 m eccentricity, the second that due to the bow.
 class Ramped {
  public:
   Ramped(const scene::PreparedMachine& prepared, const Ramp& ramp, double begin_s, double end_s)
@@ -84,7 +84,7 @@ class Ramped {
     start(begin_s);
   }
 
-  /// Displacements in the frame that turns with the shaft.
+  /// Displacements at `to_s` in the frame that turns with the shaft.
   Eigen::MatrixX2cd advance(double to_s) {
     while (now_s_ < to_s) {
       const double stretch_end_s = stretch_begin_s_ + stretch_s_;
@@ -101,13 +101,15 @@ class Ramped {
   double gain(double t) const { return turning_.gain(t); }
   double angle(double t) const { return turning_.angle(t); }
 
-  /// Modal forces of mode k in the turning frame: unbalance_ (W^2 - i W'), and bow_.
+  /// Forces on mode k in the turning frame: unbalance_ (W^2 - i W') and bow_, with the shaft speed W in
+  /// rad/s.
   Both push(Eigen::Index k, double t) const {
     const double w = speed(t);
     return {unbalance_(k) * Complex(w * w, -gain(t)), bow_(k)};
   }
 
-  /// Answer of a mode that follows the speed: a = -c / m - (c / m)' / m with m = value - i W.
+  /// Response of a mode that follows the speed: a = -c / m - (c / m)' / m, with the force c and m = value - i
+  /// W.
   Both following(Eigen::Index k, double t) const {
     const Complex m = modes_->values(k) - Complex(0, speed(t)), m_rate(0, -gain(t));
     const Both c = push(k, t), c_rate(unbalance_(k) * 2.0 * speed(t) * gain(t), 0);
@@ -120,7 +122,8 @@ class Ramped {
     bow_ = modes_->force(bow_n_);
     follows_.assign(static_cast<std::size_t>(modes_->values.size()), true);
     for (Eigen::Index k = 0; k < modes_->values.size(); ++k) {
-      // The nearest that the stretch, or without stretches any speed, comes to the mode.
+      // Smallest distance between the mode's eigenvalue and i W over the stretch, or over all speeds without
+      // stretches.
       const Complex value = modes_->values(k);
       double nearest = std::abs(value.real());
       if (std::isfinite(stretch_s_)) {
@@ -138,7 +141,7 @@ class Ramped {
     for (Eigen::Index k = 0; k < state_.rows(); ++k) state_.row(k) = following(k, t);
   }
 
-  /// The modes of the next stretch take over the motion.
+  /// Expresses the motion by the modes of the next stretch.
   void restart() {
     const Eigen::MatrixX2cd motion = modes_->vectors * amplitudes();
     stretch_begin_s_ = now_s_;
@@ -192,7 +195,7 @@ ModeSet modes_at(const scene::PreparedMachine& prepared, double speed_rad_per_s)
   const structure::LinearSystem system = structure::system_at(prepared.assembly, speed_rad_per_s);
   const Eigen::Index n = system.coordinates();
   const Eigen::PartialPivLU<Eigen::MatrixXd> mass(system.mass);
-  // Rates in units of a typical one, so that both halves of a state are of one size.
+  // Rates are in units of a typical frequency, so that both halves of a state have similar size.
   const double typical = std::sqrt(mass.solve(system.stiffness).norm());
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   generator.topRightCorner(n, n) = typical * Eigen::MatrixXd::Identity(n, n);

@@ -18,13 +18,13 @@
 namespace rubsweep::fit {
 namespace {
 
-/// Fewest instants that tell how they hang together.
+/// Fewest instants from which a correlation can be estimated.
 constexpr Eigen::Index fewest_instants = 24;
-/// Squares of singular values below this share of the largest are rounding.
+/// Squared singular values below this share of the largest are only rounding.
 constexpr double noise_rounding = 1e-6;
 constexpr Eigen::Index shortest_block = 4, fewest_blocks = 10;
 
-/// Correlation of neighbours in all rows together.
+/// Correlation of neighbouring residuals, over all rows together.
 double neighbours_correlation(const Eigen::VectorXd& residuals, const RowsInTime& in_time) {
   double product = 0, square = 0;
   for (Eigen::Index j = 0; j < in_time.rows; ++j) {
@@ -35,19 +35,19 @@ double neighbours_correlation(const Eigen::VectorXd& residuals, const RowsInTime
   return square > 0 ? product / square : 0;
 }
 
-/// Sums over blocks: of the squares of what the fit moves without one, and, for white noise, of the variance
-/// that one brings and of its square.
+/// Sums over blocks. `moved`: squared changes of the fit when a block is left out. `share` and
+/// `share_squared`: sums, for white noise, of each block's share of the variance and of its square.
 struct BlockSums {
   Eigen::VectorXd moved, share, share_squared;
 };
 
-/// Adds the blocks of some rows; columns of `jacobian` have length 1, `normal` is their normal matrix.
+/// Adds the blocks of some rows. The columns of `jacobian` have length 1; `normal` is their normal matrix.
 void add_blocks(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& normal,
                 const Eigen::VectorXd& residuals, const RowsInTime& in_time, BlockSums& sums) {
   const Eigen::Index length = block_length(residuals, in_time), blocks = in_time.instants / length;
   const Eigen::MatrixXd inverse = numerics::dense::FullPivotFactors(normal).inverse();
   for (Eigen::Index b = 0; b < blocks; ++b) {
-    // Blocks differ by one instant in length.
+    // The lengths of blocks differ by one instant at most.
     const Eigen::Index from = b * in_time.instants / blocks;
     const Eigen::Index count = (b + 1) * in_time.instants / blocks - from;
     Eigen::MatrixXd own = Eigen::MatrixXd::Zero(normal.rows(), normal.cols());
@@ -69,7 +69,7 @@ void add_blocks(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& normal,
 
 constexpr std::size_t fewest = 24;
 constexpr std::size_t lags = 8;
-/// Lines are looked for among so many residuals at most, for the time that it takes.
+/// Limit of the number of residuals in the search for a line, to save time.
 constexpr std::size_t most_for_lines = 4096;
 
 }  // namespace
@@ -115,7 +115,7 @@ std::vector<std::string> untold_combinations(const Uncertainty& uncertainty,
   std::vector<std::string> sentences;
   for (Eigen::Index i = 0; i < uncertainty.standard_error.size(); ++i) {
     const Parameter& parameter = parameters[static_cast<std::size_t>(i)];
-    // A derivative that is rounding alone has a length too.
+    // A column of pure rounding has a length, too, so the standard error is compared with the bounds.
     if (parameter.high > parameter.low && uncertainty.standard_error(i) > parameter.high - parameter.low)
       sentences.push_back(fmt::format("the data do not tell {}", parameter.name));
   }
@@ -201,7 +201,7 @@ ResidualTest test_residuals(std::span<const double> residuals, double level) {
     std::complex<double> sum = 0;
     const std::complex<double> turn =
         std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(part.size()));
-    // Horner's rule: the turn to the power of the place.
+    // Horner's rule for the Fourier sum.
     for (std::size_t j = part.size(); j > 0; --j) sum = sum * turn + (part[j - 1] - mean);
     const double share = 2 * std::norm(sum) / (static_cast<double>(part.size()) * energy);
     if (share > test.line_share) {
@@ -209,7 +209,7 @@ ResidualTest test_residuals(std::span<const double> residuals, double level) {
       test.line = static_cast<double>(k) / static_cast<double>(part.size());
     }
   }
-  // Probability that noise makes one of m lines hold this share is about m (1 - share)^(m - 1).
+  // Noise makes one of m lines reach this share with a probability of about m (1 - share)^(m - 1).
   const auto m = static_cast<double>(lines);
   test.line_stands_out =
       std::log(m) + (m - 1) * std::log1p(-std::min(test.line_share, 1 - 1e-15)) < std::log(level);

@@ -9,62 +9,65 @@
 
 namespace rubsweep::fit {
 
-/// Knowledge of the parameters near a fit: linear in the parameters, noise white and normal.
+/// Uncertainty of the parameters near a fit, for a linear model with white normal noise.
 struct Uncertainty {
-  double residual_rms = 0;  ///< root of the sum of squares over the degrees of freedom
+  double residual_rms = 0;  ///< root of (sum of squares / degrees of freedom)
   int degrees_of_freedom = 0;
-  Eigen::VectorXd standard_error;  ///< infinite for what the data cannot tell
+  Eigen::VectorXd standard_error;  ///< infinite where the data do not determine the parameter
   Eigen::VectorXd half_width;      ///< half width of the 95 % interval, by Student's distribution
   Eigen::MatrixXd correlation;
-  Eigen::VectorXd singular;  ///< singular values of the Jacobian with columns of length 1, largest first
+  Eigen::VectorXd singular;  ///< singular values of the Jacobian with normalised columns, largest first
   Eigen::MatrixXd
-      direction;  ///< column k belongs to value k: shares of the parameters (by their columns' length)
+      direction;  ///< column k belongs to singular value k: shares of the parameters, scaled by their columns
 };
 
-/// `eliminated`: numbers beside the parameters that were fitted at every step, such as offsets. Throws
-/// ConfigError with fewer data than numbers.
+/// `eliminated`: number of further unknowns, such as offsets, that were eliminated at every step. Throws
+/// ConfigError with fewer data than unknowns.
 Uncertainty uncertainty_of(const LeastSquaresFit& fit, int eliminated);
 
-/// A singular value of normed columns below this belongs to a combination that the data do not tell.
+/// Singular values of normalised columns below this limit belong to combinations that the data do not
+/// determine.
 inline constexpr double untold = 1e-3;
 
-/// Sentences about parameters whose standard error exceeds the room between their bounds, and combinations
-/// that data do not tell: "a and b only together: ...". Empty where all is told.
+/// Sentences about parameters whose standard error exceeds the distance of their bounds, and about
+/// combinations that the data do not determine: "a and b only together: ...". Empty where the data determine
+/// everything.
 std::vector<std::string> untold_combinations(const Uncertainty& uncertainty,
                                              const std::vector<Parameter>& parameters);
 
-/// Residuals of instants in a row, some at each: number k of row j is residual begin + j instants + k.
+/// Residuals at consecutive instants, `rows` at each: residual k of row j has the index begin + j instants +
+/// k.
 struct RowsInTime {
   Eigen::Index begin = 0, instants = 0, rows = 1;
 };
 
-/// Instants in a block beyond which residuals hardly hang together: Andrews' rule for the correlation of
-/// neighbours (Econometrica 59 (1991) 817), 4 at least and a tenth of all at most.
+/// Number of instants in a block, so that residuals of different blocks are hardly correlated: Andrews' rule
+/// for the correlation of neighbours (Econometrica 59 (1991) 817), at least 4 and at most a tenth of all
+/// instants.
 Eigen::Index block_length(const Eigen::VectorXd& residuals, const RowsInTime& in_time);
 
-/// Makes standard errors, and half widths of intervals, as wide as they are where residuals of an instant and
-/// those of its neighbours hang together, or are larger here than there: by what the fit, linear in the
-/// parameters, does without each block of instants (delete-a-group jackknife; Kuensch, Ann. Statist. 17
-/// (1989) 1217). Student's distribution has as many degrees of freedom as blocks that count, for each
-/// parameter by Satterthwaite's rule. What is wider for white noise stays. Rows of fewer than 24 instants,
-/// and residuals outside `in_time`, count as white noise.
+/// Widens standard errors and confidence intervals where neighbouring residuals are correlated or their size
+/// varies. The errors come from the changes of the linearised fit without each block of instants
+/// (delete-a-group jackknife; Kuensch, Ann. Statist. 17 (1989) 1217). Student's distribution has as many
+/// degrees of freedom as effective blocks, for each parameter by Satterthwaite's rule. The result is never
+/// narrower than for white noise. Rows of fewer than 24 instants, and residuals outside `in_time`, count as
+/// white noise.
 void allow_for_correlation(const LeastSquaresFit& fit, const std::vector<RowsInTime>& in_time,
                            Uncertainty& uncertainty);
 
-/// Whether residuals in a row, such as samples in time, are noise.
+/// Test whether consecutive residuals, such as samples in time, are white noise.
 struct ResidualTest {
   bool white = true;
-  double portmanteau =
-      0;  ///< Ljung and Box's sum over eight lags; noise stays below 20.09 in 99 of 100 cases
-  double first_correlation = 0;  ///< correlation of neighbours, -1..1
-  /// Largest line of the periodogram in cycles per residual, and its share of the sum of squares; noise makes
-  /// one as large in a smaller share of cases than `level` where `line_stands_out` (Fisher's test).
+  double portmanteau = 0;  ///< Ljung-Box statistic over eight lags; below 20.09 in 99 % of the cases of noise
+  double first_correlation = 0;  ///< correlation of neighbours, from -1 to 1
+  /// Largest line of the periodogram in cycles per residual, and its share of the sum of squares.
+  /// `line_stands_out`: noise gives such a line with a probability below `level` (Fisher's test).
   double line = 0, line_share = 0;
   bool line_stands_out = false;
 };
 
-/// Fewer than 24 residuals are white: nothing can be said. `level`: share of noises that are taken for no
-/// noise, by either test.
+/// Fewer than 24 residuals count as white, because they tell nothing. `level`: share of white series that
+/// each test wrongly rejects.
 ResidualTest test_residuals(std::span<const double> residuals, double level = 0.01);
 
 }  // namespace rubsweep::fit

@@ -2,30 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <span>
+#include <optional>
+#include <string_view>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/table/unit.hpp"
 
 namespace rubsweep::recording {
 namespace {
 
-struct Unit {
-  std::string_view name;
-  double size;
-};
-
-/// The micro sign and the Greek letter look alike.
-constexpr std::array<Unit, 7> times{
-    {{"", 1}, {"s", 1}, {"sec", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"\u00b5s", 1e-6}, {"\u03bcs", 1e-6}}};
-constexpr std::array<Unit, 6> lengths{
-    {{"m", 1}, {"mm", 1e-3}, {"um", 1e-6}, {"\u00b5m", 1e-6}, {"\u03bcm", 1e-6}, {"mil", 25.4e-6}}};
-constexpr std::array<Unit, 4> voltages{{{"V", 1e3}, {"Volt", 1e3}, {"Volts", 1e3}, {"mV", 1}}};
-
-std::optional<double> size_of(std::span<const Unit> units, std::string_view name) {
-  for (const Unit& unit : units)
-    if (unit.name == name) return unit.size;
-  return std::nullopt;
+/// Size of a unit that measures this; empty for others.
+std::optional<double> size_of(table::Quantity quantity, std::string_view name) {
+  const auto unit = table::unit_of(name);
+  return unit && unit->quantity == quantity ? std::optional(unit->in_si) : std::nullopt;
 }
 
 [[noreturn]] void refuse(const std::string& file, const std::string& column, const std::string& wrong,
@@ -36,20 +25,21 @@ std::optional<double> size_of(std::span<const Unit> units, std::string_view name
 }  // namespace
 
 double seconds_per(const std::string& unit, const std::string& column, const std::string& file) {
-  if (const auto size = size_of(times, unit)) return *size;
+  if (unit.empty()) return 1;
+  if (const auto size = size_of(table::Quantity::time, unit)) return *size;
   refuse(file, column, fmt::format("the unit '{}' is no time", unit), "s, ms, us");
 }
 
 Scale scale_of(const std::string& unit, const Probe& probe, const std::string& file) {
   const std::string& name = probe.unit ? *probe.unit : unit;
-  if (const auto size = size_of(lengths, name)) {
+  if (const auto size = size_of(table::Quantity::length, name)) {
     if (probe.gain_mv_per_um)
       refuse(file, probe.column, fmt::format("is in {} and has a gain_mv_per_um", name), "no gain");
     return {*size, std::nullopt};
   }
   const bool shares = name == full_scale_unit;
-  const auto millivolts = shares ? probe.range_v.value_or(1) * 1e3 : size_of(voltages, name);
-  if (!millivolts) {
+  const auto volts = shares ? probe.range_v.value_or(1) : size_of(table::Quantity::voltage, name);
+  if (!volts) {
     refuse(file, probe.column, name.empty() ? "has no unit" : fmt::format("the unit '{}' is unknown", name),
            "m, mm, um, mil, V or mV with a gain_mv_per_um, and FS with a range_v as well");
   }
@@ -57,8 +47,9 @@ Scale scale_of(const std::string& unit, const Probe& probe, const std::string& f
     refuse(file, probe.column, "is in shares of the full scale and has no range", "a range_v");
   if (!probe.gain_mv_per_um)
     refuse(file, probe.column, fmt::format("is in {} and has no gain", name), "a gain_mv_per_um");
-  Scale scale{*millivolts / *probe.gain_mv_per_um * 1e-6, std::nullopt};
-  if (probe.range_v) scale.full_scale = *probe.range_v * 1e3 / *millivolts;
+  const double millivolts = 1e3 * *volts;
+  Scale scale{millivolts / *probe.gain_mv_per_um * 1e-6, std::nullopt};
+  if (probe.range_v) scale.full_scale = *probe.range_v * 1e3 / millivolts;
   return scale;
 }
 

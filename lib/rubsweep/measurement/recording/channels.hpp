@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -10,26 +12,32 @@
 
 namespace rubsweep::recording {
 
-/// One column of what an instrument wrote.
+/// One column of an instrument's file.
 struct Channel {
   std::string name;            ///< name without its unit
   std::string unit;            ///< unit as written, without brackets; empty: none
   std::vector<double> values;  ///< NaN where a cell is empty or says NaN: a gap
+  std::size_t number = 0;      ///< column of a text from 1; 0: the place among the channels counts
+
+  bool is_empty() const {
+    return std::ranges::all_of(values, [](double value) { return std::isnan(value); });
+  }
 };
 
-/// Columns of one file, of equal length, at least one with at least two values.
+/// Columns of one file: one or more, all of the same length of at least two values.
 struct Channels {
   std::vector<Channel> channels;
-  std::vector<std::size_t> line{};  ///< line of every row of a text, from 1; empty: the file is no text
-  std::optional<double> sampling_rate_hz{};  ///< rate that the file says; empty: it says none
-  /// Columns or variables that are no signals, by name, and why: "holds text".
+  std::vector<std::size_t> line{};  ///< line number of every row of a text, from 1; empty: not a text
+  std::optional<double> sampling_rate_hz{};  ///< rate given by the file; empty: none
+  /// Columns or variables that are not signals: their names, and the reasons, such as "holds text".
   struct LeftOut {
     std::string name, why;
   };
   std::vector<LeftOut> left_out{};
+  std::vector<std::string> notes{};  ///< what was passed over, sentences without a full stop
 
   std::size_t rows() const { return channels.front().values.size(); }
-  /// " ('a' holds text, 'b' is complex)" of what was left out, and of no more than a line of it.
+  /// List of what was left out, such as " ('a' holds text, 'b' is complex)", about one line long at most.
   std::string left_out_text() const {
     constexpr std::size_t most = 6;
     std::string text;
@@ -38,7 +46,7 @@ struct Channels {
     if (left_out.size() > most) text += " and others";
     return text.empty() ? text : " (" + text + ')';
   }
-  /// Place of a row, from 0, for people: "line 7" of a text, "reading 5" of other files.
+  /// Place of a row, counted from 0, for messages: "line 7" of a text, "reading 5" of other files.
   std::string place_of(std::size_t row) const {
     return line.empty() ? "reading " + std::to_string(row + 1) : "line " + std::to_string(line[row]);
   }
@@ -47,24 +55,24 @@ struct Channels {
 /// Unit of a sound file's readings: shares of the converter's full scale, from -1 to 1.
 inline constexpr const char* full_scale_unit = "FS";
 
-/// Unit that the ending _s or _m of a name says, as in the programs' own tables; empty for other names.
+/// Unit given by the ending _s or _m of a name, as in the programs' own tables; empty for other names.
 inline std::string unit_in_ending(std::string_view name) {
   return name.ends_with("_s") || name.ends_with("_m") ? std::string(1, name.back()) : std::string();
 }
 
-/// Seconds per unit of a column of times: s (also without a unit), ms, us or µs. Throws ConfigError with the
-/// names of file and column for any other.
+/// Seconds per unit of a time column: s (also without a unit), ms, us or µs. Throws ConfigError with the
+/// names of file and column for any other unit.
 double seconds_per(const std::string& unit, const std::string& column, const std::string& file);
 
-/// How readings of a probe become metres, and where they are cut off.
+/// Conversion of a probe's readings to metres, and the value at which they are cut off.
 struct Scale {
   double metres_per_unit = 1;
   std::optional<double> full_scale{};  ///< full scale in the unit of the column
 };
 
-/// Scale of a probe's column: m, mm, um or µm, mil; V or mV with a gain in mV/µm; FS, shares of a full scale
-/// of range_v, with both. `unit` is that of the column unless the probe says another one. Throws ConfigError
-/// as above.
+/// Scale of a probe's column. Its unit is m, mm, um or µm, mil; V or mV with a gain in mV/µm; or FS, shares
+/// of a full scale range_v, which needs gain and range_v. `unit` is the column's unless the probe gives
+/// another one. Throws ConfigError like seconds_per.
 Scale scale_of(const std::string& unit, const Probe& probe, const std::string& file);
 
 }  // namespace rubsweep::recording

@@ -14,18 +14,18 @@ namespace rubsweep::recording {
 namespace {
 
 constexpr std::size_t fewest_equal = 5, fewest_times = 10;
-/// Readings of the value at an end of the range as a multiple of those of any other. The top of a sine, in a
-/// coarse converter, has 2.4 times those of the next value.
+/// Ratio above which a range end counts as clipped: its number of readings over that of any other value. The
+/// top of a sine in a coarse converter has 2.4 times as many readings as the next value.
 constexpr std::size_t times_as_often = 5;
 constexpr double largest_change = 0.01;
 constexpr double fewest_readings_of_a_turn = 20;
 
-/// How readings spread over their values.
+/// Distribution of the readings over their values.
 struct Values {
   double low = INFINITY, high = -INFINITY;
-  double step = INFINITY;  ///< smallest distance of two values: that of the converter, if there is one
-  std::size_t at_low = 0, at_high = 0;  ///< readings of the smallest and of the largest value
-  std::size_t most_between = 0;         ///< readings of the value between them that is read most often
+  double step = INFINITY;  ///< smallest difference of two values: the step of the converter, if there is one
+  std::size_t at_low = 0, at_high = 0;  ///< numbers of readings with the smallest and with the largest value
+  std::size_t most_between = 0;         ///< number of readings of the most frequent value between these two
 };
 
 Values values_of(std::span<const double> readings) {
@@ -48,7 +48,7 @@ Values values_of(std::span<const double> readings) {
   return values;
 }
 
-/// Mean square of a signal in a narrow band about `share` of half the sampling rate.
+/// Mean square of a signal in a narrow band about the frequency share x half the sampling rate.
 double energy_near(std::span<const double> readings, double share) {
   constexpr std::size_t block = 32;
   double energy = 0;
@@ -57,7 +57,7 @@ double energy_near(std::span<const double> readings, double share) {
     std::complex<double> sum = 0;
     double weights = 0;
     for (std::size_t k = 0; k < block; ++k) {
-      // Hann's window, so that the shaft's own motion far below does not leak into the band.
+      // Hann window, so that the shaft's motion at far lower frequencies does not leak into the band.
       const double weight =
           1 - std::cos(2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(block));
       sum += weight * readings[begin + k] *
@@ -71,8 +71,8 @@ double energy_near(std::span<const double> readings, double share) {
   return blocks > 0 ? energy / static_cast<double>(blocks) : 0;
 }
 
-/// A line that stands out just below half the sampling rate, where an instrument with a filter lets nothing
-/// through.
+/// Whether a line stands out just below half the sampling rate, where an anti-aliasing filter would remove
+/// everything.
 bool vibrates_near_half_the_rate(std::span<const double> readings) {
   constexpr double many_times = 30;
   constexpr std::size_t fewest = 256, enough = 1 << 18;
@@ -82,9 +82,9 @@ bool vibrates_near_half_the_rate(std::span<const double> readings) {
   return energy_near(readings, 0.95) > many_times * middle;
 }
 
-/// Whether readings stay at a value for long, or come to it time and again where no other value is
-/// `repeated`, and come to it by more than `step`: the top of a rounded curve that a coarse converter
-/// flattens is reached by one step.
+/// Whether readings are clipped at a value. They stay there for long, or return to it again and again while
+/// no other value is `repeated`, and they reach it by more than `step`. A rounded peak that a coarse
+/// converter flattens is reached by a single step.
 bool is_cut_at(std::span<const double> readings, double value, double step, bool repeated) {
   std::size_t times = 0;
   for (std::size_t k = 1; k < readings.size(); ++k) {
@@ -95,6 +95,18 @@ bool is_cut_at(std::span<const double> readings, double value, double step, bool
     if (end - k >= fewest_equal || (repeated && ++times >= fewest_times)) return true;
   }
   return false;
+}
+
+/// Root mean square by which marks are off the cubic through two neighbours on either side, in intervals.
+double off_neighbours(std::span<const double> marks_s) {
+  double squares = 0, count = 0;
+  for (std::size_t k = 2; k + 2 < marks_s.size(); ++k) {
+    const double between = (4 * (marks_s[k - 1] + marks_s[k + 1]) - marks_s[k - 2] - marks_s[k + 2]) / 6;
+    const double interval = (marks_s[k + 1] - marks_s[k - 1]) / 2;
+    squares += (marks_s[k] - between) * (marks_s[k] - between) / (interval * interval);
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
 }  // namespace
@@ -144,15 +156,29 @@ void add_wild_findings(const WildReadings& wild, const Channel& channel, const C
                                             : ": so many that none of them is replaced"));
 }
 
-void add_mark_findings(const TurnMarks& marks, const std::string& column,
+void add_mark_findings(const TurnMarks& marks, const Keyphasor& keyphasor,
                        std::vector<std::string>& findings) {
-  if (marks.filled > 0)
+  const std::string& column = keyphasor.column;
+  const bool pulses = keyphasor.pulses_per_turn > 1;
+  const char* const step = pulses ? "step" : "turn";
+  if (marks.filled > 0) {
+    constexpr double tiny = 1e-6;
+    const double off = off_neighbours(marks.t_s);
     findings.push_back(fmt::format(
-        "'{}' has no mark in {} turns: they are taken to be like those beside them", column, marks.filled));
+        "'{}' has no mark in {} {}s: they are taken to be like those beside them{}", column, marks.filled,
+        step,
+        off > tiny ? fmt::format(", whose marks follow from their neighbours to {:.2g} of a {}", off, step)
+                   : ""));
+  }
   if (marks.dropped > 0)
     findings.push_back(
         fmt::format("'{}' has {} marks too many, which are left out: a hysteresis would keep them away",
                     column, marks.dropped));
+  if (pulses)
+    findings.push_back(fmt::format(
+        "'{}' has {} pulses a turn, and turns begin with the first one: phases are those of no other "
+        "recording",
+        column, keyphasor.pulses_per_turn));
 }
 
 void add_speed_findings(std::span<const double> turn_begin_s, double sampling_rate_hz,

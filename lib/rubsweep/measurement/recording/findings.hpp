@@ -6,28 +6,30 @@
 #include <vector>
 
 #include "rubsweep/measurement/recording/channels.hpp"
+#include "rubsweep/measurement/recording/instrument.hpp"
 #include "rubsweep/measurement/recording/probe_faults.hpp"
 #include "rubsweep/measurement/recording/turn_marks.hpp"
 
 namespace rubsweep::recording {
 
-/// Adds what is wrong with a probe's readings: gaps (NaN), with the place of the first one; a probe that
-/// reads one value only; clipping, where the largest or the smallest value is reached by more than the
-/// converter's step and stands at least five times in a row, or is reached ten times and read five times as
-/// often as any value between them, or where readings reach `full_scale` up or down.
+/// Adds the faults of a probe's readings: gaps (NaN) with the place of the first one, a constant signal, and
+/// clipping. A signal is clipped where its extreme value is reached by more than the converter's step and
+/// occurs five times in a row, or is reached ten times and read five times as often as any value in between.
+/// It is also clipped where readings reach `full_scale` with either sign.
 void add_findings(const Channel& channel, const Channels& table, std::optional<double> full_scale,
                   std::vector<std::string>& findings);
 
-/// Adds which readings are wild, with the place of the first one, and whether they were replaced.
+/// Adds the number of outliers, the place of the first one, and whether they were replaced.
 void add_wild_findings(const WildReadings& wild, const Channel& channel, const Channels& table,
                        std::vector<std::string>& findings);
 
-/// Adds what is wrong with the marks of a keyphasor: missing ones and ones too many.
-void add_mark_findings(const TurnMarks& marks, const std::string& column, std::vector<std::string>& findings);
+/// Adds what is wrong with the marks of a keyphasor: missing ones, with how well those that are there follow
+/// from their neighbours, and ones too many; and that of many pulses in a turn none is the shaft's own.
+void add_mark_findings(const TurnMarks& marks, const Keyphasor& keyphasor,
+                       std::vector<std::string>& findings);
 
-/// Adds what is wrong with turns: one that is longer or shorter than the one before by more than 1 %, and a
-/// sampling rate of less than twenty readings a turn, from which on orders above the tenth may be folded
-/// down.
+/// Adds the faults of the turns: one that differs from the turn before by more than 1 % in length, and a
+/// sampling rate below twenty readings per turn, at which orders above the tenth may be aliased.
 void add_speed_findings(std::span<const double> turn_begin_s, double sampling_rate_hz,
                         std::vector<std::string>& findings);
 

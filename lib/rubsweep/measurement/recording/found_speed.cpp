@@ -21,8 +21,8 @@ using std::numbers::pi;
 constexpr int steps_of_a_turn = 4, smoothed_turns = 4;
 constexpr double fewest_turns_searched = 12, looked_at = 0.4;
 
-/// Readings times e^{-i 2 pi f t}, under Hann windows of four turns, every quarter of a turn. Missing
-/// readings count as the mean.
+/// Readings times e^{-i 2 pi f t}, averaged under Hann windows of four turns, one value every quarter turn.
+/// Missing readings are replaced by the mean.
 std::vector<Complex> shifted_down(const std::vector<double>& readings, double readings_per_turn) {
   double mean = 0, count = 0;
   for (const double value : readings) {
@@ -51,10 +51,9 @@ std::vector<Complex> shifted_down(const std::vector<double>& readings, double re
   return smooth;
 }
 
-}  // namespace
-
-std::optional<FoundSpeed> speed_near(const std::vector<std::vector<double>>& probes, double sampling_rate_hz,
-                                     double given_hz) {
+/// The line near a frequency.
+std::optional<FoundSpeed> line_near(const std::vector<std::vector<double>>& probes, double sampling_rate_hz,
+                                    double given_hz) {
   constexpr double stands_out = 10, least_share = 0.02;
   const double readings_per_turn = sampling_rate_hz / given_hz;
   double weights = 0, most_weight = 0, sum = 0, largest = 0, largest_place = 0;
@@ -93,10 +92,37 @@ std::optional<FoundSpeed> speed_near(const std::vector<std::vector<double>>& pro
   FoundSpeed found{.largest_hz = given_hz * (1 + largest_place)};
   if (weights > 0) {
     found.speed_hz = given_hz * (1 + sum / weights);
-    // Other lines move both probes alike: two know no more than the better one.
+    // Lines other than 1X disturb both probes alike, so two probes are as accurate as the better one.
     found.uncertainty_hz = given_hz / std::sqrt(most_weight);
   }
   return found;
+}
+
+/// Speed by the lines of order 2 and 3, where both are there and say the same.
+std::optional<FoundSpeed> speed_by_harmonics(const std::vector<std::vector<double>>& probes,
+                                             double sampling_rate_hz, double given_hz) {
+  constexpr double same = 4, rounding = 1e-7;
+  std::vector<FoundSpeed> by_order;
+  for (const double order : {2.0, 3.0}) {
+    if (order * given_hz > sampling_rate_hz / 4) return std::nullopt;
+    const auto found = line_near(probes, sampling_rate_hz, order * given_hz);
+    if (!found || found->speed_hz == 0) return std::nullopt;
+    by_order.push_back({found->speed_hz / order, found->uncertainty_hz / order, 0, true});
+  }
+  const double room_hz =
+      same * std::hypot(by_order[0].uncertainty_hz, by_order[1].uncertainty_hz) + rounding * given_hz;
+  if (std::abs(by_order[0].speed_hz - by_order[1].speed_hz) > room_hz) return std::nullopt;
+  return by_order[by_order[1].uncertainty_hz < by_order[0].uncertainty_hz ? 1 : 0];
+}
+
+}  // namespace
+
+std::optional<FoundSpeed> speed_near(const std::vector<std::vector<double>>& probes, double sampling_rate_hz,
+                                     double given_hz) {
+  const auto found = line_near(probes, sampling_rate_hz, given_hz);
+  if (found && found->speed_hz > 0) return found;
+  const auto other = speed_by_harmonics(probes, sampling_rate_hz, given_hz);
+  return other ? other : found;
 }
 
 double speed_to_take(double given_hz, const std::optional<FoundSpeed>& found, double turns,
@@ -112,7 +138,8 @@ double speed_to_take(double given_hz, const std::optional<FoundSpeed>& found, do
   const double off_hz = std::abs(found->speed_hz - given_hz);
   if (off_hz / given_hz * turns < small_turns || off_hz < sure * found->uncertainty_hz) return given_hz;
   findings.push_back(
-      fmt::format("the speed is taken from the signal: {} +- {:.2g} Hz, where speed_hz says {}",
+      fmt::format("the speed is taken from the signal{}: {} +- {:.2g} Hz, where speed_hz says {}",
+                  found->by_harmonics ? ", by its lines of order 2 and 3" : "",
                   model::speed_text(found->speed_hz, 7), found->uncertainty_hz, model::speed_text(given_hz)));
   return found->speed_hz;
 }

@@ -16,9 +16,13 @@ using rubsweep::recording::Keyphasor;
 using rubsweep::recording::Mark;
 using rubsweep::recording::Probe;
 using rubsweep::recording::RunOut;
+using rubsweep::recording::SpeedColumn;
 
-constexpr std::string_view root_form = "a map with probes, keyphasor or speed_hz, time or sampling_rate_hz";
+constexpr std::string_view root_form =
+    "a map with probes, keyphasor, speed_hz or speed, time or sampling_rate_hz";
 constexpr Words<Mark, 2> marks{{"dark", "bright"}, {Mark::dark, Mark::bright}};
+
+constexpr int most_pulses = 4096;
 
 /// Least angle between two probes, in degrees, as of a simulated pair.
 constexpr double least_angle_deg = 10;
@@ -51,8 +55,23 @@ Keyphasor read_keyphasor(const yaml::Value& value) {
   section.field("mark", keyphasor.mark, marks);
   section.field("threshold", keyphasor.threshold, model::any_finite);
   section.field("hysteresis", keyphasor.hysteresis, model::not_negative);
+  section.field("pulses_per_turn", keyphasor.pulses_per_turn, model::IntegerRange{1, most_pulses});
   section.refuse_unknown_keys();
   return keyphasor;
+}
+
+/// A name alone, or a map with the unit.
+SpeedColumn read_speed(const yaml::Value& value) {
+  SpeedColumn speed;
+  if (value.node.kind != yaml::Node::Kind::map) {
+    speed.column = read_text(value).value_or("");
+    return speed;
+  }
+  yaml::Section section(value);
+  read_column(section, "column", speed.column);
+  if (const auto unit = section.find("unit")) speed.unit = read_text(*unit);
+  section.refuse_unknown_keys();
+  return speed;
 }
 
 RunOut read_run_out(const yaml::Value& value) {
@@ -71,13 +90,14 @@ Instrument read_root(const yaml::Value& root) {
   Instrument instrument;
   if (section.find("time") && section.find("sampling_rate_hz"))
     section.require_exactly_one({"time", "sampling_rate_hz"});
-  section.require_exactly_one({"keyphasor", "speed_hz"});
+  section.require_exactly_one({"keyphasor", "speed_hz", "speed"});
   if (const auto value = section.find("time")) instrument.time = read_text(*value);
   section.field("sampling_rate_hz", instrument.sampling_rate_hz, model::positive);
   section.field("speed_hz", instrument.speed_hz, model::positive);
   section.field("from_s", instrument.from_s, model::any_finite);
   section.field("to_s", instrument.to_s, model::any_finite);
   if (const auto value = section.find("keyphasor")) instrument.keyphasor = read_keyphasor(*value);
+  if (const auto value = section.find("speed")) instrument.speed = read_speed(*value);
   if (const auto value = section.find("run_out")) instrument.run_out = read_run_out(*value);
   if (const auto value = section.require("probes", "a list of one or two maps")) {
     if (const auto items = read_list(*value, 2)) {

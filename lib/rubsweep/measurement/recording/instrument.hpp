@@ -12,14 +12,13 @@ namespace rubsweep::recording {
 /// A displacement probe.
 struct Probe {
   std::string column;    ///< name of its column
-  double angle_deg = 0;  ///< direction in which it looks at the shaft, from +x towards +y
-  /// Not 0; of a column in volts; negative: away from the probe is less.
+  double angle_deg = 0;  ///< direction in which the probe looks, from +x towards +y
+  /// Gain of a column in volts, not 0; negative where a larger gap gives a smaller voltage.
   std::optional<double> gain_mv_per_um{};
-  std::optional<std::string> unit{};  ///< instead of what the file says or does not say
+  std::optional<std::string> unit{};  ///< replaces the unit in the file, or supplies a missing one
+  std::optional<double> rest{};       ///< reading at rest, in the column's unit; given for all probes or none
   std::optional<double>
-      rest{};  ///< reading while the rotor rests, in the column's unit; of all probes or none
-  std::optional<double>
-      range_v{};  ///< > 0: voltage of the converter's full scale, where readings are cut off
+      range_v{};  ///< > 0: voltage of the converter's full scale, where readings are clipped
 };
 
 struct Keyphasor {
@@ -27,26 +26,35 @@ struct Keyphasor {
   Mark mark = Mark::dark;
   std::optional<double> threshold{};  ///< threshold in the column's unit; empty: middle_threshold
   double hysteresis = 0;              ///< hysteresis in the column's unit, >= 0
+  int pulses_per_turn = 1;            ///< marks that pass in a turn; the first one is the shaft's
 };
 
-/// Stretch at slow speed in which probes see the run-out of the shaft and no vibration, on the clock of the
-/// recording.
+/// A column of the shaft's speed.
+struct SpeedColumn {
+  std::string column;
+  std::optional<std::string> unit{};  ///< instead of what the file says or does not say
+  double factor = 1;                  ///< speed over that of the column
+};
+
+/// Interval at slow speed, in the recording's time, in which the probes see the shaft's run-out but no
+/// vibration.
 struct RunOut {
   double from_s = 0, to_s = 0;
-  bool vector = false;  ///< subtract its 1X alone and not its whole waveform
+  bool vector = false;  ///< subtracts only its 1X, not the whole waveform
 };
 
 /// All that has to be known of a recording beside its numbers. Times come from the column `time`, from the
-/// sampling rate or, where neither is given, from the file; turns from the keyphasor or from the speed: one
-/// of both.
+/// sampling rate or, where neither is given, from the file; turns from the keyphasor, from the speed or from
+/// a column of the speed: one of these.
 struct Instrument {
   std::optional<std::string> time{};
   std::optional<double> sampling_rate_hz{};  ///< > 0
   std::vector<Probe> probes{};               ///< one, or two that look in different directions
   std::optional<Keyphasor> keyphasor{};
-  std::optional<double> from_s{}, to_s{};  ///< stretch that is looked at, on the clock of the recording
+  std::optional<double> from_s{}, to_s{};  ///< evaluated interval, in the recording's time
   std::optional<double> speed_hz{};        ///< > 0
-  std::optional<RunOut> run_out{};         ///< run-out with a keyphasor
+  std::optional<SpeedColumn> speed{};
+  std::optional<RunOut> run_out{};  ///< run-out with a keyphasor
 };
 
 }  // namespace rubsweep::recording
@@ -54,9 +62,10 @@ struct Instrument {
 namespace rubsweep::config::recording {
 
 /// Reads what has to be known of a recording: probes (a list of one or two, each with column, angle_deg and
-/// perhaps gain_mv_per_um, unit, range_v), keyphasor (column, mark, threshold, hysteresis) or speed_hz, time
-/// (the name of a column) or sampling_rate_hz or none of both; from_s, to_s; run_out (from_s, to_s,
-/// subtract). `name` stands for the file in messages. Throws ConfigError with every problem.
+/// perhaps gain_mv_per_um, unit, range_v), keyphasor (column, mark, threshold, hysteresis, pulses_per_turn),
+/// speed_hz or speed (a column, or column and unit), time (the name of a column) or sampling_rate_hz or none
+/// of both; from_s, to_s; run_out (from_s, to_s, subtract). `name` stands for the file in messages. Throws
+/// ConfigError with every problem.
 rubsweep::recording::Instrument read_instrument_text(std::string_view text, const std::string& name);
 
 }  // namespace rubsweep::config::recording

@@ -12,7 +12,7 @@
 namespace rubsweep::recording {
 namespace {
 
-/// Difference of the largest and the smallest reading of every turn; NaN where a reading is missing.
+/// Range of the readings (largest minus smallest) in every turn; NaN where a reading is missing.
 std::vector<double> ranges_of(std::span<const double> values, std::size_t turn) {
   std::vector<double> ranges;
   for (std::size_t first = 0; first + turn <= values.size(); first += turn) {
@@ -24,7 +24,7 @@ std::vector<double> ranges_of(std::span<const double> values, std::size_t turn) 
   return ranges;
 }
 
-/// Range of a turn in which the probe moves: nine tenths of all are not larger.
+/// Usual range of a turn while the probe moves: the 90th percentile of all ranges.
 double usual_range(const std::vector<double>& ranges) {
   std::vector<double> finite;
   for (const double range : ranges)
@@ -35,8 +35,7 @@ double usual_range(const std::vector<double>& ranges) {
   return *place;
 }
 
-/// Whether a signal has no correlation with itself some readings later, beyond that of as many readings of
-/// noise.
+/// Whether the autocorrelation of a signal does not exceed that of white noise of the same length.
 bool is_noise(std::span<const double> values) {
   constexpr std::size_t most_later = 64, fewest = 64;
   constexpr double many_deviations = 4.5;
@@ -61,7 +60,7 @@ bool is_noise(std::span<const double> values) {
   return true;
 }
 
-/// Whether the second signal is the first one times a factor, plus an offset, but for rounding.
+/// Whether the second signal is a multiple of the first plus an offset, up to rounding.
 bool read_the_same(std::span<const double> a, std::span<const double> b) {
   constexpr double rounding = 1e-4;
   double count = 0, mean_a = 0, mean_b = 0, aa = 0, ab = 0, bb = 0;
@@ -87,8 +86,8 @@ bool read_the_same(std::span<const double> a, std::span<const double> b) {
 constexpr std::size_t reach = 3, fewest_readings = 32, most_in_a_row = 3;
 constexpr double far_off = 3, beyond_neighbours = 0.25, times_the_usual = 15, most_share = 0.02;
 
-/// Polynomial through the three readings before a place and the three behind `count` readings from there on,
-/// at one of these; NaN where one of the six is missing.
+/// Value at `place` of the polynomial through three readings before and three readings after a group of
+/// `count` readings; NaN where one of these six is missing.
 double between_neighbours(const std::vector<double>& readings, std::size_t first, std::size_t count,
                           std::size_t place) {
   std::array<std::size_t, 2 * reach> at{};
@@ -115,7 +114,7 @@ double quantile(std::vector<double>& values, double share) {
   return *place;
 }
 
-/// Where nine tenths of the readings are.
+/// Interval that contains nine tenths of the readings.
 struct Span {
   double low = 0, high = 0;
 
@@ -123,8 +122,8 @@ struct Span {
   bool is_far(double value) const { return std::abs(value - (low + high) / 2) > far_off * length(); }
 };
 
-/// Median distance of the readings about a place from the polynomials through their neighbours, without those
-/// that see the readings in question.
+/// Median distance of the readings about a place from the polynomials through their neighbours. Polynomials
+/// that use the suspected readings are left out.
 double usual_distance(const std::vector<double>& readings, std::size_t first, std::size_t count) {
   constexpr std::size_t about = 24;
   std::vector<double> distances;
@@ -138,7 +137,8 @@ double usual_distance(const std::vector<double>& readings, std::size_t first, st
   return distances.empty() ? INFINITY : quantile(distances, 0.5);
 }
 
-/// Whether readings in a row are all farther off their neighbours than others about them, and than `least`.
+/// Whether each reading of a group is farther off its polynomial than usual for its surroundings, and by more
+/// than `least`.
 bool is_off(const std::vector<double>& readings, std::size_t first, std::size_t count, double least) {
   if (first < reach || first + count + reach > readings.size()) return false;
   const double most = std::max(least, times_the_usual * usual_distance(readings, first, count));
@@ -155,7 +155,7 @@ void replace(std::vector<double>& readings, std::size_t first, std::size_t count
   }
 }
 
-/// Far readings, one to three in a row.
+/// Replaces groups of one to three readings far outside the usual interval.
 void replace_far(std::vector<double>& readings, const Span& span, std::vector<std::size_t>& places) {
   for (std::size_t first = 0, end = 0; first < readings.size(); first = end + 1) {
     end = first;
@@ -166,7 +166,7 @@ void replace_far(std::vector<double>& readings, const Span& span, std::vector<st
   }
 }
 
-/// Single readings beyond both neighbours, from the farthest on.
+/// Replaces single readings that exceed both neighbours, the worst first.
 void replace_single(std::vector<double>& readings, const Span& span, std::vector<std::size_t>& places) {
   const double step = beyond_neighbours * span.length();
   std::vector<std::size_t> candidates;
@@ -202,7 +202,7 @@ std::optional<Stretch> still_stretch(std::span<const double> values, std::span<c
     if (end - first > best.count) best = {first, end - first};
   }
   if (best.count < fewest_turns || best.count == ranges.size()) return std::nullopt;
-  // The turns at both ends are still in part.
+  // The turns at both ends belong to the stretch partly, so their ends are searched.
   std::size_t first = best.first * turn, end = first + best.count * turn;
   const double level = values[first], least = still_share * usual;
   while (first > 0 && std::abs(values[first - 1] - level) <= least) --first;

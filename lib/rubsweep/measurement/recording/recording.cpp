@@ -13,33 +13,34 @@
 #include "rubsweep/measurement/recording/found_speed.hpp"
 #include "rubsweep/measurement/recording/probe_faults.hpp"
 #include "rubsweep/measurement/recording/sample_clock.hpp"
+#include "rubsweep/measurement/recording/speed_column.hpp"
 
 namespace rubsweep::recording {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// Turns that begin and end between two instants.
+/// Keeps the turns that begin and end between two instants.
 void keep_between(std::vector<double>& begins_s, std::optional<double> from_s, std::optional<double> to_s) {
   std::erase_if(begins_s, [&](double begin_s) {
     return begin_s < from_s.value_or(begin_s) || begin_s > to_s.value_or(begin_s);
   });
 }
 
-/// x + iy of two readings along two directions.
+/// Displacement x + iy from two readings along two directions.
 Complex plane_of(double first, double second, double first_rad, double second_rad) {
   const double determinant = std::sin(second_rad - first_rad);
   return {(first * std::sin(second_rad) - second * std::sin(first_rad)) / determinant,
           (second * std::cos(first_rad) - first * std::cos(second_rad)) / determinant};
 }
 
-/// Readings of a probe, in metres.
+/// Readings of one probe in metres.
 struct Readings {
   std::string column;
   std::vector<double> values_m;
 };
 
-/// Displacement at equal angles of these turns.
+/// Displacement at equal angles of the given turns.
 std::vector<Complex> turned(const std::vector<Readings>& all, const Instrument& instrument,
                             const SampleClock& clock, std::span<const double> turn_begin_s) {
   std::vector<std::vector<double>> probes;
@@ -58,7 +59,7 @@ std::vector<Complex> turned(const std::vector<Readings>& all, const Instrument& 
   return displacement_m;
 }
 
-/// Keeps the longest stretch of turns without a gap; true where something was left out.
+/// Keeps the longest stretch of turns without a gap; returns whether turns were left out.
 bool keep_longest_without_gap(Recording& recording) {
   const auto turns = static_cast<std::size_t>(recording.turns());
   const auto whole = [&](std::size_t turn) {
@@ -86,7 +87,7 @@ bool keep_longest_without_gap(Recording& recording) {
   return true;
 }
 
-/// Readings of every probe, with wild ones replaced. Adds what is wrong with them.
+/// Readings of every probe with outliers replaced. Adds the faults of the readings to the findings.
 std::vector<Readings> readings_of(const Channels& channels, const Instrument& instrument,
                                   const std::string& name, std::vector<std::string>& findings) {
   std::vector<Readings> all;
@@ -101,13 +102,13 @@ std::vector<Readings> readings_of(const Channels& channels, const Instrument& in
   return all;
 }
 
-/// Place of the first reading from an instant on.
+/// Index of the first reading at or after an instant.
 std::size_t place_of(double t_s, const SampleClock& clock, std::size_t count) {
   const double place = std::ceil((t_s - clock.first_s) * clock.rate_hz - 1e-9);
   return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(count)));
 }
 
-/// The stretch of the readings that is looked at.
+/// Readings of every probe in the evaluated interval.
 std::vector<std::vector<double>> stretch_of(const std::vector<Readings>& all, const SampleClock& clock,
                                             std::optional<double> from_s, std::optional<double> to_s) {
   std::vector<std::vector<double>> stretch;
@@ -122,7 +123,8 @@ std::vector<std::vector<double>> stretch_of(const std::vector<Readings>& all, co
   return stretch;
 }
 
-/// Says what the probes do not see, and leaves out where one of them stands still, if enough turns are left.
+/// Adds the faults that show when probes are compared, and removes the stretch where one of them is stuck, if
+/// enough turns are left.
 void look_for_faults(std::vector<Readings>& all, const Recording& recording, const SampleClock& clock,
                      std::vector<std::string>& findings) {
   const std::size_t first = place_of(recording.turn_begin_s.front(), clock, all[0].values_m.size()),
@@ -156,19 +158,32 @@ Recording make_recording(const Channels& all, const Instrument& instrument, cons
   Recording recording{.sampling_rate_hz = clock.rate_hz,
                       .plane = instrument.probes.size() == 2,
                       .from_rest = instrument.probes.front().rest.has_value()};
-  recording.findings = std::move(jumps);
+  recording.findings = all.notes;
+  recording.findings.insert(recording.findings.end(), jumps.begin(), jumps.end());
   std::vector<Readings> readings = readings_of(channels, instrument, name, recording.findings);
   Instrument known = instrument;
-  if (!instrument.keyphasor && *instrument.speed_hz <= clock.rate_hz / 2) {
+  if (instrument.speed_hz && *instrument.speed_hz <= clock.rate_hz / 2) {
     const auto looked_at = stretch_of(readings, clock, instrument.from_s, instrument.to_s);
     const double turns = static_cast<double>(looked_at[0].size()) / clock.rate_hz * *instrument.speed_hz;
     known.speed_hz =
         speed_to_take(*instrument.speed_hz, speed_near(looked_at, clock.rate_hz, *instrument.speed_hz), turns,
                       recording.findings);
   }
-  const ShaftTurns all_turns = turns_of(channels, known, clock, name, recording.findings);
-  recording.turn_begin_s = all_turns.begin_s;
-  keep_between(recording.turn_begin_s, instrument.from_s, instrument.to_s);
+  ShaftTurns all_turns = turns_of(channels, known, clock, name, recording.findings);
+  const auto turns_looked_at = [&] {
+    recording.turn_begin_s = all_turns.begin_s;
+    keep_between(recording.turn_begin_s, instrument.from_s, instrument.to_s);
+  };
+  turns_looked_at();
+  if (known.speed) {
+    std::vector<std::vector<double>> probes;
+    for (const Readings& one : readings) probes.push_back(one.values_m);
+    if (const auto factor = speed_factor(probes, clock, recording.turn_begin_s, recording.findings)) {
+      known.speed->factor = *factor;
+      all_turns = turns_of(channels, known, clock, name, recording.findings);
+      turns_looked_at();
+    }
+  }
   if (recording.turns() < fewest_turns) {
     throw ConfigError(fmt::format("{}: holds {} whole turns of the shaft, allowed: {} or more", name,
                                   std::max(recording.turns(), 0), fewest_turns));

@@ -1,5 +1,6 @@
 #include "rubsweep/measurement/recording/recording_file.hpp"
 
+#include <fmt/format.h>
 #include <sndfile.h>
 
 #include <algorithm>
@@ -17,105 +18,21 @@
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/maps/matlab/read_file.hpp"
+#include "rubsweep/maps/table/head.hpp"
 #include "rubsweep/maps/table/rows.hpp"
+#include "rubsweep/measurement/recording/tdms_file.hpp"
+#include "rubsweep/measurement/recording/universal_file.hpp"
 
 namespace rubsweep::recording {
 namespace {
 
 using matlab::Variable;
-using table::Fault;
-
-/// Seconds since the first stamp; stamps without a date begin again at midnight.
-void count_from_first(std::vector<double>& stamps_s) {
-  constexpr double day_s = 86400;
-  const double first_s = stamps_s.front();
-  double midnights = 0, before_s = 0;
-  for (double& t_s : stamps_s) {
-    t_s -= first_s;
-    if (t_s + midnights * day_s < before_s - day_s / 2) ++midnights;
-    t_s += midnights * day_s;
-    before_s = t_s;
-  }
-}
-
-/// Cells of the line of a LabVIEW head that begins with `key`; empty where there is none.
-std::vector<std::string_view> labview_line(std::string_view text, char separator, std::string_view key) {
-  while (!text.empty()) {
-    const auto cells = table::cells_of(table::take_line(text), separator);
-    if (cells.front() == key) return cells;
-    if (cells.front() == "X_Value") break;
-  }
-  return {};
-}
-
-/// Units and sampling rate that the head of a LabVIEW measurement says. Throws Fault for what is no one
-/// table.
-void read_labview_head(std::string_view text, const table::Layout& layout, Channels& table) {
-  std::size_t sections = 0, line = 0;
-  for (std::string_view rest = text; !rest.empty();) {
-    ++line;
-    if (table::take_line(rest).starts_with("X_Value") && ++sections > 1)
-      throw Fault{line, 1, "begins another segment of LabVIEW", "one segment in a file"};
-  }
-  const auto said = [&](std::string_view key) { return labview_line(text, layout.separator, key); };
-  if (const auto columns = said("X_Columns"); columns.size() > 1 && columns[1] == "Multi")
-    throw Fault{1, 1, "has times of its own for each signal, X_Columns Multi", "X_Columns One or No"};
-  const auto units = said("Y_Unit_Label");
-  for (std::size_t i = 1; i < std::min(units.size(), layout.columns.size()); ++i)
-    for (Channel& channel : table.channels)
-      if (channel.name == layout.columns[i].heading.name && channel.unit.empty()) channel.unit = units[i];
-  if (const auto steps = said("Delta_X"); steps.size() > 1) {
-    std::string step(steps[1]);
-    std::ranges::replace(step, ',', '.');
-    const double step_s = table::number_in(step, {}).value_or(0);
-    if (step_s > 0) table.sampling_rate_hz = 1 / step_s;
-  }
-}
-
-Channels read_text(std::string_view text) {
-  const table::Layout layout = table::layout_of(text);
-  table::Rows rows(text, layout);
-  Channels table;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-    const table::Column& column = layout.columns[i];
-    const std::string name =
-        column.heading.name.empty() ? "column " + std::to_string(i + 1) : column.heading.name;
-    if (column.is_text) {
-      table.left_out.push_back({name, column.text_line > 0
-                                          ? "holds text, as in line " + std::to_string(column.text_line)
-                                          : "holds text"});
-      continue;
-    }
-    places.push_back(i);
-    table.channels.push_back({name, column.heading.unit, {}});
-    if (column.heading.unit.empty()) table.channels.back().unit = unit_in_ending(name);
-  }
-  bool stamps = false;
-  while (rows.next()) {
-    if (table.line.empty()) stamps = rows.begins_with_stamp();
-    table.line.push_back(rows.line());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      double value = NAN;
-      if (places[i] < rows.cells().size())
-        value = places[i] == 0 && stamps ? rows.time_stamp() : rows.number(places[i]);
-      table.channels[i].values.push_back(value);
-    }
-  }
-  if (table.line.size() < 2) throw Fault{table.line.front(), 1, "is the only row of numbers", "two or more"};
-  if (stamps) {
-    count_from_first(table.channels.front().values);
-    table.channels.front().unit = std::string("s");
-  }
-  if (text.starts_with("LabVIEW Measurement")) read_labview_head(text, layout, table);
-  return table;
-}
-
 /// Most channels of one matrix: a picture has more.
 constexpr std::size_t most_channels = 256;
 
-std::string why_left_out(const Variable& variable, bool in_structure) {
-  if (variable.kind == Variable::Kind::structure) return in_structure ? "is a structure in a structure" : "";
+std::string why_left_out(const Variable& variable) {
+  if (variable.kind == Variable::Kind::structure)
+    return variable.fields.empty() ? "is empty, or lies deeper than 8 structures" : "";
   if (variable.kind == Variable::Kind::other) return "holds no numbers";
   if (variable.complex) return "is complex";
   if (variable.dims.size() != 2) return "has " + std::to_string(variable.dims.size()) + " dimensions";
@@ -125,12 +42,15 @@ std::string why_left_out(const Variable& variable, bool in_structure) {
   return "";
 }
 
-void add_variable(Channels& table, Variable& variable, const std::string& name, bool in_structure) {
-  if (std::string why = why_left_out(variable, in_structure); !why.empty()) {
+void add_variable(Channels& table, Variable& variable, const std::string& name) {
+  if (std::string why = why_left_out(variable); !why.empty()) {
     table.left_out.push_back({name, std::move(why)});
     return;
   }
-  for (Variable& field : variable.fields) add_variable(table, field, name + '.' + field.name, true);
+  for (Variable& field : variable.fields) {
+    const bool counted = field.name.starts_with('(') || field.name.starts_with('{');
+    add_variable(table, field, name + (counted ? "" : ".") + field.name);
+  }
   if (variable.kind != Variable::Kind::numbers) return;
   const std::size_t rows = variable.dims[0], columns = variable.dims[1];
   if (rows == 0 || columns == 0) return;
@@ -148,14 +68,28 @@ void add_variable(Channels& table, Variable& variable, const std::string& name, 
   }
 }
 
+/// Sampling rate that a single number beside the signals says, by its name; nothing where two differ.
+std::optional<double> rate_of_settings(const Channels& table) {
+  std::optional<double> said;
+  for (const Channel& channel : table.channels) {
+    if (channel.values.size() != 1) continue;
+    const std::string_view name = channel.name;
+    const std::size_t dot = name.rfind('.');
+    const auto rate = table::rate_of(dot == std::string_view::npos ? name : name.substr(dot + 1),
+                                     fmt::format("{}", channel.values.front()));
+    if (rate && said && *rate != *said) return std::nullopt;
+    if (rate) said = rate;
+  }
+  return said;
+}
+
 struct Close {
   void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
 constexpr sf_count_t frames_at_once = 4096;
 
-/// Size that the header says, by the first chunk of a RIFF file; empty where it leaves that open, as a stream
-/// does.
+/// File size according to the header of a RIFF file; empty where the header leaves it open, as streams do.
 std::optional<std::uintmax_t> said_bytes(const std::filesystem::path& file) {
   std::array<unsigned char, 8> head{};
   std::ifstream stream(file, std::ios::binary);
@@ -168,29 +102,24 @@ std::optional<std::uintmax_t> said_bytes(const std::filesystem::path& file) {
   return size + head.size();
 }
 
-}  // namespace
+/// A name in UTF-8 without control characters, whatever bytes a damaged file has in its place.
+std::string name_in(const std::string& bytes) { return table::utf8_of(table::printable(bytes)); }
 
-Channels read_delimited_text(std::string_view bytes, const std::string& name) {
-  try {
-    return read_text(table::utf8_of(bytes));
-  } catch (const Fault& fault) {
-    throw ConfigError(name + ':' + std::to_string(fault.line) + ':' + std::to_string(fault.column) + ": " +
-                      fault.wrong + ", allowed: " + fault.allowed);
-  }
-}
+}  // namespace
 
 Channels read_matlab_file(std::string_view bytes, const std::string& name) {
   Channels table;
   try {
     auto variables = matlab::read_variables(bytes, [](const Variable& variable) {
-      return variable.is_real_matrix() && why_left_out(variable, false).empty();
+      return variable.is_real_matrix() && why_left_out(variable).empty();
     });
-    for (Variable& variable : variables) add_variable(table, variable, variable.name, false);
+    for (Variable& variable : variables) add_variable(table, variable, variable.name);
   } catch (const matlab::FileError& error) {
     throw ConfigError(name + ": " + error.wrong + ", allowed: " + error.allowed);
   }
   std::size_t longest = 2;
   for (const Channel& channel : table.channels) longest = std::max(longest, channel.values.size());
+  table.sampling_rate_hz = rate_of_settings(table);
   std::erase_if(table.channels, [&](const Channel& channel) {
     const std::size_t count = channel.values.size();
     if (count < longest)
@@ -204,23 +133,35 @@ Channels read_matlab_file(std::string_view bytes, const std::string& name) {
   return table;
 }
 
-Channels read_recording_file(const std::filesystem::path& file, std::string_view bytes) {
+namespace {
+
+Channels read_any(const std::filesystem::path& file, std::string_view bytes) {
   const bool sound = bytes.starts_with("RIFF") || bytes.starts_with("RIFX") || bytes.starts_with("RF64");
   if (sound) return read_sound_file(file);
-  // MATLAB's own HDF5 begins with its words, and not with the mark of HDF5.
+  // MATLAB's own HDF5 files begin with a text instead of the HDF5 signature.
   if (bytes.starts_with("\x89HDF"))
     throw ConfigError(file.string() +
                       ": is HDF5 without MATLAB's head, allowed: a MATLAB file of version 4, 5 or 7.3, which "
                       "Octave writes with save -v7");
-  if (bytes.starts_with("TDSm"))
-    throw ConfigError(file.string() +
-                      ": is a file of LabVIEW's TDMS, allowed: its signals as a table of text, "
-                      "which LabVIEW, DIAdem and nptdms export");
+  if (bytes.starts_with("TDSm")) return read_tdms_file(bytes, file.string());
+  if (is_universal_file(bytes)) return read_universal_file(bytes, file.string());
   // Version 4 has no words at its begin, only its ending tells it.
   if (bytes.starts_with("MATLAB ") || file.extension() == ".mat")
     return read_matlab_file(bytes, file.string());
-  batch::check_table_text(bytes, file);  // a table that a program of ours wrote may be a recording, too
+  batch::check_table_text(bytes, file);  // a table written by one of our programs may be a recording, too
   return read_delimited_text(bytes, file.string());
+}
+
+}  // namespace
+
+Channels read_recording_file(const std::filesystem::path& file, std::string_view bytes) {
+  Channels table = read_any(file, bytes);
+  for (Channel& channel : table.channels) {
+    channel.name = name_in(channel.name);
+    channel.unit = name_in(channel.unit);
+  }
+  for (Channels::LeftOut& one : table.left_out) one.name = name_in(one.name);
+  return table;
 }
 
 ReadRecording read_recording(const std::filesystem::path& file,

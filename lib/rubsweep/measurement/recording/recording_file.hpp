@@ -5,48 +5,38 @@
 #include <string_view>
 
 #include "rubsweep/measurement/recording/channels.hpp"
+#include "rubsweep/measurement/recording/delimited_text.hpp"
 #include "rubsweep/measurement/recording/instrument.hpp"
 #include "rubsweep/measurement/recording/recording.hpp"
 
 namespace rubsweep::recording {
 
-/// Reads a table as instruments write them (table/layout.hpp): text before it, cells parted by tabs,
-/// semicolons or commas, decimal points or commas, comments behind '#' or '%', line ends of any system,
-/// UTF-8, UTF-16 or Latin-1. A unit stands in brackets behind the name or in a line of its own below the
-/// names; names that end with _s or _m are in seconds or metres; columns without one are "column 1", "column
-/// 2", ... Columns of text are left out. A first column of time stamps (12:30:01.25, with or without a date
-/// before it) becomes seconds since the first one; it may pass midnight where it has no date. Of LabVIEW's
-/// .lvm one segment is read, with units and sampling rate of its head. Throws ConfigError with
-/// `name`:line:column for a cell that is no number, a row that is too short or too long, and a text without
-/// numbers.
-Channels read_delimited_text(std::string_view bytes, const std::string& name);
-
 /// Reads the numeric variables of a MATLAB file, version 4, 5 or 7.3: a vector is a channel with the name of
 /// the variable, the columns of a matrix are NAME_1, NAME_2, ..., or its rows where these are longer; of a
-/// structure its fields, STRUCTURE.FIELD. Names that end with _s or _m are in seconds or metres. Channels
-/// shorter than the longest ones are left out, settings that were saved beside the signals, and told as such,
-/// as is all else that is no signal. Throws ConfigError with `name` where the file is damaged or holds no
-/// signal of two numbers or more.
+/// structure its fields, STRUCTURE.FIELD, also of structures and cells in it: A.B(2).C{3}. Names that end
+/// with _s or _m are in seconds or metres. A single number that is called fs, dt and the like is the clock.
+/// Channels shorter than the longest ones are left out, settings that were saved beside the signals, and told
+/// as such, as is all else that is no signal. Throws ConfigError with `name` where the file is damaged or
+/// holds no signal of two numbers or more.
 Channels read_matlab_file(std::string_view bytes, const std::string& name);
 
-/// Reads what an instrument wrote; its first bytes say what it is: a MATLAB file, a WAV file or a table of
-/// text (see sound_file.hpp and above). `bytes` are those of the file. Throws ConfigError with its name, for
-/// a text with line and column.
+/// Reads what an instrument wrote; its first bytes say what it is: a MATLAB file, a WAV file, a TDMS file
+/// (tdms_file.hpp), a universal file (universal_file.hpp) or a table of text (delimited_text.hpp). `bytes`
+/// are those of the file. Throws ConfigError with its name, for a text with line and column.
 Channels read_recording_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// A recording from its files.
+/// A recording with the text of its files.
 struct ReadRecording {
   Recording recording;
   Instrument instrument;
-  std::string text;  ///< instrument's file, then the recording: a digest is made of both
+  std::string text;  ///< text of the instrument's file, then of the recording; a digest is computed from both
 };
 
-/// Reads the file of an instrument and what the instrument wrote. Throws ConfigError with what is wrong in
-/// either.
+/// Reads a recording and the description of its instrument. Throws ConfigError for faults in either file.
 ReadRecording read_recording(const std::filesystem::path& file, const std::filesystem::path& instrument_file);
 
-/// Reads a WAV file (RIFF, RIFX, RF64) as data recorders write them: "channel 1", "channel 2", ... in
-/// full_scale_unit, and its sampling rate. Throws ConfigError with the name of the file where it is damaged
+/// Reads a WAV file (RIFF, RIFX, RF64) as data recorders write it: "channel 1", "channel 2", ... in
+/// full_scale_unit, and the sampling rate. Throws ConfigError with the name of the file where it is damaged
 /// or has fewer than two readings.
 Channels read_sound_file(const std::filesystem::path& file);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -12,13 +13,27 @@
 namespace rubsweep::recording {
 namespace {
 
-/// Most that an instant may be off its place, in steps: instruments write times with few digits.
+/// Largest deviation of an instant from even spacing, in steps: instruments write times with few digits.
 constexpr double largest_jitter = 0.5;
 
-/// File and row, for messages.
+/// File and row, as they appear in messages.
 std::string place_of(const Channels& channels, std::size_t row, const std::string& name) {
   return channels.line.empty() ? fmt::format("{}: {}", name, channels.place_of(row))
                                : fmt::format("{}:{}", name, channels.line[row]);
+}
+
+/// "column 3", whatever its name.
+const Channel* by_number(const Channels& channels, std::string_view column) {
+  constexpr std::string_view word = "column ";
+  std::size_t number = 0;
+  if (!column.starts_with(word)) return nullptr;
+  const char* const end = column.data() + column.size();
+  if (std::from_chars(column.data() + word.size(), end, number).ptr != end) return nullptr;
+  for (std::size_t i = 0; i < channels.channels.size(); ++i) {
+    const std::size_t own = channels.channels[i].number;
+    if ((own > 0 ? own : i + 1) == number) return &channels.channels[i];
+  }
+  return nullptr;
 }
 
 /// Median of the steps.
@@ -90,6 +105,7 @@ const Channel& find_channel(const Channels& channels, const std::string& column,
     names += (names.empty() ? "'" : ", '") + channel.name + '\'';
   }
   if (found) return *found;
+  if (const Channel* numbered = by_number(channels, column)) return *numbered;
   throw ConfigError(
       fmt::format("{}: has no column '{}'{}, allowed: {}", name, column, channels.left_out_text(), names));
 }
@@ -105,11 +121,11 @@ std::optional<Channels> stretch_without_jump(const Channels& channels, const Ins
   if (!instrument.time) return std::nullopt;
   const Channel& time = find_channel(channels, *instrument.time, name);
   const double unit_s = seconds_per(time.unit, time.name, name), usual = usual_step(time.values);
-  std::vector<std::size_t> begins{0};  // of stretches, and the end of the last one
+  std::vector<std::size_t> begins{0};  // beginnings of the stretches, and the end of the last one
   for (std::size_t k = 1; k < time.values.size(); ++k) {
     const double step = time.values[k] - time.values[k - 1];
     if (!(usual > 0) || step <= (1 - largest_jitter) * usual)
-      return std::nullopt;  // no clock: clock_of says where
+      return std::nullopt;  // no valid clock: clock_of reports where
     if (step >= (1 + largest_jitter) * usual) begins.push_back(k);
   }
   const std::size_t jumps = begins.size() - 1;
@@ -138,7 +154,8 @@ std::optional<Channels> stretch_without_jump(const Channels& channels, const Ins
   Channels stretch{
       .channels = {}, .sampling_rate_hz = channels.sampling_rate_hz, .left_out = channels.left_out};
   for (const Channel& one : channels.channels)
-    stretch.channels.push_back({one.name, one.unit, {one.values.begin() + first, one.values.begin() + end}});
+    stretch.channels.push_back(
+        {one.name, one.unit, {one.values.begin() + first, one.values.begin() + end}, one.number});
   if (!channels.line.empty()) stretch.line = {channels.line.begin() + first, channels.line.begin() + end};
   if (end - first < 2)
     throw ConfigError(name + ": has no two readings without a jump in time, allowed: two or more");

@@ -13,15 +13,17 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/recording/findings.hpp"
+#include "rubsweep/measurement/recording/speed_column.hpp"
 
 namespace rubsweep::recording {
 namespace {
 
-/// Shares of the signal's range outside of which a sample stands on a level and not on an edge.
+/// Margin at both ends of the signal's range: samples within it belong to a level, samples between belong to
+/// an edge.
 constexpr double level_share = 0.1;
 constexpr double half_resolved = 0.2;
 
-/// Values of the four cubic B-splines of unit pieces at 0 <= u <= 1 of a piece.
+/// Values of the four cubic B-splines with unit knot distance at a place 0 <= u <= 1 between two knots.
 std::array<double, 4> cubic_splines(double u) {
   const double v = 1 - u;
   return {v * v * v / 6, (3 * u * u * u - 6 * u * u + 4) / 6, (3 * v * v * v - 6 * v * v + 4) / 6,
@@ -30,7 +32,7 @@ std::array<double, 4> cubic_splines(double u) {
 
 using Base = Eigen::SparseMatrix<double>;
 
-/// Values of Legendre's polynomials up to a degree at equal places.
+/// Values of the Legendre polynomials up to a degree at equidistant places.
 Base polynomials(Eigen::Index count, int degree) {
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -43,7 +45,7 @@ Base polynomials(Eigen::Index count, int degree) {
   return base;
 }
 
-/// Values of the B-splines of so many equal pieces at equal places.
+/// Values of the cubic B-splines on `pieces` equal pieces at equidistant places.
 Base splines(Eigen::Index count, Eigen::Index pieces) {
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -59,10 +61,10 @@ Base splines(Eigen::Index count, Eigen::Index pieces) {
   return base;
 }
 
-/// Values of the curve that is nowhere farther than `bound` from the given ones, or comes as near to that as
-/// found: least squares, whose weights then grow where the distance is large (C. L. Lawson 1961). Rounding is
-/// bounded and far from normal, and the bounds of many marks leave a smooth curve far less room than their
-/// mean square does.
+/// Values of a smooth curve whose largest distance from the given values is at most `bound`, if one is found:
+/// least squares with weights that grow where the distance is large (C. L. Lawson 1961). Sampling errors are
+/// bounded and not normal, and the bounds of many marks determine a smooth curve much better than their mean
+/// square does.
 std::optional<Eigen::VectorXd> within(const Base& base, const Eigen::VectorXd& values, double bound) {
   constexpr int most_rounds = 80;
   constexpr double hopeless = 4;
@@ -86,8 +88,7 @@ std::optional<Eigen::VectorXd> within(const Base& base, const Eigen::VectorXd& v
   return best;
 }
 
-/// Polynomial through up to `most` neighbouring values, those about `place`, which counts values from 0;
-/// Lagrange.
+/// Lagrange polynomial through up to `most` values next to `place`, which is an index from 0 on.
 double between(std::span<const double> values, double place, std::ptrdiff_t most) {
   const auto size = static_cast<std::ptrdiff_t>(values.size());
   const std::ptrdiff_t count = std::min(most, size);
@@ -133,7 +134,7 @@ double mark_resolution(std::span<const double> signal, Mark mark, double thresho
     if (before == now || now != (mark == Mark::bright)) continue;
     ++edges[static_cast<std::size_t>(on_edge(signal[k - 1])) + static_cast<std::size_t>(on_edge(signal[k]))];
   }
-  // The coarser half counts.
+  // The half of the signal with the coarser edges decides.
   const std::size_t half = (edges[0] + edges[1] + edges[2]) / 2;
   if (edges[0] > half) return 1;
   return edges[0] + edges[1] > half ? half_resolved : 0;
@@ -143,11 +144,12 @@ SmoothMarks smoothed_marks(std::span<const double> marks_s, double resolution_s)
   const auto count = static_cast<Eigen::Index>(marks_s.size());
   SmoothMarks smooth{.t_s = {marks_s.begin(), marks_s.end()}};
   if (resolution_s == 0) return smooth;
-  // About the first mark and in units of a mark's room: long recordings keep their digits.
+  // Marks are counted from the first one in units of their resolution, so that long recordings keep their
+  // digits.
   const Eigen::VectorXd marks =
       (Eigen::Map<const Eigen::VectorXd>(marks_s.data(), count).array() - marks_s.front()) / resolution_s;
-  // The first curve within the bounds may lie at them all along: the next one, which holds it, is nearer to
-  // the truth.
+  // The first curve within the bounds may touch them everywhere; the next more flexible one is nearer to the
+  // truth.
   std::optional<Eigen::VectorXd> fit;
   bool held = false;
   const auto take = [&](const Base& base) {
@@ -201,6 +203,7 @@ ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, cons
                     const std::string& name, std::vector<std::string>& findings) {
   const std::size_t count = channels.rows();
   const double last_s = clock.first_s + static_cast<double>(count - 1) / clock.rate_hz;
+  if (instrument.speed) return {.begin_s = turns_by_speed(channels, *instrument.speed, clock, name)};
   if (!instrument.keyphasor && *instrument.speed_hz > clock.rate_hz / 2)
     throw ConfigError(
         name + ": has fewer than two readings a turn at speed_hz, allowed: up to half the sampling rate");
@@ -216,10 +219,13 @@ ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, cons
     const TurnMarks marks =
         numbered_marks(mark_times_s(t_s, channel.values, keyphasor.mark, threshold, keyphasor.hysteresis),
                        1 / clock.rate_hz);
-    add_mark_findings(marks, channel.name, findings);
+    add_mark_findings(marks, keyphasor, findings);
     const double resolution_s = mark_resolution(channel.values, keyphasor.mark, threshold) / clock.rate_hz;
-    SmoothMarks smooth = smoothed_marks(marks.t_s, resolution_s);
-    return {std::move(smooth.t_s), marks.t_s, smoothing_bound * resolution_s, smooth.degree};
+    std::vector<double> begins_s;
+    for (std::size_t k = 0; k < marks.t_s.size(); k += static_cast<std::size_t>(keyphasor.pulses_per_turn))
+      begins_s.push_back(marks.t_s[k]);
+    SmoothMarks smooth = smoothed_marks(begins_s, resolution_s);
+    return {std::move(smooth.t_s), std::move(begins_s), smoothing_bound * resolution_s, smooth.degree};
   } catch (const ConfigError& error) {
     throw ConfigError(fmt::format("{}: '{}': {}", name, channel.name, error.what()));
   }

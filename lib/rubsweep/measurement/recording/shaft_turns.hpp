@@ -12,70 +12,70 @@
 
 namespace rubsweep::recording {
 
-/// How far a mark may stand off its true instant, in samples: 1 where the edge falls between two samples,
-/// which then say no more than that; a fifth where one sample stands on the edge; 0 where two do, for then
-/// the straight line through them is the edge.
+/// Possible distance of a mark from its true instant, in samples. It is 1 where the edge falls between two
+/// samples; 1/5 where one sample stands on the edge; 0 where two do, because the straight line through them
+/// is then the edge.
 double mark_resolution(std::span<const double> signal, Mark mark, double threshold);
 
-/// Farthest that a smooth curve may be from a mark that is known to a resolution, in resolutions: half of
-/// one, and a little for the noise of the edge.
+/// Largest allowed distance between a smooth curve and a mark, in units of the mark's resolution: one half,
+/// and a little more for the noise of the edge.
 inline constexpr double smoothing_bound = 0.52;
 
-/// Instants of marks on a smooth curve of time over turns.
+/// Instants of the marks on a smooth curve of time over turns.
 struct SmoothMarks {
   std::vector<double> t_s;
-  int degree =
-      0;  ///< degree of the polynomial, or of one as flexible as the spline; 0: marks stayed as they were
+  int degree = 0;  ///< degree of the polynomial, or one as flexible as the spline; 0: marks unchanged
 };
 
-/// Instants of the marks freed of the sampling, which moves each of them by up to half of `resolution_s` to
-/// either side. Curves of time over turns are tried from the simplest on: polynomials of degree 1 to 5, then
-/// cubic splines of 2, 4, 8, ... equal pieces with four marks or more each. Taken is the one behind the first
-/// that is never farther from the marks. Marks stay as they are where there is none, or the resolution is 0.
+/// Removes the sampling errors of marks, which are up to half of `resolution_s`. Curves of time over turns
+/// are tried from the simplest on: polynomials of degree 1 to 5, then cubic splines of 2, 4, 8, ... equal
+/// pieces with at least four marks each. The first curve that stays within the bounds decides; the next one
+/// after it is used. Marks stay unchanged where no curve does so, or where the resolution is 0.
 SmoothMarks smoothed_marks(std::span<const double> marks_s, double resolution_s);
 
-/// Instants between which the shaft made one turn each; steady ones where there is no mark on the shaft.
+/// Beginnings of turns at a constant speed, and the end of the last one, for a shaft without a mark.
 std::vector<double> steady_turns_s(double from_s, double to_s, double speed_hz);
 
 /// Shaft speed in the middle of every turn, in Hz.
 std::vector<double> turn_speeds_hz(std::span<const double> turn_begin_s);
 
-/// Samples of a signal at equal angles of the shaft: `samples_per_revolution` of every turn, the first one at
-/// its mark. Time over turns is the polynomial through the four marks about a turn (fewer where there are no
-/// more), so that an even change of the speed costs next to nothing. Between its samples, which come every 1
-/// / F seconds from `first_s` on, the signal is the polynomial through six of them: of an order p at f
-/// revolutions a second it misses 0.005 (2 pi p f / F)^6 of the amplitude or less. NaN where the signal has a
-/// gap. The turns lie within the signal.
+/// Samples of a signal at equal shaft angles: `samples_per_revolution` per turn, the first one at the mark.
+/// The shaft angle is interpolated by a polynomial through the four marks about a turn (fewer where there are
+/// no more), which follows an even change of speed. The signal, with a reading every 1 / F seconds from
+/// `first_s` on, is interpolated by a polynomial through six readings. At order p and f revolutions per
+/// second its error is at most 0.005 (2 pi p f / F)^6 of the amplitude. NaN where the signal has a gap. The
+/// turns must lie within the signal.
 std::vector<double> at_equal_angles(std::span<const double> signal, double first_s, double sampling_rate_hz,
                                     std::span<const double> turn_begin_s, int samples_per_revolution);
 
-/// Begins of turns of the shaft within the samples.
+/// Beginnings of the shaft's turns within the samples.
 struct ShaftTurns {
   std::vector<double> begin_s;
-  std::vector<double> mark_s{};  ///< the same as they were read, where the mark is known to a reading
+  std::vector<double> mark_s{};  ///< the marks before smoothing, where they are known to one reading only
   double room_s = 0;             ///< largest distance of a mark from its true instant
   int degree = 0;                ///< degree of the curve through the marks
 };
 
-/// Turns by the marks of the keyphasor, or by the speed of the description where there is none. Adds what is
+/// Turns by the marks of the keyphasor, or where there is none by the column of the speed or that of the
+/// description. Adds what is
 /// wrong with the marks to `findings`. Throws ConfigError, `name` of the file first.
 ShaftTurns turns_of(const Channels& channels, const Instrument& instrument, const SampleClock& clock,
                     const std::string& name, std::vector<std::string>& findings);
 
-/// How far the angles of a recording may be off the truth, because its marks are known to a reading and not
-/// better: the shaft's angle at each begin of a turn may be anything from `low_turns` to `high_turns` above
-/// what it is taken for, by a polynomial of `degree` over the recording, which is as flexible as the curve
-/// through the marks. Empty: angles are right.
+/// Possible errors of a recording's shaft angles, because its marks are known to one reading only. At the
+/// beginning of each turn the true angle may differ by `low_turns` to `high_turns` from the assumed one. The
+/// error is a polynomial of `degree` over the recording, as flexible as the curve through the marks. Empty:
+/// the angles are exact.
 struct AngleDoubt {
-  std::vector<double> low_turns{}, high_turns{};  ///< <= 0 and >= 0
+  std::vector<double> low_turns{}, high_turns{};  ///< low <= 0, high >= 0
   int degree = 0;
 };
 
-/// Doubt about the angles of so many turns without marks: the speed may wander so that they are off by a
-/// tenth of a turn.
+/// Possible errors of the angles of these turns without marks: the speed may wander, so that angles are off
+/// by a tenth of a turn.
 AngleDoubt doubt_without_marks(std::size_t turns);
 
-/// Doubt about the angles at the begins of turns, which are some of all in a row.
+/// Possible errors of the angles at the beginnings of turns, which are a continuous part of all turns.
 AngleDoubt angle_doubt_of(std::span<const double> turn_begin_s, const ShaftTurns& all);
 
 }  // namespace rubsweep::recording

@@ -9,26 +9,26 @@
 namespace rubsweep::recording {
 namespace {
 
-/// Most marks that are looked ahead, all but the last of which may be too many.
+/// Largest step from mark to mark, in marks; all marks passed over in a step are surplus.
 constexpr std::size_t most_ahead = 10;
-/// Change of the interval from one turn to the next that costs 1, as its logarithm; no change costs more than
-/// this.
+/// Change of the logarithm of the interval, from one turn to the next, that costs 1; and the largest cost of
+/// any change.
 constexpr double usual_change = 0.08, most_of_a_change = 25;
 constexpr double cost_of_a_mark = 10, cost_of_a_missing_turn = 8;
-/// Cost of a mark before the first one that counts, or behind the last: more than that of a change, so that a
-/// shaft that begins to turn keeps its first marks.
+/// Cost of a mark before the first used one, or after the last. It exceeds the cost of a change, so that a
+/// shaft that starts to turn keeps its first marks.
 constexpr double cost_at_an_end = 20;
 
-/// A step from one mark to the next one that counts, with all before it.
+/// A step from one used mark to the next, with the cost of all steps up to it.
 struct Step {
   double cost = INFINITY;
-  double turn_s = 0;       ///< interval of one turn
-  int turns = 1;           ///< turns from mark to mark
-  std::size_t before = 0;  ///< length of the step before, in marks; 0: the first one
+  double turn_s = 0;       ///< duration of one turn
+  int turns = 1;           ///< number of turns from mark to mark
+  std::size_t before = 0;  ///< length of the step before, in marks; 0: this is the first step
 };
 
-/// Turns that an interval holds and what it costs, after turns of `turn_s`: more than one only where the
-/// number is clear.
+/// Number of turns in an interval, and its cost, after turns of duration `turn_s`. The number exceeds one
+/// only where it is unambiguous.
 Step step_of(double interval_s, double turn_s, double resolution_s) {
   const auto change = [&](double turns) {
     const double logarithm = std::log(interval_s / (turns * turn_s)), rounding = resolution_s / turn_s;
@@ -45,10 +45,10 @@ Step step_of(double interval_s, double turn_s, double resolution_s) {
 
 double cost_of_passing(std::size_t marks, double each) { return each * static_cast<double>(marks); }
 
-/// Steps that end at each mark, by their length in marks less one.
+/// Steps that end at each mark; the index is their length in marks minus one.
 using Steps = std::vector<std::vector<Step>>;
 
-/// Cheapest steps: of each mark and each length, the one with the best step before it.
+/// Cheapest steps (dynamic programming): for each mark and length, the step with the best step before it.
 Steps cheapest_steps(std::span<const double> marks_s, double resolution_s) {
   Steps steps(marks_s.size(), std::vector<Step>(most_ahead));
   for (std::size_t end = 1; end < marks_s.size(); ++end) {
@@ -56,7 +56,7 @@ Steps cheapest_steps(std::span<const double> marks_s, double resolution_s) {
       const std::size_t begin = end - length;
       const double interval_s = marks_s[end] - marks_s[begin];
       Step& best = steps[end][length - 1];
-      // The first turn may have no mark at its end, too.
+      // The first step, too, may contain turns without a mark.
       constexpr int most_at_first = 4;
       for (std::size_t before = 0; before <= std::min(most_ahead, begin); ++before) {
         for (int turns = 1; turns <= (before == 0 ? most_at_first : 1); ++turns) {
@@ -79,7 +79,7 @@ Steps cheapest_steps(std::span<const double> marks_s, double resolution_s) {
   return steps;
 }
 
-/// Marks that count, with the number of their turn.
+/// Marks that are used, with the numbers of their turns.
 struct Chain {
   std::vector<double> t_s, turns;
 };
@@ -114,7 +114,7 @@ Chain cheapest_chain(std::span<const double> marks_s, double resolution_s) {
   return chain;
 }
 
-/// Polynomial through the marks about mark i, at a place that counts turns.
+/// Polynomial through the marks next to mark i, at `place` in turns.
 double between_marks(const Chain& chain, std::size_t i, double place) {
   const std::size_t size = chain.t_s.size();
   const std::size_t begin = std::min(i - std::min(i, std::size_t{2}), size - std::min<std::size_t>(size, 4));
@@ -143,7 +143,7 @@ double middle_threshold(std::span<const double> signal) {
 
 std::vector<double> mark_times_s(std::span<const double> t_s, std::span<const double> signal, Mark mark,
                                  double threshold, double hysteresis) {
-  // Above 0 while the mark is before the probe.
+  // Positive while the mark passes the probe.
   const auto height = [&](std::size_t k) {
     return mark == Mark::bright ? signal[k] - threshold : threshold - signal[k];
   };

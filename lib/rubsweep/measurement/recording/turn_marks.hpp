@@ -5,34 +5,33 @@
 
 namespace rubsweep::recording {
 
-/// The mark on the shaft as its probe sees it.
+/// Signal of the mark on the shaft when it passes its probe.
 enum class Mark {
-  dark,   ///< the signal falls below the threshold while the mark passes: a keyway before a proximity probe
-  bright  ///< it rises above: a reflecting strip, a key
+  dark,   ///< the signal falls below the threshold, as for a keyway at a proximity probe
+  bright  ///< the signal rises above the threshold, as for a reflecting strip or a key
 };
 
-/// Threshold half way between the tenth of a per cent of the lowest and of the highest values. Throws
-/// ConfigError for a signal that does not change.
+/// Threshold halfway between the 0.1 % quantiles at both ends of the signal. Throws ConfigError for a signal
+/// that does not change.
 double middle_threshold(std::span<const double> signal);
 
-/// Instants at which the leading edge of the mark passes, in seconds, between samples by a straight line.
-/// `t_s` rises. The mark is left, and the next one counts, once the signal is back beyond the threshold by
-/// `hysteresis` (>= 0, in units of the signal). Samples that are NaN are passed over: an edge across such a
-/// gap does not count.
+/// Instants in seconds at which the leading edge of the mark passes, interpolated linearly between samples.
+/// `t_s` ascends. The mark has passed, and the next one counts, once the signal is back beyond the threshold
+/// by `hysteresis` (>= 0, in units of the signal). NaN are skipped: an edge across such a gap does not count.
 std::vector<double> mark_times_s(std::span<const double> t_s, std::span<const double> signal, Mark mark,
                                  double threshold, double hysteresis);
 
-/// Marks in a row, one for each turn.
+/// Consecutive marks, one per turn.
 struct TurnMarks {
   std::vector<double> t_s;
-  int filled = 0;   ///< turns whose mark is missing: it was put between its neighbours
-  int dropped = 0;  ///< marks too many
+  int filled = 0;   ///< number of turns whose mark was missing and is interpolated
+  int dropped = 0;  ///< number of surplus marks
 };
 
-/// Tells turns without a mark, and marks without a turn; marks are known to `resolution_s`. Of all ways to
-/// pass from mark to mark that one is taken whose intervals change least from one turn to the next, where a
-/// mark that is passed over and a turn that has none cost as much as a change of the interval by a fourth: so
-/// any number of marks too many is found among those that come once a turn, unless they come evenly, too.
+/// Finds turns without a mark and surplus marks; marks are known to `resolution_s`. Of all sequences of marks
+/// it takes the one whose intervals change least from turn to turn. A surplus mark and a missing one each
+/// cost as much as a change of the interval by a quarter. Any number of surplus marks is found among marks
+/// that come once per turn, unless the surplus ones come regularly, too.
 TurnMarks numbered_marks(std::span<const double> marks_s, double resolution_s = 0);
 
 }  // namespace rubsweep::recording

@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 using batch::csv_number;
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// Component e^{2 pi i k j / N} of a period.
+/// Fourier component e^{2 pi i k j / N} of a period.
 Complex component(std::span<const Complex> period, int k) {
   Complex sum = 0;
   const auto count = static_cast<double>(period.size());
@@ -27,7 +27,7 @@ Complex component(std::span<const Complex> period, int k) {
   return sum / count;
 }
 
-/// Pairs of lines with their order in multiples of 1 / `common`.
+/// Pairs of measured and simulated lines; the key is their order in multiples of 1 / `common`.
 std::map<int, ComparedLine> pairs_of(const Verdict& measured, std::span<const Complex> simulated_m, int turns,
                                      int common) {
   std::map<int, ComparedLine> pairs;
@@ -49,7 +49,8 @@ double squares(const std::map<int, ComparedLine>& pairs, double turned_by) {
   return sum;
 }
 
-/// The best angle in turns: a fine grid over a period, then thirds of the best cell.
+/// Angle in turns with the smallest difference: a fine grid over the period, then repeated refinement of its
+/// best cell.
 double best_turn(const std::map<int, ComparedLine>& pairs, int period) {
   constexpr int steps_a_turn = 256;
   int best = 0;
@@ -88,7 +89,7 @@ Comparison compare(const Verdict& measured, std::span<const Complex> simulated_m
   }
   comparison.misfit = std::sqrt(sum / static_cast<double>(pairs.size()));
   comparison.unexplained = all > 0 ? left / all : 0;
-  // The orbit from the mark on, by its lines.
+  // Simulated orbit from the mark on, computed from its lines.
   comparison.simulated_m.resize(simulated.size());
   const double step = 2 * std::numbers::pi * turns / static_cast<double>(simulated.size());
   for (std::size_t j = 0; j < simulated.size(); ++j) {
@@ -133,8 +134,8 @@ std::string comparison_summary(const Comparison& comparison, const model::ShownL
   std::ranges::sort(lines, std::greater{}, &ComparedLine::difference);
   lines.resize(std::min<std::size_t>(lines.size(), 3));
   for (const ComparedLine& line : lines) {
-    text += fmt::format("          {:+.4g}X: measured {}, simulated {}, {:.3g} uncertainties apart\n", line.order,
-                        amplitude(line.measured_m), amplitude(line.simulated_m), line.difference);
+    text += fmt::format("          {:+.4g}X: measured {}, simulated {}, {:.3g} uncertainties apart\n",
+                        line.order, amplitude(line.measured_m), amplitude(line.simulated_m), line.difference);
   }
   return text;
 }

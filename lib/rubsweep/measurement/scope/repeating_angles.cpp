@@ -14,7 +14,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-/// Values of Legendre's polynomials of degree 1 to `degree` at places from -1 to 1, each column about its
+/// Values of the Legendre polynomials of degree 1 to `degree` at places from -1 to 1, each column minus its
 /// mean.
 Eigen::MatrixXd polynomials(const Eigen::VectorXd& places, int degree) {
   Eigen::MatrixXd values(places.size(), degree);
@@ -24,7 +24,7 @@ Eigen::MatrixXd polynomials(const Eigen::VectorXd& places, int degree) {
   return values.rowwise() - values.colwise().mean();
 }
 
-/// Samples with a margin on either side that repeats what is one period away.
+/// Samples with a margin at either end, copied from one period away.
 std::vector<Complex> with_margins(std::span<const Complex> samples, std::size_t period, std::size_t margin) {
   std::vector<Complex> wide;
   for (std::size_t k = period - margin; k < period; ++k) wide.push_back(samples[k]);
@@ -33,7 +33,8 @@ std::vector<Complex> with_margins(std::span<const Complex> samples, std::size_t 
   return wide;
 }
 
-/// Samples at angles that are shifted by so many turns at the begin of every turn, and one more at the end.
+/// Samples at shifted angles. The shift is given, in turns, at the beginning of every turn and at the end of
+/// the last one.
 std::vector<Complex> shifted(std::span<const Complex> samples, int samples_per_revolution, std::size_t period,
                              const Eigen::VectorXd& shift_turns) {
   std::vector<double> begins;
@@ -56,7 +57,7 @@ std::vector<Complex> shifted(std::span<const Complex> samples, int samples_per_r
   return moved;
 }
 
-/// Rate of a period per turn, by its lines up to an order.
+/// Derivative of a periodic orbit per turn, computed from its lines up to an order.
 std::vector<Complex> rate_of(std::span<const Complex> orbit, int turns, double most_order) {
   const int last = std::min(static_cast<int>(most_order * turns), static_cast<int>(orbit.size()) / 2 - 1);
   const std::vector<Complex> lines = lines_of_period(orbit, last);
@@ -74,7 +75,7 @@ std::vector<Complex> rate_of(std::span<const Complex> orbit, int turns, double m
   return rate;
 }
 
-/// How many turns each period lags behind the mean of all.
+/// Lag of each period behind the mean of all periods, in turns.
 Eigen::VectorXd lags(std::span<const Complex> periods, int turns, std::size_t period, double most_order) {
   const std::vector<Complex> orbit = mean_period(periods, period);
   const std::vector<Complex> rate = rate_of(orbit, turns, most_order);
@@ -89,7 +90,8 @@ Eigen::VectorXd lags(std::span<const Complex> periods, int turns, std::size_t pe
   return lags;
 }
 
-/// The polynomial through the lags of the last periods, of `turns` turns each, at the begins of all turns.
+/// Polynomial through the lags of the last periods of `turns` turns each, evaluated at the beginnings of all
+/// turns.
 Eigen::VectorXd polynomial_through(const Eigen::VectorXd& lags, int turns, int degree, Eigen::Index begins) {
   const double half = 0.5 * static_cast<double>(lags.size()) * turns;
   const double middle = static_cast<double>(begins - 1) - half;
@@ -101,7 +103,7 @@ Eigen::VectorXd polynomial_through(const Eigen::VectorXd& lags, int turns, int d
   return polynomials(places, degree) * polynomials(middles, degree).colPivHouseholderQr().solve(lags);
 }
 
-/// Whether marks allow these shifts, less a constant.
+/// Whether the marks allow these shifts, up to a common constant.
 bool allowed(const Eigen::VectorXd& shift_turns, const recording::AngleDoubt& doubt) {
   double low = -INFINITY, high = INFINITY;
   for (std::size_t k = 0; k < doubt.low_turns.size(); ++k) {
@@ -112,7 +114,7 @@ bool allowed(const Eigen::VectorXd& shift_turns, const recording::AngleDoubt& do
   return low <= high;
 }
 
-/// Largest share of these shifts that the marks allow, which is 1 where they allow all.
+/// Largest factor, at most 1, with which the marks allow these shifts.
 double allowed_share(const Eigen::VectorXd& shift_turns, const recording::AngleDoubt& doubt) {
   if (allowed(shift_turns, doubt)) return 1;
   constexpr int halvings = 20;
@@ -131,9 +133,9 @@ Eigen::MatrixXd projection_on(const Eigen::MatrixXd& functions) {
   return unit * unit.transpose();
 }
 
-/// Matrix that leaves the slow part of the values of so many periods about their mean: a polynomial, and
-/// cosines of what is left. Cosines come slowly to what does not end as it began, and a polynomial takes
-/// other lines along at the ends: only what is in phase may have more than a straight line.
+/// Matrix that extracts the slow part of a sequence of values, one per period and about their mean: a
+/// polynomial, and cosines of the remainder. Cosines converge slowly where the two ends differ; a polynomial
+/// picks up other lines at the ends. Only the part in phase may therefore have a degree above 1.
 Eigen::MatrixXd slow_part_of(Eigen::Index count, bool in_phase) {
   const Eigen::Index degree = in_phase ? std::clamp<Eigen::Index>(count / 8, 1, 3) : 1,
                      waves = count / (in_phase ? 4 : 8);
@@ -148,7 +150,7 @@ Eigen::MatrixXd slow_part_of(Eigen::Index count, bool in_phase) {
   return polynomial + projection_on(cosines) * (Eigen::MatrixXd::Identity(count, count) - polynomial);
 }
 
-/// Slow part of a line's amplitudes; in phase with their mean alone, if that is asked for.
+/// Slow part of a line's amplitudes; with `in_phase`, only the part in phase with their mean.
 Eigen::VectorXcd slow_part(const Eigen::MatrixXd& part_of, const Eigen::VectorXcd& amplitudes,
                            bool in_phase) {
   if (!in_phase) return part_of * amplitudes;
@@ -157,8 +159,8 @@ Eigen::VectorXcd slow_part(const Eigen::MatrixXd& part_of, const Eigen::VectorXc
   return (part_of * size) * phase;
 }
 
-/// Amplitudes without what comes again after so many of them, but for its mean: the lines of a longer period
-/// alias into those of a turn.
+/// Removes the part of the amplitudes that repeats after `repeats` values, but keeps its mean: lines of a
+/// longer period appear as such repetition.
 Eigen::VectorXcd without_repetition(const Eigen::VectorXcd& amplitudes, Eigen::Index repeats) {
   Eigen::VectorXcd left = amplitudes.array() + amplitudes.mean();
   for (Eigen::Index first = 0; first < std::min(repeats, left.size()); ++first) {
@@ -168,8 +170,7 @@ Eigen::VectorXcd without_repetition(const Eigen::VectorXcd& amplitudes, Eigen::I
   return left;
 }
 
-/// Adds line `order` of a period with an amplitude that is a straight line between the middles of two
-/// periods.
+/// Adds line `order` of a period; its amplitude is linear between the middles of neighbouring periods.
 void add_line(const Eigen::VectorXcd& amplitudes, int order, std::size_t length, std::span<Complex> sum) {
   const double step = 2 * pi * order / static_cast<double>(length),
                most = static_cast<double>(amplitudes.size() - 2);
@@ -260,7 +261,7 @@ Levelled without_slow_modulation(std::span<const Complex> samples, int samples_p
     const double square = part.squaredNorm() / static_cast<double>(periods);
     const bool goes = square <= bound;
     if (goes) add_line(part, static_cast<int>(i) - last, length, taken);
-    // A gap voltage that drifts is no motion.
+    // A drifting gap voltage is not part of the motion.
     if (!centre) (goes ? squares : refused) += square;
   }
   levelled.refused_m = std::sqrt(refused);

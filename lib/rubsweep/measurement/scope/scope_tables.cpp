@@ -26,7 +26,7 @@ std::string point(std::complex<double> z, bool plane) {
   return plane ? csv_number(z.real()) + ',' + csv_number(z.imag()) : csv_number(z.real());
 }
 
-/// Mean of a turn: the centre of the shaft, where the probes are DC coupled.
+/// Mean of a turn: the centre of the orbit, if the probes are DC coupled.
 std::complex<double> centre_of(const Recording& recording, std::size_t turn) {
   std::complex<double> sum = 0;
   for (std::size_t k = 0; k < samples_per_revolution; ++k)
@@ -62,7 +62,7 @@ std::string lines_csv(const Verdict& verdict) {
       "line_amplitude_m,line_amplitude_uncertainty_m\n";
   for (const MeasuredLine& line : verdict.lines) {
     const double amplitude_m = std::abs(line.amplitude_m);
-    // Below its noise a line has no phase.
+    // A line below the noise has no phase.
     const double phase_rad = amplitude_m > verdict.noise_m ? line.uncertainty_m / amplitude_m : NAN;
     DiscreteLine own{line.order, 0, amplitude_m, line.uncertainty_m};
     if (!verdict.period && line.order != 0) {
@@ -79,7 +79,7 @@ std::string lines_csv(const Verdict& verdict) {
   return text;
 }
 
-/// Difference of the largest and the smallest value of a direction of the orbit.
+/// Difference between the largest and the smallest value of the orbit in one direction, m.
 double peak_to_peak_m(const Verdict& verdict, bool y) {
   const auto part = [&](std::complex<double> z) { return y ? z.imag() : z.real(); };
   const auto [low, high] = std::ranges::minmax_element(verdict.orbit_m, {}, part);
@@ -98,7 +98,7 @@ std::string period_text(const Verdict& verdict) {
   return text;
 }
 
-/// Doubts that noise and length leave.
+/// Text about doubts that remain because of noise and recording length.
 std::string doubt_text(const Verdict& verdict, double mean_speed_hz, const model::ShownLengths& shown) {
   const auto line = [&](double amplitude_m) {
     return model::amplitude_text(amplitude_m, shown, LengthUnit::um, 2);
@@ -122,7 +122,7 @@ std::string doubt_text(const Verdict& verdict, double mean_speed_hz, const model
   return fmt::format("no line of {} or more belongs to another period\n", line(verdict.visible_m));
 }
 
-/// Text on what stands beside the period, or on the lines where there is none.
+/// Text about the lines outside the period or, without a period, about all lines.
 std::string content_text(const Verdict& verdict, const model::ShownLengths& shown) {
   const auto length = [&](double amplitude_m, int digits) {
     return model::amplitude_text(amplitude_m, shown, LengthUnit::um, digits);
@@ -180,10 +180,10 @@ std::string findings_text(const Recording& recording) {
   return text;
 }
 
-/// An even change of speed by least squares.
+/// Linear change of the speed, fitted by least squares.
 struct Ramp {
   double rate_hz_per_s = 0;
-  double largest_error = 0;  ///< error of the speed, relative to the whole change
+  double largest_error = 0;  ///< largest error of the speed, relative to its whole change
 };
 
 Ramp ramp_of(const std::vector<OrderPoint>& points) {
@@ -198,7 +198,8 @@ Ramp ramp_of(const std::vector<OrderPoint>& points) {
           .largest_error = numerics::largest_distance(line, t_s, speed_hz) / change_hz};
 }
 
-/// Largest 1X of one direction and the mode behind it, where the speed changes evenly.
+/// Text about the largest 1X in one direction and, where the speed changes evenly, about the mode that causes
+/// it.
 std::string run_text(const std::vector<OrderPoint>& points, bool y, const model::ShownLengths& shown,
                      std::string& measures) {
   constexpr double even = 0.02;
@@ -232,7 +233,7 @@ ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const 
                       const model::ShownLengths& shown) {
   const std::vector<double> speeds_hz = recording::turn_speeds_hz(recording.turn_begin_s);
   const double mean_hz = recording.turns() / (recording.turn_begin_s.back() - recording.turn_begin_s.front());
-  // A line of one probe has the noise of half as many numbers as one of two.
+  // A line measured by one probe has the noise of half as many numbers as with two.
   const double numbers = (recording.plane ? 1.0 : 2.0) * verdict.turns * samples_per_revolution;
   const double sample_noise_m = verdict.noise_m * std::sqrt(numbers);
   ScopeTables tables{.turns_csv = turns_csv(recording, speeds_hz),
@@ -250,7 +251,7 @@ ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const 
   if (verdict.period) measure("period_turns", *verdict.period, NAN);
   measure("line_noise_m", verdict.noise_m, NAN);
   measure("visible_line_m", verdict.visible_m, NAN);
-  // Noise of both ends; the mean over periods lessens it.
+  // Noise at both ends of the range; averaging over periods reduces it.
   const double periods = static_cast<double>(verdict.turns) / verdict.period.value_or(verdict.turns);
   const double end_noise_m = sample_noise_m * std::sqrt(2 / periods);
   measure("peak_to_peak_x_m", peak_to_peak_m(verdict, false), end_noise_m);

@@ -19,17 +19,17 @@ using response::spectrum::SpectrumWorkspace;
 
 constexpr int fewest_periods = 3;
 constexpr double false_alarm = 0.01;
-/// The same of a line that is not visible and yet suspicious.
+/// False-alarm probability of a suspicious line, which is not large enough to be visible.
 constexpr double suspicion = 0.2;
 
 int longest_period_in(int turns) { return std::min(max_period, turns / fewest_periods); }
 
-/// A spectrum of which the lines up to an order are looked at.
+/// A spectrum, of which only lines up to an order count.
 struct Lines : FullSpectrum {
   double most_order = 0, least_share = 0;
 };
 
-/// Calls `look` with each line that counts; 0X does not.
+/// Calls `look` for each line that counts, except 0X.
 template <class Look>
 void for_lines(const Lines& spectrum, Look look) {
   const int last = static_cast<int>(spectrum.most_order * spectrum.turns);
@@ -37,15 +37,15 @@ void for_lines(const Lines& spectrum, Look look) {
     if (k != 0) look(k, spectrum.amplitude(k));
 }
 
-/// Whether line k of so many turns stands at a multiple of 1/n.
+/// Whether line k, in a spectrum over `turns` turns, is a multiple of order 1/n.
 bool on_comb(int k, int turns, int n) { return static_cast<long>(k) * n % turns == 0; }
 
-/// Standard deviation of each component of a line, and its own relative variance.
+/// Standard deviation of each component of a line, and the relative variance of this estimate.
 struct Noise {
   double deviation_m = 0, variance = 0;
 };
 
-/// Noise by the median of the lines that belong to no period.
+/// Noise from the median of the lines that belong to no period.
 Noise noise_of(const Lines& spectrum) {
   std::vector<double> between, all;
   for_lines(spectrum, [&](int k, double amplitude) {
@@ -59,14 +59,14 @@ Noise noise_of(const Lines& spectrum) {
   std::vector<double>& lines = between.size() >= fewest_lines ? between : all;
   const auto middle = lines.begin() + static_cast<std::ptrdiff_t>(lines.size() / 2);
   std::ranges::nth_element(lines, middle);
-  // The median of a Rayleigh distribution is s sqrt(2 ln 2), where its density is ln 2 / median.
+  // The median of a Rayleigh distribution is s sqrt(2 ln 2); its density there is ln 2 / median.
   constexpr double root = 2 * std::numbers::ln2;
   return {*middle / std::sqrt(root), 1 / (root * root * static_cast<double>(lines.size()))};
 }
 
 struct Threshold {
   double noise_m = 0, suspicious_m = 0, visible_m = 0, largest_m = 0;
-  double seen_m = 0;  ///< smallest line that is not taken for noise, however small a part of the motion it is
+  double seen_m = 0;  ///< smallest line that exceeds the noise, however small a part of the motion it is
 };
 
 Threshold threshold_of(const Lines& spectrum) {
@@ -77,8 +77,8 @@ Threshold threshold_of(const Lines& spectrum) {
     ++count;
     threshold.largest_m = std::max(threshold.largest_m, amplitude);
   });
-  // Noise alone is above s sqrt(2 ln(count / p)) in one of the lines with probability p. Where s is itself a
-  // guess of relative variance v, the mean of exp(-t^2 s^2 / 2) asks for t^2 / (1 + t^2 v) in place of t^2.
+  // Noise exceeds s sqrt(2 ln(count / p)) in one of the lines with probability p. As s is an estimate with
+  // relative variance v, the mean of exp(-t^2 s^2 / 2) requires t^2 / (1 + t^2 v) in place of t^2.
   const auto reached = [&](double probability) {
     constexpr double most = 0.75;
     const double square = 2 * std::log(count / probability);
@@ -91,7 +91,7 @@ Threshold threshold_of(const Lines& spectrum) {
   return threshold;
 }
 
-/// Largest line that is no multiple of 1/n; with a period, among the multiples of 1 / period.
+/// Largest line that is no multiple of 1/n; if a period is given, only multiples of 1 / period count.
 double largest_beside(const Lines& spectrum, int n, int period = 0) {
   double largest = 0;
   for_lines(spectrum, [&](int k, double amplitude) {
@@ -109,21 +109,21 @@ std::vector<MeasuredLine> lines_of(std::span<const Complex> orbit, int turns) {
   return lines;
 }
 
-/// A longer period of which a line is suspicious.
+/// A longer period that has a suspicious line.
 std::optional<DoubtfulPeriod> doubtful_period(const Lines& spectrum, int period, int longest,
                                               const Threshold& threshold) {
   for (int n = 2 * period; n <= longest; n += period) {
     if (spectrum.turns % n != 0) continue;
     const double amplitude = largest_beside(spectrum, period, n);
     if (!(amplitude > threshold.suspicious_m)) continue;
-    // Noise of a line falls with the root of the length, and so does what is visible.
+    // The noise of a line, and the smallest visible line, fall with the square root of the recording length.
     const double ratio = threshold.visible_m / amplitude;
     return DoubtfulPeriod{n, amplitude, spectrum.turns * (ratio * ratio - 1)};
   }
   return std::nullopt;
 }
 
-/// Samples of whole turns, and how they were read.
+/// Samples over whole turns, and the way they were read.
 struct Motion {
   std::span<const Complex> samples;
   std::size_t per_turn = 0;
@@ -134,7 +134,8 @@ struct Motion {
     return at_repeating_angles(samples, static_cast<int>(per_turn), turns, most_order_looked_at(),
                                reading.angle_doubt);
   }
-  /// Samples without slow modulation of their lines of whole orders, whatever the period of so many turns is.
+  /// Samples without the slow modulation of their lines at whole orders; keeps variations that repeat after
+  /// `turns` turns.
   Levelled levelled_once(std::span<const Complex> motion, int turns) const {
     return levelled(motion, {.repeats = turns});
   }
@@ -145,7 +146,7 @@ struct Motion {
   }
 };
 
-/// Spectrum of the last whole periods of n turns.
+/// Spectrum of the last samples that form whole periods of n turns.
 Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples, int n,
                           SpectrumWorkspace& workspace) {
   const auto window = whole_periods(samples, static_cast<std::size_t>(n) * motion.per_turn);
@@ -154,7 +155,7 @@ Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples
           motion.reading.thresholds.least_share};
 }
 
-/// Whether both halves of a motion, levelled, hold the same lines.
+/// Whether both halves of a motion, without slow modulation, have the same lines.
 bool keeps_lines(const Motion& motion, std::span<const Complex> samples, SpectrumWorkspace& workspace) {
   const std::vector<Complex> all = motion.levelled_once(samples, 1).samples;
   const auto halves = std::span(all);
@@ -162,20 +163,20 @@ bool keeps_lines(const Motion& motion, std::span<const Complex> samples, Spectru
                                                  workspace);
 }
 
-/// Finds the shortest period beside which no line is visible, if any, a longer one that cannot be ruled out,
-/// and the class. Returns the samples that show them.
+/// Finds the shortest period outside of which no line is visible, a longer period that cannot be ruled out,
+/// if there is one, and the class. Returns the samples in which they show.
 std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
   for (int n = 1; n <= verdict.longest_period; ++n) {
     std::vector<Complex> samples = motion.repeating_after(n);
     const Levelled once = motion.levelled_once(samples, n);
-    // The lines of a longer period may swell without turning, and then as they like.
+    // First only the amplitudes of a longer period's lines may vary slowly, then their phases, too.
     const Levelled steady = n == 1 ? once : motion.levelled(once.samples, {.period = n, .in_phase = true});
     const Levelled levelled = n == 1 ? once : motion.levelled(steady.samples, {.period = n});
     if (n == 1) verdict.refused_modulation_m = once.refused_m;
     const Lines spectrum = spectrum_of_periods(motion, levelled.samples, n, workspace);
     const Threshold threshold = threshold_of(spectrum);
     if (largest_beside(spectrum, n) > threshold.visible_m) continue;
-    // A line near a multiple of 1/n moves slowly as that multiple does.
+    // A line near a multiple of 1/n looks like a slowly rotating line at this multiple.
     if (n > 1) {
       verdict.order_room =
           room_of_period(steady.samples, motion.per_turn, motion.reading, n, threshold.visible_m, workspace);
@@ -197,7 +198,8 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     }
     return samples;
   }
-  // Angles at which turns repeat best are arbitrary where nothing turns with the shaft: they must tell more.
+  // Where no line is bound to the shaft, the angles of best repetition are arbitrary, so the original samples
+  // decide.
   verdict.motion = MeasuredClass::quasi_periodic;
   if (!keeps_lines(motion, motion.samples, workspace)) {
     std::vector<Complex> moved = motion.repeating_after(1);
@@ -207,8 +209,8 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
   return {motion.samples.begin(), motion.samples.end()};
 }
 
-/// Mean orbit of a period and its lines; without a period the last turns, as many lines as a figure can show,
-/// each with the noise of so much fewer turns.
+/// Sets the mean orbit of a period and its lines. Without a period: the last turns, with as many lines as a
+/// figure can show, whose noise is larger because they are fewer turns.
 void take_orbit(std::span<const Complex> samples, std::size_t per_turn, Verdict& verdict) {
   if (verdict.period) {
     const int n = *verdict.period;
@@ -227,7 +229,7 @@ void take_orbit(std::span<const Complex> samples, std::size_t per_turn, Verdict&
   verdict.lines = lines_of(verdict.orbit_m, turns);
 }
 
-/// Share of the energy on the forward side and what noise does to it.
+/// Sets the share of the energy in forward whirl, and its uncertainty by noise.
 void measure_whirl(Verdict& verdict) {
   double forward = 0, backward = 0;
   for (const MeasuredLine& line : verdict.lines) {
@@ -237,7 +239,7 @@ void measure_whirl(Verdict& verdict) {
   const double all = forward + backward;
   verdict.whirl = response::spectrum::whirl_kind(forward, backward);
   verdict.forward_share = forward / all;
-  // d(f / (f + b)) with df = 2 sqrt(f) s and db = 2 sqrt(b) s.
+  // Error propagation for f / (f + b), with df = 2 sqrt(f) s and db = 2 sqrt(b) s.
   verdict.forward_share_uncertainty = 2 * verdict.noise_m * std::sqrt(forward * backward / all) / all;
 }
 
@@ -258,7 +260,7 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
                   .visible_m = first.visible_m,
                   .thresholds = reading.thresholds};
   std::vector<Complex> samples;
-  // Rounding of the numbers may leave a line of a shaft that stands still.
+  // Rounding of the numbers may leave a small line of a shaft that stands still.
   const Complex farthest = std::ranges::max(displacement_m, {}, [](Complex z) { return std::abs(z); });
   if (first.largest_m <= std::max(first.visible_m, 1e-12 * std::abs(farthest))) {
     samples.assign(displacement_m.begin(), displacement_m.end());

@@ -12,108 +12,107 @@
 
 namespace rubsweep::scope {
 
-/// Class of a measured motion. Probes do not see contacts: a quiet rotor and a synchronous rub look alike.
+/// Class of a measured motion. Probes do not detect contacts: a quiet rotor and a synchronous rub look alike.
 enum class MeasuredClass {
-  at_rest,         ///< no line stands out of the noise
-  synchronous,     ///< repeats every turn
-  subharmonic,     ///< repeats after 2 to max_period turns
+  at_rest,         ///< no line exceeds the noise
+  synchronous,     ///< the motion repeats every turn
+  subharmonic,     ///< the motion repeats after 2 to max_period turns
   quasi_periodic,  ///< does not, and its lines stay where they are from one half of the recording to the
                    ///< other
-  aperiodic        ///< does not, and they do not: chaos, or a machine that was changing
+  aperiodic        ///< no period, and the lines change between the halves: chaos, or a changing machine
 };
 std::string_view to_string(MeasuredClass value);
 
-/// One line of the motion that repeats.
+/// One line of a motion that repeats.
 struct MeasuredLine {
-  double order = 0;                      ///< in multiples of the shaft speed, negative for backward whirl
+  double order = 0;                      ///< multiple of the shaft speed, negative for backward whirl
   std::complex<double> amplitude_m = 0;  ///< A of A e^{i order phi}; phi = 0 at the mark
-  double uncertainty_m = 0;              ///< standard, of each component: noise and the method's own
+  double uncertainty_m = 0;              ///< standard, of each component: noise and error of the method
 };
 
-/// A line of a motion without a period, wherever it stands between the bins.
+/// A line of a motion without a period, at any place between the bins.
 struct DiscreteLine {
   double order = 0, order_uncertainty = 0;
   double amplitude_m = 0, amplitude_uncertainty_m = 0;
-  double phase_rad = 0;  ///< at the begin of the orbit
+  double phase_rad = 0;  ///< phase at the beginning of the orbit
 };
 inline constexpr int most_discrete_lines = 16;
 
-/// A period that the noise does not exclude, but that would show if the recording were longer.
+/// A longer period that the noise does not rule out, but that a longer recording would show.
 struct DoubtfulPeriod {
   int turns = 0;           ///< period
-  double amplitude_m = 0;  ///< amplitude of its largest line that a shorter period does not have
-  double more_turns = 0;   ///< after which this line would stand out of the noise or be gone
+  double amplitude_m = 0;  ///< largest line that this period has and the shorter period lacks
+  double more_turns = 0;   ///< further turns after which this line would be visible or ruled out
 };
 
-/// Shares that decide the class.
+/// Limits that decide the class.
 struct Thresholds {
-  double least_share = 5e-3;  ///< smallest line that counts for a period, of the largest one
+  double least_share = 5e-3;  ///< smallest line that counts for a period / largest line
   double most_modulation =
       0.1;  ///< share of the motion by which lines may vary and still belong to their period
 };
 
 struct Verdict {
   MeasuredClass motion = MeasuredClass::at_rest;
-  int turns = 0;                ///< turns that were looked at, whole periods
-  std::optional<int> period{};  ///< in turns; empty: none up to the longest that the recording can tell
-  int longest_period = 0;       ///< longest one that the recording can tell
+  int turns = 0;                ///< evaluated turns, in whole periods
+  std::optional<int> period{};  ///< period in turns; empty: none up to longest_period
+  int longest_period = 0;       ///< longest period that this recording can show
   std::optional<DoubtfulPeriod> doubtful{};
-  /// How far the lines of a subharmonic may stand beside multiples of 1 / period, in orders.
+  /// Possible distance of a subharmonic's lines from the multiples of 1 / period, in orders.
   std::optional<double> order_room{};
   double noise_m = 0;       ///< standard uncertainty of each component of a line
   double visible_m = 0;     ///< smallest amplitude of a line that counts
-  double modulation_m = 0;  ///< root mean square of what the lines of the period slowly vary by
-  /// The same of the lines of whole orders, of no period: more than they may vary by.
+  double modulation_m = 0;  ///< root mean square of the slow modulation of the period's lines
+  /// Root mean square of the slow modulation of whole orders that exceeds the limit; it belongs to no period.
   double refused_modulation_m = 0;
-  double beside_m = 0;  ///< largest line beside the period
-  double seen_m = 0;    ///< smallest amplitude of such a line that noise does not reach
+  double beside_m = 0;  ///< largest line outside the period
+  double seen_m = 0;    ///< smallest line outside the period that exceeds the noise
   std::vector<std::complex<double>>
-      orbit_m{};                      ///< mean of all periods about its centre; of no period, the last turns
+      orbit_m{};                      ///< mean period about its centre; without a period, the last turns
   std::vector<MeasuredLine> lines{};  ///< lines of that orbit, |order| <= most_order, ascending
   std::vector<DiscreteLine> discrete_lines{};  ///< lines of a motion without a period, the largest first
-  std::optional<response::spectrum::OrbitKind> shape{};     ///< orbit of two probes
-  std::optional<response::spectrum::WhirlKind> whirl{};     ///< whirl of two probes
+  std::optional<response::spectrum::OrbitKind> shape{};     ///< orbit shape, with two probes
+  std::optional<response::spectrum::WhirlKind> whirl{};     ///< whirl direction, with two probes
   double forward_share = 0, forward_share_uncertainty = 0;  ///< share of the energy without 0X
-  Thresholds thresholds{};                                  ///< thresholds that decided
+  Thresholds thresholds{};                                  ///< limits that were used
 };
 
 inline constexpr int max_period = 8;
 inline constexpr double most_order = 8;
 
-/// How a motion was read.
+/// Properties of the readings of a motion.
 struct Reading {
   double readings_per_turn = INFINITY;  ///< > 0
   recording::AngleDoubt angle_doubt{};
   Thresholds thresholds{};
 
-  /// Share of a line that the polynomial through six readings misses at most (recording/shaft_turns.hpp).
+  /// Largest share of a line that is lost by interpolation through six readings (recording/shaft_turns.hpp).
   double missed_share(double order) const;
 };
 
-/// The line between the bins that stands nearest to a bin of a motion without a period, if that is its
-/// nearest bin.
+/// The line, between the bins, nearest to the bin of this order in a motion without a period; null unless
+/// this bin is also the line's nearest one.
 const DiscreteLine* line_of_bin(const Verdict& verdict, double order);
 
-/// Whether the lines of a subharmonic may be those of a torus that turns against the shaft by more than a
-/// tenth of a turn over the recording.
+/// Whether a motion called subharmonic may be a torus instead, whose lines rotate relative to the shaft by
+/// more than a tenth of a turn during the recording.
 bool may_be_torus(const Verdict& verdict);
 
-/// Judges whole turns of a motion, `samples_per_revolution` equally spaced ones each; `plane`: x + iy of two
-/// probes, else the reading of one. Needs 4 turns or more. A period of n turns is told by three of them or
-/// more.
+/// Classifies a motion over whole turns, given by `samples_per_revolution` equally spaced samples per turn.
+/// `plane`: x + iy of two probes, else the reading of one. Needs at least 4 turns; a period of n turns is
+/// found in at least three periods.
 ///
-/// Noise is the median amplitude of the lines between the multiples of 1/1 to 1/8 (of every other line where
-/// there are too few), read as that of a Rayleigh distribution. A line is visible when noise alone would
-/// raise one of all lines as high in a hundredth of all recordings, and above its threshold of the largest
-/// line. The period is the smallest number of turns beside whose multiples nothing is visible, at the angles
-/// at which the motion repeats best after that many turns, within the doubt that the marks leave, and without
-/// the slow modulation of its lines (slow_modulation.hpp). Lines above 0.4 of the readings of a turn are not
-/// looked at: there is no order between those and half of them whose noise the interpolation of the readings
-/// leaves as it is. docs/method/recordings.md.
+/// The noise is the median amplitude of the lines between the multiples of 1/1 to 1/8 (of every other line
+/// where there are too few), evaluated as a Rayleigh distribution. A line is visible if noise would raise one
+/// of all lines as high in 1 % of all recordings only, and if it exceeds its share of the largest line. The
+/// period is the smallest number of turns outside of whose multiples nothing is visible. For each number the
+/// motion is resampled to repeat best, within the doubt of the marks, and freed of the slow modulation of its
+/// lines (repeating_angles.hpp). Orders above 0.4 of the readings per turn are left out, because
+/// interpolation of the readings changes the noise there. See docs/method/recordings.md.
 Verdict judge(std::span<const std::complex<double>> displacement_m, int samples_per_revolution, bool plane,
               const Reading& reading = {});
 
-/// Judges a recording.
+/// Classifies the motion of a recording.
 Verdict judge(const recording::Recording& recording, const Thresholds& thresholds = {});
 
 }  // namespace rubsweep::scope

@@ -12,26 +12,27 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Amplitude that the lines between the bins leave, at most, in a bin where none of them stands.
+/// Largest leakage of the lines between the bins into a bin without a line of its own.
 double leak_at(const Verdict& verdict, double order) {
   double leak = 0;
   for (const DiscreteLine& line : verdict.discrete_lines) {
     const double bins = std::abs(order - line.order) * verdict.turns;
-    // A line at so many bins of a window without weights.
+    // Leakage over this many bins without a window function.
     leak += line.amplitude_m * std::abs(std::sin(std::numbers::pi * bins)) / (std::numbers::pi * bins);
   }
   return leak;
 }
 
-/// Factor of the orders of lines, as the angles of a recording may be off.
+/// Scale factor of the orders of lines, because the recording's angles may be wrong.
 struct Scale {
   double factor = 1, uncertainty = 0;
 };
 
-/// Scale by the line that turns with the shaft, where the marks allow it, else with what they leave open.
+/// Scale from the line that turns with the shaft, where the marks allow it; else with the uncertainty that
+/// the marks leave.
 Scale scale_of(std::span<const response::spectrum::ResolvedLine> lines, double per_turn, std::size_t turns,
                const recording::AngleDoubt& doubt) {
-  // Noise of a mark's probe moves marks, too, that have readings on their edges.
+  // Noise of the keyphasor moves even marks that have readings on their edges.
   constexpr double most_noise_turns = 0.02;
   double room = 0;
   for (std::size_t k = 0; k < doubt.low_turns.size(); ++k)
@@ -43,7 +44,7 @@ Scale scale_of(std::span<const response::spectrum::ResolvedLine> lines, double p
   return {1, room / std::sqrt(12.0)};
 }
 
-/// Width of a bin in orders.
+/// Width of a bin, in orders.
 double bin_of(std::size_t turns) { return 1 / static_cast<double>(std::min(turns, most_resolved_turns)); }
 
 }  // namespace
@@ -81,7 +82,7 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
     lines.push_back(
         {order, std::hypot(line.frequency_uncertainty * per_turn, order * scale.uncertainty), size,
          std::hypot(line.amplitude_uncertainty, reading.missed_share(order) * size),
-         // At the begin of the turns that the orbit has.
+         // Phase at the beginning of the turns that the orbit shows.
          std::arg(line.amplitude) +
              2 * std::numbers::pi * order *
                  static_cast<double>(turns - std::min(turns, std::size_t{most_aperiodic_turns}))});
@@ -92,26 +93,27 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
 std::optional<double> room_of_period(std::span<const Complex> samples, std::size_t samples_per_revolution,
                                      const Reading& reading, int period, double visible_m,
                                      response::spectrum::SpectrumWorkspace& workspace) {
-  constexpr double hann_noise = 1.23;  // noise of a line, over that without weights
+  constexpr double hann_noise = 1.23;  // noise of a line under a Hann window / without a window
   const auto lines =
       discrete_lines_of(samples, samples_per_revolution, reading, hann_noise * visible_m, workspace);
-  // A motion that is held by the shaft may turn this much against it over the recording.
+  // Limits up to which the lines of a motion locked to the shaft may rotate relative to it during the
+  // recording.
   constexpr double most_deviations = 2, most_turned = 0.02;
   const double bin = bin_of(samples.size() / samples_per_revolution);
   const auto nearest = [&](const DiscreteLine& line) { return std::lround(line.order * period); };
-  // A line within a bin stands at most half of it beside the multiple.
+  // A line within a bin is at most half a bin away from the multiple.
   double room = bin / 2;
   for (const DiscreteLine& line : lines) {
     const double off = std::abs(line.order - static_cast<double>(nearest(line)) / period);
     if (nearest(line) % period == 0 || off > bin) continue;
-    // Sidebands of a line that swings stand beside it.
+    // Smaller lines near the same multiple are sidebands of a modulated line.
     if (std::ranges::any_of(lines, [&](const DiscreteLine& larger) {
           return nearest(larger) == nearest(line) && larger.amplitude_m > line.amplitude_m;
         }))
       continue;
     const double doubt = most_deviations * line.order_uncertainty;
     if (off > doubt + most_turned * bin) return std::nullopt;
-    // Multiples that a shorter period has as well tell nothing of this one.
+    // Only multiples that no shorter period has tell something about this period.
     if (std::gcd(nearest(line), static_cast<long>(period)) == 1) room = std::min(room, off + doubt);
   }
   return room;

@@ -16,8 +16,8 @@ namespace {
 using test::number;
 using test::one_number;
 
-/// Events on the one step from one orbit to another, both given by parameter and a state nearby; parameters
-/// of those of `kind`. `last`: ahead of the first orbit.
+/// Parameters of the events of `kind` on the single step between two orbits, both given by parameter and a
+/// nearby state. `last` lies ahead of `first`.
 std::vector<double> found_in_one_step(const orbits::OrbitProblem& problem, EventKind kind,
                                       const BranchPoint& first, const BranchPoint& last) {
   const auto events = events_between(problem, first, last, true);
@@ -46,14 +46,14 @@ std::vector<double> found_in_one_step(const orbits::OrbitProblem& problem, Event
   return found_in_one_step(problem, kind, *first, *last);
 }
 
-/// Fixed point 0 with the multiplier `m`, a function of p.
+/// A map with the fixed point 0 and the multiplier `m`, a function of p.
 template <class Multiplier>
 orbits::OrbitProblem with_multiplier(const Multiplier& m) {
   return one_number([m](double x, double p) { return m(p) * x - x * x * x; },
                     [m](double x, double p) { return m(p) - 3 * x * x; }, -1, 2);
 }
 
-/// The multiplier passes -1 at 0.4 and comes back through it at 0.6: at 0 and 1 it is the same.
+/// The multiplier passes -1 at 0.4 and passes it again at 0.6, so it has the same sign at 0 and 1.
 TEST(Bifurcations, TwoPeriodDoublingsInOneStep) {
   const auto problem = with_multiplier([](double p) { return -1 + 3 * (p - 0.4) * (p - 0.6); });
   const auto found = found_in_one_step(problem, EventKind::period_doubling, 0, 1, number(0));
@@ -62,7 +62,7 @@ TEST(Bifurcations, TwoPeriodDoublingsInOneStep) {
   EXPECT_NEAR(found[1], 0.6, 1e-11);
 }
 
-/// Not of a cubic's shape, the roots at one end of the step, and hardly deep enough.
+/// The multiplier is not a cubic, its roots lie at one end of the step, and it passes -1 only slightly.
 TEST(Bifurcations, TwoPeriodDoublingsNearTheEndOfAStep) {
   const auto problem =
       with_multiplier([](double p) { return -1 + 0.3 * (std::cosh(3 * (p - 0.8)) - std::cosh(0.06)); });
@@ -81,13 +81,13 @@ TEST(Bifurcations, ThreePeriodDoublingsInOneStep) {
   EXPECT_NEAR(found[2], 0.9, 1e-11);
 }
 
-/// A multiplier that turns back before it passes -1 is no event.
+/// A multiplier that turns back before reaching -1 gives no event.
 TEST(Bifurcations, NoneWhereTheMultiplierTurnsBack) {
   const auto problem = with_multiplier([](double p) { return -1 + (p - 0.5) * (p - 0.5) + 0.001; });
   EXPECT_TRUE(found_in_one_step(problem, EventKind::period_doubling, 0, 1, number(0)).empty());
 }
 
-/// x -> (1 + (p - 0.4) (p - 0.6)) x - x^3: the symmetric orbit 0 is unstable but between 0.4 and 0.6.
+/// x -> (1 + (p - 0.4) (p - 0.6)) x - x^3: the symmetric orbit 0 is stable only between 0.4 and 0.6.
 TEST(Bifurcations, TwoBranchPointsInOneStep) {
   const auto problem = with_multiplier([](double p) { return 1 + (p - 0.4) * (p - 0.6); });
   const auto found = found_in_one_step(problem, EventKind::branch_point, 0, 1, number(0));
@@ -96,7 +96,7 @@ TEST(Bifurcations, TwoBranchPointsInOneStep) {
   EXPECT_NEAR(found[1], 0.6, 1e-9);
 }
 
-/// A rotation whose modulus passes 1 twice.
+/// A rotation whose modulus passes 1 twice in one step.
 TEST(Bifurcations, TwoToriInOneStep) {
   orbits::OrbitProblem problem;
   problem.low = 0;
@@ -114,8 +114,8 @@ TEST(Bifurcations, TwoToriInOneStep) {
   EXPECT_NEAR(found[1], 0.6, 1e-11);
 }
 
-/// p = 0.1 (x^3 - 0.03 x) turns at x = -0.1 and comes back at x = 0.1, and the direction of the branch hardly
-/// changes: continuation with steps of up to 1 goes over both folds at once.
+/// p = 0.1 (x^3 - 0.03 x) has folds at x = -0.1 and x = 0.1, and the direction of the branch hardly changes:
+/// continuation with steps of up to 1 passes both folds at once.
 TEST(Bifurcations, TwoFoldsInOneStep) {
   const auto parameter_of = [](double x) { return 0.1 * (x * x * x - 0.03 * x); };
   const auto problem = one_number([&](double x, double p) { return x + p - parameter_of(x); },

@@ -11,12 +11,12 @@
 namespace rubsweep::branch::continuation {
 namespace {
 
-/// The circle x^2 + y^2 = radius^2 as a problem of its own, without orbits.
+/// The circle x^2 + y^2 = radius^2 as a continuation problem without orbits.
 struct Circle {
   double radius = 1, lowest = -2;
 };
 
-/// Its position is found by its type alone, and hides none of an orbit.
+/// A point of the circle; argument-dependent lookup finds its position, without hiding the one of orbits.
 struct CirclePoint {
   Eigen::VectorXd at, tangent;
   double arclength = 0;
@@ -74,7 +74,7 @@ struct HalfCircle {
   Ending ending = Ending::left_range;
 };
 
-/// Its events are crossings of x = 0; its range is y >= lowest.
+/// Continuation task whose events are crossings of x = 0, within the range y >= lowest.
 class CircleTask {
  public:
   using Point = CirclePoint;

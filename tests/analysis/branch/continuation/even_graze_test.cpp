@@ -19,7 +19,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A rotor of unit mass and stiffness in a ring of unit clearance.
+/// A rotor of unit mass and stiffness in a ring with unit clearance.
 struct Rotor {
   double zeta = 0.05, unbalance = 0.3, ring = 4, mu = 0, ring_damping = 0, offset = 0;
 
@@ -30,14 +30,14 @@ struct Rotor {
     return scene;
   }
 
-  /// The radius of the quiet circle is 1: |1 - W^2 + 2 i zeta W| = e W^2, a quadratic equation for W^2.
+  /// Speed at which the quiet circle has the radius 1: |1 - W^2 + 2 i zeta W| = e W^2, a quadratic equation
+  /// for W^2.
   double grazing_speed(bool upper) const {
     const double a = 1 - unbalance * unbalance, half_b = 2 * zeta * zeta - 1;
     return std::sqrt((-half_b + (upper ? 1 : -1) * std::sqrt(half_b * half_b - a)) / a);
   }
 
-  /// Full annular rub, z'' = -W^2 z: zero where |(1 + b - W^2) r - b + i (2 zeta W r + mu b (r - 1))| = e
-  /// W^2.
+  /// Full annular rub z'' = -W^2 z: zero where |(1 + b - W^2) r - b + i (2 zeta W r + mu b (r - 1))| = e W^2.
   double rub_rest(double r, double w) const {
     const double u = w * w, spring = (1 + ring) * r - ring, friction = mu * ring * (r - 1);
     return std::hypot(spring - u * r, 2 * zeta * w * r + friction) - unbalance * u;
@@ -64,7 +64,7 @@ class EvenGrazeOf : public ::testing::Test {
     return problem;
   }
 
-  /// The whole branch of the circle of radius `r` in contact, started in closed form.
+  /// The whole branch of circles in contact, started from the closed form at radius `r`.
   std::optional<Branch> rub_of(const Rotor& rotor, double r) {
     const auto speed = rotor.rubbing_speed(r, false);
     if (!speed) return std::nullopt;
@@ -128,7 +128,8 @@ TEST_F(EvenGrazeOf, FullAnnularRubIsOneGrazeWithAnErrorThatHolds) {
   EXPECT_GT(ends, 8);
 }
 
-/// From the quiet circle through the corner into the rub, through a fold and off the walls on the other side.
+/// From the quiet circle through the corner into the rub, through a fold, and out of contact on the other
+/// side.
 TEST_F(EvenGrazeOf, TheQuietCircleGoesOnThroughTheGraze) {
   int appear = 0, disappear = 0;
   for (const double ring : {0.3, 4.0, 60.0}) {
@@ -163,7 +164,7 @@ TEST_F(EvenGrazeOf, TheQuietCircleGoesOnThroughTheGraze) {
   EXPECT_GE(disappear, 2);
 }
 
-/// Rotor and casing whirl together while they touch; the casing is at rest where they part.
+/// Rotor and casing whirl together in contact; the casing is at rest where they separate.
 TEST_F(EvenGrazeOf, ACasingThatWhirlsAsWell) {
   const Rotor rotor{.zeta = 0.1, .unbalance = 0.35, .ring = 5, .mu = 0.05, .ring_damping = 0.2};
   const auto with_casing = [&](double speed) {
@@ -204,9 +205,9 @@ TEST_F(EvenGrazeOf, ACasingThatWhirlsAsWell) {
   }
 }
 
-/// A ring a little off the centre: the quiet circle of radius A comes to touch where A = 1 - offset, in a
-/// hit, or everywhere at once where the offset is less than what tells the orbits apart. The error has to
-/// hold the former place as well.
+/// A ring slightly off centre: the quiet circle of radius A begins to touch where A = 1 - offset. It touches
+/// in a single impact, or everywhere at once if the offset is smaller than the resolution of orbits. The
+/// error bound must also include the place where A = 1 - offset.
 TEST_F(EvenGrazeOf, ARingJustOffTheCentre) {
   for (const double offset : {1e-12, 1e-10, 5e-9, 1e-7, 1e-5, 1e-3}) {
     const Rotor rotor{.zeta = 0.1, .unbalance = 0.35, .ring = 0.3, .offset = offset};
@@ -218,7 +219,7 @@ TEST_F(EvenGrazeOf, ARingJustOffTheCentre) {
     const HalfBranch half = follow(problem, *start, options);
     const auto grazes = grazes_of(half.events);
     ASSERT_FALSE(grazes.empty()) << offset;
-    // As above with (1 - offset) |1 - W^2 + 2 i zeta W| = e W^2.
+    // As above, with (1 - offset) |1 - W^2 + 2 i zeta W| = e W^2.
     Rotor nearer = rotor;
     nearer.unbalance /= 1 - offset;
     const double error = std::abs(grazes.front().point.parameter - nearer.grazing_speed(false));

@@ -13,8 +13,8 @@ namespace {
 using test::number;
 using test::one_number;
 
-/// The two-cycle of the logistic map is born at 3, has the multiplier 4 + 2 r - r^2 and doubles at 1 +
-/// sqrt(6).
+/// The two-cycle of the logistic map begins at r = 3, has the multiplier 4 + 2 r - r^2 and doubles its period
+/// at 1 + sqrt(6).
 TEST(FollowDoublingDoubledStart, TheTwoCycleOfTheLogisticMap) {
   const orbits::OrbitProblem single = test::logistic(1, 2, 3.2), doubled = test::logistic(2, 2, 3.6);
   const auto start = orbit_from(single, test::number(0.6), 2.5);
@@ -46,7 +46,7 @@ std::vector<EventKind> kinds(const Branch& branch) {
   return kinds;
 }
 
-/// Fixed points of the logistic map: 1 - 1 / r, with the multiplier 2 - r.
+/// Fixed points of the logistic map: x = 1 - 1 / r, with the multiplier 2 - r.
 TEST(Follow, FixedPointsUpToThePeriodDoublingAndBeyond) {
   const Branch branch = followed(test::logistic(1, 1.5, 4), number(0.5), 2);
   ASSERT_EQ(kinds(branch), std::vector{EventKind::period_doubling});
@@ -76,7 +76,7 @@ TEST(Follow, ThroughAFold) {
   for (const BranchPoint& point : branch.points) EXPECT_EQ(point.stable(), point.state(0) > 0);
 }
 
-/// x -> (1 + p) x - x^3: the symmetric fixed point 0 loses its stability at p = 0 while the branch goes on.
+/// x -> (1 + p) x - x^3: the symmetric fixed point 0 loses stability at p = 0, while the branch continues.
 TEST(Follow, ThroughABreakOfSymmetry) {
   const auto problem = one_number([](double x, double p) { return (1 + p) * x - x * x * x; },
                                   [](double x, double p) { return 1 + p - 3 * x * x; }, -0.5, 0.5);
@@ -86,8 +86,8 @@ TEST(Follow, ThroughABreakOfSymmetry) {
   EXPECT_EQ(branch.rising, Ending::left_range);
 }
 
-/// The delayed logistic map (x, y) -> (a x (1 - y), x) has its torus at a = 2, with the multipliers e^{+-i pi
-/// / 3}.
+/// The delayed logistic map (x, y) -> (a x (1 - y), x) has a torus bifurcation at a = 2 with the multipliers
+/// e^{+-i pi / 3}.
 TEST(Follow, ThroughATorus) {
   orbits::OrbitProblem problem;
   problem.low = 1.5;
@@ -103,7 +103,8 @@ TEST(Follow, ThroughATorus) {
   EXPECT_NEAR(branch.events[0].point.multipliers(0).real(), 0.5, 1e-10);
 }
 
-/// Two numbers that double their periods at the same parameter: no determinant changes sign, the count does.
+/// Two coordinates double their periods at the same parameter: no determinant changes sign, but the number of
+/// unstable multipliers does.
 TEST(Follow, TwoEventsAtOneParameter) {
   orbits::OrbitProblem problem;
   problem.low = 2.5;
@@ -151,7 +152,7 @@ TEST(Follow, EndsWhereTheSolverFails) {
   EXPECT_EQ(followed(problem, number(0.5), 2).falling, Ending::failed);
 }
 
-/// The fixed point jumps from 0.5 to 0.8 at p = 0.3: no orbit is near the last one.
+/// The fixed point jumps from 0.5 to 0.8 at p = 0.3: there is no orbit near the last one.
 TEST(Follow, EndsWhereTheOrbitIsLost) {
   const auto problem = one_number([](double x, double p) { return x + 0.5 * ((p < 0.3 ? 0.5 : 0.8) - x); },
                                   [](double, double) { return 0.5; }, 0, 1);

@@ -13,7 +13,7 @@
 namespace rubsweep::branch::continuation {
 namespace {
 
-/// The whole branch of period one between two speeds, from the orbit that touches nothing.
+/// The whole branch of period-one orbits between two speeds, started from the orbit without contact.
 class GrazeTwoMasses : public ::testing::Test {
  protected:
   GrazeTwoMasses() {
@@ -37,7 +37,7 @@ class GrazeTwoMasses : public ::testing::Test {
   HalfBranch branch_;
 };
 
-/// Closed form: the linear response has the amplitude 1 there.
+/// Closed form: the linear response has the amplitude 1 at the graze.
 TEST_F(GrazeTwoMasses, GrazesWhereTheLinearResponseReachesTheStop) {
   const auto grazes = of(EventKind::graze);
   ASSERT_EQ(grazes.size(), 2u);
@@ -49,28 +49,29 @@ TEST_F(GrazeTwoMasses, GrazesWhereTheLinearResponseReachesTheStop) {
     EXPECT_LT(graze.parameter_error, 1e-11);
     const double w = graze.point.parameter;
     const std::complex<double> k(1, 0.03 * w), m(w * w, 0);
-    // [k - m, -k; -k, 2 k - m] q = (0, 0.1)
+    // Linear response from [k - m, -k; -k, 2 k - m] q = (0, 0.1).
     EXPECT_NEAR(std::abs(0.1 * k / ((k - m) * (2.0 * k - m) - k * k)), 1, 1e-10);
   }
 }
 
-/// Four digits by Krack and Gross's example and by shooting; the order along the branch as well.
+/// Values and their order along the branch: four digits from Krack and Gross's example and from shooting.
 TEST_F(GrazeTwoMasses, TorusDoublingsAndFold) {
   const auto tori = of(EventKind::neimark_sacker), doublings = of(EventKind::period_doubling),
              folds = of(EventKind::fold);
-  ASSERT_EQ(tori.size(), 2u);  // one of them just above the graze
+  ASSERT_EQ(tori.size(), 2u);  // one of them is just above the graze
   EXPECT_NEAR(tori[1].point.parameter, 0.6186, 5e-5);
   ASSERT_EQ(doublings.size(), 2u);
   EXPECT_NEAR(doublings[0].point.parameter, 0.7388, 5e-5);
   EXPECT_NEAR(doublings[1].point.parameter, 0.7556, 5e-5);
-  ASSERT_EQ(folds.size(), 2u);  // the other one just below the graze
+  ASSERT_EQ(folds.size(), 2u);  // one of them is just below the graze
   EXPECT_NEAR(folds[0].point.parameter, 0.7556, 5e-5);
   EXPECT_GT(folds[0].point.parameter, doublings[1].point.parameter);
   EXPECT_LT(folds[1].point.parameter, 0.6534401404163);
   EXPECT_EQ(branch_.ending, Ending::left_range);
 }
 
-/// Damping alone contracts volumes: their product is exp(-trace(D) T), with a contact that has no damper.
+/// Only damping contracts volumes: with an undamped contact the product of the multipliers is exp(-trace(D)
+/// T).
 TEST_F(GrazeTwoMasses, ProductOfTheMultipliers) {
   for (const BranchPoint& point : branch_.points) {
     const double expected = std::exp(-0.09 * 2 * std::numbers::pi / point.parameter);
@@ -94,7 +95,7 @@ TEST_F(GrazeTwoMasses, MultipliersAtAPublishedSpeed) {
   EXPECT_NEAR(at->multipliers(2).imag(), 0.5425, 5e-5);
 }
 
-/// Every point on the branch is an orbit of the scene however one looks at it.
+/// Every point of the branch is an orbit of the scene by every measure.
 TEST_F(GrazeTwoMasses, FactsOfItsOrbits) {
   for (const BranchPoint& point : branch_.points) {
     EXPECT_TRUE(point.facts.feasible);

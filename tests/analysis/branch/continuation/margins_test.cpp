@@ -16,7 +16,7 @@
 namespace rubsweep::branch::continuation {
 namespace {
 
-/// x -> A(p) x has the orbit 0, and there the monodromy matrix A: diag(p, 2 p^2, 0.5).
+/// x -> A(p) x has the orbit 0 with the monodromy matrix A = diag(p, 2 p^2, 0.5).
 orbits::OrbitProblem linear() {
   orbits::OrbitProblem problem;
   problem.low = 0;
@@ -30,10 +30,10 @@ orbits::OrbitProblem linear() {
   return problem;
 }
 
-/// The branch runs along p at rest: the slopes are those of the polynomials in p.
+/// The orbit stays at rest, so the branch runs along p: slopes are the derivatives of polynomials in p.
 TEST(MarginsMultiplierSlopes, OfPolynomials) {
   const orbits::OrbitProblem problem = linear();
-  for (const double p : {0.4, 0.8999999}) {  // and beside where there is no machine
+  for (const double p : {0.4, 0.8999999}) {  // also close to the end of the allowed range
     const auto point = orbit_from(problem, Eigen::Vector3d::Zero(), p);
     ASSERT_TRUE(point);
     const double a = p, b = 2 * p * p, c = 0.5, db = 4 * p;
@@ -50,7 +50,8 @@ TEST(MarginsMultiplierSlopes, OfPolynomials) {
   }
 }
 
-/// Along the logistic map's fixed points 1 - 1 / r the multiplier is 2 - r. The branch is longer than r.
+/// Along the logistic map's fixed points 1 - 1 / r the multiplier is 2 - r. The arclength exceeds the change
+/// of r.
 TEST(MarginsMultiplierSlopes, AlongACurvedBranchPerUnitOfItsLength) {
   orbits::OrbitProblem problem = test::logistic(1, 1.5, 4);
   problem.parameter_scale = 2.5;
@@ -61,14 +62,14 @@ TEST(MarginsMultiplierSlopes, AlongACurvedBranchPerUnitOfItsLength) {
   EXPECT_NEAR(multiplier_slopes(problem, turned).unit, -2.5 * point->tangent(1), 3e-4);
 }
 
-/// a (s - r) (s - q) on a step of this length.
+/// Dip of a (s - r) (s - q) on a step of this length.
 std::optional<double> dip_of_parabola(double a, double r, double q, double length) {
   const auto value = [&](double s) { return a * (s - r) * (s - q); };
   const auto slope = [&](double s) { return a * (2 * s - r - q); };
   return dip_of_cubic({value(0), value(length), slope(0), slope(length)}, length);
 }
 
-/// The lowest point is in the middle of the roots, whatever the sign of the function.
+/// The extremum lies midway between the roots, whatever the sign of the function.
 TEST(MarginsDip, BetweenTwoRoots) {
   for (const double a : {3.0, -0.2}) {
     const auto share = dip_of_parabola(a, 0.1, 0.3, 0.5);
@@ -84,14 +85,14 @@ TEST(MarginsDip, NoneWhereOneRootOrNoneIsInside) {
   EXPECT_FALSE(dip_of_parabola(1, 0.6, 0.9, 0.5));
 }
 
-/// (s - 1/2)^2 + c between 0 and 1: what comes near to zero is to be looked at, what stays away is not.
+/// (s - 1/2)^2 + c on 0 <= s <= 1: only values that come close to zero are examined.
 TEST(MarginsDip, NearlyARoot) {
   const auto above = [](double c) { return dip_of_cubic({0.25 + c, 0.25 + c, -1, 1}, 1); };
   EXPECT_TRUE(above(0.01));
   EXPECT_FALSE(above(0.3));
 }
 
-/// (s - 0.2) (s - 0.5) (s - 0.9): the signs at the ends tell one root, and there are two more.
+/// (s - 0.2) (s - 0.5) (s - 0.9): the signs at both ends show one root; there are two more.
 TEST(MarginsDip, ThreeRoots) {
   const auto value = [](double s) { return (s - 0.2) * (s - 0.5) * (s - 0.9); };
   const auto slope = [](double s) { return 3 * s * s - 3.2 * s + 0.73; };
@@ -99,11 +100,11 @@ TEST(MarginsDip, ThreeRoots) {
   ASSERT_TRUE(share);
   EXPECT_NEAR(slope(*share), 0, 1e-14);
   EXPECT_GT(value(*share), 0) << "the first extremum";
-  // One root, with a turn before it that keeps its distance: s^3 - s + 1 on -1.5 <= s <= 0.
+  // One root, and before it an extremum far from zero: s^3 - s + 1 on -1.5 <= s <= 0.
   EXPECT_FALSE(dip_of_cubic({-0.875, 1, 5.75, -1}, 1.5));
 }
 
-/// The mean of (s - 0.3) (s - 0.6) over 0 <= s <= 1.
+/// A quadratic given by its end values and its mean: (s - 0.3) (s - 0.6) over 0 <= s <= 1.
 TEST(MarginsDip, OfAQuadraticByItsMean) {
   const auto share = dip_of_quadratic(0.18, 0.28, 1.0 / 3 - 0.45 + 0.18);
   ASSERT_TRUE(share);
@@ -111,15 +112,15 @@ TEST(MarginsDip, OfAQuadraticByItsMean) {
   EXPECT_FALSE(dip_of_quadratic(1, 2, 1.5)) << "a straight line";
 }
 
-/// Events on the one step from the orbit at `first` to that at `last`, angular frequencies of a family
-/// of scenes. Both ends go through the same contact modes, so that nothing but margins leads to it.
+/// Events on the single step between the orbits at the angular frequencies `first` and `last` of a family of
+/// scenes. Both ends have the same contact modes, so only margins can detect the events.
 std::vector<BranchEvent> on_one_step(const orbits::SceneFamily& family, double first, double last) {
   integrate::exact::modes::ModeCache modes;
   orbits::OrbitProblem problem = orbits::scene_orbits(family, 1, {}, modes);
   problem.low = first;
   problem.high = last;
   problem.parameter_scale =
-      (last - first) / 10;  // a parameter beside which the state changes little: the tangent keeps on
+      (last - first) / 10;  // the state changes little over this difference, so the tangent stays the same
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(4);
   const auto from = orbit_from(problem, rest, first);
   auto to = orbit_from(problem, rest, last);
@@ -134,7 +135,7 @@ std::vector<BranchEvent> on_one_step(const orbits::SceneFamily& family, double f
   return events.value_or(std::vector<BranchEvent>{});
 }
 
-/// Two grazes, the first one beginning and the second one ending `what`.
+/// Expects two grazes: contact sequence `begins` starts at the first one, `ends` ends at the second one.
 void expect_two(const std::vector<BranchEvent>& events, double first, double second,
                 const std::string& begins, const std::string& ends) {
   ASSERT_EQ(events.size(), 2u);
@@ -148,15 +149,15 @@ void expect_two(const std::vector<BranchEvent>& events, double first, double sec
   EXPECT_EQ(events[1].detail, ends);
 }
 
-/// (stiffness - w^2)^2 + (damping w)^2 = ratio^2: both w, the lower one first.
+/// Solutions w of (stiffness - w^2)^2 + (damping w)^2 = ratio^2, the lower one first.
 std::pair<double, double> frequencies_of(double stiffness, double damping, double ratio) {
   const double middle = stiffness - damping * damping / 2,
                width = std::sqrt(middle * middle - stiffness * stiffness + ratio * ratio);
   return {std::sqrt(middle - width), std::sqrt(middle + width)};
 }
 
-/// A unit mass on a unit spring and a damper of 0.4, driven by `force` cos(w t), before a soft wall at 1. In
-/// flight its amplitude is force / |1 - w^2 + 0.4 i w|, at most force / 0.39192.
+/// A unit mass on a unit spring and a damper of 0.4, driven by `force` cos(w t), before a soft wall at 1.
+/// Without contact its amplitude is force / |1 - w^2 + 0.4 i w|, at most force / 0.39192.
 orbits::SceneFamily before_a_wall(double force) {
   return [force](double w) -> std::optional<scene::Scene> {
     scene::Scene scene = test::one_mass_scene(1, 1, 0.4, 2 * std::numbers::pi / w, 1);
@@ -166,7 +167,7 @@ orbits::SceneFamily before_a_wall(double force) {
   };
 }
 
-/// The resonance reaches the wall by 2 parts in 1000, and both ends of the step are far from it.
+/// The resonance exceeds the wall by 0.2 %, and both ends of the step are far from it.
 TEST(Margins, AHitThatComesAndGoesInOneStep) {
   const double force = 0.3927;
   const auto [first, second] = frequencies_of(1, 0.4, force);
@@ -178,7 +179,7 @@ TEST(Margins, AResonanceThatDoesNotReachTheWall) {
   EXPECT_TRUE(on_one_step(before_a_wall(0.3918), 0.8, 1.1).empty());
 }
 
-/// Pressed into the wall by 0.3 the mass swings on two unit springs, at resonance just out of contact.
+/// A mass pressed into the wall by 0.3 vibrates on two unit springs and just loses contact at resonance.
 TEST(Margins, AFlightThatComesAndGoesInOneStep) {
   const double depth = 0.3, ratio = 0.5605;
   const auto family = [&](double w) {
@@ -191,7 +192,7 @@ TEST(Margins, AFlightThatComesAndGoesInOneStep) {
              "sprung interrupted at stop 0 disappears");
 }
 
-/// Between its two resonances the response falls just below the gap.
+/// Between two resonances the response falls just below the gap.
 TEST(Margins, AHitThatGoesAndComesBackInOneStep) {
   static constexpr double force = 1.245;
   const auto family = [](double w) -> std::optional<scene::Scene> {
@@ -212,7 +213,8 @@ TEST(Margins, AHitThatGoesAndComesBackInOneStep) {
   for (const BranchEvent& event : events) EXPECT_NEAR(amplitude(event.point.parameter), 1, 1e-10);
 }
 
-/// Margin of the orbit in flight, 1 less the amplitude, and its slope by the frequency, all in closed form.
+/// Margin of the orbit without contact, 1 minus the amplitude, and its derivative by the frequency, in closed
+/// form.
 TEST(Margins, ValueAndSlopeOfAnApproach) {
   integrate::exact::modes::ModeCache modes;
   orbits::OrbitProblem problem = orbits::scene_orbits(before_a_wall(0.3), 1, {}, modes);
@@ -228,7 +230,8 @@ TEST(Margins, ValueAndSlopeOfAnApproach) {
   EXPECT_EQ(margins[0].kind, Margin::Kind::approach);
 }
 
-/// Margins of the same kind nearest in phase belong together, over the end of the period.
+/// Margins of the same kind are matched by the smallest difference of phase, also across the end of the
+/// period.
 TEST(Margins, AreMatchedByTheirPhases) {
   const auto margin = [](int contact, double phase_rad, double value, double slope) {
     return Margin{

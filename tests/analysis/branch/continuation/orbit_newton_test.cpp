@@ -12,7 +12,7 @@ namespace {
 
 using test::number;
 
-/// x -> x + p - x^2 with the orbits p = x^2, on a plane that is neither that of p nor that of x.
+/// x -> x + p - x^2 has the orbits p = x^2. The plane of the Newton steps is parallel to neither axis.
 orbits::OrbitProblem parabola() {
   return test::one_number([](double x, double p) { return x + p - x * x; },
                           [](double x, double) { return 1 - 2 * x; }, -1, 1);
@@ -33,7 +33,7 @@ TEST(OrbitNewton, TangentAndTestOfBranchPoints) {
   ASSERT_TRUE(found.converged);
   EXPECT_NEAR(found.point.state(0), 0.5, 1e-12);
   ASSERT_TRUE(complete(problem, Eigen::Vector2d(0, -1), found.point));
-  // dp = 2 x dx, towards falling p
+  // dp = 2 x dx, in the direction of decreasing p
   EXPECT_NEAR(found.point.tangent(0), -std::sqrt(0.5), 1e-8);
   EXPECT_NEAR(found.point.tangent(1), -std::sqrt(0.5), 1e-8);
   EXPECT_NEAR(found.point.multipliers(0).real(), 0, 1e-12);
@@ -46,8 +46,8 @@ TEST(OrbitNewton, SaysWhatTheMapCouldNotMake) {
   EXPECT_FALSE(correct_at(problem, number(0.5), 0.25).converged);
 }
 
-/// x -> x / 2 + p + 5 sqrt(p - 0.3), the root beyond 0.3 only, as behind a graze: before it x = 2 p. A
-/// difference that leads over 0.3 is none of the branch's slope.
+/// x -> x / 2 + p + 5 sqrt(p - 0.3), with the root only for p > 0.3, as after a graze; below that x = 2 p. A
+/// difference across 0.3 does not give the branch's slope.
 TEST(OrbitNewton, DifferencesDoNotLeadOverAGraze) {
   const auto problem =
       test::one_number([](double x, double p) { return 0.5 * x + p + 5 * std::sqrt(std::max(p - 0.3, 0.0)); },

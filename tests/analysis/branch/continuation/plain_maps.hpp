@@ -4,7 +4,7 @@
 
 namespace rubsweep::test {
 
-/// A problem of one number: `image(x, p)` and its derivative by x.
+/// An orbit problem with one coordinate: `image(x, p)` and its derivative with respect to x.
 template <class Image, class Slope>
 branch::orbits::OrbitProblem one_number(const Image& image, const Slope& slope, double low, double high) {
   branch::orbits::OrbitProblem problem;
@@ -18,7 +18,7 @@ branch::orbits::OrbitProblem one_number(const Image& image, const Slope& slope, 
   return problem;
 }
 
-/// x -> r x (1 - x), `order` times.
+/// The logistic map x -> r x (1 - x), applied `order` times.
 inline branch::orbits::OrbitProblem logistic(int order, double low, double high) {
   branch::orbits::OrbitProblem problem;
   problem.order = order;

@@ -12,7 +12,7 @@
 namespace rubsweep::branch::continuation {
 namespace {
 
-/// Fixed points of the logistic map: x = 1 - 1 / r.
+/// Test data: fixed points x = 1 - 1 / r of the logistic map.
 class SegmentLogistic : public ::testing::Test {
  protected:
   SegmentLogistic()
@@ -52,7 +52,7 @@ TEST_F(SegmentLogistic, PassesThroughItsOwnPointsAlone) {
   EXPECT_FALSE(segment.through(position_of(problem_, test::number(1 - 1 / 2.8), 2.8))) << "beyond it";
 }
 
-/// Nothing happens below 3; a step over 3 has the doubling.
+/// No event lies below r = 3; a step across 3 contains the period doubling.
 TEST_F(SegmentLogistic, EventsBetweenItsEnds) {
   const auto none = events_between(problem_, from_, to_, true);
   ASSERT_TRUE(none);
@@ -63,10 +63,10 @@ TEST_F(SegmentLogistic, EventsBetweenItsEnds) {
   ASSERT_EQ(one->size(), 1u);
   EXPECT_EQ(one->front().kind, EventKind::period_doubling);
   EXPECT_NEAR(one->front().point.parameter, 3, 1e-11);
-  EXPECT_FALSE(events_between(problem_, beyond, to_, true));  // the other one does not lie ahead
+  EXPECT_FALSE(events_between(problem_, beyond, to_, true));  // the other end does not lie ahead
 }
 
-/// Numbers from 0 to 2, each at its own distance.
+/// Points on the line from 0 to 2; each number is its own distance.
 struct Line {
   static double length() { return 2; }
   static double required_at(double s) { return s; }

@@ -12,7 +12,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Jet of a monodromy matrix that is a function of state and one parameter, at state 0.
+/// Jet of a monodromy matrix that depends on the state and one parameter, at state 0.
 template <class Monodromy>
 MonodromyJet jet_of(const Monodromy& monodromy, Eigen::Index states, double parameter) {
   constexpr double step = 1e-4;
@@ -30,7 +30,7 @@ MonodromyJet without_neighbours(MonodromyJet jet) {
   return jet;
 }
 
-/// x -> x + p x + a x^2 + b x^3, y -> y / 2 + x y: what is critical is x alone.
+/// x -> x + p x + a x^2 + b x^3, y -> y / 2 + x y: only x is critical.
 TEST(ConditionsSingularCondition, OfAFold) {
   constexpr double a = 0.7, b = -0.4, p = 0.01;
   const auto monodromy = [](const VectorXd& x, double at) {
@@ -54,8 +54,8 @@ TEST(ConditionsSingularCondition, OfAFold) {
   EXPECT_FALSE(singular_condition(without_neighbours(jet), 1));
 }
 
-/// x -> -(1 + p) x + a x^2 + b x^3: the coefficient of the normal form is a^2 + b, of which `cubic` is six
-/// times.
+/// x -> -(1 + p) x + a x^2 + b x^3: the coefficient of the normal form is a^2 + b; `cubic` is six times as
+/// large.
 TEST(ConditionsSingularCondition, OfAPeriodDoubling) {
   constexpr double a = 0.7, b = -0.4;
   const auto monodromy = [](const VectorXd& x, double at) {
@@ -69,7 +69,7 @@ TEST(ConditionsSingularCondition, OfAPeriodDoubling) {
   EXPECT_NEAR(condition->by_parameter(0) * signs, -1, 1e-10);
 }
 
-/// A rotation by 1 with the modulus 1 + p + x, beside a multiplier 0.3, seen in skew coordinates: the product
+/// A rotation by 1 rad with modulus 1 + p + x, and another multiplier 0.3, in skew coordinates: the product
 /// of the pair is (1 + p + x)^2.
 TEST(ConditionsPairCondition, OfATorus) {
   constexpr double p = 0.02;
@@ -90,14 +90,14 @@ TEST(ConditionsPairCondition, OfATorus) {
   EXPECT_FALSE(pair_condition(without_neighbours(jet)));
 }
 
-/// M = (1 + p) R + x e e^T with R a rotation by 90 degrees and e the first axis: trace x, and the determinant
-/// does not know x to first order. Along (x, y) the slope is that of the closed form, whatever the basis of
-/// the pair's plane is.
+/// M = (1 + p) R + x e e^T, where R rotates by 90 degrees and e is the first axis. The trace is x; the
+/// determinant does not depend on x to first order. Along (x, y) the slope must equal the closed form, for
+/// any basis of the pair's plane.
 TEST(ConditionsPairCondition, SlopeAlongTheState) {
   const auto monodromy = [](const VectorXd& x, double at) {
     MatrixXd m(2, 2);
     m << x(0), -(1 + at) + x(1), 1 + at, x(1);
-    return m;  // determinant x y + (1 + p) (1 + p - y)
+    return m;  // the determinant is x y + (1 + p) (1 + p - y)
   };
   const auto condition = pair_condition(jet_of(monodromy, 2, 0.1));
   ASSERT_TRUE(condition);

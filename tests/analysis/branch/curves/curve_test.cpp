@@ -15,7 +15,7 @@ TEST(CurveNewton, FindsTheFoldOnAPlane) {
   continuation::Position guess = folds.at(0.4);
   guess += continuation::Position::Constant(3, 1e-3);
   continuation::Position direction = continuation::Position::Zero(3);
-  direction(2) = 1;  // q stays
+  direction(2) = 1;  // q stays constant
   const CurveCorrection found = correct(folds.system, guess, direction);
   ASSERT_TRUE(found.converged);
   EXPECT_LE(found.error, 1e-11);
@@ -24,7 +24,7 @@ TEST(CurveNewton, FindsTheFoldOnAPlane) {
   EXPECT_NEAR(27 * place.first * place.first, 4 * std::pow(place.second, 3), 1e-11);
 }
 
-/// (x, p, q) = (r, -2 r^3, 3 r^2), the parameters in shares of ranges that are 2 wide.
+/// Folds (x, p, q) = (r, -2 r^3, 3 r^2); parameters are scaled by ranges of width 2.
 TEST(CurveNewton, TangentAndFactsOfAPoint) {
   const test::FoldsOfACusp folds;
   const auto point = folds.point(0.4);
@@ -53,7 +53,7 @@ TEST(CurveNewton, ASegmentBetweenItsEnds) {
   EXPECT_EQ(segment.at(2 * segment.length())->at, to->at);
 }
 
-/// Along the state alone the three equations of a cusp have no plane to be solved on.
+/// The three equations of a cusp cannot be solved on a plane along the state only.
 TEST(CurveNewton, NothingToFind) {
   const test::FoldsOfACusp folds;
   continuation::Position direction = continuation::Position::Zero(3);

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Two numbers that know each other and both parameters. Its derivative is symmetric in nothing.
+/// Two coupled numbers that depend on both parameters; their derivative has no symmetry.
 orbits::PlaneOrbits curved_plane() {
   orbits::PlaneOrbits orbits = test::plain_plane(
       [](double p, double q, const VectorXd& x) {
@@ -23,7 +23,7 @@ orbits::PlaneOrbits curved_plane() {
         m << 1 - 2 * x(0), 0.3 * q, 0.2 * x(1) + q * q, -0.9 + 0.2 * x(0);
         return m;
       });
-  orbits.first = {-1, 3};  // widths that are no units
+  orbits.first = {-1, 3};  // widths other than 1
   orbits.second = {0, 0.5};
   return orbits;
 }
@@ -42,7 +42,7 @@ TEST(ExtendedSystem, PlacesAndStatesComeBack) {
   EXPECT_EQ(place_of(graze, position_of(graze, {1, 0.25, 5}, state)), (orbits::PlanePoint{1, 0.25, 5}));
 }
 
-/// Every row against differences of the residual.
+/// Compares every row of the Jacobian with differences of the residual.
 TEST(ExtendedSystem, JacobianOfFoldDoublingAndTorus) {
   const orbits::PlaneOrbits orbits = curved_plane();
   for (const continuation::EventKind kind :
@@ -65,7 +65,7 @@ TEST(ExtendedSystem, JacobianOfFoldDoublingAndTorus) {
   }
 }
 
-/// The condition of each kind is zero where its multiplier is what it should be, and only there.
+/// The condition of each kind is zero where the multiplier is critical, and nowhere else.
 TEST(ExtendedSystem, ConditionsAreZeroWhereTheyShouldBe) {
   const orbits::PlaneOrbits orbits =
       test::plain_plane_of_one_number([](double p, double q, double x) { return (1 + p) * x + q; },
@@ -80,8 +80,8 @@ TEST(ExtendedSystem, ConditionsAreZeroWhereTheyShouldBe) {
   EXPECT_NEAR(condition_at(continuation::EventKind::period_doubling, 0), 2, 1e-15);
 }
 
-/// An orbit whose guard is x - phase^2 at a turn that begins at this phase: it grazes at the phase 0 where
-/// its state is 0.
+/// An orbit whose guard is x - phase^2 for a turn that begins at this phase: it grazes at phase 0, where its
+/// state is 0.
 TEST(ExtendedSystem, OfAGraze) {
   orbits::PlaneOrbits orbits =
       test::plain_plane_of_one_number([](double p, double q, double x) { return 0.5 * x + p + q; },
@@ -98,13 +98,13 @@ TEST(ExtendedSystem, OfAGraze) {
   EXPECT_NEAR(extended.residual(1), 0.6 - 0.09, 1e-11);
   EXPECT_NEAR(extended.residual(2), -0.6, 1e-15);
   Eigen::MatrixXd jacobian(3, 4);
-  jacobian << -0.5, 0, 2, 2, 1, -0.6, 0, 0, 0, -2, 0, 0;  // state, phase, both parameters of width 2
+  jacobian << -0.5, 0, 2, 2, 1, -0.6, 0, 0, 0, -2, 0, 0;  // columns: state, phase, two parameters of width 2
   EXPECT_LT((extended.jacobian - jacobian).cwiseAbs().maxCoeff(), 1e-8);
   EXPECT_EQ(extended.critical.curvature, -2);
 }
 
-/// At a branch point the equation that says nothing is exchanged for the second derivative, here zero by
-/// symmetry, and what the orbit lacks to close is kept.
+/// At a branch point the redundant equation is replaced by the second derivative, here zero by symmetry, and
+/// the closing residual is kept.
 TEST(ExtendedSystem, OfABranchPoint) {
   const orbits::PlaneOrbits orbits = test::plain_plane_of_one_number(
       [](double p, double q, double x) { return (1 + p) * x - x * x * x + q; },

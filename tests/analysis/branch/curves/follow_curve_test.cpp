@@ -49,7 +49,8 @@ TEST(FollowCurveCurveStart, NoneWhereThereIsNoSuchEvent) {
     EXPECT_FALSE(curve_start(orbits, event_at(kind, r), there)) << to_string(kind);
 }
 
-/// An orbit at rest at x = p + q whose guard, 0.3 rad after its start, is x - (phase - 0.3)^2.
+/// An orbit at rest at x = p + q, whose guard is x - (phase - 0.3)^2, with its maximum 0.3 rad after the
+/// start.
 TEST(FollowCurveCurveStart, AGrazeBeginsWhereItTouches) {
   orbits::PlaneOrbits orbits =
       test::plain_plane_of_one_number([](double p, double q, double x) { return 0.5 * (x + p + q); },
@@ -113,7 +114,7 @@ TEST(FollowCurve, FoldsThroughACusp) {
     EXPECT_GT(curve.points[i].arclength, curve.points[i - 1].arclength);
 }
 
-/// x -> x + p^2 + q^2 - 1/4 - x^2: folds on a circle.
+/// x -> x + p^2 + q^2 - 1/4 - x^2: the folds form a circle.
 TEST(FollowCurve, ACurveThatCloses) {
   const orbits::PlaneOrbits orbits =
       plain_plane_of_one_number([](double p, double q, double x) { return x + p * p + q * q - 0.25 - x * x; },
@@ -124,13 +125,14 @@ TEST(FollowCurve, ACurveThatCloses) {
   for (const CurvePoint& point : curve.points)
     EXPECT_NEAR(std::hypot(point.place.first, point.place.second), 0.5, 1e-11);
   EXPECT_NEAR(curve.points.back().arclength, std::numbers::pi / 2,
-              3e-3);  // half the lengths: the ranges are 2 wide
+              3e-3);  // half of the lengths, because the ranges have width 2
   const auto again = test::start_near(orbits, continuation::EventKind::fold, number(0), -0.5, 0);
   ASSERT_TRUE(again);
   EXPECT_TRUE(lies_on(again->system, curve, again->point));
 }
 
-/// x -> -(1 + p) x + q x^3 + x^5: the origin doubles its period at p = 0, softly where q is on one side of 0.
+/// x -> -(1 + p) x + q x^3 + x^5: the origin doubles its period at p = 0, supercritically on one side of q =
+/// 0.
 TEST(FollowCurve, DoublingsThroughAGeneralisedFlip) {
   const orbits::PlaneOrbits orbits = plain_plane_of_one_number(
       [](double p, double q, double x) { return -(1 + p) * x + q * x * x * x + std::pow(x, 5); },
@@ -142,8 +144,8 @@ TEST(FollowCurve, DoublingsThroughAGeneralisedFlip) {
   for (const CurvePoint& point : curve.points) EXPECT_NEAR(point.place.first, 0, 1e-11);
 }
 
-/// z -> (1 + p) e^{i pi (q + 1) / 2} z: the origin has its torus at p = 0 for every angle between 0 and 180
-/// degrees, and there the curve ends.
+/// z -> (1 + p) e^{i pi (q + 1) / 2} z: the origin has torus bifurcations at p = 0 for every angle between 0
+/// and 180 degrees, where the curve ends.
 TEST(FollowCurve, ToriThroughResonances) {
   const auto turn = [](double p, double q) {
     const double angle = std::numbers::pi * (q + 1.0) / 2;
@@ -162,7 +164,7 @@ TEST(FollowCurve, ToriThroughResonances) {
   for (const CurvePoint& point : curve.points) EXPECT_NEAR(point.place.first, 0, 1e-11);
 }
 
-/// y -> (1 + p) y + q - x^2, x -> x + new y: fixed points x = +-sqrt(q), their multipliers with the sum 2 + p
+/// y -> (1 + p) y + q - x^2, x -> x + new y: fixed points x = +-sqrt(q), whose multipliers have the sum 2 + p
 /// - 2 x and the product 1 + p.
 orbits::PlaneOrbits bogdanov_takens_plane() {
   return plain_plane(
@@ -175,7 +177,7 @@ orbits::PlaneOrbits bogdanov_takens_plane() {
       });
 }
 
-/// Tori at p = 0 from the 1:1 resonance at q = 0 to the 1:2 one at x = 2.
+/// Torus bifurcations at p = 0, from the 1:1 resonance at q = 0 to the 1:2 resonance at x = 2.
 TEST(FollowCurve, ToriEndWhereTheirMultipliersAreReal) {
   orbits::PlaneOrbits orbits = bogdanov_takens_plane();
   orbits.second = {-1, 5};
@@ -194,7 +196,7 @@ TEST(FollowCurve, ToriEndWhereTheirMultipliersAreReal) {
   for (const CurvePoint& point : curve.points) EXPECT_NEAR(point.place.first, 0, 1e-11);
 }
 
-/// x -> (1 + p + q) x - x^3.
+/// x -> (1 + p + q) x - x^3: symmetry breaks on the line p + q = 0.
 TEST(FollowCurve, BreaksOfSymmetry) {
   const orbits::PlaneOrbits orbits =
       plain_plane_of_one_number([](double p, double q, double x) { return (1 + p + q) * x - x * x * x; },
@@ -219,7 +221,7 @@ TEST(FollowCurve, ACrossingWithoutSymmetryUnfolds) {
   EXPECT_EQ(curve.backward, continuation::Ending::unfolds);
 }
 
-/// A fold in x at p = 0 beside a multiplier -1 - p - q of y.
+/// A fold in x at p = 0, and a multiplier -1 - p - q of y.
 TEST(FollowCurve, FoldAndFlip) {
   const orbits::PlaneOrbits orbits = plain_plane(
       [](double p, double q, const Eigen::VectorXd& x) {
@@ -239,7 +241,7 @@ TEST(FollowCurve, FoldAndFlip) {
   EXPECT_NEAR(same->point.place.first, 0, 1e-11);
 }
 
-/// Folds at q = 0, with the multipliers 1 and 1 + p.
+/// Folds at q = 0 with the multipliers 1 and 1 + p.
 TEST(FollowCurve, FoldWithTwoMultipliersOne) {
   const orbits::PlaneOrbits exchanged = test::exchanged(bogdanov_takens_plane());
   const Curve curve = followed(exchanged, continuation::EventKind::fold, Eigen::Vector2d::Zero(), 0, 0.4);

@@ -26,7 +26,8 @@ TEST(Meetings, ACuspOnAStepOverIt) {
   EXPECT_FALSE(meetings_between(folds.system, *behind, *before)) << "the tangent leads the other way";
 }
 
-/// A change of the contacts at q = 0.12 is found to the same width, and called after the curve.
+/// A change of the contact sequence at q = 0.12 is found with the same accuracy, and is named after the
+/// curve.
 TEST(Meetings, AGrazeOnACurveOfFolds) {
   test::FoldsOfACusp folds;
   folds.orbits.facts = [](const orbits::PlanePoint& at, const Eigen::VectorXd&) {
@@ -46,7 +47,8 @@ TEST(Meetings, AGrazeOnACurveOfFolds) {
   EXPECT_NEAR(meetings->front().point.state(0), 0.2, 1e-11);
 }
 
-/// z -> (1 + p) e^{i pi (q + 1) / 2} z has tori at p = 0, of the angle 90 degrees at q = 0 and 120 at 1/3.
+/// z -> (1 + p) e^{i pi (q + 1) / 2} z has torus bifurcations at p = 0, with the angle 90 degrees at q = 0
+/// and 120 degrees at q = 1/3.
 TEST(Meetings, TwoResonancesInOneStepInTheirOrder) {
   const auto turn = [](double p, double q) {
     const double angle = std::numbers::pi * (q + 1) / 2;
@@ -74,10 +76,10 @@ TEST(Meetings, TwoResonancesInOneStepInTheirOrder) {
   EXPECT_NEAR((*meetings)[1].point.place.second, 1.0 / 3, 1e-11);
 }
 
-/// The plane as far as this is from the line q = 0 is where the normal forms below are followed from.
+/// Distance from the line q = 0 at which the curves of the normal forms below are started.
 constexpr double beside = 0.3;
 
-/// `kind` is the only meeting of the curve, and at the origin of the plane.
+/// Expects exactly one meeting on the curve, of `kind` and at the origin of the plane.
 void expect_one_at_the_origin(const std::optional<CurveStart>& start, MeetingKind kind, double within) {
   ASSERT_TRUE(start);
   const Curve curve = follow_curve(start->system, start->point, {});
@@ -91,7 +93,8 @@ void expect_one_at_the_origin(const std::optional<CurveStart>& start, MeetingKin
 
 Eigen::Matrix2d rotation(double angle_rad) { return Eigen::Rotation2Dd(angle_rad).toRotationMatrix(); }
 
-/// Maps of one number x beside a rotation of two by `angle_rad`, which grows by 1 + p + q.
+/// Maps of one number x together with a rotation of two numbers by `angle_rad`, which grows by the factor 1 +
+/// p + q.
 template <class Map, class Slope>
 orbits::PlaneOrbits beside_a_rotation(const Map& map, const Slope& slope, double angle_rad) {
   const auto turn = [angle_rad](double p, double q) {
@@ -111,7 +114,7 @@ orbits::PlaneOrbits beside_a_rotation(const Map& map, const Slope& slope, double
       });
 }
 
-/// x -> (1 + p) x + q x^3 - x^5: the symmetry breaks at p = 0, softly where q < 0.
+/// x -> (1 + p) x + q x^3 - x^5: the symmetry breaks at p = 0, supercritically for q < 0.
 TEST(Meetings, DegenerateBranching) {
   const orbits::PlaneOrbits orbits = test::plain_plane_of_one_number(
       [](double p, double q, double x) { return (1 + p) * x + q * x * x * x - std::pow(x, 5); },
@@ -121,7 +124,7 @@ TEST(Meetings, DegenerateBranching) {
       MeetingKind::degenerate_branching, 1e-6);
 }
 
-/// Folds at p = 0, tori at q = -p for p > 0.
+/// Folds at p = 0 and torus bifurcations at q = -p for p > 0.
 TEST(Meetings, FoldAndTorus) {
   const orbits::PlaneOrbits orbits = beside_a_rotation([](double p, double x) { return x + p - x * x; },
                                                        [](double, double x) { return 1 - 2 * x; }, 2);
@@ -130,7 +133,7 @@ TEST(Meetings, FoldAndTorus) {
       MeetingKind::fold_torus, 1e-10);
 }
 
-/// Doublings at p = 0, tori at q = -p.
+/// Period doublings at p = 0 and torus bifurcations at q = -p.
 TEST(Meetings, FlipAndTorus) {
   const orbits::PlaneOrbits orbits =
       beside_a_rotation([](double p, double x) { return -(1 + p) * x + x * x * x; },
@@ -143,7 +146,7 @@ TEST(Meetings, FlipAndTorus) {
   }
 }
 
-/// Doublings at p = 0 and at p = -q.
+/// Period doublings at p = 0 and at p = -q.
 TEST(Meetings, TwoDoublings) {
   const orbits::PlaneOrbits orbits = test::plain_plane(
       [](double p, double q, const Eigen::VectorXd& x) {
@@ -157,7 +160,7 @@ TEST(Meetings, TwoDoublings) {
       MeetingKind::resonance_1_2, 1e-10);
 }
 
-/// Tori at p = 0, of 1 radian, and at q = -p, of 2.
+/// Torus bifurcations at p = 0 with the angle 1 rad, and at q = -p with 2 rad.
 TEST(Meetings, TwoTori) {
   const auto both = [](double p, double q) {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4, 4);
@@ -173,7 +176,7 @@ TEST(Meetings, TwoTori) {
       MeetingKind::double_torus, 1e-10);
 }
 
-/// The linear map by `matrix(p, q)`, whose orbit 0 has the guard p - phase^2: it grazes at p = 0.
+/// A linear map `matrix(p, q)` with the orbit 0 and the guard p - phase^2: it grazes at p = 0.
 template <class Matrix>
 orbits::PlaneOrbits grazing(const Matrix& matrix) {
   orbits::PlaneOrbits orbits = test::plain_plane(
@@ -210,7 +213,7 @@ TEST(Meetings, OfGrazesWithMultipliersOnTheUnitCircle) {
                            MeetingKind::graze_torus, 1e-10);
 }
 
-/// x -> x + p - x^2 with the guard x - q - phase^2: grazes at p = q^2, where the multiplier is 1 - 2 q.
+/// x -> x + p - x^2 with the guard x - q - phase^2 grazes at p = q^2, where the multiplier is 1 - 2 q.
 TEST(Meetings, AGrazeAtAFold) {
   orbits::PlaneOrbits orbits =
       test::plain_plane_of_one_number([](double p, double, double x) { return x + p - x * x; },
@@ -227,7 +230,7 @@ TEST(Meetings, AGrazeAtAFold) {
       MeetingKind::graze_fold, 1e-10);
 }
 
-/// A second contact is hit where q > 0.
+/// A second contact is touched where q > 0.
 TEST(Meetings, TwoGrazesAtOnce) {
   orbits::PlaneOrbits orbits = grazing([](double, double) { return Eigen::Matrix2d(0.5 * rotation(1)); });
   orbits.facts = [](const orbits::PlanePoint& at, const Eigen::VectorXd&) {
@@ -241,8 +244,8 @@ TEST(Meetings, TwoGrazesAtOnce) {
                            MeetingKind::double_graze, 1e-10);
 }
 
-/// The guard p + q phase + phase^3 / 3 grazes along q = -phase^2, p = 2 phase^3 / 3, on which its second
-/// derivative is 2 phase: beyond the cusp of this curve the guard only rises.
+/// The guard p + q phase + phase^3 / 3 grazes along q = -phase^2, p = 2 phase^3 / 3, with the second
+/// derivative 2 phase: beyond the cusp of this curve the guard only rises.
 TEST(Meetings, AGrazeThatDoesNotTurnBack) {
   orbits::PlaneOrbits orbits = grazing([](double, double) { return Eigen::Matrix2d(0.5 * rotation(1)); });
   orbits.guard = [](const orbits::PlanePoint& at, const Eigen::VectorXd&, const orbits::ArmedGuard&) {

@@ -6,8 +6,8 @@
 
 namespace rubsweep::test {
 
-/// A plane of maps: `map(p, q, x)` is the image, `slope(p, q, x)` its derivative by x, both parameters from
-/// -1 to 1.
+/// A two-parameter family of maps: `map(p, q, x)` is the image, `slope(p, q, x)` its derivative with respect
+/// to x; both parameters range from -1 to 1.
 template <class Map, class Slope>
 branch::orbits::PlaneOrbits plain_plane(const Map& map, const Slope& slope) {
   branch::orbits::PlaneOrbits orbits;
@@ -21,7 +21,7 @@ branch::orbits::PlaneOrbits plain_plane(const Map& map, const Slope& slope) {
   return orbits;
 }
 
-/// The plane of a map of a single number.
+/// A two-parameter family of maps with one coordinate.
 template <class Map, class Slope>
 branch::orbits::PlaneOrbits plain_plane_of_one_number(const Map& map, const Slope& slope) {
   return plain_plane(
@@ -33,7 +33,7 @@ branch::orbits::PlaneOrbits plain_plane_of_one_number(const Map& map, const Slop
       });
 }
 
-/// The same orbits with their parameters in the other order.
+/// The same orbits with both parameters exchanged.
 inline branch::orbits::PlaneOrbits exchanged(const branch::orbits::PlaneOrbits& orbits) {
   branch::orbits::PlaneOrbits other = orbits;
   other.returns = [orbits](const branch::orbits::PlanePoint& at, Eigen::VectorXd& x,
@@ -45,7 +45,7 @@ inline branch::orbits::PlaneOrbits exchanged(const branch::orbits::PlaneOrbits& 
   return other;
 }
 
-/// The curve of `kind` starts near an orbit.
+/// The start of a curve of `kind`, searched near an orbit.
 inline std::optional<branch::curves::CurveStart> start_near(const branch::orbits::PlaneOrbits& orbits,
                                                             branch::continuation::EventKind kind,
                                                             const Eigen::VectorXd& state, double p,

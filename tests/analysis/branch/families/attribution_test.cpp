@@ -17,7 +17,7 @@
 namespace rubsweep::branch::families {
 namespace {
 
-/// The quiet whirl of a Jeffcott rotor of 30 Hz reaches the wall near its resonance alone.
+/// The quiet whirl of a Jeffcott rotor of 30 Hz reaches the wall only near its resonance.
 TEST(AttributionQuietCells, TouchNearResonance) {
   sweep::Study study;
   study.machine = test::machine_of({});
@@ -28,7 +28,7 @@ TEST(AttributionQuietCells, TouchNearResonance) {
   EXPECT_EQ(quiet_cells(study), (std::vector<Quiet>{stable, stable, stable, stable, touches, stable}));
 }
 
-/// Damping that turns with the shaft makes the free rotor unstable above a speed.
+/// Rotating damping makes the free rotor unstable above a speed.
 TEST(AttributionQuietCells, AreUnstableAboveASpeed) {
   sweep::Study study;
   study.machine = test::machine_of({});
@@ -43,7 +43,7 @@ TEST(AttributionQuietCells, AreUnstableAboveASpeed) {
 
 constexpr std::string_view at_rest = "non_contact";
 
-/// Cells at 10, 20, ... Hz.
+/// A grid of cells at 10, 20, ... Hz.
 sweep::Grid row_of(std::size_t cells) {
   sweep::Grid grid;
   for (std::size_t i = 1; i <= cells; ++i) grid.speed_hz.push_back(10.0 * static_cast<double>(i));
@@ -53,8 +53,8 @@ sweep::Grid row_of(std::size_t cells) {
 
 std::vector<Quiet> no_quiet_motion(std::size_t cells) { return std::vector<Quiet>(cells, Quiet::touches); }
 
-/// Five cells in a row: two of family 0, whose orbit goes on to the third and folds before the fourth; the
-/// last one has an orbit that could not be followed.
+/// Five cells in a row: the first two belong to family 0, whose orbit continues into the third and folds
+/// before the fourth. The orbit of the last cell could not be followed.
 TEST(Attribution, BasinCeasesAndUnresolved) {
   const sweep::Grid grid = row_of(5);
   const std::array<std::string, 5> labels{"subharmonic_2", "subharmonic_2", "non_contact", "chaotic",
@@ -76,8 +76,8 @@ TEST(Attribution, BasinCeasesAndUnresolved) {
   EXPECT_EQ(ceases[0].kind, "fold");
 }
 
-/// One of two orbits side by side goes on into the other's cell: what the map shows there ceases all the
-/// same.
+/// One of two neighbouring orbits continues into the other's cell: the motion that the map shows there still
+/// ceases.
 TEST(Attribution, WhatCeasesOnOneSideIsStronger) {
   const sweep::Grid grid = row_of(2);
   const std::array<std::string, 2> labels{"subharmonic_2", "subharmonic_4"};
@@ -88,8 +88,8 @@ TEST(Attribution, WhatCeasesOnOneSideIsStronger) {
   EXPECT_EQ(edges[0].kind, "period_halving");
 }
 
-/// The quiet motion is one that could be followed as well: beside chaos it is there on both sides, where its
-/// whirl would touch or grow it ceases, and what ceases of the other motion is stronger.
+/// The quiet motion counts like a followed one: beside chaos it exists on both sides; where its whirl would
+/// touch or grow, it ceases. If the other motion ceases, that decides.
 TEST(Attribution, TheQuietMotion) {
   const sweep::Grid grid = row_of(5);
   const std::array<std::string, 5> labels{"chaotic", "non_contact", "subharmonic_2", "non_contact",
@@ -124,8 +124,8 @@ TEST(Attribution, KindsThatAreNoEnds) {
 
 sweep::Study study_of_one_ratio() { return test::half_orbit_study({0.4}); }
 
-/// The half orbit at a whirl ratio of 0.4, which exists from 61.6 to 90.9 Hz: cells 1 to 3, where the kick of
-/// cell 2 leads to it.
+/// The half orbit at a whirl ratio of 0.4, which exists from 61.6 to 90.9 Hz: cells 1 to 3. The kick leads to
+/// it in cell 2.
 const Families& half_orbit() {
   static const Families families = [] {
     const std::atomic<bool> stop{false};
@@ -155,7 +155,8 @@ CheckResult finding_outside(const Families& families) {
   return CheckResult::reached;
 }
 
-/// The half orbit in two: the first family ends before cell 3 in `end`, the second one has that cell.
+/// The half orbit divided into two families: the first one ends before cell 3 with the event `end`, the
+/// second one has that cell.
 Families parted(std::string_view end) {
   const Family& whole = half_orbit().list.at(0);
   Family first{2, {{2, whole.orbits.at(2)}}, {{2, 3, 80, 0.4, end}}, {2}};
@@ -175,7 +176,7 @@ TEST(AttributionContradictions, TheMachineStaysWhereItsOrbitIsStable) {
   }
 }
 
-/// A state on no orbit of the machine is left at once: here the state at rest in the quiet motion's stead.
+/// The machine leaves a state that is on no orbit at once: here the rest state instead of the quiet motion.
 TEST(AttributionContradictions, TheMachineLeavesWhatIsNoOrbit) {
   Families families = half_orbit();
   families.list[0].orbits.at(1).state.setZero();
@@ -200,7 +201,7 @@ TEST(AttributionContradictions, ALabelOutsideWithoutAnOrbit) {
   EXPECT_EQ(found[3].finding, CheckResult::not_found);
   EXPECT_EQ(found[4].finding, CheckResult::not_found);
   EXPECT_EQ(found[4].family, std::nullopt);
-  // A label of another kind is none to look at.
+  // A label of another kind is not examined.
   with_outside[4] = "subharmonic_3";
   EXPECT_EQ(check(half_orbit(), with_outside).size(), 3u);
 }
@@ -215,8 +216,8 @@ TEST(AttributionContradictions, OrbitsSideBySide) {
   EXPECT_EQ(finding_outside(families), CheckResult::not_followed);
 }
 
-/// The second family's orbit goes on into cell 2. There it must be another one: the same means that the end
-/// of the first one is none.
+/// The second family's orbit continues into cell 2. If it is the same orbit there, the end of the first
+/// family is wrong.
 TEST(AttributionContradictions, OneOrbitInTwoFamilies) {
   Families families = parted("fold");
   families.list[1].orbits.emplace(2, families.list[0].orbits.at(2));

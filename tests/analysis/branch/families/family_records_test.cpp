@@ -12,7 +12,7 @@
 namespace rubsweep::branch::families {
 namespace {
 
-/// Numbers that only the last bit tells from others, or that have no short text.
+/// An orbit with numbers that differ from others in the last bit only, or that have no short decimal form.
 CellOrbit orbit() {
   CellOrbit orbit{6, 17, Eigen::VectorXd(4), orbits::Closing::with_the_shaft};
   orbit.state << 0.1 + 0.2, -0.0, 1.0 / 3, std::numeric_limits<double>::denorm_min();

@@ -20,9 +20,8 @@ namespace {
 
 sweep::Study study_of_two_ratios() { return test::half_orbit_study({0.3, 0.4}); }
 
-/// The half orbit of set A at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz: the
-/// family is in the cells between, and ends at these folds, which continuation along the whole branch finds
-/// as well.
+/// The half orbit of parameter set A at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz. The family
+/// has the cells in between and ends at these folds, which continuation of the whole branch finds as well.
 TEST(FamilyFamilies, TheHalfOrbitOfAMap) {
   const std::atomic<bool> stop{false};
   const std::vector<std::size_t> proven{7};  // 75 Hz, 0.4
@@ -76,7 +75,7 @@ TEST(FamilyFamilies, DoNotDependOnTheNumberOfThreads) {
   }
 }
 
-/// Stopped after any number of records, families go on from them to what they are without.
+/// Families that were stopped after any number of records continue to the same result.
 TEST(FamilyFamilies, GoOnFromWhatWasFound) {
   const std::vector<std::size_t> proven{2, 3, 7};
   std::atomic<bool> stop{false};
@@ -101,10 +100,10 @@ TEST(FamilyFamilies, GoOnFromWhatWasFound) {
   }
 }
 
-/// Full annular rub in closed form, with casing and friction: with the dynamic stiffness R of the rotor and C
-/// of the casing and F = K (|u| - c) (1 + i mu) u / |u| at the approach u = z - z_c, the circle is R (u + F /
-/// C) + F = m e w^2. |left side|^2 is a quadratic in |u|, and its minimum is the smallest unbalance that
-/// keeps the circle: a fold. In terms of the whirl ratio, which is that of the quiet circle to c.
+/// Full annular rub in closed form, with casing and friction. With the dynamic stiffness R of the rotor and C
+/// of the casing, and F = K (|u| - c) (1 + i mu) u / |u| at the approach u = z - z_c, the circle satisfies R
+/// (u + F / C) + F = m e w^2. |left side|^2 is a quadratic in |u|; its minimum gives the smallest unbalance
+/// of the circle, a fold. The result is the whirl ratio, the radius of the quiet circle / c.
 double least_whirl_ratio_of_a_circle(double speed_hz) {
   constexpr double mass = 0.8, natural = 2 * std::numbers::pi * 30, damping_ratio = 0.04;
   constexpr double casing_mass = 0.05, casing_stiffness = 5e5, contact = 2e6, mu = 0.02, clearance = 1e-3;
@@ -121,15 +120,15 @@ double least_whirl_ratio_of_a_circle(double speed_hz) {
   return std::abs(a * approach + b) / (clearance * std::abs(rotor));
 }
 
-/// Circles and ovals in an annulus: two families of one map. The circle ends at the fold that its closed form
-/// has, on both axes.
+/// Circles and ovals in an annulus: two families in one map. The circle ends at the fold of its closed form,
+/// on both axes.
 TEST(FamilyFamilies, CirclesAndOvalsInAnAnnulus) {
   sweep::Study annulus;
   annulus.machine = response::testing::annular_machine();
   annulus.grid.speed_hz = {60, 80, 165, 170};
   annulus.grid.unbalance = {0.2, 0.6};
   const std::atomic<bool> stop{false};
-  const std::vector<std::size_t> proven{5, 6};  // the cells at 0.6
+  const std::vector<std::size_t> proven{5, 6};  // the cells at a whirl ratio of 0.6
   const Families families = families_of(annulus, proven, 2, stop);
   EXPECT_TRUE(families.not_followed.empty());
   ASSERT_EQ(families.list.size(), 2u);
@@ -149,7 +148,7 @@ TEST(FamilyFamilies, CirclesAndOvalsInAnAnnulus) {
   EXPECT_GE(folds, 3) << "two along the speed, one along the unbalance";
 }
 
-/// A cell whose kick leads to rest has no orbit to follow, whatever a map says.
+/// A cell whose kick leads to rest has no orbit to follow, whatever the map shows.
 TEST(FamilyFamilies, ACellThatIsNotFound) {
   const std::atomic<bool> stop{false};
   sweep::Study at_rest = study_of_two_ratios();
@@ -167,7 +166,7 @@ sweep::Grid grid() {
   return grid;
 }
 
-/// A family in these cells, which ends halfway to every other cell, to the right by a fold and else by a
+/// A family in these cells, which ends halfway to all other cells: to the right by a fold, elsewhere by a
 /// doubling.
 Family family_in(const std::vector<std::size_t>& cells) {
   Family family;
@@ -194,11 +193,11 @@ TEST(FamilyOutlineNeighbours, AtCornersAndInside) {
   EXPECT_EQ(neighbours_of(grid(), 11), (std::vector<std::size_t>{10, 7}));
 }
 
-/// Closed around one inner cell, and parted where the kind changes.
+/// The outline is closed around one inner cell, and divided where the kind of boundary changes.
 TEST(FamilyOutline, AroundOneCell) {
   const auto lines = outline_of(grid(), family_in({5}));
   for (const OutlineLine& line : lines) EXPECT_TRUE(line.kind == "fold" || line.kind == "doubling");
-  ASSERT_EQ(lines.size(), 3u);  // below; right; above, left and below again
+  ASSERT_EQ(lines.size(), 3u);  // below; right; above, left and again below
   EXPECT_EQ(lines[1].kind, "fold");
   EXPECT_EQ(lines[1].points.back(), (std::array{25.0, 0.2}));
   for (std::size_t i = 0; i + 1 < lines.size(); ++i)
@@ -206,7 +205,7 @@ TEST(FamilyOutline, AroundOneCell) {
   EXPECT_EQ(lines.front().points.front(), lines.back().points.back());
 }
 
-/// A family at the end of the map has no boundary there: one open line.
+/// At the edge of the map a family has no boundary, so the outline is one open line.
 TEST(FamilyOutline, EndsWhereTheMapDoes) {
   const auto lines = outline_of(grid(), family_in({0, 1, 4, 5, 8, 9}));
   ASSERT_EQ(lines.size(), 1u);
@@ -218,7 +217,7 @@ TEST(FamilyOutline, NoneAroundTheWholeMap) {
   EXPECT_TRUE(outline_of(grid(), family_in({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})).empty());
 }
 
-/// Two cells that meet in a corner only: every end is on exactly one line.
+/// Two cells that touch only in a corner: each end belongs to exactly one line.
 TEST(FamilyOutline, CellsThatMeetInACorner) {
   const Family family = family_in({0, 5});
   std::size_t ends = 0;

@@ -8,8 +8,8 @@
 
 namespace rubsweep::test {
 
-/// A small map around the half orbit of set A, which at a whirl ratio of 0.4 exists from 61.6
-/// to 90.9 Hz.
+/// A small map around the half orbit of parameter set A, which exists from 61.6 to 90.9 Hz at a whirl ratio
+/// of 0.4.
 inline sweep::Study half_orbit_study(std::vector<double> whirl_ratios) {
   sweep::Study study;
   study.machine = machine_of({});

@@ -25,7 +25,7 @@ class Passages : public ::testing::Test {
   response::motion::Workspace workspace;
 };
 
-/// There and back is the same orbit, though by another of its turns perhaps.
+/// Going to the next cell and back gives the same orbit, possibly at another of its turns.
 TEST_F(Passages, ArriveAndComeBack) {
   const CellOrbit orbit = orbit_of_cell_2();
   EXPECT_EQ(orbit.order, 2);
@@ -50,8 +50,9 @@ TEST_F(Passages, EndInAFold) {
   EXPECT_NEAR(up.parameter, 90.912861253, 1e-8);
 }
 
-/// In the annulus of figure 11 at 82.5 Hz an oval of four hits comes to be twice one of two: its branch ends
-/// there, and goes on into no cell beyond. The oval of half the period has its period doubling at that place.
+/// In the annulus of figure 11 at 82.5 Hz, an oval with four impacts becomes twice an oval with two impacts.
+/// Its branch ends there and continues into no further cell. The oval of half the period has its period
+/// doubling at that place.
 TEST(PassagesOfOvals, EndWhereTheyHalveTheirPeriod) {
   sweep::Study study;
   study.machine = response::testing::annular_machine();
@@ -82,7 +83,7 @@ TEST(PassagesOfOvals, EndWhereTheyHalveTheirPeriod) {
   EXPECT_NEAR(passage.parameter, 0.723571651272, 1e-10);
 }
 
-/// Not even where the way begins: what is no orbit is not stable there.
+/// A state on no orbit fails already at the start, because it is not stable there.
 TEST_F(Passages, OfWhatIsNoOrbit) {
   CellOrbit orbit = orbit_of_cell_2();
   orbits::SettledStart settled{response::motion::MotionClass::subharmonic, 2, orbits::Closing::with_the_shaft,

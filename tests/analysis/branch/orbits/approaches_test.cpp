@@ -13,7 +13,7 @@ namespace {
 
 using contact::Mode;
 
-/// States of a circle of radius `radius`, in rest: of these the positions alone matter.
+/// States at rest on a circle of radius `radius`; only the positions matter.
 Eigen::MatrixXd states_of_circle(double radius) {
   constexpr int count = 32;
   Eigen::MatrixXd states = Eigen::MatrixXd::Zero(4, count);
@@ -34,7 +34,7 @@ OrbitFacts settled_facts(const scene::Scene& scene, double radius) {
   contacts.add(states_of_circle(radius).leftCols(16));
   contacts.add(states_of_circle(radius).rightCols(16));
   OrbitFacts facts;
-  // As where rounding makes the modes.
+  // As if rounding decided the modes.
   facts.switches = {{1.0, 0, Mode::open, Mode::sprung}, {1.1, 0, Mode::sprung, Mode::open}};
   facts.hits = 1;
   facts.touched = true;
@@ -88,7 +88,7 @@ TEST(ApproachesEvenContacts, PenetrationAtAState) {
 
 constexpr int samples = 128;
 
-/// Samples of x(phase) and its rate, the mass at rest in y.
+/// Samples of x(phase) and its rate, with the mass at rest in y.
 template <class Motion, class Rate>
 SampledOrbit sampled(const Motion& x, const Rate& rate) {
   Eigen::MatrixXd states = Eigen::MatrixXd::Zero(4, samples);
@@ -100,15 +100,15 @@ SampledOrbit sampled(const Motion& x, const Rate& rate) {
   return {states, 2 * std::numbers::pi / samples};
 }
 
-/// A unit mass before a wall at 1 whose stiffness is 2.
+/// A unit mass before a wall at 1 with stiffness 2.
 scene::Scene before_a_wall(double damping) {
   scene::Scene scene = test::one_mass_scene(1, 1, 0, 2 * std::numbers::pi, 1);
   scene.contacts.push_back(test::wall_across_x(1, 1, 2, damping));
   return scene;
 }
 
-/// 0.7 cos(2 phase - 1) comes near twice a turn, the second time beside the end of the turn for a fitting
-/// phase.
+/// 0.7 cos(2 phase - 1) approaches the wall twice per turn; with a suitable phase the second approach is
+/// close to the end of the turn.
 TEST(Approaches, InFlight) {
   for (const double lag : {1.0, -0.01}) {
     const auto motion = sampled([lag](double t) { return 0.7 * std::cos(2 * t - lag); },
@@ -124,7 +124,7 @@ TEST(Approaches, InFlight) {
   }
 }
 
-/// Always in contact, 0.5 deep and 0.3 to both sides: it nearly lets go where it is 0.2 deep.
+/// Always in contact with penetration 0.5 +- 0.3: contact is nearly lost at 0.2.
 TEST(Approaches, InContact) {
   const auto motion =
       sampled([](double t) { return 1.5 + 0.3 * std::sin(t); }, [](double t) { return 0.3 * std::cos(t); });
@@ -136,12 +136,12 @@ TEST(Approaches, InContact) {
   EXPECT_NEAR(found[0].phase_rad, 1.5 * std::numbers::pi, 1e-4);
 }
 
-/// A hump that leads to a change of mode is no approach: of two humps one is a hit.
+/// A maximum that leads to a change of mode is not an approach: one of two maxima is an impact.
 TEST(Approaches, NotWhereTheContactHits) {
   const auto motion = sampled([](double t) { return 0.8 * std::cos(2 * t) + 0.4 * std::cos(t); },
                               [](double t) { return -1.6 * std::sin(2 * t) - 0.4 * std::sin(t); });
   double touch = 0;
-  for (int i = 0; i < 50; ++i)  // 0.8 cos(2 t) + 0.4 cos(t) = 1
+  for (int i = 0; i < 50; ++i)  // solution of 0.8 cos(2 t) + 0.4 cos(t) = 1
     touch -= (0.8 * std::cos(2 * touch) + 0.4 * std::cos(touch) - 1) /
              (touch == 0 ? -1.0 : -1.6 * std::sin(2 * touch) - 0.4 * std::sin(touch));
   const std::vector<integrate::run::ModeSwitch> switches{
@@ -153,7 +153,7 @@ TEST(Approaches, NotWhereTheContactHits) {
   EXPECT_NEAR(found[0].distance, 1 - 0.4, 1e-6);
 }
 
-/// Where the orbit is not known to close, nothing is said of the way from the last sample to the first.
+/// If it is not known that the orbit closes, the interval from the last sample to the first is ignored.
 TEST(Approaches, OfAnOrbitThatDoesNotCloseAtItsSamples) {
   SampledOrbit motion = sampled([](double t) { return 0.7 * std::cos(t + 0.01); },
                                 [](double t) { return -0.7 * std::sin(t + 0.01); });

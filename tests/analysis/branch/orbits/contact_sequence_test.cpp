@@ -10,7 +10,8 @@ namespace {
 
 using integrate::run::ModeSwitch;
 
-/// Changes along a word such as "ocsro" (open, clamped, sprung, released), 0.1 rad apart from `phase_rad` on.
+/// Mode changes along a word such as "ocsro" (open, clamped, sprung, released), 0.1 rad apart, beginning at
+/// `phase_rad`.
 std::vector<ModeSwitch> changes(std::string_view word, double phase_rad = 0, int contact = 0) {
   const auto mode = [](char letter) {
     return letter == 'o'   ? contact::Mode::open
@@ -36,8 +37,7 @@ TEST(ContactSequenceSame, WhereverTheOrbitBegins) {
   EXPECT_FALSE(same_sequence(changes("ocsro"), {}));
 }
 
-/// Only the order of changes at one contact counts: two stops touch one after the other or the other way
-/// round.
+/// Only the order of changes at the same contact counts: two stops may touch in either order.
 TEST(ContactSequenceSame, ContactByContact) {
   EXPECT_TRUE(same_sequence(changes("oso", 0, 0) + changes("oso", 1, 1),
                             changes("oso", 0, 1) + changes("oso", 1, 0)));

@@ -23,7 +23,7 @@ TEST(MultipliersMultiplierColumns, WhatIsNotThereIsEmpty) {
   EXPECT_EQ(multiplier_cells(Eigen::VectorXcd::Constant(1, -2)), ",-2,0,,,2");
 }
 
-/// Block diagonal: a rotation by `angle` scaled by `modulus`, and two real multipliers.
+/// Block-diagonal matrix: a rotation by `angle` scaled by `modulus`, and two real multipliers.
 Eigen::MatrixXd blocks(double modulus, double angle, double a, double b) {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4, 4);
   matrix.topLeftCorner(2, 2) << modulus * std::cos(angle), -modulus * std::sin(angle),
@@ -47,8 +47,7 @@ TEST(Multipliers, DoublingTestIsTheDeterminant) {
               1e-13);
 }
 
-/// By the closed form of this matrix: its pair on the unit circle, or its real multipliers with the
-/// product 1.
+/// Closed form of this matrix: a pair on the unit circle, or two real multipliers with the product 1.
 TEST(Multipliers, TorusTestChangesSignAtATorusAndAtANeutralSaddle) {
   const auto sign = [](const Eigen::MatrixXd& m) { return std::signbit(torus_test(multipliers_of(m))); };
   EXPECT_NE(sign(blocks(0.99, 1, -0.5, 0.2)), sign(blocks(1.01, 1, -0.5, 0.2)));

@@ -18,10 +18,9 @@
 namespace rubsweep::branch::orbits {
 namespace {
 
-/// The rotor in a frictionless elastic ring of Zilli, Battelino and Rosero and of Shaw, Champneys and
-/// Friswell, with gyroscopic term: z'' + (2 zeta - i J W) z' + z + beta (r - 1)(z / r) = m eps W^2 e^{i W t}
-/// where r > 1. AUTO users follow its orbits with a contact that is smoothed by tanh 150 (r - 1), which moves
-/// r by less than 1e-4.
+/// The gyroscopic rotor in a frictionless elastic ring of Zilli, Battelino and Rosero and of Shaw, Champneys
+/// and Friswell: z'' + (2 zeta - i J W) z' + z + beta (r - 1)(z / r) = m eps W^2 e^{i W t} for r > 1. In AUTO
+/// its contact is smoothed by tanh 150 (r - 1), which changes r by less than 1e-4.
 std::optional<scene::Scene> ring(double speed) {
   constexpr double damping = 0.01, polar = 0.143, drive = 0.9 * 0.353, beta = 10;
   scene::Scene scene = test::annular_scene(1, damping, speed, drive, 0, beta, 0);
@@ -30,8 +29,7 @@ std::optional<scene::Scene> ring(double speed) {
   return scene;
 }
 
-/// The oval that the ring's rotor settles on at W = 5 from a state of the turning frame, with its rates
-/// there.
+/// The oval on which the ring's rotor settles at W = 5 from a state, with its rates, in the rotating frame.
 std::optional<continuation::BranchPoint> at_five(const OrbitProblem& problem, double u, double v, double du,
                                                  double dv) {
   constexpr double speed = 5;
@@ -50,14 +48,14 @@ OrbitProblem ring_problem(double low = 0, double high = 0) {
   return problem;
 }
 
-/// The stable piece of the branch through an orbit.
+/// The stable part of the branch through an orbit.
 continuation::Branch stable_branch(const OrbitProblem& problem, const continuation::BranchPoint& start) {
   continuation::FollowOptions options;
   options.stop_at_first_change = true;
   return continuation::follow_both_ways(problem, start, options);
 }
 
-/// Largest radius of the orbit at a parameter, on the first piece of the branch that comes by it.
+/// Largest radius of the orbit at a parameter, on the first part of the branch that passes it.
 std::optional<double> radius_at(const OrbitProblem& problem, const continuation::Branch& branch,
                                 double parameter) {
   for (std::size_t i = 1; i < branch.points.size(); ++i) {
@@ -81,8 +79,8 @@ std::optional<continuation::BranchEvent> first_of(const continuation::Branch& br
   return found;
 }
 
-/// Undamped and driven by nothing the rotor moves on an ellipse of 0.8 x 0.5 within the gap of 1, at half the
-/// speed of the shaft, so that it comes near once a turn. The gap of an annular stop counts by squares.
+/// An undamped free rotor moves on an ellipse of 0.8 x 0.5 within the gap of 1, at half the shaft speed, so
+/// it approaches the ring once per turn. The margin of an annular stop uses squared distances.
 TEST(OvalOrbits, ApproachesInFlight) {
   const auto family = [](double speed) -> std::optional<scene::Scene> {
     return test::annular_scene(1, 0, speed, 0, 0, 10, 0);
@@ -94,7 +92,7 @@ TEST(OvalOrbits, ApproachesInFlight) {
   const auto passages = problem.passages(2, state);
   ASSERT_TRUE(passages);
   EXPECT_TRUE(passages->switches.empty());
-  ASSERT_EQ(passages->approaches.size(), 2u);  // the first maximum is the start
+  ASSERT_EQ(passages->approaches.size(), 2u);  // the first maximum is at the start
   for (const int k : {0, 1}) {
     const Approach& approach = passages->approaches.at(static_cast<std::size_t>(k));
     EXPECT_NEAR(approach.distance, (1 - 0.64) / 2, 1e-7);
@@ -130,15 +128,15 @@ TEST(OvalOrbits, DoubleLoopInTheRing) {
   const continuation::Branch branch = stable_branch(problem, *start);
   const auto doubling = first_of(branch, continuation::EventKind::period_doubling, 4.8624);
   ASSERT_TRUE(doubling);
-  // AUTO's 4.8624 is that of the smoothed contact, whose steepness 150 counts here: an integration of the
-  // smoothed equations puts it at 4.86243, and with a steepness of 300 at 4.86203.
+  // AUTO's 4.8624 belongs to the smoothed contact and depends on its steepness 150: integrating the smoothed
+  // equations gives 4.86243, and 4.86203 with a steepness of 300.
   EXPECT_NEAR(doubling->point.parameter, 4.8624, 6e-4);
   for (const auto& [speed, radius] : {std::pair(5.601550, 1.42315), std::pair(6.211858, 1.52799)})
     EXPECT_NEAR(radius_at(problem, branch, speed).value_or(0), radius, 1e-4) << speed;
 }
 
-/// Damping leaves its mark on every orbit: the product of the multipliers is exp(-4 zeta T), the trivial one
-/// being 1; the two zeros stand for the shift and the time.
+/// Damping fixes the product of the multipliers on every orbit: exp(-4 zeta T), where the trivial one is 1.
+/// The two zeros belong to the shift and the time.
 TEST(OvalOrbits, SectionsOfTheDoubledSingleLoop) {
   const auto start = at_five(ring_problem(4.2, 6.3), -0.704301, -0.464544, 2.512046, 1.197679);
   ASSERT_TRUE(start);
@@ -170,7 +168,7 @@ TEST(OvalOrbits, MultipliersOfTheRing) {
   EXPECT_LT(std::abs(start->multipliers(4)), 1e-7);
 }
 
-/// The derivative of the map against differences of the map.
+/// Compares the derivative of the map with differences of the map.
 TEST(OvalOrbits, DerivativeOfTheMap) {
   const OrbitProblem problem = ring_problem();
   const auto start = at_five(problem, -0.704301, -0.464544, 2.512046, 1.197679);
@@ -191,7 +189,8 @@ TEST(OvalOrbits, DerivativeOfTheMap) {
   }
 }
 
-/// An oval of a rotor with friction and a casing: the orbit and the multipliers that a settled run proves.
+/// An oval of a rotor with friction and a casing: orbit and multipliers agree with those proven by a settled
+/// run.
 TEST(OvalOrbits, AgreeWithASettledRun) {
   const scene::Cell cell = response::testing::annular_cell(165, 0.6);
   response::motion::Workspace workspace;

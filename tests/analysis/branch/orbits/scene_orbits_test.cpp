@@ -25,7 +25,7 @@ namespace {
 constexpr double unbalance = 0.3;
 
 /// Full annular rub without friction: ((1 + b - W^2) r - b)^2 + (2 zeta W r)^2 = (e W^2)^2 is a quadratic
-/// equation for W^2 at each radius r. This is its larger root; empty where there is none.
+/// equation for W^2 at each radius r. Returns its smaller or larger root W; empty where there is none.
 std::optional<double> speed_at(double r, bool larger) {
   const double spring = (1 + stiffness) * r - stiffness;
   const double a = r * r - unbalance * unbalance, half_b = -r * spring + 2 * zeta * zeta * r * r,
@@ -35,8 +35,8 @@ std::optional<double> speed_at(double r, bool larger) {
   return std::sqrt((-half_b + (larger ? 1 : -1) * std::sqrt(discriminant)) / a);
 }
 
-/// Largest multiplier over one turn of the circle of radius r: of the motion in the frame that turns with the
-/// shaft, written out by hand for small changes along the radius and across it.
+/// Largest multiplier over one turn on the circle of radius r, from hand-written linearised equations in the
+/// frame that rotates with the shaft; small changes are radial and tangential.
 double modulus_at(double r, double w) {
   Eigen::Matrix4d a;
   a << 0, 0, 1, 0,  //
@@ -55,7 +55,7 @@ TEST(SceneOrbits, FullAnnularRubWithItsFoldAndItsStability) {
       1, {}, modes);
   problem.low = 1;
   problem.high = 4;
-  // A circle to start from, in closed form.
+  // The start is a circle in closed form.
   const double radius = 1.3, speed = speed_at(radius, false).value();
   const std::complex<double> needed((1 + stiffness - speed * speed) * radius - stiffness,
                                     2 * zeta * speed * radius);
@@ -69,7 +69,7 @@ TEST(SceneOrbits, FullAnnularRubWithItsFoldAndItsStability) {
   EXPECT_NEAR(start->facts.amplitude_m, radius, 1e-9);
   const continuation::Branch branch = continuation::follow_both_ways(problem, *start, {});
 
-  // Along the whole branch.
+  // Checks along the whole branch.
   double largest_radius = 0;
   for (const continuation::BranchPoint& point : branch.points) {
     if (!point.facts.touched) continue;
@@ -80,7 +80,7 @@ TEST(SceneOrbits, FullAnnularRubWithItsFoldAndItsStability) {
     EXPECT_NEAR(std::abs(point.multipliers(0)), modulus_at(r, point.parameter), 1e-6) << r;
   }
 
-  // The fold is where the larger root has its maximum or the smaller one, over the radius.
+  // The fold is at the extremum, over the radius, of the larger or the smaller root.
   const auto [turn, negative] = boost::math::tools::brent_find_minima(
       [](double r) { return -speed_at(r, true).value_or(0); }, 1.0001, largest_radius, 50);
   int folds = 0;
@@ -92,10 +92,10 @@ TEST(SceneOrbits, FullAnnularRubWithItsFoldAndItsStability) {
   EXPECT_EQ(folds, 1);
 }
 
-/// The rotor in a frictionless elastic ring of Zilli, Battelino and Rosero and of Shaw, Champneys and
-/// Friswell, with gyroscopic term: z'' + (2 zeta - i J W) z' + z + beta (r - 1)(z / r) = m eps W^2 e^{i W t}
-/// where r > 1. Its quiet circle comes to touch at W = 1.36128 on the upper side of the resonance, by AUTO
-/// and in closed form. It touches all along, and the branch turns back in a corner there.
+/// The gyroscopic rotor in a frictionless elastic ring of Zilli, Battelino and Rosero and of Shaw, Champneys
+/// and Friswell: z'' + (2 zeta - i J W) z' + z + beta (r - 1)(z / r) = m eps W^2 e^{i W t} for r > 1. Its
+/// quiet circle begins to touch at W = 1.36128 above the resonance, according to AUTO and in closed form. It
+/// touches all around, and the branch turns back in a corner there.
 TEST(SceneOrbits, GyroscopicRotorInARingTurnsBackWhereItTouchesAllAlong) {
   constexpr double damping = 0.01, polar = 0.143, drive = 0.9 * 0.353, beta = 10;
   integrate::exact::modes::ModeCache modes;
@@ -124,7 +124,7 @@ TEST(SceneOrbits, GyroscopicRotorInARingTurnsBackWhereItTouchesAllAlong) {
     EXPECT_GE(point.parameter, w - 1e-12);
     EXPECT_EQ(point.facts.touched, point.arclength > graze->point.arclength);
     if (!point.facts.touched) continue;
-    // ((1 + beta - W^2 (1 - J)) r - beta)^2 + (2 zeta W r)^2 = (m eps W^2)^2 of full annular rub
+    // Full annular rub satisfies ((1 + beta - W^2 (1 - J)) r - beta)^2 + (2 zeta W r)^2 = (m eps W^2)^2.
     const double r = point.facts.amplitude_m, at = point.parameter;
     EXPECT_NEAR(std::hypot((1 + beta - at * at * (1 - polar)) * r - beta, 2 * damping * at * r),
                 drive * at * at, 1e-8);
@@ -145,9 +145,9 @@ TEST(SceneOrbits, ImpulsesThatDifferFromTurnToTurnHaveNoOrbits) {
   EXPECT_THROW(continuation::orbit_from(problem, Eigen::VectorXd::Zero(4), 1.2), ConfigError);
 }
 
-/// A short stiff rotor on two equal films that push back alone, by a table: its quiet circle is that of
-/// m z'' + 2 c z' + 2 k z = m_d e w^2 e^{iwt}, and the slope of its radius over the speed has k'(w) and
-/// c'(w).
+/// A short stiff rotor on two equal films without cross stiffness, given by a table. Its quiet circle
+/// satisfies m z'' + 2 c z' + 2 k z = m_d e w^2 e^{iwt}, and the derivative of its radius by the speed
+/// contains k'(w) and c'(w).
 TEST(SceneOrbits, SlopesOverTheSpeedGoThroughTheTableOfASupport) {
   using std::numbers::pi;
   constexpr double eccentricity_m = 1e-4, disc_kg = 0.8, mass_kg = disc_kg + pi / 4 * 0.2 * 0.2 * 0.4;
@@ -186,7 +186,7 @@ TEST(SceneOrbits, SlopesOverTheSpeedGoThroughTheTableOfASupport) {
     const double radius_m = disc_kg * eccentricity_m * w * w / std::abs(stiff);
     const double slope_m_per_hz = radius_m * (4 * pi / w - (stiff_slope / stiff).real());
     EXPECT_NEAR(point->facts.amplitude_m, radius_m, 2e-4 * radius_m) << hz;
-    // At t = 0 the rotor is nearest to the wall, straight above: its height is the radius.
+    // At t = 0 the rotor is closest to the wall, vertically above the centre: its height is the radius.
     const Eigen::RowVectorXd height =
         scene.length_scale_m *
         scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map.row(1);
@@ -196,12 +196,12 @@ TEST(SceneOrbits, SlopesOverTheSpeedGoThroughTheTableOfASupport) {
   }
 }
 
-/// Largest distance from the mean position, and the largest multiplier.
+/// Largest distance from the mean position, and the largest multiplier, of a rub.
 struct Rub {
   double amplitude_m = 0, modulus = 0;
 };
 
-/// Rub of the family at a speed, found from the motion that the cell settles on.
+/// Rub of the family at a speed, found from the motion on which the cell settles.
 Rub rub_at(const std::function<scene::Cell(double)>& cell_at, double hz) {
   response::motion::Workspace workspace;
   const SettledStart settled = settle_on_orbit(cell_at(hz), {}, {}, workspace);
@@ -216,8 +216,8 @@ Rub rub_at(const std::function<scene::Cell(double)>& cell_at, double hz) {
   return {point->facts.amplitude_m, std::abs(point->multipliers(0))};
 }
 
-/// Rubs of one turn and of two at speeds of a table and beside them, in coordinates that serve all speeds,
-/// and with the numbers of each speed typed in, in those of that speed.
+/// Rubs of one and two turns at speeds in a table and between them, once in coordinates common to all speeds,
+/// once with constant supports and the coordinates of each speed.
 TEST(SceneOrbits, RubsFollowTheTableOfASupport) {
   model::Machine machine = scene::table_machine(6);
   model::kit_of(machine)->damping_ratio = {0};
@@ -236,8 +236,8 @@ TEST(SceneOrbits, RubsFollowTheTableOfASupport) {
   }
 }
 
-/// Full annular rub with a load of its own, and so without symmetry, has an image after a turn of the shaft,
-/// but none in the turning frame.
+/// Full annular rub with a static load has no rotational symmetry: it repeats after a turn of the shaft, but
+/// not in the rotating frame.
 TEST(SceneOrbitsClosedOrbits, EachInItsFrame) {
   const SceneFamily family = [](double load) -> std::optional<scene::Scene> {
     scene::Scene scene = test::FullRub{}.scene();

@@ -23,7 +23,7 @@ namespace {
 
 using contact::Mode;
 
-/// A mass of 2 kg on 8 N/m, driven by 3 cos t, at a speed of 1 rad/s, lengths in metres; a wall at 1 m.
+/// A mass of 2 kg on 8 N/m, driven by 3 cos t at a speed of 1 rad/s, with a wall at 1 m; lengths in metres.
 scene::Scene driven_mass(double damping) {
   scene::Scene scene = test::one_mass_scene(2, 8, 0, 2 * std::numbers::pi, 1);
   scene.harmonic_n << 3, 0;
@@ -40,10 +40,10 @@ TEST(ScenePlaneGuardMotionSection, AnOpenContactInClosedForm) {
   EXPECT_NEAR(guard->rate, 0.2, 1e-15);
   EXPECT_NEAR(guard->curvature, (3 - 8 * 0.9) / 2, 1e-9);
   EXPECT_FALSE(
-      guards.at(section, {0, Mode::open, Mode::clamped}));  // the change leads to sprung without a damper
+      guards.at(section, {0, Mode::open, Mode::clamped}));  // the change leads to sprung, without a damper
 }
 
-/// K p + d v over K, its rate by the acceleration of a sprung contact.
+/// The guard is (K p + d v) / K; its rate uses the acceleration of a sprung contact.
 TEST(ScenePlaneGuardMotionSection, AForceThatEndsInUnitsOfLength) {
   SectionGuards guards(driven_mass(5));
   const std::array section{1.2, 0.0, -0.4, 0.0};
@@ -61,12 +61,12 @@ TEST(ScenePlaneGuardMotionBegunAtPhase, TurnsForceAndImpulses) {
   const scene::Scene later = begun_at_phase(scene, std::numbers::pi / 2);
   EXPECT_NEAR(std::abs(later.second_harmonic_n(0) + 2.0), 0, 1e-15);
   EXPECT_NEAR(std::abs(later.harmonic_n(0) - std::complex<double>(0, 3)), 0, 1e-15);
-  // Two impulses a turn, the first one an eighth of a turn after the start: a quarter later it is the next
-  // one.
+  // Two impulses per turn, the first one an eighth of a turn after the start: a quarter turn later, the next
+  // one comes first.
   EXPECT_NEAR(later.impulses[0].phase_periods, 0.75, 1e-15);
 }
 
-/// Example 03 of NLvib with another force.
+/// Example 03 of NLvib with another force amplitude.
 std::optional<scene::Scene> driven(double speed, double force) {
   scene::Scene scene = test::two_mass_scene(speed);
   scene.harmonic_n << 0, force;
@@ -107,7 +107,7 @@ class ScenePlaneTwoMass : public ::testing::Test {
 };
 
 TEST_F(ScenePlaneTwoMass, GrazesWhereTheLinearResponseReachesTheStop) {
-  orbits_.second = {0.005, 0.3};  // down to the resonance
+  orbits_.second = {0.005, 0.3};  // range down to the resonance
   const auto first = start_at(continuation::EventKind::graze, 0),
              second = start_at(continuation::EventKind::graze, 1);
   ASSERT_TRUE(first && second);
@@ -131,8 +131,8 @@ const curves::Meeting* find(const curves::Curve& curve, curves::MeetingKind kind
   return nullptr;
 }
 
-/// The critical multiplier is there all along, with the others the product that damping gives; and the curves
-/// of folds and of doublings agree about the place where they meet.
+/// The critical multiplier is present along the whole curve, and the product of all multipliers follows from
+/// the damping. The curves of folds and of doublings agree about their common point.
 TEST_F(ScenePlaneTwoMass, FoldsAndDoublings) {
   std::vector<PlanePoint> meetings;
   for (const auto& [kind, critical] : {std::pair{continuation::EventKind::fold, 1.0},
@@ -158,7 +158,7 @@ TEST_F(ScenePlaneTwoMass, FoldsAndDoublings) {
   EXPECT_NEAR(meetings[0].second, meetings[1].second, 1e-10);
 }
 
-/// A doubling found again at another force by following the speed there.
+/// A doubling on the curve is found again by following the speed at another force.
 TEST_F(ScenePlaneTwoMass, CurveOfDoublingsAgreesWithABranchAtAnotherForce) {
   const auto start = start_at(continuation::EventKind::period_doubling, 0);
   ASSERT_TRUE(start);
@@ -182,7 +182,7 @@ TEST_F(ScenePlaneTwoMass, CurveOfDoublingsAgreesWithABranchAtAnotherForce) {
   EXPECT_LT(nearest, 1e-10);
 }
 
-/// The torus of the two masses at other forces: the pair on the unit circle has the modulus 1 all along.
+/// Torus bifurcations of the two masses at other forces: the pair stays on the unit circle along the curve.
 TEST_F(ScenePlaneTwoMass, Tori) {
   const auto start = start_at(continuation::EventKind::neimark_sacker, 1);
   ASSERT_TRUE(start);
@@ -207,8 +207,8 @@ std::optional<scene::Scene> annular(double speed, double unbalance) {
   return test::annular_scene(1, zeta, speed, unbalance, 0, stiffness, 0);
 }
 
-/// Full annular rub at the radius r: ((1 + b - w^2) r - b)^2 + (2 zeta w r)^2 = (e w^2)^2, and at a fold the
-/// same once differentiated by r.
+/// Unbalance of a full annular rub with radius r: ((1 + b - w^2) r - b)^2 + (2 zeta w r)^2 = (e w^2)^2. At a
+/// fold its derivative with respect to r is zero.
 double unbalance_of(double r, double w) {
   return std::hypot((1 + stiffness - w * w) * r - stiffness, 2 * zeta * w * r) / (w * w);
 }
@@ -216,8 +216,8 @@ double fold_defect(double r, double w) {
   return ((1 + stiffness - w * w) * r - stiffness) * (1 + stiffness - w * w) + 4 * zeta * zeta * w * w * r;
 }
 
-/// The quiet circle touches a ring about its centre all along where its radius is the clearance: |1 - W^2 +
-/// 2 i zeta W| = e W^2.
+/// The quiet circle touches a concentric ring all around when its radius equals the clearance: |1 - W^2 + 2 i
+/// zeta W| = e W^2.
 TEST(ScenePlane, GrazesOfACircleThatTouchesAllAlong) {
   integrate::exact::modes::ModeCache modes;
   const auto plane = [](double speed, double unbalance) -> std::optional<scene::Scene> {
@@ -257,7 +257,7 @@ TEST(ScenePlane, FoldOfTheFullAnnularRub) {
   PlaneOrbits orbits = scene_plane_orbits(annular, 1, {}, modes);
   orbits.first = {1.3, 3};
   orbits.second = {0.1, 0.8};
-  // A fold in closed form to start from: at w = 2 the radius that makes the defect zero.
+  // Start from a fold in closed form: at w = 2, the radius at which the residual is zero.
   const double w = 2;
   const double a = 1 + stiffness - w * w;
   const double r = stiffness * a / (a * a + 4 * zeta * zeta * w * w);

@@ -11,9 +11,8 @@
 namespace rubsweep::branch::orbits {
 namespace {
 
-/// A cell of set A that settles on every second turn, and the branch of that orbit: closed,
-/// stable between its folds on one side. The folds by a map of 4000 cells along the line lie in the same
-/// intervals.
+/// A cell of parameter set A that settles on a half orbit, and its branch, which is closed and stable between
+/// its folds on one side. In a map of 4000 cells along the line, the folds lie in the same intervals.
 TEST(SettledStart, AHalfOrbitAndItsClosedBranch) {
   response::motion::Workspace workspace;
   test::OneSideRotor rotor;
@@ -43,7 +42,7 @@ TEST(SettledStart, AHalfOrbitAndItsClosedBranch) {
   }
 }
 
-/// Both ways in which an orbit closes.
+/// Tests both ways in which an orbit can close.
 TEST(SettledStart, ACircleAndAnOvalInAnAnnulus) {
   response::motion::Workspace workspace;
   const SettledStart circle = settle_on_orbit(response::testing::annular_cell(80, 0.6), {}, {}, workspace);
@@ -69,15 +68,15 @@ std::optional<Eigen::VectorXd> oval_of(const scene::Cell& cell) {
   response::motion::Workspace workspace;
   response::motion::ResponseOptions options;
   options.max_revolutions = 60;
-  options.window_revolutions = 24;  // a run holds two windows
+  options.window_revolutions = 24;  // a run contains two windows
   const response::SettledRun settled = response::settle(cell, {}, options, workspace);
   const Eigen::Map<const Eigen::VectorXd> section(settled.section.data(),
                                                   static_cast<Eigen::Index>(settled.section.size()));
   return oval_from(cell.scene, section, {}, options, workspace);
 }
 
-/// Its period is that of the comb that a long run shows, see RotatingProof; the state is a maximum of the
-/// distance from the axis.
+/// The period agrees with the comb of a long run, see RotatingProof; the state is at the largest distance
+/// from the axis.
 TEST(SettledStart, OfAnOvalItsFarthestPointAndPeriod) {
   const scene::Cell cell = response::testing::annular_cell(165, 0.6);
   const auto state = oval_of(cell);

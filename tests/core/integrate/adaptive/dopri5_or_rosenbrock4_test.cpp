@@ -1,4 +1,4 @@
-// The choice of Stepper::automatic, in `Dopri5OrRosenbrock4`.
+// Tests the class that chooses the method for Stepper::automatic.
 #include <gtest/gtest.h>
 
 #include <algorithm>

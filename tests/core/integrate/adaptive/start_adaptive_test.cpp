@@ -21,7 +21,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i{0, 1};
 
-/// z = x + iy of the first point after `turns` revolutions, in metres.
+/// Displacement z = x + iy of the first point after `turns` revolutions, in metres.
 Complex displacement_after(const scene::Scene& scene, const run::SolverOptions& options, int turns) {
   const run::Cursor advance = start_adaptive(scene, options);
   run::TurnReport turn;
@@ -33,7 +33,7 @@ std::string stepper_name(const testing::TestParamInfo<run::Stepper>& stepper) {
   return std::string(row_of(stepper.param).word);
 }
 
-/// The same closed forms for every stepper.
+/// Tests of closed-form motions, run with every stepper.
 class StartAdaptiveEveryStepper : public testing::TestWithParam<run::Stepper> {};
 
 INSTANTIATE_TEST_SUITE_P(Adaptive, StartAdaptiveEveryStepper,
@@ -56,7 +56,7 @@ TEST_P(StartAdaptiveEveryStepper, ForcedOscillatorFromRestWithConstantForce) {
   auto scene = test::one_mass_scene(m, k, c, T, 1e-3);
   scene.harmonic_n << force, -i * force;
   scene.constant_n << 0, load;
-  // z = A e^{iwt} + i load / k + homogeneous part that cancels both at t = 0.
+  // z = A e^{iwt} + i load / k + a free vibration that cancels both at t = 0.
   const Complex amplitude = force / Complex(k - m * w * w, c * w), sag = i * load / k;
   const double decay = c / (2 * m), wd = std::sqrt(k / m - decay * decay), t = 3 * T;
   const Complex z0 = -amplitude - sag, v0 = -i * w * amplitude;
@@ -66,7 +66,8 @@ TEST_P(StartAdaptiveEveryStepper, ForcedOscillatorFromRestWithConstantForce) {
   EXPECT_LT(std::abs(displacement_after(scene, with(GetParam(), 1e-9), 3) - z), 1e-7 * scene.length_scale_m);
 }
 
-/// Without damping z = F W / (m (w0^2 - W^2)) (sin W t / W - sin w0 t / w0), W the rate of the half-sine.
+/// Without damping z = F W / (m (w0^2 - W^2)) (sin W t / W - sin w0 t / w0), where W is the angular frequency
+/// of the half-sine.
 TEST_P(StartAdaptiveEveryStepper, AKickOverSeveralTurns) {
   const double m = 1, k = 400, T = 0.25, force = 0.3, duration = 2.4 * T;
   auto scene = test::one_mass_scene(m, k, 0, T, 1e-3);
@@ -89,7 +90,8 @@ TEST_P(StartAdaptiveEveryStepper, GyroscopicTermSplitsTheWhirlSpeeds) {
 }
 
 TEST_P(StartAdaptiveEveryStepper, KickLongerThanATurn) {
-  // x'' + w0^2 x = F sin(pi t / D): x = F/(w0^2 - p^2) (sin p t - p/w0 sin w0 t) while it lasts, then free.
+  // x'' + w0^2 x = F sin(p t), p = pi / D: x = F/(w0^2 - p^2) (sin p t - p/w0 sin w0 t) during the kick, then
+  // free vibration.
   const double w0 = 9, T = 0.3, duration = 1.1, p = std::numbers::pi / duration, force = 0.02;
   auto scene = test::one_mass_scene(1, w0 * w0, 0, T, 1e-3);
   scene.pulses = {{Eigen::Vector2d(1, 0), force, duration}};
@@ -116,8 +118,8 @@ TEST_P(StartAdaptiveEveryStepper, RubbingRunAgreesWithTheLongDoubleReference) {
   EXPECT_EQ(hits, 6);  // the 1/2 subharmonic: one hit every other turn
 }
 
-/// A single elastic shock with closed form, code_aster test SDND101: m = 100 kg, k = 1e4 N/m, wall K = 1e6
-/// N/m without gap, v(0) = 1 m/s into it.
+/// A single elastic shock with a closed form, code_aster test SDND101: m = 100 kg, k = 1e4 N/m, a wall of K =
+/// 1e6 N/m without gap, v(0) = 1 m/s towards the wall.
 TEST_P(StartAdaptiveEveryStepper, SingleElasticShock) {
   auto scene = test::one_mass_scene(100, 1e4, 0, 1, 1e-2);
   scene.contacts.push_back(test::wall_across_x(1, 0, 1e6, 0));
@@ -131,9 +133,9 @@ TEST_P(StartAdaptiveEveryStepper, SingleElasticShock) {
   EXPECT_NEAR(turn.peak_contact_force_n, 1e6 / in_contact, 1e-4 * 9950.37);
   ASSERT_GE(turn.switches.size(), 2u);
   const double seconds = 1 / (2 * pi);
-  EXPECT_EQ(turn.switches[0].from, contact::Mode::sprung);                   // contact from the start
+  EXPECT_EQ(turn.switches[0].from, contact::Mode::sprung);                   // in contact from the start
   EXPECT_NEAR(turn.switches[0].phase_rad * seconds, pi / in_contact, 1e-9);  // 0.03126 s
-  EXPECT_NEAR(turn.switches[1].phase_rad * seconds, pi / in_contact + pi / in_flight, 1e-9);  // back again
+  EXPECT_NEAR(turn.switches[1].phase_rad * seconds, pi / in_contact + pi / in_flight, 1e-9);  // next touch
 }
 
 TEST_P(StartAdaptiveEveryStepper, SamplingDoesNotChangeTheRun) {
@@ -150,7 +152,7 @@ TEST_P(StartAdaptiveEveryStepper, SamplingDoesNotChangeTheRun) {
     ASSERT_EQ(sampled(asked, b), run::Outcome::ok);
     ASSERT_EQ(a.section, b.section);
     EXPECT_TRUE(
-        std::equal(before.begin(), before.end(), b.samples.begin()));  // sample 0 is the previous section
+        std::equal(before.begin(), before.end(), b.samples.begin()));  // sample 0: section at the start
     before = b.section;
   }
 }
@@ -198,7 +200,7 @@ TEST(StartAdaptive, ModesFollowTheRulesAndTheHitIsCountedOnce) {
 }
 
 TEST(StartAdaptive, GrazeIsAHitOnlyWhenThePeakPassesTheWall) {
-  // x = A cos(w0 t) from rest at -A: peak exactly A at half a period, wall at A -+ depth.
+  // x = A cos(w0 t), released at -A: the peak A comes after half a period; the wall stands at A - depth.
   for (const double depth : {-1e-9, 1e-9}) {
     for (const run::Stepper stepper : {run::Stepper::dopri5, run::Stepper::rkf78}) {
       auto scene = test::one_mass_scene(1, 400, 0, 0.25, 1.0);
@@ -241,7 +243,7 @@ TEST(StartAdaptive, StepLimitIsAnOutcome) {
 }
 
 TEST(StartAdaptive, EvaluationsOfATurnAreBoundedWhateverAStepAsksFor) {
-  // An extrapolation asks for dozens of evaluations a step.
+  // One step by extrapolation needs dozens of evaluations.
   run::SolverOptions options = with(run::Stepper::bulirsch_stoer, 1e-13);
   options.max_steps_per_revolution = 20;
   run::TurnReport turn;
@@ -264,7 +266,7 @@ TEST(StartAdaptive, NonFiniteStatesAreAnOutcome) {
 }
 
 TEST(StartAdaptive, RunawayEndsAsAnOutcome) {
-  // Negative damping: e^{1e4 t} leaves the finite numbers within the turn.
+  // Negative damping: e^{1e4 t} overflows within the turn.
   auto scene = test::one_mass_scene(1, 1, -1e4, 1, 1);
   scene.displacement_m << 1, 0;
   run::TurnReport turn;
@@ -273,7 +275,7 @@ TEST(StartAdaptive, RunawayEndsAsAnOutcome) {
 }
 
 TEST(StartAdaptive, EightCoordinatesTakeTheDynamicPath) {
-  // Three stops with casings: the two extra walls are out of reach and must change nothing.
+  // Three stops with casings: the two additional walls are out of reach and must not change anything.
   const test::OneSideRotor rotor;
   model::Machine machine = test::machine_of(rotor);
   model::Stop far = machine.stops[0];

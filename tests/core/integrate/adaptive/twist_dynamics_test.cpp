@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// A disc on a massless shaft that twists against its drive: x, y, angle.
+/// A disc on a massless shaft with a torsional spring to its drive; coordinates x, y, twist angle.
 struct Disc {
   double m = 0.8, k = 0.8 * std::pow(2 * pi * 30, 2), c = 6, J = 2e-5, drive_k = 4, drive_c = 1e-3;
   double e = 8e-4, speed_hz = 50, g = 0;
@@ -62,7 +62,7 @@ void add_stop(scene::Scene& scene, const contact::Wall& wall, double stiffness, 
   scene.twist->contact_radius_m.push_back(radius_m);
 }
 
-/// Displacements and rates in SI after so many turns.
+/// Displacements and velocities in SI units after some turns.
 struct End {
   Eigen::VectorXd q, rate;
 };
@@ -87,9 +87,8 @@ TEST(TwistDynamics, VibratesFreelyAgainstTheDrive) {
   EXPECT_NEAR(after(scene, 3).q(2), expected, 1e-10);
 }
 
-/// The same disc by the place of its mass centre G = z + e e^{i phi}, where nothing couples the
-/// accelerations: m G'' = F - i m g, J phi'' = -k angle - c angle' + (z - G) x F, with F = -k z - c z' at the
-/// shaft.
+/// The same disc in coordinates of its mass centre G = z + e e^{i phi}, which decouple the accelerations: m
+/// G'' = F - i m g, J phi'' = -k angle - c angle' + (z - G) x F, with the shaft force F = -k z - c z'.
 std::array<double, 6> by_mass_centre(const Disc& disc, double end_s) {
   using State = std::array<double, 6>;  // G_x, G_y, phi - w t, and rates
   const auto rate = [&](const State& s, State& ds, double t) {
@@ -118,7 +117,7 @@ TEST(TwistDynamics, OfAnUnbalancedDiscIsThatByItsMassCentre) {
     disc.g = g;
     const auto expected = by_mass_centre(disc, 6 / disc.speed_hz);
     const End end = after(scene_of(disc), 6);
-    const double phi = end.q(2);  // six whole turns leave the twist
+    const double phi = end.q(2);  // six whole turns are left out, so only the twist angle remains
     EXPECT_GT(std::abs(expected[2]), 2e-4) << "a twist that matters";
     EXPECT_NEAR(end.q(2), expected[2], 1e-9);
     EXPECT_NEAR(end.q(0) + disc.e * std::cos(phi), expected[0], 1e-12);
@@ -135,8 +134,8 @@ TEST(TwistDynamics, IsTheSameByEveryStepper) {
     EXPECT_NEAR(after(scene_of(disc), 2, stepper, 1e-9).q(2), expected, 1e-7) << row_of(stepper).word;
 }
 
-/// Whole circle in an annular stop: |(k - m w^2) r + F + i (c w r + mu F)| = m e w^2 with F = K (r - C); the
-/// drive pays for damping and friction, torque = c w r^2 + mu F (R + r), and twists by it.
+/// Circular whirl in an annular stop: |(k - m w^2) r + F + i (c w r + mu F)| = m e w^2 with F = K (r - C).
+/// The drive balances damping and friction with the torque c w r^2 + mu F (R + r), which twists the shaft.
 TEST(TwistDynamics, FullAnnularRubTwistsTheRotorBackByItsTorque) {
   Disc disc;
   disc.speed_hz = 25;
@@ -170,8 +169,8 @@ TEST(TwistDynamics, FullAnnularRubTwistsTheRotorBackByItsTorque) {
   EXPECT_LT(turn.section[2], 0) << "behind its drive";
 }
 
-/// Kinetic energy of the mass centre and of the rotation, springs of shaft, drive and contact: what the drive
-/// puts in at its constant speed, less what dampers and friction take, over turns with hits.
+/// Energy of mass centre, rotation and the springs of shaft, drive and contact. Over turns with impacts it
+/// must equal the work of the drive at constant speed minus the losses in dampers and friction.
 TEST(TwistDynamics, EnergyBalances) {
   Disc disc;
   disc.J = 1e-4;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double later_s = 7e-4, start_s = 1e-4;
 
-/// Unbalance and kick of a cell, both acting.
+/// A cell on which unbalance and kick both act.
 struct Driven {
   scene::Scene scene = test::cell_of({}).scene;
   modes::MachineModes<4> modes{scene};
@@ -28,7 +28,7 @@ struct Driven {
     drives.start(0.4, times, start_s, phasors);
   }
 
-  /// Accelerations of all coordinates, by the scene itself: scaled lengths per s^2.
+  /// Accelerations of all coordinates from the scene's forces, in scaled lengths per s^2.
   Eigen::VectorXd expected(double time_s) const {
     const double phase = 0.4 + scene.speed_rad_per_s * (time_s - start_s);
     Eigen::VectorXd force = (scene.harmonic_n * std::polar(1.0, phase)).real();

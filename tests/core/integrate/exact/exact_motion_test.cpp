@@ -9,7 +9,7 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// In every mode of one stop, with unbalance and a kick that acts; by fixed and by dynamic sizes.
+/// Checks all modes of one stop, with unbalance and an active kick, for fixed and dynamic sizes.
 template <int N>
 void expect_casing_of_the_state() {
   const scene::Scene scene = test::cell_of({}).scene;

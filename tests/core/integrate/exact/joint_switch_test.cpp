@@ -12,7 +12,8 @@ namespace {
 using contact::Mode;
 using State = Eigen::Matrix<double, 8, 1>;
 
-/// Set A with a surface of this speed, at the wall and moving at `closing` clearances per second.
+/// A rotor of parameter set A at the wall; surface speed `surface`, closing speed `closing` clearances per
+/// second.
 struct AtTheWall {
   scene::Scene scene;
   std::shared_ptr<modes::MachineModes<4>> machine;
@@ -48,7 +49,7 @@ TEST(JointSwitchModeBehind, AHitIsClampedAndItsSlipGoesAsItDoesThere) {
   EXPECT_EQ(AtTheWall(-5, 100).behind(0, 0), modes::in_joint_mode(Mode::clamped, 0) + backward);
 }
 
-/// The surface moves forward, but the contact came with a slip that goes backward: it keeps it.
+/// The surface moves forward, but the contact began with a backward slip: it keeps this direction.
 TEST(JointSwitchModeBehind, AContactThatStaysKeepsTheWayOfItsSlip) {
   AtTheWall wall(5, 0);
   wall.here(1) = 1.01;

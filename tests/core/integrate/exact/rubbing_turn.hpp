@@ -11,7 +11,7 @@
 
 namespace rubsweep::integrate::exact {
 
-/// A turn of a scene with contact, well after the kick; by default of parameter set A.
+/// A turn with contact, well after the kick; by default of parameter set A.
 struct RubbingTurn {
   scene::Scene scene;
   modes::ModeCache modes;

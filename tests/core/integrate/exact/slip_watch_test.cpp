@@ -13,7 +13,7 @@ namespace {
 using contact::Mode;
 using State = Eigen::Matrix<double, 8, 1>;
 
-/// Set A in contact by a hundredth of the clearance, with a surface of this speed.
+/// A rotor of parameter set A in contact by a hundredth of the clearance, with this surface speed.
 struct Touching {
   scene::Scene scene = test::cell_of({}).scene;
   std::shared_ptr<modes::MachineModes<4>> machine = std::make_shared<modes::MachineModes<4>>(scene);
@@ -23,7 +23,7 @@ struct Touching {
 
   explicit Touching(double surface_speed_m_per_s) : Touching(with_surface(surface_speed_m_per_s)) {}
   explicit Touching(const scene::Scene& of) : scene(of), watch(scene, machine->friction()) {
-    start << 0.2, 1.01, 0, 0, 100, -50, 1, -2;  // time in seconds
+    start << 0.2, 1.01, 0, 0, 100, -50, 1, -2;  // velocities per second
     motion.set_phases(0);
     EXPECT_TRUE(motion.enter(0, start));
   }
@@ -42,8 +42,8 @@ struct Touching {
   }
 };
 
-/// Friction stays saturated over the longest stretch. Where the slip goes towards the end of saturation, the
-/// stretch is hardly shorter than it must be.
+/// Friction stays saturated over the longest stretch. Where the slip approaches the end of saturation, the
+/// stretch is hardly shorter than necessary.
 TEST(SlipWatch, AStretchKeepsFrictionSaturated) {
   for (const Mode mode : {Mode::clamped, Mode::sprung, Mode::released}) {
     for (const double surface_m_per_s : {0.3, 0.5, 1.0, 5.0, -0.3, -1.0, -5.0}) {
@@ -81,8 +81,8 @@ TEST(SlipWatch, TheGuardIsWhatIsLeftOfTheSlipAndItsRate) {
   }
 }
 
-/// A contact that sticks slips by rounding. Friction that is less as soon as it slips would let it go by
-/// that, and is not saturated there; dry friction, which would hold it again at once, is.
+/// A sticking contact has a slip of rounding size. Static friction would drop at this slip and release the
+/// contact, so it is not saturated. Dry friction would hold the contact again at once, so it is saturated.
 TEST(SlipWatch, ASlipOfRoundingIsNoneWhereFrictionJumps) {
   const auto saturated_at = [](const model::Friction& friction, double slip_m_per_s) {
     scene::Scene scene = Touching::with_surface(0);
@@ -103,7 +103,7 @@ TEST(SlipWatch, ASlipOfRoundingIsNoneWhereFrictionJumps) {
   }
 }
 
-/// The surface of a belt that goes backward takes the rotor with it the other way.
+/// A surface that moves backward drives the rotor in the opposite direction.
 TEST(SlipWatch, TheModeHasTheWayOfTheSlip) {
   Touching forward(5), backward(-5), slow(-0.1);
   ASSERT_TRUE(forward.enter(Mode::sprung));
@@ -112,14 +112,14 @@ TEST(SlipWatch, TheModeHasTheWayOfTheSlip) {
   EXPECT_EQ(backward.motion.joint(),
             modes::in_joint_mode(Mode::sprung, 0) + modes::backward_in_joint_mode(0, 1));
   EXPECT_EQ(modes::modes_of_joint_mode(backward.motion.joint(), 1), forward.motion.joint());
-  // Friction that drives one of them drives the other as much the other way.
+  // Friction has the same magnitude and opposite signs in both cases.
   const auto &there = forward.motion.mode().stiffness, &back = backward.motion.mode().stiffness;
   const auto& open = forward.machine->mode(0)->stiffness;
   const auto& c = forward.machine->system().contacts[0];
   const Eigen::VectorXd along = (there - back) * c.first_row.transpose() / (2 * c.first_row.squaredNorm());
   EXPECT_NEAR((along + 0.1 * c.stiffness * c.second_push).norm(), 0, 1e-9 * along.norm());
   EXPECT_GT((there - open).norm(), 0);
-  // At rest in contact, with a slip of 0.1 m/s and a tanh that is saturated from 0.14 m/s on.
+  // At rest in contact, with a slip of 0.1 m/s; the tanh law saturates at 0.14 m/s.
   slow.start << 0, 1.01, 0, 0, 0, 0, 0, 0;
   EXPECT_FALSE(slow.enter(Mode::sprung));
 }

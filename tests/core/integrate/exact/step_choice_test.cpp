@@ -11,7 +11,7 @@ namespace {
 
 using Motion = ExactMotion<4>;
 
-/// Free of contact, `gap` clearances before the wall and closing.
+/// A rotor in flight, `gap` clearances before the wall and approaching it.
 struct Approach {
   scene::Scene scene;
   std::shared_ptr<modes::MachineModes<4>> plan;
@@ -79,7 +79,7 @@ TEST(StepChoice, OfTwoCrossingsTheOneThatIsCertainlyFirst) {
   }
 }
 
-/// The one that is crossed earlier at the latest may still come second.
+/// The crossing whose latest possible time is earlier may still come second.
 TEST(StepChoice, WhereTwoCrossingsOverlapTheStepEndsBeforeEither) {
   for (const bool one_first : {true, false}) {
     StepChoice choice{.step_s = 10};

@@ -13,20 +13,21 @@ namespace {
 
 constexpr run::StateScale scale_of_sections{.length_m = 1e-3, .speed_rad_per_s = 470};
 
-/// Sections are scaled by the speed.
+/// Converts a flow to the units of a section, whose velocities are scaled by the speed.
 Eigen::MatrixXd as_sections(const Eigen::MatrixXd& flow) {
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(8);
   scale.tail(4).setConstant(scale_of_sections.speed_rad_per_s);
   return scale.cwiseInverse().asDiagonal() * flow * scale.asDiagonal();
 }
 
-/// With sizes that the compiler knows, and without them, where many lie side by side.
+/// Tests with sizes known to the compiler, and with dynamic sizes, where many vectors lie side by side.
 template <class Size>
 class TangentVectorsOf : public testing::Test {};
 using Sizes = testing::Types<std::integral_constant<int, 4>, std::integral_constant<int, Eigen::Dynamic>>;
 TYPED_TEST_SUITE(TangentVectorsOf, Sizes);
 
-/// A flight, then two modes of contact, one of which has no modal form: the product of three exponentials.
+/// A flight, then two contact modes, one of which has no modal form: the result is the product of three
+/// matrix exponentials.
 TYPED_TEST(TangentVectorsOf, FollowEveryModeByItsFlow) {
   modes::MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
   TangentVectors<TypeParam::value> carried;
@@ -59,7 +60,7 @@ TYPED_TEST(TangentVectorsOf, NoneAreCarriedWhereNoneAreAskedFor) {
   EXPECT_EQ(disturbances, Eigen::MatrixXd(Eigen::MatrixXd::Identity(8, 2)));
 }
 
-/// One that joins later goes on from there, and does not come back in the matrix of those at the start.
+/// A vector that joins later moves on from there and is not part of the matrix of the first ones.
 TYPED_TEST(TangentVectorsOf, OneMayJoinOnTheWay) {
   modes::MachineModes<TypeParam::value> plan(test::cell_of({}).scene);
   for (const std::size_t joint : {0u, 3u}) {

@@ -38,7 +38,7 @@ TEST(TangentsOneByOne, MoveByTheFlowOfTheirMode) {
   }
 }
 
-/// A sum over unit vectors has one entry of every row for each.
+/// Product of rows with unit vectors: each sum has one entry per row and vector.
 TEST(TangentsOneByOne, AreSeenByALinearFunction) {
   Eigen::Matrix<double, 4, Eigen::Dynamic> rows = Eigen::MatrixXd::Zero(4, 8);
   rows.col(1) << 1, 2, 3, 0;

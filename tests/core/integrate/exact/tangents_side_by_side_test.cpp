@@ -11,7 +11,7 @@ namespace {
 
 constexpr Eigen::Index states = 8;
 
-/// Both kinds, to which the same is done.
+/// Both implementations, on which the same operations are performed.
 struct Both {
   explicit Both(std::size_t count) { resize(count); }
   void resize(std::size_t count) {
@@ -76,7 +76,7 @@ TEST_P(TangentsSideBySideOfMode, HaveTheBitsOfThoseOneByOne) {
 
 INSTANTIATE_TEST_SUITE_P(OfOneStop, TangentsSideBySideOfMode, testing::Values(0, 1, 2, 3));
 
-/// Also beyond the memory that was there, and after all were dropped.
+/// Vectors keep their values when memory must grow, and after all were removed.
 TEST(TangentsSideBySide, StayWhenOthersJoin) {
   Both both(3);
   for (const std::size_t count : {4u, 9u, 40u}) {

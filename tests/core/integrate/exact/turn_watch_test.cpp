@@ -12,7 +12,7 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// An undamped mass on a spring, three vibrations a turn, that starts one length from its rest.
+/// An undamped mass on a spring with three vibrations per turn, released at a distance of 1 from rest.
 struct Vibration {
   static constexpr double period_s = 6 * std::numbers::pi;
 
@@ -33,7 +33,7 @@ struct Vibration {
     return scene;
   }
 
-  /// One turn in steps of `size_s`.
+  /// Runs one turn in steps of `size_s`.
   run::TurnReport turn(const run::TurnRequest& request, double size_s) {
     run::TurnReport report;
     report.clear();
@@ -64,7 +64,7 @@ TEST(TurnWatch, TakesSamplesThatStepsDoNotEndAt) {
   for (int k = 0; k < samples; ++k) {
     const double angle = Vibration::period_s * k / samples;
     EXPECT_NEAR(report.samples[static_cast<std::size_t>(4 * k)], std::cos(angle), 1e-13) << k;
-    // Velocities are per radian of the turn, of which a second has 1 / 3.
+    // Velocities are per radian of the shaft angle; one second is 1/3 radian.
     EXPECT_NEAR(report.samples[static_cast<std::size_t>(4 * k + 2)], -3 * std::sin(angle), 1e-12) << k;
   }
 }
@@ -78,7 +78,7 @@ TEST(TurnWatch, FindsThePeakWithAndWithoutSamples) {
   }
 }
 
-/// Peaks ask for short steps where no samples are taken between their ends; nothing else does.
+/// Only peaks require short steps, where no samples lie between their ends.
 TEST(TurnWatch, ShortensStepsForPeaksAlone) {
   Vibration vibration;
   run::TurnReport report;

@@ -19,7 +19,7 @@ using test::OneSideState;
 
 constexpr int n = 4;
 
-/// Scaled states around the wall of set A, so that every mode occurs.
+/// Random scaled states around the wall of parameter set A; all modes occur.
 std::vector<double> random_state(std::mt19937& random) {
   std::normal_distribution<double> normal;
   std::vector<double> s(2 * n);
@@ -42,7 +42,7 @@ contact::Mode mode_at(const run::ScaledSystem<n>& system, const std::vector<doub
 
 TEST(Dynamics, EqualTheHandWrittenEquationsInEveryMode) {
   OneSideRotor rotor;
-  rotor.friction_steepness_s_per_m = 0.05;  // so that slip matters
+  rotor.friction_steepness_s_per_m = 0.05;  // flat enough for the slip to matter
   const OneSideEquations<double> equations(rotor);
   const auto scene = test::cell_of(rotor).scene;
   const auto system = run::scale<n>(scene);
@@ -72,7 +72,7 @@ TEST(Dynamics, EqualTheHandWrittenEquationsInEveryMode) {
 }
 
 TEST(Dynamics, FrictionRatioIsTheRateOfTheSlipOverTheFrequencyOfTheContact) {
-  // m v' = -mu'(v) K p (v - v0) beside m p'' = -K p.
+  // Linearised friction m v' = -mu'(v) K p (v - v0), compared with the contact m p'' = -K p.
   const double m = 2, K = 5e4, p = 1e-4, limit = 0.3, steepness = 40, speed = 0.01;
   auto scene = test::one_mass_scene(m, 100, 0, 0.1, 1e-3);
   scene.contacts.push_back(test::wall_across_x(1, 1e-3, K, 10));
@@ -89,7 +89,7 @@ TEST(Dynamics, FrictionRatioIsTheRateOfTheSlipOverTheFrequencyOfTheContact) {
   EXPECT_NEAR(located.friction_ratio(state), expected, 1e-12 * expected);
   const Dynamics<2, true> smoothed(system, 1e-4);
   EXPECT_NEAR(smoothed.friction_ratio(state), expected, 1e-12 * expected);
-  // Friction that falls with the slip drives; it is not stiff.
+  // Friction that decreases with the slip drives the motion, but is not stiff.
   scene.contacts[0].friction = model::StribeckFriction{{0, 0, 0, 0, 0, -0.1}};
   const auto falling = run::scale<2>(scene);
   Dynamics<2, false> driven(falling, 0);
@@ -115,7 +115,7 @@ TEST(Dynamics, DynamicSizeEqualsFixedSize) {
   }
 }
 
-/// Jacobian against central differences of the right-hand side.
+/// Compares the Jacobian with central differences of the right-hand side.
 template <bool Smoothed>
 void check_jacobian() {
   OneSideRotor rotor;

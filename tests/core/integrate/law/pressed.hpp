@@ -8,8 +8,8 @@
 
 namespace rubsweep::test {
 
-/// Unit mass on a unit spring, pressed on a wall across x by the share `pressed` of its clearance; the wall
-/// feels a friction of 0.5. The surface moves at 0.3.
+/// Unit mass on a unit spring that penetrates a wall across x by the share `pressed` of its clearance. The
+/// friction coefficient is 0.5, the surface moves at 0.3.
 struct Pressed {
   explicit Pressed(double y, double y_rate, double pressed = 0.02)
       : scene(with_wall()),

@@ -18,7 +18,7 @@ TEST(SettleSlips, AStateWithASlipSaysWhichWayItGoes) {
 }
 
 TEST(SettleSlips, WhatStandsSticksUntilTheSpringIsStronger) {
-  // Friction up to 0.5 x 100 x 0.02 = 1 against a spring of 1.
+  // Friction of up to 0.5 x 100 x 0.02 = 1 acts against a spring force of 0.9.
   Pressed near(0.9, -0.3);
   EXPECT_EQ(near.entered(), Slip::sticking);
   near.law.loose(near.state, near.rate, 0);

@@ -18,14 +18,14 @@ using std::numbers::pi;
 
 constexpr double mass_kg = 2, stiffness = 800, damping = 3, revolution_s = 0.7, impulse_ns = 0.05;
 
-/// A damped oscillator that is struck along x.
+/// A damped oscillator with impulses along x.
 scene::Scene struck_oscillator(double multiple, double phase_periods) {
   auto scene = test::one_mass_scene(mass_kg, stiffness, damping, revolution_s, 1e-3);
   scene.impulses.push_back({Eigen::Vector2d(impulse_ns, 0), multiple, phase_periods});
   return scene;
 }
 
-/// A rotor that rubs and whose disc is struck, too.
+/// A rubbing rotor whose disc also gets impulses.
 scene::Scene struck_rub(double multiple, double phase_periods) {
   scene::Scene scene = test::cell_of({}).scene;
   Eigen::VectorXd impulse = Eigen::VectorXd::Zero(4);
@@ -34,7 +34,8 @@ scene::Scene struck_rub(double multiple, double phase_periods) {
   return scene;
 }
 
-/// lambda of the oscillator: an impulse J moves it by J / (m Im lambda) Im e^{lambda t}.
+/// Eigenvalue lambda of the oscillator: an impulse J causes the displacement J / (m Im lambda) Im e^{lambda
+/// t}.
 Complex eigenvalue() {
   const double decay = damping / (2 * mass_kg);
   return {-decay, std::sqrt(stiffness / mass_kg - decay * decay)};
@@ -50,7 +51,7 @@ std::vector<double> phases_of(Impulses& impulses, long revolution) {
   return phases;
 }
 
-/// Every impulse up to a phase at once, on the velocities alone and in the unit of the state.
+/// Applies all impulses up to a phase at once; they change only velocities, in units of the state.
 TEST(Impulses, AreTakenUpToAPhase) {
   const scene::Scene scene = struck_oscillator(3.0, 0.1);
   Impulses impulses(scene);
@@ -101,7 +102,7 @@ TEST(Impulses, RepeatToTheLastBitWhereAWholeNumberFitsIntoATurn) {
   EXPECT_FALSE(same_every_turn(scene));
 }
 
-/// After whole turns and at phase 0, by the sum over all impulses so far.
+/// Compares the state after whole turns with the sum of the responses to all earlier impulses.
 void expect_closed_form(const TurnReport& turn, int turns, double multiple, double phase_periods,
                         double bound) {
   const Complex lambda = eigenvalue();
@@ -183,7 +184,7 @@ TEST(Impulses, BothSolversAgreeInContact) {
   }
 }
 
-/// Struck while it touches: the wall's damper sees another speed at once.
+/// An impulse during contact changes the speed, and so the damper force of the wall, at once.
 TEST(Impulses, ThatStrikeInContactChangeItsMode) {
   auto scene = test::one_mass_scene(1, 100, 0, 1, 1);
   scene.displacement_m << 1, 0;

@@ -15,7 +15,7 @@ using Numbers = std::vector<std::size_t>;
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr StateScale seconds{.length_m = 1e-3, .speed_rad_per_s = 1};
 
-/// Pulses along x, given by force, duration and the time since their start.
+/// A scene with pulses along x, each given by force, duration and time since its start.
 scene::Scene scene_with_pulses(const std::vector<std::array<double, 3>>& pulses) {
   scene::Scene scene;
   for (const auto& [force_n, duration_s, elapsed_s] : pulses)
@@ -52,7 +52,7 @@ TEST(PulseTimes, APulseMayLastOverTurnsAndBeginInALaterOne) {
   EXPECT_EQ(pulse.acting(), Numbers{0});
   EXPECT_EQ(pulse.angle_rad(0, 0.25), 0);
   EXPECT_EQ(pulse.elapsed(0), -0.25);
-  EXPECT_FALSE(pulse.begin_turn(2));  // goes on
+  EXPECT_FALSE(pulse.begin_turn(2));  // the pulse continues
   EXPECT_EQ(pulse.acting(), Numbers{0});
   EXPECT_DOUBLE_EQ(pulse.angle_rad(0, 0), pi / 2);
   EXPECT_EQ(pulse.next_change(), 0.75);
@@ -74,7 +74,7 @@ TEST(PulseTimes, OverlappingOnesComeAndGoOneByOne) {
   EXPECT_TRUE(two.acting().empty());
 }
 
-/// One that follows another at once: something changes, though the number that acts does not.
+/// A pulse that begins when another one ends: the force changes although one pulse acts throughout.
 TEST(PulseTimes, TheEndOfOneMayBeTheBeginningOfAnother) {
   PulseTimes two(scene_with_pulses({{5, 0.25, 0}, {5, 0.25, -0.25}}), seconds, 1);
   EXPECT_TRUE(two.begin_turn(0));

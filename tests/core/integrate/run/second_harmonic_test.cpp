@@ -33,7 +33,8 @@ TEST(SecondHarmonic, ItsPartsAddUpToTheForce) {
   }
 }
 
-/// Behind the pulses of the scene, from the first and for ever, with the same angles in every revolution.
+/// The second harmonic follows the scene's pulses, acts from the start without end, and has the same phase in
+/// every revolution.
 TEST(SecondHarmonic, ItActsAlways) {
   scene::Scene scene = scene_with_harmonic(second_n);
   scene.pulses.push_back({Eigen::Vector2d(1, 0), 5, 0.1 * scene.period_s()});

@@ -10,12 +10,12 @@
 namespace rubsweep::integrate::run {
 namespace {
 
-/// A revolution takes 1 s.
+/// A scene in which one revolution takes 1 s.
 scene::Scene one_second_a_turn() { return test::one_mass_scene(1, 1, 0, 1, 1e-3); }
 
 TurnClock clock_of(const scene::Scene& scene) { return TurnClock::in_seconds(scene, state_scale(scene)); }
 
-/// Instants at which a turn has to stop, as an exact run passes them.
+/// Instants at which a turn must stop, in the order in which an exact run reaches them.
 std::vector<double> boundaries(TurnClock& clock, long revolution) {
   std::vector<double> instants;
   clock.begin_turn(revolution);
@@ -34,7 +34,7 @@ TEST(TurnClock, StopsAtImpulsesPulsesAndTheEndOfTheTurn) {
   EXPECT_EQ(boundaries(quiet, 3), std::vector{quiet.period()});
   EXPECT_DOUBLE_EQ(quiet.period(), 1);
 
-  // Two impulses a turn; a kick that begins in the first turn and ends in the second.
+  // Two impulses per turn, and a kick that begins in the first turn and ends in the second.
   scene.impulses.push_back({Eigen::Vector2d(0.5, 0), 2, 0.25});
   scene.pulses.push_back({Eigen::Vector2d(1, 0), 5, 0.75, -0.5});
   TurnClock clock = clock_of(scene);

@@ -18,7 +18,8 @@ const Eigen::Vector2d force{-0.7, 1.9};
 
 run::ScaledContact<4> annular() { return run::scale<4>(set_c_scene(80, 0.6)).contacts[0]; }
 
-/// Projection of `moved` with the force onto the contact, then `moved` as the force pushes it.
+/// `seen`: projection of `moved` onto the contact's directions; `moved` afterwards includes the effect of the
+/// force.
 struct Made {
   Eigen::Vector2d seen;
   Eigen::Vector4d pushed;

@@ -28,8 +28,8 @@ ContactLaw law_with(double damping) {
   return law;
 }
 
-/// Coefficients of the force along a motion that turns about the wall's centre while it goes in and out, and
-/// that is displaced by `at_start` + phase `growing`.
+/// Taylor coefficients of the contact force along a motion around the wall's centre with varying penetration,
+/// displaced by `at_start` + phase * `growing`.
 std::array<Twin, terms> forces(ContactSeries& series, const ContactLaw& law, Mode mode, Twin at_start,
                                Twin growing) {
   series.set_distance(Twin{1.1, -0.4} + at_start);
@@ -43,8 +43,8 @@ std::array<Twin, terms> forces(ContactSeries& series, const ContactLaw& law, Mod
   return force;
 }
 
-/// Displacements that stay and that grow linearly tell A and B apart: (B w)' + A w is B' w + A w of one that
-/// stays.
+/// Constant and linearly growing displacements separate A and B: (B w)' + A w for linear w, minus that for
+/// constant w.
 TEST(ContactJacobian, IsTheDerivativeOfTheForce) {
   constexpr double small = 1e-5;
   for (const double damping : {0.0, 2.0}) {
@@ -83,7 +83,7 @@ TEST(ContactJacobian, IsTheDerivativeOfTheForce) {
   }
 }
 
-/// Terms asked for later are those that would have been made at once.
+/// Terms requested later equal those computed at once.
 TEST(ContactJacobian, GoesOnWhereItWasLeft) {
   ContactSeries series;
   const ContactLaw law = law_with(2);

@@ -15,13 +15,13 @@ using numerics::Twin;
 
 constexpr int tangent_order = 16;
 
-/// Coefficient k of the rates of a motion and of a change of it, which decay as those of a smooth one do.
+/// Taylor coefficient k of the velocity of a smooth motion, or of a change of it.
 Twin motion_rate(int k) {
   return Twin{0.3 * std::cos(1.0 + k), 0.4 * std::sin(0.7 * k)} / std::tgamma(k + 1.0);
 }
 Twin change_rate(int k) { return Twin{std::sin(2.0 + k), std::cos(0.3 + 1.3 * k)} / std::tgamma(k + 1.0); }
 
-/// Coefficients of the force along the motion plus `share` of its change.
+/// Taylor coefficients of the force along the motion plus `share` times its change.
 std::array<Twin, tangent_order> forces(ContactSeries& series, const ContactLaw& law, Mode mode, double slip,
                                        double share) {
   series.set_distance(Twin{1.3, 0.5} + numerics::both(share) * Twin{0.6, -0.8});
@@ -48,7 +48,7 @@ ContactLaw law_of(bool annular, bool varies) {
   return law;
 }
 
-/// Coefficients of the force's change, of the last of `Count` vectors side by side.
+/// Taylor coefficients of the change of force, for the last of `Count` simultaneous vectors.
 template <int Count>
 std::array<Twin, tangent_order - 1> changes(const ContactSeries& series) {
   using Term = typename ContactTangents<Count>::Term;
@@ -69,16 +69,16 @@ std::array<Twin, tangent_order - 1> changes(const ContactSeries& series) {
   return force;
 }
 
-/// Against the difference of two motions, for both walls, modes with and without damper, friction that is
-/// constant and that varies; for a vector alone and for one of several, which share a Jacobian where there is
-/// one.
+/// Compares the change of force with the difference of two motions: for both kinds of wall, modes with and
+/// without damper, and constant and varying friction. One vector alone and one of several are tested; several
+/// share a Jacobian where there is one.
 TEST(ContactTangents, IsTheDifferenceOfTwoMotions) {
   for (const bool annular : {false, true}) {
     for (const Mode mode : {Mode::sprung, Mode::clamped, Mode::released}) {
       for (const bool varies : {false, true}) {
         const ContactLaw law = law_of(annular, varies);
         ContactSeries series;
-        // Only the sign of the sliding speed counts where friction does not vary.
+        // For constant friction only the sign of the sliding speed matters.
         const double slip = varies ? 0.1 : 1;
         constexpr double small = 1e-5;
         const auto later = forces(series, law, mode, slip, small),

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double above = 20;
 
-/// A rotor that rolls inside a ring, expanded where it starts.
+/// A rotor that rolls inside a ring, expanded at its initial state.
 struct Rolling {
   explicit Rolling(double steepness_s_per_m)
       : scene(test::rolling_scene(steepness_s_per_m).scene),
@@ -60,7 +60,7 @@ TEST(CreepChoice, ExpandsAContactThatFrictionHoldsAndNotTheNextOne) {
   EXPECT_GT(rolling.ratio(), above);
 }
 
-/// A piece has to be worth a dozen usual ones; one that is not leaves everything as it was.
+/// A creeping piece must replace a dozen usual ones; otherwise the expansion stays unchanged.
 TEST(CreepChoice, LeavesTheExpansionWhereAPieceIsNotWorthIt) {
   Rolling rolling(1e5);
   const std::vector<double> before = rolling.state;
@@ -80,7 +80,7 @@ TEST(CreepChoice, WaitsForSixPiecesOfSteepFriction) {
   EXPECT_FALSE(choice.due(above));
   EXPECT_TRUE(choice.due(2 * above));
   choice.wait();
-  EXPECT_FALSE(choice.due(0));  // does not count: friction is not steep
+  EXPECT_FALSE(choice.due(0));  // has no effect, because friction is not steep
   for (int piece = 0; piece < 6; ++piece) EXPECT_FALSE(choice.due(2 * above)) << piece;
   EXPECT_TRUE(choice.due(2 * above));
   choice.wait();

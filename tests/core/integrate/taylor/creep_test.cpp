@@ -21,7 +21,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Rolling follows its closed form for friction of any steepness, and no turn is left to a stepper.
+/// Rolling follows its closed form for friction of any steepness, without the help of a stepper.
 TEST(Creep, RollsOnItsClosedForm) {
   for (const double steepness : {1e3, 1e4, 1e5, 1e7}) {
     const test::RollingScene rolling = test::rolling_scene(steepness);
@@ -41,7 +41,7 @@ TEST(Creep, RollsOnItsClosedForm) {
   }
 }
 
-/// A whip in a ring that comes to roll, an unbalance shaking it.
+/// A whip in a ring that changes to rolling, shaken by an unbalance.
 scene::Scene whip_that_rolls(double steepness) {
   scene::Scene scene = test::rolling_scene(steepness).scene;
   scene.contacts[0].friction = model::StribeckFriction{{0.01, steepness, steepness / 30, 0.2, steepness, 0}};
@@ -51,7 +51,7 @@ scene::Scene whip_that_rolls(double steepness) {
   return scene;
 }
 
-/// A driven mass that is pressed on a moving belt: now and then it goes with it, and is let go.
+/// A driven mass pressed onto a moving belt, which carries it along and releases it repeatedly.
 scene::Scene belt(double steepness) {
   scene::Scene scene = test::one_mass_scene(1, 1, 0.1, 4, 1);
   scene.structure.stiffness(0, 0) = 0;
@@ -76,8 +76,8 @@ std::vector<Named> machines(double steepness) {
           {"belt", belt(steepness)}};
 }
 
-/// The same turns by pieces as short as friction is fast, from the same sections: states, samples, peaks,
-/// changes of mode, and tangent vectors.
+/// Compares each turn with short pieces that resolve the fast friction, from the same sections: states,
+/// samples, peaks, mode changes and tangent vectors.
 TEST(Creep, IsTheMotionOfShortPieces) {
   for (const double steepness : {1e3, 1e4}) {
     for (const auto& [name, scene] : machines(steepness)) {
@@ -113,7 +113,7 @@ TEST(Creep, IsTheMotionOfShortPieces) {
   }
 }
 
-/// Another method: rkf78, whose steps friction makes as short.
+/// Compares with another method, rkf78, whose steps are just as short because of friction.
 TEST(Creep, IsTheMotionOfASmallTolerance) {
   for (const auto& [name, scene] : machines(3e3)) {
     run::SolverOptions tight{.method = run::Method::adaptive, .stepper = run::Stepper::rkf78};
@@ -130,7 +130,7 @@ TEST(Creep, IsTheMotionOfASmallTolerance) {
   }
 }
 
-/// As steep as may be, dry friction is what it approaches.
+/// At the largest steepness the motion approaches that with dry friction.
 TEST(Creep, ApproachesDryFriction) {
   scene::Scene dry = belt(1);
   dry.contacts[0].friction = model::ConstantFriction{0.25};

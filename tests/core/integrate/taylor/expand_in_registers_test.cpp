@@ -18,7 +18,7 @@ using contact::Mode;
 const std::vector<double> start_state{1.3, 0.4, 0.1, -0.1, 0.5, -0.9, 0.2, 0.3};
 constexpr double duration = 0.05;
 
-/// An annular and a flat stop, with friction that does not vary and with friction that does.
+/// Scenes with an annular and a flat stop, with constant and with varying friction.
 std::vector<scene::Scene> scenes() {
   std::vector<scene::Scene> all{set_c_scene(80, 0.6), test::cell_of({}).scene};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -30,7 +30,7 @@ std::vector<scene::Scene> scenes() {
   return all;
 }
 
-/// The motion of one step, and what it makes of all directions.
+/// State after one step, and the images of all tangent vectors.
 struct Moved {
   std::vector<double> state = std::vector<double>(8);
   Eigen::MatrixXd tangents = Eigen::MatrixXd::Identity(8, 8);
@@ -55,7 +55,7 @@ Moved step(const run::ScaledSystem<4>& system, const scene::Scene& scene, double
   return moved;
 }
 
-/// Against the path that takes any structure, here the same one as full matrices.
+/// Compares with the general code for any structure, to which the same structure is given as full matrices.
 void expect_agreement(const run::ScaledSystem<4>& system, const scene::Scene& scene,
                       Mode mode = Mode::sprung) {
   run::ScaledSystem<4> full = system;
@@ -67,7 +67,7 @@ void expect_agreement(const run::ScaledSystem<4>& system, const scene::Scene& sc
   EXPECT_GT(largest_difference(here.state, start_state), 0.01);
   const double size = there.tangents.cwiseAbs().maxCoeff();
   EXPECT_LT((here.tangents - there.tangents).cwiseAbs().maxCoeff(), 1e-13 * size);
-  // Several share a Jacobian.
+  // Several vectors share a Jacobian.
   EXPECT_LT((here.alone - here.tangents.col(5)).cwiseAbs().maxCoeff(), 1e-14 * size);
 }
 
@@ -93,7 +93,7 @@ TEST(ExpandInRegisters, AgreesWhereNothingTouches) {
   }
 }
 
-/// Tangent vectors that need not be known to rounding take as many terms as they need.
+/// Tangent vectors with a lower accuracy use only as many terms as they need.
 TEST(ExpandInRegisters, ExpandsTangentsAsFarAsIsAskedFor) {
   for (const scene::Scene& scene : scenes()) {
     const auto system = run::scale<4>(scene);

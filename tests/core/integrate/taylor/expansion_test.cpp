@@ -15,8 +15,8 @@ namespace {
 
 using contact::Mode;
 
-/// Halving the duration of one expansion divides its error by 2^(order + 2) in the displacement, which is one
-/// order ahead of the velocity.
+/// Halving the duration of one expansion divides the error of the displacement by 2^(order + 2): the
+/// displacement is one order more accurate than the velocity.
 TEST(Expansion, ConvergesWithItsOrder) {
   scene::Scene scene = set_c_scene(80, 0.6);
   scene.pulses.clear();

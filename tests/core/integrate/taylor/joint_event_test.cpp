@@ -13,7 +13,7 @@ namespace {
 
 using contact::Mode;
 
-/// A mass that nothing holds, in units of clearances and radians, and two walls before it.
+/// A free mass before two walls, in units of clearances and radians.
 struct Flight {
   scene::Scene scene = two_walls();
   run::ScaledSystem<2> system = run::scale<2>(scene);
@@ -53,7 +53,8 @@ TEST(JointEvent, NoneWithinADurationThatIsTooShort) {
 }
 
 TEST(JointEvent, ASlipThatComesToZeroBeforeTheNextWall) {
-  // 0.2 inside the nearer wall, 0.1 before the other one, to which the spring does not let it come.
+  // The penetration of the near wall is 0.2; the other wall is 0.1 away, and the spring keeps the mass from
+  // it.
   Flight flight;
   flight.dynamics.modes() = {Mode::open, Mode::sprung};
   flight.dynamics.slips() = {contact::Slip::forward, contact::Slip::forward};

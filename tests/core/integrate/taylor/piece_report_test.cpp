@@ -23,8 +23,8 @@ Expansion<2> expanded(const run::ScaledSystem<2>& system, const scene::Scene& sc
   return motion;
 }
 
-/// An undamped rotor on an ellipse is farthest out at the end of its long half-axis, a quarter turn on, and
-/// before that where the step ends.
+/// An undamped rotor on an ellipse is farthest out at the end of the long half-axis, after a quarter turn; in
+/// a shorter step, it is farthest out at the step's end.
 TEST(PieceReport, FindTheLongHalfAxisOfAnEllipse) {
   const scene::Scene scene = test::annular_scene(1, 0, 1, 0, 0, 10, 0);
   const auto system = run::scale<2>(scene);
@@ -38,8 +38,8 @@ TEST(PieceReport, FindTheLongHalfAxisOfAnEllipse) {
               std::hypot(0.3 * std::cos(0.01), 0.9 * std::sin(0.01)), 1e-12);
 }
 
-/// A rotor that goes straight into an undamped stop is pushed back the hardest where it turns round: with
-/// penetration p from zero, p'' + (1 + k_c) p = -1, so that p = -(1 - cos w t) / w^2 + v sin(w t) / w.
+/// A rotor that moves straight into an undamped stop feels the largest force where it reverses. With the
+/// penetration p from zero on, p'' + (1 + k_c) p = -1, so p = -(1 - cos w t) / w^2 + v sin(w t) / w.
 TEST(PieceReport, FindTheForceWhereTheRotorTurnsRound) {
   const double k_c = 10, w = std::sqrt(1 + k_c), v = 0.7;
   const scene::Scene scene = test::annular_scene(1, 0, 1, 0, 0, k_c, 0);

@@ -7,7 +7,7 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Set C of the annulus: circles and ovals that stay in contact.
+/// A scene of parameter set C with an annular stop: circular and oval motions in permanent contact.
 inline scene::Scene set_c_scene(double speed_hz, double whirl_ratio,
                                 std::array<double, 2> offset_m = {0, 0}) {
   test::OneSideRotor rotor;

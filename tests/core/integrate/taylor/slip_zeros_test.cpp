@@ -10,7 +10,7 @@ namespace {
 using contact::Slip;
 using test::Pressed;
 
-/// Zeros after the forward slip of the contact has come to zero.
+/// Zeros of the slip after the contact's forward slip has become zero.
 SlipZeros stopped(Pressed& pressed) {
   pressed.law.slips()[0] = Slip::forward;
   SlipZeros zeros(1);
@@ -19,7 +19,8 @@ SlipZeros stopped(Pressed& pressed) {
 }
 
 TEST(SlipZeros, AStoppedContactThatSlipsOnStartsFromOneZero) {
-  // A spring of 1.1 against friction of 1: it slips on, and of its slip the value alone is zero.
+  // A spring force of 1.1 exceeds the friction of 1: it keeps slipping, and only the value of the slip is
+  // zero.
   Pressed pressed(1.1, -0.3);
   SlipZeros zeros = stopped(pressed);
   EXPECT_EQ(pressed.law.slips()[0], Slip::backward);
@@ -36,7 +37,7 @@ TEST(SlipZeros, AStoppedContactThatSticksHasNoRootToPass) {
 }
 
 TEST(SlipZeros, AContactThatIsLetGoStartsFromTwoZeros) {
-  // Friction is at its limit: the slip and its rate are zero.
+  // Friction is at its limit: the slip and its rate are both zero.
   Pressed pressed(1, -0.3);
   pressed.law.slips()[0] = Slip::sticking;
   SlipZeros zeros(1);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int series_order = 24;
 
-/// Coordinate i moves as cos(w t) with w = 1 + i: u_k = w^k / k! times 1, 0, -1, 0.
+/// Coordinate i moves as cos(w t) with w = 1 + i: u_k = w^k / k! times 1, 0, -1, 0 in turn.
 template <int N>
 StateSeries<N> cosines(Eigen::Index coordinates, int up_to = series_order) {
   StateSeries<N> series(coordinates, {.order = up_to});
@@ -52,7 +52,7 @@ TEST(StateSeries, IsTheMotionOfItsCoefficients) {
   expect_cosines<Eigen::Dynamic>(5);
 }
 
-/// A sample does not depend on how many are taken with it.
+/// A sample does not depend on how many samples are evaluated together.
 TEST(StateSeries, GivesTheSameBitsForStatesTogetherAndAlone) {
   const StateSeries<4> series = cosines<4>(4);
   constexpr int count = 8;
@@ -68,12 +68,13 @@ TEST(StateSeries, GivesTheSameBitsForStatesTogetherAndAlone) {
   }
 }
 
-/// For cos(w t) the terms w^k t^k / k! of the last two orders are a few units of rounding there, one of them
-/// is more beyond, and all that are left out add up to less than one.
+/// For cos(w t) the last two terms w^k t^k / k! are a few units of rounding at this duration. Slightly beyond
+/// it one of them is larger, and the sum of all omitted terms is below one unit.
 TEST(StateSeries, ConvergesUpToWhereWhatIsLeftOutIsRounding) {
   const StateSeries<2> series = cosines<2>(2);
   const double longest = series.converged_rad(10);
-  // The fast coordinate's u' has the larger terms, over its largest speed of one or less at the start.
+  // The faster coordinate's u' has larger terms relative to its largest speed, which is at most one at the
+  // start.
   const double last_even = std::pow(2.0, series_order) / std::tgamma(series_order + 1.0),
                last_odd_rate = 2 * std::pow(2.0, series_order - 1) / std::tgamma(series_order);
   const double expected = std::min(std::pow(0x1p-51 / last_even, 1.0 / series_order),
@@ -86,8 +87,8 @@ TEST(StateSeries, ConvergesUpToWhereWhatIsLeftOutIsRounding) {
   EXPECT_LT(2 * left_out, 0x1p-53);
 }
 
-/// For 1 / (1 - t), whose terms fall no faster than its radius of convergence lets them, the remainder is
-/// rounding, too.
+/// For 1 / (1 - t), whose terms decrease only as fast as the radius of convergence allows, the remainder is
+/// also rounding.
 TEST(StateSeries, LeavesOutNoMoreThanRoundingOfASeriesThatEndsLate) {
   StateSeries<2> series(2, {.order = series_order});
   const std::vector<double> start{1, 1, 1, 1};
@@ -103,7 +104,7 @@ TEST(StateSeries, LeavesOutNoMoreThanRoundingOfASeriesThatEndsLate) {
   EXPECT_LT(left_out, 0x1p-53);
 }
 
-/// The last term grows like the duration to its order.
+/// The last term is proportional to the duration to the power of its order.
 TEST(StateSeries, GoesFartherWhereLessAccuracyIsAskedFor) {
   StateSeries<2> rough(2, {.order = series_order, .accuracy = 0x1p-51 * 0x1p24});
   const StateSeries<2> best = cosines<2>(2);

@@ -16,7 +16,7 @@ namespace {
 using contact::Mode;
 
 TEST(StepLength, FastestRateOfAMassBetweenStructureAndWall) {
-  // One radian a second: (4 + 12) N/m on 1 kg, and 2 x 12 N/m where the contact is clamped.
+  // The shaft turns at 1 rad/s; (4 + 12) N/m act on 1 kg, and 2 x 12 N/m where the contact is clamped.
   auto scene = test::one_mass_scene(1, 4, 0, 2 * std::numbers::pi, 1);
   scene.contacts.push_back(test::wall_across_x(1, 1, 12, 0.5));
   const auto system = run::scale<2>(scene);
@@ -38,7 +38,7 @@ TEST(StepLength, WhatTheTangentsOrderLeavesOutOfAnExponentialIsTheAccuracy) {
     const double x = longest_times_fastest_of_tangents(accuracy);
     double term = 1, sum = 1;
     for (int k = 1; k <= TangentExpansion<2>::order; ++k) sum += term *= x / k;
-    // The first term left out is the accuracy, the others add less than a part of it.
+    // The first omitted term equals the accuracy; the others together are smaller.
     EXPECT_GT(std::exp(x) - sum, 0.9 * accuracy - 1e-14);
     EXPECT_LT(std::exp(x) - sum, 1.5 * accuracy + 1e-14);
   }

@@ -11,7 +11,7 @@ TEST(TangentConvergence, TakesTwoSmallTermsInARowOfEachVector) {
   TangentConvergence<2> convergence(1e-3, Sizes(1, 1), Sizes(1, 1));
   const Sizes large(1, 1), first_small(1e-4, 1), both_small(1e-4, 1e-4);
   convergence.add(1, first_small, first_small);
-  convergence.add(2, large, large);  // one in a row is not enough
+  convergence.add(2, large, large);  // a single small term is not enough
   convergence.add(3, first_small, first_small);
   convergence.add(4, first_small, first_small);
   EXPECT_FALSE(convergence.all_converged());
@@ -32,7 +32,7 @@ TEST(TangentConvergence, HeedsDisplacementsAndRates) {
   EXPECT_FALSE(convergence.all_converged());
 }
 
-/// A term is small beside the largest one, wherever that came.
+/// A term is small relative to the largest one, which may be any earlier term.
 TEST(TangentConvergence, MeasuresByTheLargestTerm) {
   TangentConvergence<2> convergence(1e-3, Sizes(1, 1), Sizes(1, 1));
   convergence.add(1, Sizes(100, 1), Sizes(100, 1));

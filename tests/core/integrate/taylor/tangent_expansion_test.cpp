@@ -52,7 +52,7 @@ TEST(TangentExpansion, MovesAsTheVariationalEquations) {
     ASSERT_TRUE(turn.tangent_vectors.get());
     const Eigen::MatrixXd all = *turn.tangent_vectors.get();
     EXPECT_LT((all - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
-    // One direction alone goes by the recurrences themselves, several by the Jacobian that they share.
+    // A single direction uses the recurrences themselves; several use a shared Jacobian.
     TaylorRun<4> again(scene, {});
     ASSERT_EQ(again.advance({.tangent_vectors = Eigen::VectorXd::Unit(8, 5)}, turn), run::Outcome::ok);
     ASSERT_TRUE(turn.tangent_vectors.get());
@@ -69,8 +69,8 @@ TEST(TangentExpansion, MovesAsTheVariationalEquations) {
   EXPECT_LT((*a.tangent_vectors.get() - *b.tangent_vectors.get()).cwiseAbs().maxCoeff(), 1e-11);
 }
 
-/// The circle of a full annular rub is a slow motion, whose series reaches far; what a disturbance of it
-/// excites is the fast ringing of the contact, which must limit the step, too.
+/// The circle of a full annular rub is a slow motion with a long series. A disturbance of it excites the fast
+/// vibration of the contact, which must limit the step as well.
 TEST(TangentExpansion, FollowsWhatTheMotionDoesNotExcite) {
   for (const double stiffness : {10.0, 1e3, 1e4}) {
     test::FullRub rub;

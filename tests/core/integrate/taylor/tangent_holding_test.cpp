@@ -34,7 +34,7 @@ struct Sticking {
   run::ScaledSystem<2> system;
 };
 
-/// Coefficients of the friction that holds the rotor from `state` on.
+/// Taylor coefficients of the friction that holds the rotor, starting from `state`.
 std::array<double, holding_order> holding(const Sticking& rotor, const State& state) {
   Expansion<2> motion(rotor.system, {.order = holding_order});
   rotor.expand(motion, state);
@@ -44,7 +44,7 @@ std::array<double, holding_order> holding(const Sticking& rotor, const State& st
   return force;
 }
 
-/// The same of a small change of that motion, expanded as simply as can be.
+/// The same coefficients for a small change of that motion, by the simplest expansion.
 std::array<double, holding_order> change_of_holding(const Sticking& rotor, const State& state,
                                                     const State& change) {
   Expansion<2> motion(rotor.system, {.order = holding_order + 1});
@@ -68,13 +68,13 @@ std::array<double, holding_order> change_of_holding(const Sticking& rotor, const
   return force;
 }
 
-/// The sliding speed must not change with the vector: where a contact sticks, it is what it is.
+/// The sliding speed must be the same for all vectors, because a sticking contact prescribes it.
 TEST(TangentHolding, IsTheDifferenceOfTwoMotions) {
   for (const bool annular : {false, true}) {
     const Sticking rotor(annular);
     const double radius = 1.2, inward = -0.4, sliding = annular ? 0.5 : 0.2;
     const Eigen::Rotation2D<double> to_rotor(angle_rad);
-    // Along the normal and the tangent. Of d1 d2' - d2 d1' = sliding |d| with d = (radius, 0).
+    // Components along normal and tangent: d1 d2' - d2 d1' = sliding |d| with d = (radius, 0).
     const Eigen::Vector2d moved(0.7, -0.6), speed(0.9, annular ? moved(1) * inward / radius : 0);
     State state, change;
     state << to_rotor * Eigen::Vector2d(radius, 0), to_rotor * Eigen::Vector2d(inward, sliding);

@@ -44,8 +44,8 @@ struct Agreement {
   double contact_turns = 0;
 };
 
-/// Turn after turn from the sections of the Taylor run, so that chaos has one turn to part the two.
-/// `other` starts at revolution 0 each time: the scene has no kick and no impulses.
+/// Starts every turn from the sections of the Taylor run, so that chaos separates the two solvers for one
+/// turn only. `other` starts at revolution 0 each time, because the scene has no kick and no impulses.
 template <int N>
 Agreement compare(scene::Scene scene, const run::Run& other, int turns) {
   scene.pulses.clear();
@@ -84,19 +84,19 @@ Agreement compare(scene::Scene scene, const run::Run& other, int turns) {
   return all;
 }
 
-/// Peaks are looked for between states by cubics, in each solver at distances of its own.
+/// Peaks between states are found by cubics; the two solvers have different distances between states.
 void expect_small(const Agreement& all, double tolerance, const char* name, double peaks = 5e-6) {
   EXPECT_LT(all.section, tolerance) << name;
   EXPECT_LT(all.samples, tolerance) << name;
   EXPECT_LT(all.fraction, tolerance) << name;
   EXPECT_LT(all.phase, 10 * tolerance) << name;
   EXPECT_LT(all.displacement, peaks) << name;
-  // The steps of rkf78 are long against a casing's vibration.
+  // Steps of rkf78 are long compared with a casing's vibration.
   EXPECT_LT(all.casing, 10 * peaks) << name;
   EXPECT_LT(all.force, 1e-5) << name;
 }
 
-/// Between flat stops the exact solver knows better than any stepper.
+/// Between flat stops the exact solver is more accurate than any stepper.
 TEST(TaylorRun, AgreesWithTheExactSolverBetweenFlatStops) {
   exact::modes::ModeCache modes;
   for (const auto& [speed_hz, ratio] : {std::pair{75.0, 0.4}, std::pair{110.0, 0.7}, std::pair{60.0, 0.9}}) {
@@ -170,7 +170,7 @@ TEST(TaylorRun, AgreesWithRkf78InAnnularStops) {
 TEST(TaylorRun, AgreesWithRkf78WhereFrictionVariesAndReverses) {
   exact::modes::ModeCache modes;
   for (const double steepness : {30.0, 300.0}) {
-    // A screw against a thin shaft: the slip reverses in every turn.
+    // A screw touches a thin shaft: the slip reverses in every turn.
     test::OneSideRotor rotor;
     rotor.contact_radius_m = 5e-4;
     rotor.friction_steepness_s_per_m = steepness;
@@ -194,7 +194,7 @@ TEST(TaylorRun, AgreesWithRkf78WhereFrictionVariesAndReverses) {
   }
 }
 
-/// An annular stop and two flat ones reach into one another's way.
+/// An annular stop and two flat ones with overlapping ranges.
 TEST(TaylorRun, TakesStopsOfBothKindsTogether) {
   exact::modes::ModeCache modes;
   scene::Scene scene = test::annular_scene(1, 0.02, 1.7, 0.5, 0, 60, 0.1);
@@ -223,8 +223,8 @@ TEST(TaylorRun, StaysOnTheClosedFormsOfFullRubAndDryWhip) {
       EXPECT_NEAR(std::hypot(turn.samples[4 * j], turn.samples[4 * j + 1]), rub.radius, 1e-13);
     EXPECT_NEAR(turn.peak_contact_force_n, rub.k_c * (rub.radius - 1), 1e-11);
   }
-  // Dry whip, from which a disturbance grows here. Without unbalance: w = zeta/mu + sqrt((zeta/mu)^2 + 1), r
-  // = 1 / (1 - 2 zeta w / (mu b)).
+  // Dry whip, an unstable motion here. Without unbalance: w = zeta/mu + sqrt((zeta/mu)^2 + 1), r = 1 / (1 - 2
+  // zeta w / (mu b)).
   const double zeta = 0.05, mu = 0.2, b = 20;
   const double w = zeta / mu + std::sqrt(zeta * zeta / (mu * mu) + 1);
   const double radius = 1 / (1 - 2 * zeta * w / (mu * b));
@@ -252,8 +252,8 @@ TEST(TaylorRun, RollsBackwardOnItsClosedForm) {
   }
 }
 
-/// Elastic stops without damping, friction and unbalance: the energy of rotor, casing and contact springs
-/// stays.
+/// Elastic stops without damping, friction and unbalance conserve the energy of rotor, casing and contact
+/// springs.
 TEST(TaylorRun, KeepsTheEnergyOfAConservativeScene) {
   scene::Scene scene = set_c_scene(80, 0.6, {1e-4, -2e-4});
   scene.pulses.clear();
@@ -307,7 +307,8 @@ TEST(TaylorRun, NeedsFewerStepsAtHigherOrderForTheSameMotion) {
   }
 }
 
-/// An undriven rotor goes round an ellipse whose long half-axis passes the wall by `excess`, or fails to.
+/// A freely vibrating rotor moves on an ellipse whose long half-axis exceeds the wall's distance by `excess`,
+/// which may be negative.
 TEST(TaylorRun, SeesAGrazeAsShallowAsRounding) {
   for (const bool annular : {false, true}) {
     for (const double excess : {1e-6, 1e-9, 1e-12, 1e-13}) {
@@ -327,8 +328,8 @@ TEST(TaylorRun, SeesAGrazeAsShallowAsRounding) {
   }
 }
 
-/// Value of every armed guard at many states of a turn, by the modes that the run says it was in: none may be
-/// past zero.
+/// Largest value of all armed guards at many states of a turn, in the modes that the run reports: none may be
+/// positive.
 double worst_guard(const scene::Scene& scene, const std::vector<Mode>& modes_at_start,
                    const run::TurnReport& turn) {
   const auto system = run::scale<Eigen::Dynamic>(scene);
@@ -358,7 +359,7 @@ double worst_guard(const scene::Scene& scene, const std::vector<Mode>& modes_at_
   return worst;
 }
 
-/// Some ten steps a turn: more than a thousand points in each.
+/// About ten steps per turn with many points in each: no guard may be passed over.
 TEST(TaylorRun, PassesOverNoGuardThatFiveThousandPointsATurnSee) {
   int hits = 0;
   for (const auto& [speed_hz, ratio] :
@@ -392,7 +393,7 @@ TEST(TaylorRun, StopsAtImpulsesAndWherePulsesBeginAndEnd) {
   scene::Scene scene = test::cell_of({}).scene;
   scene.impulses.push_back({Eigen::Vector4d(0.02, 0.01, 0, 0), 3.1, 0.3});
   scene.pulses.at(0).duration_s = 0.02;
-  // One more that begins in the first kick and ends in the third turn.
+  // A second pulse that begins during the first kick and ends in the third turn.
   scene.pulses.push_back(scene.pulses.at(0));
   scene.pulses.at(1).elapsed_s = -0.011;
   scene.pulses.at(1).force_n *= -0.4;

@@ -6,7 +6,7 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// The contact with its two directions `angle_rad` further.
+/// The contact with its two directions rotated by `angle_rad`.
 inline run::ScaledContact<4> turned(run::ScaledContact<4> contact, double angle_rad) {
   const double cosine = std::cos(angle_rad), sine = std::sin(angle_rad);
   const auto turn = [&](auto& first, auto& second) {

@@ -21,7 +21,8 @@ TEST(Eigenvalues, OfADampedOscillatorAreItsRates) {
 }
 
 TEST(Eigenvalues, DoNotDependOnTheUnitOfTime) {
-  // An undamped structure and its contact; in a unit of 2^-order seconds its rates are 2^order times as many.
+  // An undamped structure with its contact; in time units of 2^-order seconds its eigenvalues are 2^order
+  // times smaller.
   const Eigen::Matrix2d stiffness{{4e8, -3e8}, {-5e8, 9e8}};
   const auto in_unit = [&](int order) {
     Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(4, 4);

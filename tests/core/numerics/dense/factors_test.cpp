@@ -26,26 +26,6 @@ TEST(FactorsLu, SolvesRealAndComplexSystems) {
   EXPECT_LE((c * inverse(c) - MatrixXcd::Identity(3, 3)).norm(), 1e-13);
 }
 
-TEST(FactorsLu, ABandedMatrixIsSolvedWithinItsBand) {
-  constexpr Eigen::Index size = 40;
-  for (const Eigen::Index band : {1, 3, 6}) {
-    MatrixXcd a = MatrixXcd::Zero(size, size);
-    for (Eigen::Index row = 0; row < size; ++row) {
-      for (Eigen::Index column = 0; column < size; ++column) {
-        // Small numbers on the diagonal: without pivots no digit is left.
-        const double number = std::sin(static_cast<double>(7 * row + 3 * column * column));
-        if (std::abs(row - column) <= band)
-          a(row, column) = (row == column ? 1e-14 : 1.0) * (number + i / 3.0);
-      }
-    }
-    MatrixXcd b = MatrixXcd::Zero(size, 2);
-    b(0, 0) = 1, b(size - 1, 1) = i;
-    const MatrixXcd x = solve_banded(a, b, band);
-    EXPECT_LE((a * x - b).norm(), 1e-11 * (1 + x.norm())) << band;
-    EXPECT_LE((x - solve(a, b)).norm(), 1e-10 * x.norm()) << band;
-  }
-}
-
 TEST(FactorsLu, ASingularMatrixHasNoFiniteSolution) {
   EXPECT_FALSE(solve(MatrixXd{{1, 2}, {2, 4}}, VectorXd{{1, 1}}).allFinite());
 }
@@ -69,7 +49,7 @@ TEST(FactorsLu, KeptFactorsSolveSeveralSidesAndKnowTheirCondition) {
   const LuFactors factors(a);
   EXPECT_EQ(factors.solve(VectorXd{{1, 2}}), solve(a, VectorXd{{1, 2}}));
   EXPECT_LE((a * factors.solve(MatrixXd(MatrixXd::Identity(2, 2))) - MatrixXd::Identity(2, 2)).norm(), 1e-15);
-  // 1-norms: 6 of the matrix, 0.5 of its inverse.
+  // The 1-norm is 6 for the matrix and 0.5 for its inverse.
   EXPECT_NEAR(factors.reciprocal_condition(), 1 / (6 * 0.5), 1e-12);
 }
 
@@ -99,7 +79,7 @@ TEST(FactorsSymmetric, SolveIndefiniteMatricesToo) {
 }
 
 TEST(FactorsLeastNorm, OfManySolutionsTheShortestIsTaken) {
-  // x + y = 2 twice: (1, 1) is nearest to the origin.
+  // x + y = 2 twice: the solution (1, 1) is nearest to the origin.
   const MatrixXd a{{1, 1}, {1, 1}};
   EXPECT_LE((least_norm_solution(a, VectorXd{{2, 2}}) - VectorXd{{1, 1}}).norm(), 1e-15);
   EXPECT_LE((least_norm_solution(a, MatrixXd{{2, 4}, {2, 4}}) - MatrixXd{{1, 2}, {1, 2}}).norm(), 1e-15);
@@ -108,7 +88,7 @@ TEST(FactorsLeastNorm, OfManySolutionsTheShortestIsTaken) {
 }
 
 TEST(FactorsLeastNorm, WhatCannotBeMetIsMissedByTheLeastSquares) {
-  // The mean is nearest to 1, 2 and 6.
+  // The mean has the smallest sum of squared distances from 1, 2 and 6.
   EXPECT_NEAR(least_norm_solution(MatrixXd(MatrixXd::Ones(3, 1)), VectorXd{{1, 2, 6}})(0), 3, 1e-15);
 }
 

@@ -14,7 +14,7 @@
 namespace rubsweep::response::testing {
 namespace {
 
-/// A deterministic number in [-0.5, 0.5) per call.
+/// Generator of deterministic numbers in [-0.5, 0.5).
 auto uniform_noise(unsigned seed) {
   return
       [bits = std::mt19937_64(seed)]() mutable { return static_cast<double>(bits() >> 11) * 0x1p-53 - 0.5; };
@@ -123,7 +123,7 @@ TEST(Classify, BackwardSubharmonicHasANegativeDominantOrder) {
 }
 
 TEST(Classify, UsesTheLastTurnsOfTheWindow) {
-  // Order 7 fits 9 times into 64 turns: the first turn does not count.
+  // Order 7 fits 9 times into 64 turns, so the first turn is not used.
   auto recording = record(subharmonic(7));
   for (std::size_t j = 0; j < per_turn; ++j) recording.displacement_m[j] = 5 * clearance_m;
   recording.section_rows[0] = 5;
@@ -139,7 +139,7 @@ TEST(Classify, ASectionThatReturnsWhileTheSamplesDoNotIsADisagreement) {
   expect_disagreement(recording, 3);
 }
 
-/// Section of a circle of radius 0.9 clearance, samples of the same circle plus one more line.
+/// A circle of radius 0.9 clearance as section and samples; the samples have one more line.
 Recording circle_with_line(double order, double amplitude_m, Complex mean_m = 0) {
   auto recording = record(circle(0.9 * clearance_m));
   recording.displacement_m = sample(
@@ -173,7 +173,8 @@ TEST(Classify, AStaticDeflectionHidesNothing) {
 }
 
 TEST(Classify, BroadbandEnergyDisagreesThoughNoLineIsSignificant) {
-  // White noise of mean square 3e-4 of the circle's: each of 8192 lines is about 2e-4 of the largest.
+  // White noise with 3e-4 of the circle's mean square: each of the 8192 lines has about 2e-4 of the largest
+  // one.
   auto recording = record(circle(0.9 * clearance_m));
   auto random = uniform_noise(7);
   const auto with_noise = [&](double energy) {
@@ -206,7 +207,7 @@ TEST(Classify, QuasiPeriodicMotionIsLeftUndecided) {
   expect_undecided(record([](double turn) {
     return clearance_m * (0.6 * phasor(1, turn) + 0.5 * phasor(1 / std::numbers::phi, turn));
   }));
-  // Even when the second frequency is a near miss: 0.501 drifts by 0.4 degrees per turn against 1/2.
+  // Undecided even for a near miss: a line at order 0.501 drifts by 0.4 degrees per turn relative to 1/2.
   expect_undecided(
       record([](double turn) { return clearance_m * (0.6 * phasor(1, turn) + 0.5 * phasor(0.501, turn)); }));
 }
@@ -222,7 +223,7 @@ TEST(Classify, WhiteNoiseIsLeftUndecided) {
 }
 
 TEST(Classify, ChaoticAmplitudesAreLeftUndecided) {
-  // One amplitude per turn from a chaotic map, joined smoothly within the turn.
+  // One amplitude per turn from a chaotic map, connected smoothly within the turn.
   std::vector<double> logistic = {0.4};
   std::vector<double> henon = {0.1, 0.2};
   for (int k = 0; k < 200; ++k) {

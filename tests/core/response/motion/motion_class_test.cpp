@@ -25,7 +25,7 @@ TEST(MotionClasses, WhatRubsAndWhatRepeats) {
   EXPECT_FALSE(row_of(MotionClass::non_contact).rubs);
   EXPECT_TRUE(row_of(MotionClass::subharmonic).rubs);
   EXPECT_FALSE(row_of(MotionClass::failed).rubs);
-  // A motion at rest, or that returns after whole turns, measures the same whenever one looks.
+  // A motion at rest, or one that repeats after whole turns, has the same measures at all times.
   for (const MotionClass motion_class : motion_classes) {
     const bool expected =
         motion_class == MotionClass::non_contact || motion_class == MotionClass::synchronous ||

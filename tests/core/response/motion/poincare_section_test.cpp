@@ -15,7 +15,7 @@ namespace {
 constexpr int states = 3;
 constexpr int turns = 64;
 
-/// Rows that repeat after exactly n turns and no fewer: the first state steps through 0.1, 0.2, ... 0.1 n.
+/// Rows that repeat after exactly n turns: the first state takes the values 0.1, 0.2, ... 0.1 n.
 std::vector<double> periodic_rows(int n) {
   std::vector<double> rows;
   for (int k = 0; k <= turns; ++k) {
@@ -86,7 +86,7 @@ TEST(PoincareSection, RowsBeforeTheWindowOfTheOrderDoNotCount) {
 }
 
 TEST(PoincareSection, ATransientThatOnlyAShorterWindowMissesGivesNoPeriod) {
-  // Synchronous but for its first row: order 3 looks at 63 turns only and would return.
+  // Synchronous except for its first row: order 3 uses only 63 turns and would be accepted.
   auto synchronous = periodic_rows(1);
   at(synchronous, 0, 0) += 1e-3;
   EXPECT_FALSE(period_of_section(synchronous, states, 12));
@@ -123,14 +123,14 @@ TEST(PoincareSection, RefusesRowsThatHaveNoShape) {
 TEST(PoincareSectionReturns, AfterItsOrderOnceEveryNumberIsWithinTheTolerance) {
   SectionReturns returns(2);
   EXPECT_FALSE(returns.returned({1, 5}));
-  EXPECT_FALSE(returns.returned({1, 5}));  // the section of one turn ago
+  EXPECT_FALSE(returns.returned({1, 5}));  // the section one turn earlier
   EXPECT_FALSE(returns.returned({1, 5 + 2 * section_tolerance}));
   EXPECT_TRUE(returns.returned({1 - section_tolerance / 2, 5}));
   EXPECT_FALSE(returns.returned({2, 5 + 2 * section_tolerance}));
 }
 
-/// Rows that come to repeat after n turns, where a disturbance of the size `distance` is left at the start
-/// and turns by `angle` (of a circle) and shrinks by `factor` in every period.
+/// Rows that settle on a motion of n turns. The disturbance has the size `distance` at the start; in every
+/// period it rotates by `angle` (as a fraction of a circle) and shrinks by `factor`.
 std::vector<double> settling_rows(int n, double distance, double angle, double factor) {
   std::vector<double> rows = periodic_rows(n);
   for (int k = 0; k <= turns; ++k) {
@@ -142,8 +142,8 @@ std::vector<double> settling_rows(int n, double distance, double angle, double f
   return rows;
 }
 
-/// A multiplier near -1 makes the return after two periods far closer than that after one: 1 - m^2 against
-/// 1 - m. So do multipliers near other roots of unity after more periods.
+/// A multiplier m near -1 makes the return after two periods much closer than that after one: 1 - m^2
+/// compared with 1 - m. Multipliers near other roots of unity do the same after more periods.
 TEST(PoincareSection, ASlowApproachIsOfTheOrderThatItApproaches) {
   for (const auto& [n, multiple, left] : {std::tuple{4, 2, 0.3},
                                           {4, 2, 0.8},
@@ -164,7 +164,7 @@ TEST(PoincareSection, ASlowApproachIsOfTheOrderThatItApproaches) {
 
 TEST(PoincareSection, AnOrderOfItsOwnThatSettlesStaysWhatItIs) {
   for (const double factor : {0.2, 0.5, 0.9, 0.99}) {
-    // The orbit of 8 turns differs from one of 4 by 3e-5, and its distance from there shrinks as it settles.
+    // The orbit of 8 turns differs from one of 4 turns by 3e-5, while the transient decays.
     auto rows = settling_rows(4, 5e-6, 0.5, std::pow(factor, 4.0 / turns));
     for (int k = 0; k <= turns; ++k) at(rows, k, 1) += k / 4 % 2 == 0 ? 3e-5 : -3e-5;
     const auto period = period_of_section(rows, states, 12);

@@ -46,11 +46,11 @@ TEST(Record, HoldsTwoWindowsOfEqualLength) {
   ASSERT_EQ(older.displacement_m.size(), 12u);
   ASSERT_EQ(newer.displacement_m.size(), 12u);
   ASSERT_EQ(record.displacement_m().size(), 24u);
-  // x and y in metres: states are in units of the clearance.
+  // x and y are in metres, whereas states are in units of the clearance.
   EXPECT_DOUBLE_EQ(older.displacement_m[0].real(), 2e-3 * 10);
   EXPECT_DOUBLE_EQ(older.displacement_m[11].imag(), 2e-3 * 330);
   EXPECT_DOUBLE_EQ(newer.displacement_m[0].real(), 2e-3 * 40);
-  // Sections 0 to 3 and 3 to 6.
+  // Sections 0 to 3, then 3 to 6.
   ASSERT_EQ(older.section.size(), 16u);
   EXPECT_EQ(older.section.front(), 0);
   EXPECT_EQ(older.section.back(), 3000);
@@ -67,7 +67,7 @@ TEST(Record, HoldsTwoWindowsOfEqualLength) {
   EXPECT_EQ(together(newer.contact).peak_contact_force_n, 9);
 }
 
-/// Mass that swings along x from 1e-4 m, a tenth of the clearance, released at rest. Without damping a period
+/// A mass that oscillates along x, released at 1e-4 m, a tenth of the clearance. Without damping one period
 /// takes `period_turns` revolutions.
 scene::Scene swinging(double period_turns, double damping_ratio = 0) {
   const double w = 2 * std::numbers::pi / period_turns;
@@ -109,7 +109,7 @@ TEST(RecordSettled, ADampedMotionReturnsOnceItHasDiedAway) {
   const auto record =
       record_settled(swinging(3, 0.05), {}, modes, {.settling = {.most_turns = 500, .order = 3}});
   ASSERT_TRUE(record);
-  // Displacement in clearances, and its rate per radian of the shaft, from the closed form.
+  // Displacement in clearances, and its derivative per radian of shaft angle, from the closed form.
   const double w = 2 * std::numbers::pi / 3, decay = 0.05 * w, damped = std::sqrt(w * w - decay * decay);
   const auto state = [&](long turns) {
     const auto t = static_cast<double>(turns);
@@ -191,7 +191,7 @@ TEST(RecordSettled, QuietSamplesAreTheClosedForm) {
   const scene::Cell cell = test::cell_of({});
   const auto samples = quiet_samples(cell, 24);
   ASSERT_EQ(samples.size(), 24u);
-  // One mass point whose whirl is a circle about its mean.
+  // A single mass point that whirls on a circle about its mean.
   std::complex<double> mean = 0;
   for (const auto& z : samples) mean += z / 24.0;
   for (const auto& z : samples)

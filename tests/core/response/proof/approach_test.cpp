@@ -26,7 +26,7 @@ double size_in(const MatrixXd& from, const MatrixXd& turn, const MatrixXd& to) {
   return numerics::spectral::singular_values(map).values(0);
 }
 
-/// A focus that decays slowly: the maximum norm of a disturbance halves by turning alone.
+/// A slowly decaying focus: its rotation alone can halve the maximum norm of a disturbance.
 TEST(ApproachAdaptedNorms, ContractWhereTheMaximumNormOnlyTurns) {
   const double shrink = 0.999, angle = 0.7, stretch = 20;
   Matrix2d turn;
@@ -71,8 +71,8 @@ TEST(ApproachAdaptedNorms, NoneOnTheUnitCircleOrOutside) {
 
 using Eigen::VectorXd;
 
-/// Turns of a section of six numbers of which a contact sees the first two: the last two are a vibration of
-/// its own, a slow focus, that the others drive; the two in between decay at once.
+/// Linear maps of a section of six numbers, of which contacts depend on the first two only. The last two are
+/// a slow focus, driven by the others; the middle two decay at once.
 struct Turns {
   std::vector<MatrixXd> list;
   MatrixXd seen = MatrixXd::Zero(2, 6);
@@ -93,7 +93,7 @@ struct Turns {
   }
 };
 
-/// Spectral norm, by the largest eigenvalue of matrix^T matrix.
+/// Spectral norm, from the largest eigenvalue of matrix^T matrix.
 double largest(const MatrixXd& matrix) {
   return std::sqrt(numerics::dense::self_adjoint_eigenvalues(matrix.transpose() * matrix).maxCoeff());
 }
@@ -121,7 +121,7 @@ TEST(ApproachSplitNorms, EveryTurnDrawsBothPartsTogether) {
     const MatrixXd turn = norms->norm[(k + 1) % 3] * turns.list[k] * norms->unit[k];
     EXPECT_LE(largest(turn.topLeftCorner(4, 4)), norms->contraction.fast * (1 + 1e-9));
     EXPECT_LE(largest(turn.bottomRightCorner(2, 2)), norms->contraction.slow * (1 + 1e-9));
-    // Contacts do not see the slow part, and so it drives nothing.
+    // Contacts do not depend on the slow part, so it drives nothing.
     EXPECT_LE(largest(turn.topRightCorner(4, 2)), 1e-10);
   }
 }
@@ -139,7 +139,7 @@ TEST(ApproachSplitNorms, NoneWhereTheUnseenVibrationDecaysAtOnceOrGrows) {
   EXPECT_FALSE(split_norms(growing.list, growing.seen));
 }
 
-/// One wall above: penetration is the rotor's y less the casing's.
+/// For one wall on the upper side, the penetration is y of the rotor minus y of the casing.
 TEST(ApproachSeenByContacts, PenetrationsAndTheirRates) {
   const MatrixXd rows = seen_by_contacts(test::cell_of({}).scene);
   ASSERT_EQ(rows.rows(), 2);
@@ -152,7 +152,7 @@ TEST(ApproachSeenByContacts, PenetrationsAndTheirRates) {
 
 constexpr double shrinks = 0.98;
 
-/// A spiral into the origin, with an edge in its way, below x = -0.03, that leads far away.
+/// A spiral into the origin with an edge at x = -0.03, beyond which it leads far away.
 bool spiral(std::span<double> s, Eigen::MatrixXd* disturbances) {
   constexpr double angle = std::numbers::pi / 3;
   Eigen::Matrix2d turn;
@@ -190,7 +190,7 @@ TEST(ApproachComesNear, FollowsAllTheWay) {
   EXPECT_FALSE(comes_near(spiral, near, at.orbit, at.norms, {1e-4 * distance, 0}, turns(needed - 2)));
 }
 
-/// The distance in x halves after one sixth of a rotation, in which the spiral has shrunk by 2 %.
+/// The distance in x halves after one sixth of a rotation, while the spiral shrinks by only 2 %.
 TEST(ApproachComesNear, ATransientThatMeetsAnEdgeLaterDoesNot) {
   const std::array<double, 2> far{0.04, 0};
   const Found at = orbit_near(far);
@@ -198,7 +198,7 @@ TEST(ApproachComesNear, ATransientThatMeetsAnEdgeLaterDoesNot) {
   EXPECT_FALSE(comes_near(spiral, far, at.orbit, at.norms, {1e-6, 0, true}, no_end));
 }
 
-/// The spiral is linear, so that half of the distance is enough.
+/// The spiral is linear, so half of the distance suffices.
 TEST(ApproachComesNear, HalfWayIsEnoughWhereItIsForetold) {
   const std::array<double, 2> near{0.02, 0};
   const Found at = orbit_near(near);
@@ -211,7 +211,7 @@ TEST(ApproachComesNear, HalfWayIsEnoughWhereItIsForetold) {
   EXPECT_FALSE(comes_near(spiral, near, other, at.norms, {1e-6, 0, true}, turns(half + 1)));
 }
 
-/// Three times as long as the norm promises, and a start.
+/// It tries for three times as long as the norm predicts, plus a minimum number of turns.
 TEST(ApproachComesNear, GivesUpWhatComesNoNearer) {
   const std::array<double, 2> near{0.02, 0};
   const Found at = orbit_near(near);
@@ -224,7 +224,7 @@ TEST(ApproachComesNear, GivesUpWhatComesNoNearer) {
   EXPECT_EQ(made, 64);
 }
 
-/// Two decays at different rates, in norms apart: the slower one decides, unless its ball is large.
+/// Two decays with different rates in separate norms: the slower one decides, unless its ball is large.
 TEST(ApproachComesInside, EitherPartMustBeInItsBall) {
   const TurnMap decay = [](std::span<double> s, Eigen::MatrixXd* disturbances) {
     const Eigen::Vector2d factors(0.5, 0.9);
@@ -271,7 +271,7 @@ TEST(Approach, AsksForReturnsInARowAndForHalfTheDistance) {
   convergence.add_prediction(0, 1, 0.9);
   convergence.add_prediction(0.009, 1, 0.9);
   EXPECT_FALSE(convergence.passed(0.1, 1));
-  convergence.add_prediction(0.011, 1, 0.9);  // more than a tenth of the tenth that a return gains
+  convergence.add_prediction(0.011, 1, 0.9);  // more than 10 % of the 10 % that a return gains
   convergence.add_prediction(0, 1, 0.9);
   convergence.add_prediction(0, 1, 0.9);
   EXPECT_FALSE(convergence.passed(0.1, 1));
@@ -280,8 +280,9 @@ TEST(Approach, AsksForReturnsInARowAndForHalfTheDistance) {
   EXPECT_FALSE(convergence.passed(0.51, 1));
 }
 
-/// The slow direction of an orbit beside a fold, x' = c x - a x^2: the unstable orbit is at -(1 - c) / a.
-/// Follows it from `x`; after how many returns, of `most`, the test is passed, and what is left then.
+/// Slow direction of an orbit near a fold, x' = c x - a x^2, with an unstable orbit at -(1 - c) / a. `follow`
+/// starts at `x`; it returns the number of returns (at most `most`) until the test passes, and the distance
+/// left then.
 struct Fold {
   double contraction = 0.995, bend = 1;
 
@@ -301,26 +302,26 @@ struct Fold {
 
 TEST(Approach, BesideAFoldAGainThatLastsIsEnough) {
   const Fold fold;
-  // From the side that the orbit draws from, long before a tenth of the gain is predicted (below 5e-4).
+  // On the attracting side the test passes long before 10 % of the gain is predicted (below 5e-4).
   const auto [returns, left] = fold.follow(0.1, 2000);
   EXPECT_GT(left, 1e-3);
   EXPECT_GE(returns, 138);  // ln 2 / 0.005
   EXPECT_LT(returns, 145);
-  // From just before the unstable orbit the gain comes late, and so does the word.
+  // Close to the unstable orbit the gain comes late, and the test passes late.
   const auto [later, nearer] = fold.follow(-0.0049, 4000);
   EXPECT_GT(later, 400);
   EXPECT_LT(nearer, 5.1e-4);
-  // And never from behind it.
+  // Beyond the unstable orbit the test never passes.
   EXPECT_EQ(fold.follow(-0.0051, 600).first, 600);
 }
 
-/// Beside a torus bifurcation, z' = z (c + b |z|^2) e^{i (w + t |z|^2)}: the unstable torus is at |z|^2 =
-/// (1 - c) / b, and with the distance changes the angle by which a return turns.
+/// Near a torus bifurcation, z' = z (c + b |z|^2) e^{i (w + t |z|^2)}: the unstable torus is at |z|^2 = (1 -
+/// c) / b, and the rotation angle per return depends on the distance.
 struct Spiral {
   double contraction = 0.995, bend = 0.5, twist = 3;
 
-  /// Follows `most` returns from |z| = `distance`; how many are predicted, and after how many the approach
-  /// is.
+  /// Follows up to `most` returns from |z| = `distance`. Returns how many were predicted, and after how many
+  /// the test passed.
   std::pair<int, int> follow(double distance, int most) const {
     LinearConvergenceTest convergence(3);
     int predicted = 0;
@@ -345,7 +346,7 @@ TEST(Approach, BesideATorusBifurcationATurnedApproachIsOne) {
   EXPECT_EQ(predicted, 0);
   EXPECT_GT(returns, 138);
   EXPECT_LT(returns, 500);
-  // The torus is at 0.1: nothing comes from behind it.
+  // The torus is at |z| = 0.1: the test never passes beyond it.
   EXPECT_EQ(Spiral{}.follow(0.101, 2000), std::pair(0, 2000));
 }
 

@@ -12,7 +12,7 @@
 namespace rubsweep::response::proof {
 namespace {
 
-/// The 1/2 motion of parameter set A at 75 Hz and whirl ratio 0.4.
+/// The 1/2 subharmonic of parameter set A at 75 Hz and whirl ratio 0.4.
 struct HalfMotion {
   scene::Scene scene = after_the_kick(test::cell_of({}).scene);
   integrate::exact::modes::ModeCache modes;
@@ -40,7 +40,7 @@ struct HalfMotion {
     section.assign(orbit.sections[0].begin(), orbit.sections[0].end());
   }
 
-  /// On the rim of the ball of this radius.
+  /// A random state on the boundary of the ball with this radius.
   std::vector<double> on_the_rim(double radius, std::mt19937_64& random) const {
     std::normal_distribution<double> normal;
     Eigen::VectorXd y(orbit.sections[0].size());
@@ -94,7 +94,7 @@ TEST(OrbitBall, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
   }
 }
 
-/// The ball could not be so much larger: a hundred times farther out other modes do occur.
+/// The ball cannot be much larger: at a hundred times its radius other modes occur.
 TEST(OrbitBall, FartherOutOtherModesOccur) {
   HalfMotion motion;
   const auto radius = ball_radius(motion.scene, motion.modes, motion.section, motion.norms);
@@ -109,7 +109,7 @@ TEST(OrbitBall, FartherOutOtherModesOccur) {
   EXPECT_GT(others, 0);
 }
 
-/// A vibration along the wall may fill a ball far larger than that of all directions alike.
+/// A vibration along the wall may use a ball much larger than one that treats all directions alike.
 TEST(OrbitBallSplit, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
   HalfMotion motion;
   const auto norms = split_norms(motion.orbit.transitions, seen_by_contacts(motion.scene));
@@ -153,7 +153,7 @@ TEST(OrbitBallSplit, EveryMotionOnItsRimComesNearerByTheOrbitsOwnModes) {
   }
 }
 
-/// Friction that leaves its saturation ends the slow part's ball as any other.
+/// Friction that leaves saturation limits the ball of the slow part, too.
 TEST(OrbitBallSplit, SlipsMustStaySaturatedForTheSlowPartToo) {
   HalfMotion motion;
   const auto norms = split_norms(motion.orbit.transitions, seen_by_contacts(motion.scene));

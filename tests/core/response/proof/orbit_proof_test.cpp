@@ -1,14 +1,16 @@
+#include "rubsweep/core/response/proof/orbit_proof.hpp"
+
 #include <gtest/gtest.h>
 
 #include "core/scene/one_side_machine.hpp"
 #include "rubsweep/core/integrate/start.hpp"
-#include "rubsweep/core/response/proof/orbit_proof.hpp"
 #include "rubsweep/core/response/settle.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
 
-/// The one-side machine with `count` stops of a share of its stiffness and damping each, on rigid casings.
+/// The one-side machine with its stop divided into `count` equal stops on rigid casings, which share its
+/// stiffness and damping.
 model::Machine shared_by(int count) {
   model::Machine machine = scene::one_side_machine();
   model::Stop stop = machine.stops.front();
@@ -31,7 +33,7 @@ TEST(OrbitProof, MakeOneStopWithTheSumOfTheirForces) {
     ASSERT_EQ(merged.contacts.size(), 1U);
     EXPECT_DOUBLE_EQ(merged.contacts[0].stiffness_n_per_m, one.contacts[0].stiffness_n_per_m);
     EXPECT_DOUBLE_EQ(merged.contacts[0].damping_ns_per_m, one.contacts[0].damping_ns_per_m);
-    // Turn by turn the motion of the two stops is that of the one.
+    // In every turn the motion with several stops equals that with the merged stop.
     integrate::exact::modes::ModeCache modes;
     const auto several = integrate::start(cell_of(shared_by(count)).scene, {}, modes);
     const auto alone = integrate::start(merged, {}, modes);
@@ -58,7 +60,7 @@ TEST(OrbitProof, AnythingThatDiffersKeepsThemApart) {
   EXPECT_EQ(stops_left([](model::Stop& stop) { stop.contact_radius_m *= 2; }), 2U);
   EXPECT_EQ(stops_left([](model::Stop& stop) { stop.casing = scene::one_side_machine().stops[0].casing; }),
             2U);
-  // Twice the stiffness with twice the damping is the same guard.
+  // Twice the stiffness with twice the damping gives the same guard.
   EXPECT_EQ(stops_left([](model::Stop& stop) {
               stop.stiffness_n_per_m *= 2;
               stop.damping = model::ExplicitDamping{600};
@@ -66,7 +68,8 @@ TEST(OrbitProof, AnythingThatDiffersKeepsThemApart) {
             1U);
 }
 
-/// Two guards that are one function of the state cross at one instant, which no tube of motions keeps apart.
+/// Two guards that are the same function of the state cross at the same instant, so no tube of motions can
+/// separate them.
 TEST(OrbitProof, AnOrbitAgainstThemIsProvenAsThatAgainstOne) {
   motion::Workspace workspace;
   for (const int count : {1, 2, 3}) {

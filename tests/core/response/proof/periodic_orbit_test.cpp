@@ -10,7 +10,7 @@
 namespace rubsweep::response::proof {
 namespace {
 
-/// Turns until the search first names a period, and that period.
+/// Number of turns until the search first suggests a period, and that period.
 std::pair<int, int> first_candidate(const std::function<double(int)>& x, bool touched = true) {
   PeriodSearch search(1, 12);
   for (int turn = 0; turn < 300; ++turn) {
@@ -77,7 +77,7 @@ TEST(PeriodicOrbitPeriodSearch, ARotationByTheGoldenAngleComesBackToNoOrder) {
   }
 }
 
-/// The logistic map: orbits and multipliers in closed form.
+/// The logistic map, whose orbits and multipliers have closed forms.
 TurnMap logistic(double r) {
   return [r](std::span<double> s, Eigen::MatrixXd* disturbances) {
     if (disturbances) *disturbances *= r * (1 - 2 * s[0]);
@@ -120,7 +120,7 @@ TEST(PeriodicOrbitFind, AnUnstableOrbitIsNoOrbit) {
   EXPECT_FALSE(find_orbit(logistic(3.3), {&section, 1}, 1));
 }
 
-/// First steps by derivatives that are a little wrong lead to the same orbit, whose own derivative is not.
+/// First steps with slightly wrong derivatives lead to the same orbit; the derivative of the result is exact.
 TEST(PeriodicOrbitFind, GoesByRoughDerivativesUntilItIsNear) {
   const double r = 2.8, error = 1e-6, section = 1 - 1 / r + 1e-2;
   int rough = 0, exact = 0;
@@ -139,7 +139,7 @@ TEST(PeriodicOrbitFind, GoesByRoughDerivativesUntilItIsNear) {
   EXPECT_NEAR(orbit->transitions[0](0, 0), 2 - r, 1e-13);
   EXPECT_EQ(rough, 3);
   EXPECT_EQ(exact, 2);
-  // A transient that is on the orbit has no first steps, but its derivative is no rough one.
+  // A transient that is already on the orbit needs no first steps, but its derivative must be exact, too.
   rough = exact = 0;
   const double there = 1 - 1 / r;
   const auto at_once = find_orbit(turn, roughly, {&there, 1}, 1);
@@ -149,7 +149,7 @@ TEST(PeriodicOrbitFind, GoesByRoughDerivativesUntilItIsNear) {
   EXPECT_EQ(exact, 2);
 }
 
-/// One look from afar, where the slope is clear enough, instead of an iteration down to rounding.
+/// A single evaluation is enough far from an orbit with a steep slope; no iteration down to rounding.
 TEST(PeriodicOrbitFind, GivesUpWhereTheTransientStandsOnASteepSlope) {
   int derivatives = 0;
   const auto counted = [&](double r) {

@@ -17,7 +17,8 @@ TEST(RestProof, QuietMotionRests) {
 }
 
 TEST(RestProof, NeverProvesAFlightThatTouchesLater) {
-  // From random states in flight: whatever is proven is then integrated for 40 turns and must stay open.
+  // From random states in flight: every motion proven contact-free is integrated for 40 turns and must stay
+  // open.
   test::OneSideRotor rotor;
   rotor.kick_n = 0;
   std::mt19937 random(4);
@@ -45,7 +46,7 @@ TEST(RestProof, NeverProvesAFlightThatTouchesLater) {
     touched += touches;
     refused_but_quiet += !proof && !touches;
   }
-  // The bound is close: it refuses few flights that stay open.
+  // The bound is tight: it rejects few flights that stay open.
   EXPECT_GT(proven, 50);
   EXPECT_GT(touched, 50);
   EXPECT_LT(refused_but_quiet, proven / 2);
@@ -63,7 +64,7 @@ TEST(RestProof, GivesUpWhereAModeGrows) {
   EXPECT_FALSE(RestProof(cell).proves(integrate::run::scaled_initial_state(cell.scene)));
   EXPECT_TRUE(RestProof(cell).vibration_grows());
   cell.scene.impulses.push_back({Eigen::Vector4d(1, 0, 0, 0), 3.5, 0});
-  EXPECT_TRUE(RestProof(cell).vibration_grows());  // growth by itself, whatever impulses do
+  EXPECT_TRUE(RestProof(cell).vibration_grows());  // self-excited growth, whatever the impulses are
 }
 
 TEST(RestProof, HoldsThroughCriticalDamping) {
@@ -77,7 +78,7 @@ TEST(RestProof, HoldsThroughCriticalDamping) {
 
 TEST(RestProof, GivesUpOnADefectiveBasis) {
   auto cell = test::cell_of({});
-  // x drives y, which has the same frequency: a resonance that grows for a while.
+  // x drives y at equal frequencies: a resonance that grows for a while.
   cell.scene.structure.stiffness(1, 0) = 0.1 * cell.scene.structure.stiffness(0, 0);
   EXPECT_FALSE(RestProof(cell).proves(integrate::run::scaled_initial_state(cell.scene)));
 }

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 
+#include "core/integrate/curved_machine.hpp"
 #include "core/response/companion_growth.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
@@ -18,7 +20,7 @@
 namespace rubsweep::response::proof {
 namespace {
 
-/// Section of the rotor after so many turns.
+/// Section of the rotor after some turns.
 std::vector<double> section_after(const scene::Scene& scene, int turns,
                                   const integrate::run::SolverOptions& solver) {
   const integrate::run::Cursor cursor = integrate::adaptive::start_adaptive(scene, solver);
@@ -27,7 +29,7 @@ std::vector<double> section_after(const scene::Scene& scene, int turns,
   return turn.section;
 }
 
-/// Every turn is paid, by solvers that count from the start and by such that count from a restart.
+/// Every turn counts against the budget, for solvers that count from the start or from a restart.
 TEST(SectionMapScene, EndsWithItsBudget) {
   const auto cell = test::cell_of({});
   integrate::exact::modes::ModeCache modes;
@@ -49,6 +51,47 @@ TEST(SectionMapScene, EndsWithItsBudget) {
   }
 }
 
+/// A section in contact does not say how that contact began, which decides the turn after it.
+TEST(SectionMapScene, AContactDampedByItsOwnImpactIsFollowedInTheAirAlone) {
+  namespace curved = integrate::test_curved;
+  const integrate::run::SolverOptions solver{.relative_tolerance = 1e-12};
+  int open = 0, touching = 0, compared = 0;
+  for (int angle_deg = 0; angle_deg < 360; angle_deg += 45) {
+    scene::Contact wall;
+    wall.wall = contact::FlatWall{contact::direction(angle_deg)};
+    wall.clearance_m = 5e-4;
+    curved::give_law(curved::power_stop(1e6, 1.5, model::ImpactDamping::hunt_crossley, 0.5), wall);
+    const scene::Scene scene = curved::rotor_and_casing({wall}, 60);
+    const integrate::run::Cursor cursor = integrate::adaptive::start_adaptive(scene, solver);
+    integrate::exact::modes::ModeCache modes;
+    SceneMap map(scene, solver, modes);
+    integrate::run::TurnReport turn;
+    bool decides = false;
+    for (int k = 0; k < 20; ++k) {
+      const std::vector<double> start = turn.section;
+      ASSERT_EQ(cursor({}, turn), integrate::run::Outcome::ok);
+      if (!std::exchange(decides, !turn.touching_at_end)) continue;
+      std::vector<double> section = start;
+      Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(8, 8);
+      EXPECT_EQ(map.carry(section, moved), decides) << k;
+      ++(decides ? open : touching);
+      if (!decides) continue;
+      for (std::size_t i = 0; i < section.size(); ++i) EXPECT_NEAR(section[i], turn.section[i], 1e-8);
+      if (turn.hits == 0 || k % 5 != 0) continue;
+      constexpr double by = 1e-6;
+      std::vector<double> ahead = start, behind = start;
+      ahead[5] += by, behind[5] -= by;
+      if (!map(ahead) || !map(behind)) continue;
+      ++compared;
+      for (std::size_t j = 0; j < section.size(); ++j)
+        EXPECT_NEAR(moved(Eigen::Index(j), 5), (ahead[j] - behind[j]) / (2 * by), 1e-4 * moved.norm()) << k;
+    }
+  }
+  EXPECT_GT(open, 10);
+  EXPECT_GT(touching, 2);
+  EXPECT_GT(compared, 2);
+}
+
 TEST(SectionMapScene, RepeatsTheTurnsOfARun) {
   const auto cell = test::cell_of({});
   integrate::run::SolverOptions solver;
@@ -67,7 +110,7 @@ TEST(SectionMapScene, HasNoMemoryAndNoPulse) {
   const auto cell = test::cell_of({});
   integrate::exact::modes::ModeCache modes;
   SceneMap map(cell.scene, {}, modes);
-  // The quiet motion stays on its circle: nothing kicks it.
+  // The quiet motion stays on its circle, because nothing kicks it.
   const auto quiet = integrate::run::scaled_initial_state(cell.scene);
   auto section = quiet;
   ASSERT_TRUE(map(section));
@@ -96,9 +139,8 @@ TEST(SectionMapScene, SaysWhenTheSolverFailsAndRefusesOtherSections) {
 }
 
 TEST(SectionMapScene, ExponentOfTheHalfSubharmonicIsTheDecayOfItsTangentialMotion) {
-  // Under a wall at 90 degrees x is a linear oscillator that the normal motion drives and that drives
-  // nothing: it decays by zeta omega0 T per turn, slower than anything else in this orbit. At every
-  // tolerance.
+  // Along a wall at 90 degrees, x is a linear oscillator that the normal motion drives, without feedback. It
+  // decays by zeta omega0 T per turn, slower than everything else in this orbit, for every tolerance.
   const test::OneSideRotor rotor;
   const auto cell = test::cell_of(rotor);
   const double expected =

@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr int samples = 128;
 
-/// Turn `k` of z = w(phase) e^{i phase} of one mass.
+/// Turn `k` of the motion z = w(phase) e^{i phase} of one mass.
 integrate::run::TurnReport turn_of(const std::function<Complex(double)>& w, int k, bool touched = true) {
   integrate::run::TurnReport turn;
   turn.sample_count = samples;
@@ -36,7 +36,7 @@ std::optional<ApexReturnSearch::Return> search_for(const std::function<Complex(d
   return search.candidate();
 }
 
-/// Settles on 1 + 0.2 cos at `spacing` lines a turn, alternating by `alternation`.
+/// Approaches 1 + 0.2 cos with `spacing` as its order; `alternation` decays while changing its sign.
 std::function<Complex(double)> oval(double spacing, double alternation = 0) {
   return [=](double phase) {
     return Complex(1 + (0.2 + 0.02 * std::exp(-0.02 * phase)) * std::cos(spacing * phase) +
@@ -46,7 +46,7 @@ std::function<Complex(double)> oval(double spacing, double alternation = 0) {
 }
 
 TEST(ApexReturnSearch, NamesTheTimeBetweenMaximaThatReturn) {
-  const auto found = search_for(oval(0.61), 10);  // a maximum every 1.64 turns
+  const auto found = search_for(oval(0.61), 10);  // one maximum every 1.64 turns
   ASSERT_TRUE(found);
   EXPECT_EQ(found->maxima, 1);
   ASSERT_EQ(found->periods_rad.size(), 1u);
@@ -63,7 +63,7 @@ TEST(ApexReturnSearch, OffersTheHalfOfAReturnThatIsNearToo) {
 }
 
 TEST(ApexReturnSearch, FindsNothingWithoutAMaximumInTheLastTurnOrWithoutContact) {
-  EXPECT_FALSE(search_for(oval(0.1), 35));  // maxima every 10 turns, the last one in turn 30
+  EXPECT_FALSE(search_for(oval(0.1), 35));  // one maximum every 10 turns, the last one in turn 30
   EXPECT_TRUE(search_for(oval(0.1), 31));
   EXPECT_FALSE(search_for(oval(0.61), 10, false));
 }

@@ -21,7 +21,7 @@ struct Amplitude {
   Complex value;
 };
 
-/// One period of z = sum of lines at 1 + k spacing, lengths in clearances.
+/// One period of a motion with lines of order 1 + k spacing; lengths in clearances.
 RotatingArc arc_of(double spacing, const std::vector<Amplitude>& lines) {
   const auto state = [&](double phase, double seen_from) {
     Complex z = 0, v = 0;
@@ -71,7 +71,7 @@ TEST(CycleMeasuresMeasure, NamesBackwardAndMixedWhirlAndCircles) {
 }
 
 TEST(CycleMeasuresMeasure, LinesThatAWindowCannotTellFromZeroOrMinusOneCountAsThese) {
-  // 1 - 2 spacing is -0.999, 1 - spacing is 0.0005.
+  // Orders: 1 - 2 spacing = -0.999, 1 - spacing = 0.0005.
   const motion::Measures m = measure(arc_of(0.9995, {{-1, 5}, {-2, 0.25}, {0, 1}}));
   EXPECT_NEAR(m.amplitude_1x_backward_m, 0.25 * length_m, 1e-8);
   EXPECT_EQ(m.dominant.value().order, 1);
@@ -87,7 +87,7 @@ TEST(CycleMeasuresMeasure, HitsAreThoseOfAWindow) {
   arc.peak_casing_displacement_m = 2e-4;
   const motion::Measures m = measure(arc);
   EXPECT_EQ(m.turns, 64);
-  EXPECT_EQ(m.contact.hits, 77);  // 3 in 2.5 turns: 76.8 in 64
+  EXPECT_EQ(m.contact.hits, 77);  // 3 impacts in 2.5 turns: 76.8 in 64 turns
   EXPECT_EQ(m.contact.contact_fraction, 0.7);
   EXPECT_EQ(m.contact.peak_displacement_m, 1.4e-3);
   EXPECT_EQ(m.contact.peak_contact_force_n, 12);

@@ -14,11 +14,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// r' = a r (1 - r^2), angle' = w, s' = -b s: in closed form a cycle r = 1, s = 0 of period 2 pi / w with the
-/// multipliers 1, e^{-2 a T} and e^{-b T}.
+/// r' = a r (1 - r^2), angle' = w, s' = -b s: the limit cycle r = 1, s = 0 has the period T = 2 pi / w and
+/// the multipliers 1, e^{-2 a T} and e^{-b T}.
 struct NormalForm {
   double a = 0.1, w = 0.6, b = 0.3;
-  double push_out = 0;  ///< push at r < 0.95, where no derivative shows it
+  double push_out = 0;  ///< jump at r < 0.95, which derivatives do not show
 
   double period() const { return numerics::full_turn / w; }
   VectorXd rate(const VectorXd& y) const {
@@ -102,7 +102,7 @@ TEST(LimitCycleProve, TakesNoDerivativeAgainNearBy) {
   EXPECT_GE(roughly, 1);
 }
 
-/// A stepper's motion is no smoother than its tolerance.
+/// A stepper's motion is only as smooth as its tolerance.
 TEST(LimitCycleProve, TheRoughFlowMayBeNoisy) {
   const NormalForm form;
   RotatingMotion motion = form.motion();
@@ -134,7 +134,7 @@ TEST(LimitCycleProve, RefusesATransientThatGoesElsewhere) {
   EXPECT_TRUE(prove_limit_cycle(form.motion(), start, {form.period()}));
 }
 
-/// Flows go forward only: one that was asked to go back read a state that is not there.
+/// Flows only go forward: a backward call would read a state that does not exist.
 TEST(LimitCycleProve, RefusesATransientThatIsThrownAheadByMoreThanAPeriod) {
   const NormalForm form;
   const VectorXd start{{0.54, 0.72, 0}}, along{{-0.8, 0.6, 0}};
@@ -174,7 +174,7 @@ TEST(LimitCycleProve, RefusesWhatIsFarAwayAFixedPointAndAFailure) {
   EXPECT_FALSE(prove_limit_cycle(broken, near_the_cycle, {form.period()}));
 }
 
-/// One after the other from one state: each as good as it says, whatever was asked for before.
+/// Flows of three accuracies from one state: each is as accurate as it claims, whatever was computed before.
 TEST(LimitCycle, AreAsGoodAsTheySay) {
   auto scene = test::annular_scene(1, 0.02, 1.4, 0.05, 0, 40, 0.3);
   scene.contacts[0].friction = model::StribeckFriction{{0, 0, 0, 0.1, 100, 0}};

@@ -25,7 +25,7 @@ integrate::run::SolverOptions tight() {
   return options;
 }
 
-/// Bouncing round the annular stop: every mode occurs within a turn.
+/// A rotor that bounces around the annular stop: every mode occurs within a turn.
 scene::Scene bouncing() {
   auto scene = response::testing::annular_cell(120, 0.6).scene;
   scene.pulses.clear();
@@ -56,7 +56,8 @@ TEST(RotatingFlow, OneTurnIsThatOfTheAdaptiveSolver) {
   EXPECT_LT((arc->samples - samples).cwiseAbs().maxCoeff(), 1e-7);
 }
 
-/// Longer steps, through hits and at any size: a thousandth of the tolerance stays.
+/// Longer steps of a loose tolerance, through impacts and in two rings: errors stay below 2 % of the
+/// tolerance.
 TEST(RotatingFlow, ARoughOneIsAsGoodAsItsTolerance) {
   auto two_rings = test::FullRub{}.scene();
   two_rings.displacement_m *= 1.1;
@@ -74,7 +75,7 @@ TEST(RotatingFlow, ARoughOneIsAsGoodAsItsTolerance) {
   }
 }
 
-/// For the fixed size, any size and the smoothed law: the derivative is what differences of the solver say.
+/// For fixed size, dynamic size and the smoothed law: the derivative agrees with differences of the solver.
 TEST(RotatingFlow, TransitionIsWhatDifferencesSay) {
   const auto two_rings = [] {
     auto scene = test::FullRub{}.scene();

@@ -43,14 +43,14 @@ TEST(RotatingFrameField, IsTheSameFromEveryDirection) {
   const auto cell = annular_cell(120, 0.6);
   const RotatingField field(cell.scene, {});
   const VectorXd state{{1.2, 0.3, 0.1, -0.05, -0.2, 0.9, 0.1, 0.3}};
-  // The unbalance does not turn with the state: only what it adds, the same for all states, tells directions.
+  // The unbalance force does not rotate with the state; it is the same for all states, so it is subtracted.
   const VectorXd zero = VectorXd::Zero(8);
   const VectorXd here = field.rate(state) - field.rate(zero),
                  there = field.rate(turned(state, 1.1)) - field.rate(zero);
   EXPECT_LT((there - turned(here, 1.1)).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-/// Rate of y = turned(x, -phase) along a run of the adaptive solver, by differences.
+/// Derivative of y = turned(x, -phase) along a run of the adaptive solver, by differences.
 TEST(RotatingFrameField, IsTheRateOfARunSeenFromTheShaft) {
   auto scene = annular_cell(120, 0.6).scene;
   scene.pulses.clear();
@@ -136,7 +136,7 @@ TEST(RotatingFrameSymmetry, NotWithAnAnisotropicStructureOrForcing) {
   EXPECT_FALSE(without([](auto& s) { s.second_harmonic_n = 1e-9 * s.harmonic_n; }));
   EXPECT_FALSE(without([](auto& s) { s.impulses.push_back({Eigen::Vector4d(1, 0, 0, 0), 2, 0}); }));
   EXPECT_FALSE(without([](auto& s) { s.harmonic_n = s.harmonic_n.conjugate().eval(); }));
-  // Gyroscopic and cross-coupled terms turn with the frame.
+  // Gyroscopic and cross-coupled terms are invariant under rotation of the frame.
   EXPECT_TRUE(without([](auto& s) {
     s.structure.damping(0, 1) = 0.3;
     s.structure.damping(1, 0) = -0.3;
@@ -145,7 +145,7 @@ TEST(RotatingFrameSymmetry, NotWithAnAnisotropicStructureOrForcing) {
   }));
 }
 
-/// Section of a scene, turned by 30 degrees, and one turn of motion: which comes first must not matter.
+/// Difference between rotating a section by 0.5 rad before and after one turn of motion.
 double turning_first_and_last_differ_by(const scene::Scene& scene) {
   const auto turned = [](std::vector<double> section) {
     for (std::size_t i = 0; i + 1 < section.size(); i += 2) {

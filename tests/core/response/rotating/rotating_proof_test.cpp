@@ -31,7 +31,7 @@ SettledRun run(const scene::Cell& cell, bool proof, int max_revolutions = 600) {
 
 std::string name(const SettledRun& settled) { return std::string(to_string(settled.motion.motion_class)); }
 
-/// Proven within so many turns to be what a run of `observed_turns` without any proof shows.
+/// A motion proven within some turns, and the motion observed after `observed_turns` without a proof.
 struct ProvenAndObserved {
   SettledRun proven, observed;
 
@@ -44,8 +44,8 @@ struct ProvenAndObserved {
   }
 };
 
-/// A turn in which the distance of the rotor from the middle has so many maxima, farther out turn by turn so
-/// that no state comes back.
+/// A turn in which the rotor's distance from the centre has `maxima` maxima. They grow from turn to turn, so
+/// that no state returns.
 integrate::run::TurnReport turn_with(int maxima, int samples, int number) {
   integrate::run::TurnReport turn;
   turn.touched = true;
@@ -100,7 +100,7 @@ TEST(RotatingProof, TheOvalIsWhatALongRunShows) {
   EXPECT_EQ(a.whirl, b.whirl);
   EXPECT_NEAR(a.dominant.value().order, b.dominant.value().order, 1e-8);
   EXPECT_NEAR(a.dominant->amplitude_m, b.dominant->amplitude_m, 1e-6 * b.dominant->amplitude_m);
-  // Lines between the bins of the observed window are known to a per cent.
+  // Lines between the bins of the observed window are accurate to 1 %.
   EXPECT_NEAR(a.amplitude_1x_forward_m, b.amplitude_1x_forward_m, 2e-2 * b.amplitude_1x_forward_m);
   EXPECT_NEAR(a.contact.contact_fraction, b.contact.contact_fraction, 1e-2);
   EXPECT_NEAR(a.contact.hits, b.contact.hits, 1);
@@ -109,8 +109,8 @@ TEST(RotatingProof, TheOvalIsWhatALongRunShows) {
   EXPECT_NEAR(a.contact.peak_casing_displacement_m, b.contact.peak_casing_displacement_m, 1e-9);
 }
 
-/// Multiplier -0.9915: the transient alternates for a thousand turns, and a run of 600 takes it for the
-/// double period.
+/// Multiplier -0.9915: the transient alternates for a thousand turns, so a run of 600 turns finds the double
+/// period.
 TEST(RotatingProof, AnOvalThatIsReachedSlowlyIsProvenAtOnce) {
   const auto proven = run(annular_cell(120, 0.6), true);
   EXPECT_EQ(proven.proof, motion::Proof::floquet_observed);
@@ -130,7 +130,7 @@ TEST(RotatingProof, DryWhipHasNoMaximumToReturnToAndStaysObserved) {
   EXPECT_EQ(whip.motion.measures.orbit, spectrum::OrbitKind::circle);
 }
 
-/// A coarse map: every label is that of long runs without any proof.
+/// In a coarse map every label equals that of long runs without a proof.
 TEST(RotatingProof, LabelsAreThoseOfLongRuns) {
   for (const double speed_hz : {75.0, 100.0, 150.0, 210.0}) {
     for (const double whirl_ratio : {0.3, 0.8}) {
@@ -180,7 +180,7 @@ TEST(RotatingProofFind, FullAnnularRubAndTheMultiplierOfItsSection) {
   EXPECT_NEAR(circle->floquet_modulus, numerics::dense::spectral_radius(monodromy), 1e-6);
 }
 
-/// y' = A (y - 1) + quadratic: a focus that the sign of `damping` makes stable.
+/// y' = A (y - 1) + quadratic terms: a focus, stable for positive `damping`.
 RotatingEquations focus(double damping) {
   const MatrixXd a{{-damping, 1}, {-1, -damping}};
   return {[a](const VectorXd& y) -> VectorXd {

@@ -21,7 +21,7 @@ std::optional<spectrum::Comb> comb_of(const TimeFunction& z) {
                              workspace);
 }
 
-/// Lines at 1 + k spacing with the given amplitudes for k = first, first + 1, ...
+/// Motion with lines at 1 + k spacing and the given amplitudes, k = first, first + 1, ...
 TimeFunction comb(double spacing, int first, std::vector<double> amplitudes) {
   return [=](double turn) {
     Complex sum = 0;
@@ -48,14 +48,14 @@ TEST(CombFind, ReadsTheSpacingOfACombToEightDigits) {
 
 TEST(CombFind, HoldsAllTheEnergyOfACombThatIsWideEnough) {
   EXPECT_NEAR(comb_of(comb(0.515, -2, {0.2, 0.5, 0.8, 0.1}))->energy_share, 1, 1e-3);
-  // 0.0745 turns of 128 are 9.5 bins: its lines overlap.
+  // A spacing of 0.0745 over 128 turns is 9.5 bins, so the lines overlap.
   const auto narrow = comb_of(comb(0.0745, -2, {0.2, 0.5, 0.8, 0.1}));
   EXPECT_TRUE(narrow->closed);
   EXPECT_EQ(narrow->energy_share, 0);
 }
 
 TEST(CombFind, IsNotMisledByTheLargestLine) {
-  // The largest lines off 1X are the second and the third of the comb.
+  // The two largest lines other than 1X are two and three spacings away from each other.
   expect_closed(comb(0.2317, -2, {0.9, 0.3, 0.8}), 0.2317);
   expect_closed(comb(0.2317, -3, {0.9, 0, 0.3, 0.8}), 0.2317);
   // 1X itself may be missing.
@@ -70,7 +70,7 @@ TEST(CombFind, OfADoubledPeriodIsHalf) {
   };
   expect_closed(with_halves(0.02), spacing / 2);
   expect_closed(with_halves(0.002), spacing / 2);
-  // Below a thousandth of the orbit's size it is not significant.
+  // Below a thousandth of the orbit's size, it is not significant.
   expect_closed(with_halves(0.0005), spacing);
 }
 
@@ -85,7 +85,7 @@ TEST(CombFind, DoesNotCloseWithAThirdFrequency) {
   });
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->closed);
-  // The comb of the largest line misses one per cent: 0.1^2 of 0.8^2 + 0.6^2 + 0.1^2.
+  // The comb of the largest line lacks 1 % of the energy: 0.1^2 of 0.8^2 + 0.6^2 + 0.1^2.
   EXPECT_NEAR(found->spacing, 0.6180339887, 1e-3);
   EXPECT_NEAR(found->energy_share, 1 / 1.01, 1e-3);
 }
@@ -131,7 +131,7 @@ TEST(CombFind, DoesNotLookForPeriodsAboveAQuarterOfTheSamples) {
 TEST(CombFind, NeedsAMotionThatMovesInTheRotatingFrame) {
   EXPECT_FALSE(comb_of([](double) { return Complex(0); }));
   const auto circle = comb_of([](double turn) { return 0.8 * phasor(1, turn); });
-  // Rounding alone moves, and does not return.
+  // Only rounding moves, and it does not return.
   EXPECT_FALSE(circle && circle->closed);
 }
 
@@ -148,7 +148,8 @@ std::optional<spectrum::SpectralLine> largest_of(const std::function<Complex(dou
 }
 
 TEST(CombLargest, HasTheOrderAndAmplitudeThatStandBetweenTwoBins) {
-  // 1 - 2 * 0.8431: half a bin from the nearest, where a plain spectrum shows 64 %.
+  // 1 - 2 * 0.8431 is half a bin away from the nearest bin, where a plain spectrum shows 64 % of the
+  // amplitude.
   for (const double spacing : {0.8431, 1.8357, 2.6857}) {
     const auto line = largest_of(
         [=](double turn) { return 0.2 * phasor(1, turn) + 0.9 * phasor(1 - 2 * spacing, turn); }, spacing);
@@ -159,7 +160,7 @@ TEST(CombLargest, HasTheOrderAndAmplitudeThatStandBetweenTwoBins) {
 }
 
 TEST(CombLargest, IsTheLargerOfTwoThatBinsWouldSwap) {
-  // In bins of 1/128 the first stands on one, the second half a bin off: 0.9 against 0.64.
+  // In bins of 1/128, the first line is on a bin and the second one half a bin off: 0.9 compared with 0.64.
   const double spacing = 0.5 + 1.0 / 512;
   const auto line = largest_of(
       [=](double turn) { return 0.9 * phasor(1, turn) + 1.0 * phasor(1 + 2 * spacing, turn); }, spacing);

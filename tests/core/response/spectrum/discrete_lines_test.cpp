@@ -19,7 +19,7 @@ using std::numbers::pi;
 using testing::Complex;
 using testing::phasor;
 
-/// 0X, and a line of `order` whose amplitude is given turn by turn; 64 samples a turn.
+/// Samples of 0X plus a line of `order` whose amplitude is a function of the turn; 64 samples per turn.
 template <typename Amplitude>
 std::vector<std::complex<double>> samples_of(int turns, double order, const Amplitude& amplitude) {
   std::vector<std::complex<double>> samples;
@@ -45,7 +45,7 @@ TEST(DiscreteLinesHannWindow, ALineThatSwellsHasNoSkirt) {
   SpectrumWorkspace workspace;
   const FullSpectrum plain = full_spectrum(samples, 20, workspace);
   const FullSpectrum windowed = windowed_spectrum(samples, 20, workspace);
-  // At 4X, 60 lines away.
+  // Leakage at 4X, 60 lines away.
   EXPECT_GT(plain.amplitude(80), 5e-4 * plain.amplitude(20));
   EXPECT_LT(windowed.amplitude(80), 1e-5 * windowed.amplitude(20));
 }
@@ -106,7 +106,7 @@ TEST(DiscreteLinesEnergyShares, LeaveTheMeanOut) {
 }
 
 TEST(DiscreteLinesHolding, CountsLinesByTheirEnergy) {
-  // Energies 1, 0.09, 0.04 of 1.13: 88.5 %, 96.5 %, 100 %.
+  // Energies 1, 0.09 and 0.04 of 1.13 in total: cumulative shares 88.5 %, 96.5 %, 100 %.
   const auto found = shares(strobe(torus, 0, 256));
   EXPECT_EQ(spectrum::lines_holding(found, 0.88), 1);
   EXPECT_EQ(spectrum::lines_holding(found, 0.9), 2);
@@ -115,13 +115,13 @@ TEST(DiscreteLinesHolding, CountsLinesByTheirEnergy) {
 }
 
 TEST(DiscreteLinesMovedShare, IsTheEnergyThatStandsElsewhere) {
-  // The second line moves from order 0.3 to 0.7: 20 % of the energy.
+  // The second line moves from order 0.3 to 0.7, which is 20 % of the energy.
   const auto before = shares(strobe({{0.1, 2}, {0.3, 1}}, 0, 250));
   const auto after = shares(strobe({{0.1, 2}, {0.7, 1}}, 0, 250));
   EXPECT_NEAR(spectrum::moved_share(before, after), 0.2, 1e-3);
   EXPECT_NEAR(spectrum::moved_share(after, before), 0.2, 1e-3);
   EXPECT_EQ(spectrum::moved_share(before, before), 0);
-  // From 1 : 1 to 3 : 1 in energy a quarter moves.
+  // A change of the energy ratio from 1 : 1 to 3 : 1 moves a quarter.
   EXPECT_NEAR(spectrum::moved_share(shares(strobe({{0.1, 1}, {0.3, 1}}, 0, 250)),
                                     shares(strobe({{0.1, std::sqrt(3)}, {0.3, 1}}, 0, 250))),
               0.25, 1e-3);

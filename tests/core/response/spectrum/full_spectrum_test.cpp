@@ -30,7 +30,7 @@ std::vector<Complex> noise(std::size_t count, unsigned seed) {
   return z;
 }
 
-/// Expects exactly the given lines (k, amplitude) and nothing else above 1e-14.
+/// Expects exactly these lines (k, amplitude), and nothing else above 1e-14.
 void expect_lines(const spectrum::FullSpectrum& spectrum, const std::vector<std::pair<int, double>>& lines) {
   for (int k = spectrum.first_line(); k <= spectrum.last_line(); ++k) {
     double expected = 0;
@@ -113,7 +113,7 @@ TEST(FullSpectrum, EnergyIsTheMeanSquareInTime) {
 }
 
 TEST(FullSpectrum, ManyThreadsAtOnceGiveTheBitsOfOne) {
-  // Lengths no other test modes, so that threads also meet in the planner.
+  // Lengths that no other test uses, so that threads also meet in FFTW's planner.
   constexpr int thread_count = 8;
   const std::vector<int> turns = {17, 31, 33, 38, 17, 33, 45, 31};
   const auto z = noise(45 * 64, 3);

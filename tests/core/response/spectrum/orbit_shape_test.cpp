@@ -35,7 +35,7 @@ TEST(OrbitShape, CirclesOfEitherDirectionAboutAnyMean) {
 }
 
 TEST(OrbitShape, CircleEndsWhereTheDistanceVariesByFivePercent) {
-  // Forward 1, backward b: farthest / nearest = (1 + b) / (1 - b) = 1.05 at b = 0.05 / 2.05.
+  // Forward 1, backward b: largest / smallest radius = (1 + b) / (1 - b) = 1.05 at b = 0.05 / 2.05.
   EXPECT_EQ(name({{1, 1, 1}, {-1, 1, 0.024}}).orbit, "circle");
   EXPECT_EQ(name({{1, 1, 1}, {-1, 1, 0.0245}}).orbit, "oval");
 }
@@ -48,20 +48,20 @@ TEST(OrbitShape, EllipseOfAnyOrderIsOvalAndAStraightLineToo) {
 }
 
 TEST(OrbitShape, OvalHoldsNinetyFivePercentOfTheEnergy) {
-  // Ellipse energy 1.25; a third line of energy e leaves 1.25 / (1.25 + e): 95 % at e = 0.0658, 0.2565
-  // squared.
+  // The ellipse has the energy 1.25. A third line of energy e leaves the share 1.25 / (1.25 + e): 95 % at e =
+  // 0.0658 = 0.2565^2.
   EXPECT_EQ(name({{1, 1, 1}, {-1, 1, 0.5}, {2, 1, 0.256}}).orbit, "oval");
   EXPECT_EQ(name({{1, 1, 1}, {-1, 1, 0.5}, {2, 1, 0.257}}).orbit, "complex");
 }
 
 TEST(OrbitShape, TheTwoLargestLinesMustBePartners) {
-  // 99.9 % of the energy in +1X and -1X, but the second largest line is +2X.
+  // 99.9 % of the energy is in +1X and -1X, but the second largest line is +2X.
   EXPECT_EQ(name({{1, 1, 1}, {2, 1, 0.03}, {-1, 1, 0.02}}), (Named{"complex", "forward"}));
   EXPECT_EQ(name({{1, 1, 1}, {1, 2, 0.9}}), (Named{"complex", "forward"}));
 }
 
 TEST(OrbitShape, WhirlNeedsEightyPercentOnOneSide) {
-  // Energy 1 forward, 0.25 backward is exactly 80 %.
+  // Energies of 1 forward and 0.25 backward: exactly 80 % forward.
   EXPECT_EQ(name({{1, 1, 1}, {-1, 2, 0.499}}).whirl, "forward");
   EXPECT_EQ(name({{1, 1, 1}, {-1, 2, 0.501}}).whirl, "mixed");
   EXPECT_EQ(name({{-1, 1, 1}, {1, 2, 0.501}}).whirl, "mixed");

@@ -67,7 +67,7 @@ TEST(ResolvedLines, ALineThatChangesSaysSo) {
   for (std::size_t k = 0; k < samples.size(); ++k) samples[k] *= 1 + 0.2 * static_cast<double>(k) / 2048;
   const auto found = resolve_lines(samples, {.least_amplitude = 0.1}, workspace);
   ASSERT_EQ(found.size(), 1u);
-  // The halves have amplitudes of 1.05 and 1.15.
+  // The amplitudes of the two halves are 1.05 and 1.15.
   EXPECT_NEAR(found[0].amplitude_uncertainty, 0.05, 0.01);
 }
 

@@ -7,7 +7,7 @@
 #include "rubsweep/core/model/range.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 
-/// Verdicts of validators are the business of agreement_test.py; here is what they do not see.
+/// agreement_test.py tests the verdicts of validators; these tests cover what validators do not see.
 namespace rubsweep::config::keys {
 namespace {
 

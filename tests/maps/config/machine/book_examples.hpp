@@ -11,8 +11,8 @@
 
 namespace rubsweep::config::machine {
 
-/// A rotor of Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010): a steel shaft of 1.5 m and
-/// 50 mm in six elements with discs of 70 mm width cut from the same steel and keyed on it.
+/// A rotor of Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010): a steel shaft of 1.5 m
+/// length and 50 mm diameter in six elements, with steel discs of 70 mm width.
 struct BookExample {
   struct Disc {
     int node;
@@ -35,15 +35,15 @@ struct BookExample {
   std::string number;
   std::vector<Disc> discs;
   std::vector<Bearing> bearings;
-  /// Lowest whirl frequencies as printed, at rest and at 4000 rpm, and how many digits.
+  /// Lowest whirl frequencies as printed, at rest and at 4000 rpm, and their relative accuracy.
   std::vector<double> at_rest_rad_per_s, turning_rad_per_s;
   double printed_within = 0;
 };
 
 inline constexpr double book_element_m = 0.25;
 
-/// Printed frequencies are those of ROSS for 5.9.1 (docs/examples/example_05_09_01.rst), else those of the
-/// book.
+/// Examples of the book. Printed frequencies come from ROSS for 5.9.1 (docs/examples/example_05_09_01.rst),
+/// else from the book.
 inline std::vector<BookExample> book_examples() {
   const std::vector<BookExample::Disc> two{{2, 0.28}, {4, 0.35}};
   return {{"5.9.1",
@@ -92,7 +92,7 @@ inline std::string as_ross_file(const BookExample& example) {
   return text;
 }
 
-/// Put together element by element from the book's formulas.
+/// Matrices assembled element by element from the book's formulas.
 inline model::ShaftMatrices as_matrices(const BookExample& example) {
   std::vector<double> position_m;
   for (int node = 0; node <= 6; ++node) position_m.push_back(node * book_element_m);
@@ -107,7 +107,8 @@ inline model::ShaftMatrices as_matrices(const BookExample& example) {
     const Eigen::Index x = 4 * disc.node, y = x + 1, rx = x + 2, ry = x + 3;
     rotor.mass(x, x) += disc.mass_kg(), rotor.mass(y, y) += disc.mass_kg();
     rotor.mass(rx, rx) += disc.diametral_kg_m2(), rotor.mass(ry, ry) += disc.diametral_kg_m2();
-    // About x and y: I_p w turns the one rate into a moment about the other.
+    // Gyroscopic coupling of the rotations about x and y: I_p w turns one rate into a moment about the other
+    // axis.
     rotor.gyroscopic(rx, ry) += disc.polar_kg_m2(), rotor.gyroscopic(ry, rx) -= disc.polar_kg_m2();
     rotor.unbalance_kg(x) = disc.mass_kg();
     rotor.unbalance_kg(y) = std::complex<double>(0, -disc.mass_kg());

@@ -147,7 +147,7 @@ TEST(HertzStaticFrictionKeys, AreWrittenOverOtherFriction) {
       "{static: 0.3, kinetic: 0.2, peak_speed_m_per_s: 0.01, settle_speed_m_per_s: 0.2}";
   EXPECT_TRUE(std::holds_alternative<model::StaticFriction>(
       after("{coefficient: 0.2}", {"stops.0.friction.static=0.3"})));
-  // A curve's static coefficient does not stay as a bound.
+  // The static coefficient of a curve must not remain as a limit.
   EXPECT_TRUE(
       std::holds_alternative<model::ConstantFriction>(after(curve, {"stops.0.friction.coefficient=0.1"})));
   EXPECT_EQ(model::holding_and_sliding(

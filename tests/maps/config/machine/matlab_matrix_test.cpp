@@ -16,7 +16,7 @@
 namespace rubsweep::config::machine {
 namespace {
 
-/// A MATLAB file that a test writes variable by variable.
+/// A MATLAB file to which a test writes variables one by one.
 struct MatlabFile : matlab::MatioFile {
   explicit MatlabFile(const std::filesystem::path& path, mat_ft version = MAT_FT_MAT5)
       : MatioFile(path, version) {}

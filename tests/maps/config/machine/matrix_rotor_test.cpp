@@ -29,7 +29,7 @@ void expect_within(const model::RotorKit& a, const model::RotorKit& b, double to
   EXPECT_LE(relative(left.gyroscopic, right.gyroscopic), tolerance);
 }
 
-/// Relative to the moduli of the eigenvalues.
+/// Largest difference of the whirl eigenvalues, relative to their moduli.
 double whirl_difference(const model::RotorKit& a, const model::RotorKit& b, double speed_rad_per_s) {
   const auto left = structure::whirl_eigenvalues(structure::full(a), speed_rad_per_s),
              right = structure::whirl_eigenvalues(structure::full(b), speed_rad_per_s);
@@ -54,8 +54,8 @@ model::RotorKit exported_and_read(const model::RotorKit& kit) {
   return *model::kit_of(files.read().study.machine);
 }
 
-/// Typed, from a file of ROSS, as matrices put together by hand from the book's formulas, and as the matrices
-/// that the typed one is exported as.
+/// The same rotor in four forms: typed, from a file of ROSS, as matrices assembled from the book's formulas,
+/// and as the exported matrices of the typed rotor.
 TEST(MatrixRotor, ComesThroughEveryDoorAsTheSameRotor) {
   const RossFiles ross;
   for (const BookExample& example : book_examples()) {

@@ -35,7 +35,7 @@ inline void expect_same(const model::ShaftMatrices& a, const model::ShaftMatrice
   EXPECT_EQ(a.unbalance_kg, b.unbalance_kg);
 }
 
-/// A directory with the files of a matrix rotor and a configuration that reads them; the disc at 0.5 m.
+/// A directory with the files of a matrix rotor and a configuration that reads them; the disc is at 0.5 m.
 class MatrixFiles {
  public:
   std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
@@ -48,12 +48,12 @@ class MatrixFiles {
     for (const auto& [name, text] : matrix_files(matrices)) write(std::string(name), text);
   }
 
-  /// `changes`: replacements of parts of the configuration.
+  /// `overrides`: values that replace parts of the configuration.
   RunConfig read(const std::vector<std::string>& overrides = {}) const {
     return read_run_config_text(yaml(), path("my.yaml"), overrides);
   }
 
-  /// The message, without the directory.
+  /// The error message without the directory.
   std::string message(const std::vector<std::string>& overrides = {}) const {
     std::string found = message_of(yaml(), overrides, path("my.yaml"));
     const std::string directory = directory_.path().string() + "/";

@@ -23,7 +23,7 @@ TEST(PrintedMatrices, LeaveOutWhatIsNothing) {
   EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
 }
 
-/// As many as a large model of beams has; every matrix is a band.
+/// As many degrees of freedom as a large beam model has; every matrix is banded.
 TEST(PrintedMatrices, OfFourHundredDegreesOfFreedomArePrintedAndReadBack) {
   const MatrixFiles files;
   std::vector<double> places;
@@ -39,7 +39,7 @@ TEST(PrintedMatrices, OfFourHundredDegreesOfFreedomArePrintedAndReadBack) {
   files.write(large);
   const std::string printed = print_config(files.read());
   expect_same(matrices_of(read_run_config_text(printed, "printed.yaml", {})), large);
-  // Full matrices, as a program that condenses has them: as an array each of them has 1.6 MB.
+  // Full matrices, as from a program that condenses a model; each array takes 1.6 MB.
   large.damping = Eigen::MatrixXd::Constant(400, 400, 1.0 / 3);
   large.stiffness.array() += 1.0 / 3;
   files.write(large);

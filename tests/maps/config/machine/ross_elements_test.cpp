@@ -7,7 +7,7 @@ namespace {
 
 const RossFiles files;
 
-/// The message of the small rotor with one text in place of another.
+/// The error message for the small rotor after replacing one text by another.
 std::string message_with(const std::string& from, const std::string& to) {
   return files.message(replaced(small_ross(), from, to));
 }

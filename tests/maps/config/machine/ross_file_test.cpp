@@ -25,8 +25,8 @@ double difference(const model::RotorKit& a, const model::RotorKit& b) {
                    relative(left.gyroscopic, right.gyroscopic), relative(left.stiffness, right.stiffness)});
 }
 
-/// The rotor that ROSS 2.3.0 (github.com/petrobras/ross, Apache 2.0) ships as
-/// ross/agent_skills/ross/my_rotor.toml, with the natural frequencies that it gives at 200 rad/s.
+/// The rotor of ross/agent_skills/ross/my_rotor.toml in ROSS 2.3.0 (github.com/petrobras/ross, Apache 2.0),
+/// with its natural frequencies according to ROSS at 200 rad/s.
 TEST(RossFile, HasTheFrequenciesThatRossGives) {
   const RossFiles files;
   const model::RotorKit kit = files.kit(
@@ -73,7 +73,7 @@ model::RotorKit small_kit() {
   return kit;
 }
 
-/// Example 5.9.1 of Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010): in six elements.
+/// Example 5.9.1 of Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010), in six elements.
 TEST(RossFile, IsTheTypedRotor) {
   const RossFiles files;
   EXPECT_LT(difference(files.kit(small_ross()), small_kit()), 1e-14);
@@ -137,7 +137,7 @@ TEST(RossFile, LayersOfOneNodeAreAddedTheStiffestFirst) {
                                    .youngs_modulus_pa = 6894.75,
                                    .shear_modulus_pa = 6894.75,
                                    .density_kg_per_m3 = 7810});
-  // The order in the file does not matter.
+  // The order in the file has no influence.
   const model::RotorKit before = files.kit(sleeve + small_ross().substr(small_ross().find("[\"Shaft")));
   EXPECT_EQ(before.shaft[1].youngs_modulus_pa, 211e9);
   EXPECT_LT(difference(before, typed), 1e-14);
@@ -167,7 +167,8 @@ TEST(RossFile, TapersFlagsShearAndDampingOfAnElementAreThoseOfASegment) {
   EXPECT_LT(difference(files.kit(text), typed), 1e-14);
 }
 
-/// Bearing, housing, baseplate, ground, and a mass on the shaft, as the matrix of one plane written down.
+/// Bearing, housing, baseplate, ground and a mass on the shaft, compared with a hand-written matrix of one
+/// plane.
 TEST(RossFile, ChainsOfLinksAreTheMatrixWrittenDown) {
   const RossFiles files;
   const std::string text = ross_shafts(1, 0.5) + ross_bearing(0, 0, "kxx = [1e6]\nn_link = 2") +
@@ -215,13 +216,13 @@ TEST(RossFile, TablesGoThroughTheirPoints) {
     EXPECT_DOUBLE_EQ(read.speed_hz[2], 300 / (2 * pi));
     EXPECT_EQ(read.columns[0], (std::vector<double>{1e6, 2e6, 3e6, 4e6}));
     EXPECT_EQ(read.columns[1], (std::vector<double>{-1, -2, 0, 1}));
-    EXPECT_EQ(read.columns[3], read.columns[0]);  // kyy as kxx
+    EXPECT_EQ(read.columns[3], read.columns[0]);  // kyy equals kxx
     EXPECT_EQ(read.columns[4], (std::vector<double>{100, 100, 100, 100}));
     EXPECT_FALSE(kit.supports.at(1).table);
   }
 }
 
-/// 3000 and 11000 revolutions per minute as ROSS saves them, the ends of a sweep too, and two other speeds.
+/// Speeds of 3000 and 11000 rpm as ROSS saves them, also as ends of a sweep, and two other speeds.
 TEST(RossFile, SpeedsOfWholeRevolutionsPerMinuteAreThose) {
   const RossFiles files;
   const std::string table =

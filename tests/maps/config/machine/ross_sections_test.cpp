@@ -13,14 +13,14 @@
 namespace rubsweep::config::machine {
 namespace {
 
-/// "class|tag" of the elements.
+/// Text "class|tag" for all elements.
 std::string said(const std::vector<RossElement>& elements) {
   std::string all;
   for (const RossElement& element : elements) all += element.type + "|" + element.tag + " ";
   return all;
 }
 
-/// The sections of a TOML text, their elements said one list after the other, or what is wrong.
+/// The sections of a TOML text as texts of their element lists, or the error message.
 std::string sorted(const std::string& text) {
   yaml::Diagnostics diagnostics("kit.yaml", {});
   const auto root = yaml::parse_toml(text, "rotor.file", diagnostics, diagnostics.add_file("rotor.toml"));
@@ -90,7 +90,7 @@ void expect_setting_said(const std::string& found, const std::string& said) {
   EXPECT_NE(found.find(said), std::string::npos) << found;
 }
 
-/// alpha M + beta K of shaft and discs, without the bearings.
+/// Damping alpha M + beta K of shaft and discs, without the bearings.
 TEST(RossSectionsRossSettings, DampTheWholeRotor) {
   const model::RotorKit plain = setting_files.kit(version_3(small_ross())),
                         damped = setting_files.kit(with_parameters("min_w = 0\nalpha = 8.0\nbeta = 1e-5"));
@@ -126,7 +126,8 @@ TEST(RossSectionsRossSettings, NothingIsDroppedSilently) {
   EXPECT_EQ(setting_files.message(replaced(small_ross(), "2.3.0", "0.4")), "no error");
 }
 
-/// The speed of the shaft until version 2, the whirl frequency from 3 on; speed is that of the shaft always.
+/// `frequency` is the shaft speed up to version 2 and the whirl frequency from version 3 on; `speed` is
+/// always the shaft speed.
 TEST(RossSectionsRossSettings, TheVersionTellsWhatFrequencyIs) {
   const auto table = [](const std::string& axis) {
     return replaced(small_ross(), "kxx = [2e6]", "kxx = [2e6, 3e6]\n" + axis + " = [1, 900]");
@@ -148,7 +149,7 @@ TEST(RossSectionsRossSettings, ClassesThatNobodyKnowsAreRefused) {
       "no error");
 }
 
-/// An element that could not be read is missing for no other one.
+/// An element that cannot be read causes no further problem in other elements.
 TEST(RossSectionsRossSettings, OneProblemMakesNoOther) {
   const std::string pedestal = replaced(small_ross(), "cxx = [50]", "cxx = [50]\nn_link = 9") +
                                ross_bearing(2, 9, "kxx = [1e7]") +
@@ -165,7 +166,7 @@ TEST(RossSectionsRossSettings, SealsMayCarryMassAway) {
   EXPECT_EQ(kit.supports[1].mass_y_kg, -0.4);
 }
 
-/// Messages on a bearing name it as its file does.
+/// Messages about a bearing use its name from the file.
 TEST(RossSectionsRossSettings, BearingsKeepTheirNames) {
   const std::string table = replaced(small_ross(), "kxx = [2e6]", "kxx = [2e6, 3e6]\nspeed = [600, 900]");
   expect_setting_said(setting_files.message(table),

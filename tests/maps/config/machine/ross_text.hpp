@@ -10,7 +10,7 @@
 
 namespace rubsweep::config::machine {
 
-/// Sections of a small file of ROSS in the form that its version 2 saves, in TOML.
+/// Text of a shaft element in a small TOML file of ROSS, version 2.
 inline std::string ross_shaft(int number, int node, double length_m, double outer_m,
                               const std::string& more = "") {
   return fmt::format(
@@ -37,20 +37,20 @@ inline std::string ross_bearing(int number, int node, const std::string& numbers
       number, node, numbers);
 }
 
-/// Equal elements of a shaft of 50 mm.
+/// Equal elements of a shaft of 50 mm diameter.
 inline std::string ross_shafts(int count, double length_m) {
   std::string text = "ross_version = \"2.3.0\"\n\n[parameters]\n\n";
   for (int i = 0; i < count; ++i) text += ross_shaft(i, i, length_m, 0.05);
   return text;
 }
 
-/// Three elements on two bearings: what the tests below change.
+/// A rotor of three elements on two bearings, which the tests modify.
 inline std::string small_ross() {
   return ross_shafts(3, 0.2) + ross_disc(0, 1, 10, 0.1, 0.06) +
          ross_bearing(0, 0, "kxx = [1e6]\ncxx = [100]") + ross_bearing(1, 3, "kxx = [2e6]\ncxx = [50]");
 }
 
-/// A configuration beside a file of ROSS.
+/// A configuration with a file of ROSS beside it.
 class RossFiles {
  public:
   std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
@@ -79,7 +79,7 @@ class RossFiles {
     return *model::kit_of(config.study.machine);
   }
 
-  /// The message, without the directory.
+  /// The error message without the directory.
   std::string message(const std::string& text, const std::string& name = "rotor.toml",
                       const std::vector<std::string>& overrides = {}) const {
     write(name, text);

@@ -54,7 +54,7 @@ TEST(RotorKit, OtherForms) {
   EXPECT_EQ(kit.rotating_damping_ratio, (std::vector<double>{0}));
 }
 
-/// A pedestal does not turn.
+/// A pedestal does not rotate, so rotating damping is not allowed with pedestals.
 TEST(RotorKit, DampingThatTurnsWithTheShaftTakesNoPedestals) {
   const std::string supports =
       "rotor.supports=[{position_m: 0, stiffness_x_n_per_m: 1e4, stiffness_y_n_per_m: 1e4}, "

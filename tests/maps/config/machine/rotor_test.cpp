@@ -20,12 +20,12 @@ model::JeffcottRotor rotor_of(const std::vector<std::string>& overrides) {
   return std::get<model::JeffcottRotor>(read(overrides).study.machine.rotor);
 }
 
-/// sqrt(8e5 / 2) = 632.46 rad/s = 100.66 Hz; 60 / (2 sqrt(8e5 2)) = 0.023717.
+/// Frequency: sqrt(8e5 / 2) = 632.46 rad/s = 100.66 Hz; damping ratio: 60 / (2 sqrt(8e5 2)) = 0.023717.
 TEST(Rotor, ByStiffnessAndDampingConstant) {
   const model::JeffcottRotor rotor = rotor_of({by_constants});
   EXPECT_NEAR(rotor.natural_frequency_hz, std::sqrt(4e5) / (2 * std::numbers::pi), 1e-12);
   EXPECT_NEAR(rotor.damping_ratio, 60 / (2 * std::sqrt(1.6e6)), 1e-16);
-  // The matrices of the equation of motion are the constants again.
+  // The matrices of the equations of motion contain the given constants.
   const auto assembly = scene::prepare_machine(read({by_constants}).study.machine).assembly;
   EXPECT_NEAR(assembly.system.stiffness(0, 0), 8e5, 1e-8);
   EXPECT_NEAR(assembly.system.damping(1, 1), 60, 1e-12);
@@ -76,7 +76,7 @@ TEST(Rotor, ProblemsNameBothKeys) {
             std::string::npos);
 }
 
-/// A cell with another mass would keep frequency and ratio instead of the constants.
+/// Cells with another mass would keep frequency and damping ratio instead of the constants.
 TEST(Rotor, AnAxisThatWouldChangeTheConstantsIsRefused) {
   const auto problem = [](const std::string& key) {
     return message_of(test_file("minimal.yaml"),

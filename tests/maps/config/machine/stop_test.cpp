@@ -26,13 +26,13 @@ TEST(Stop, TakesEachSourceOfDamping) {
 TEST(Stop, TakesARestitutionByTheMassOfTheRotor) {
   const model::Stop printed = read_stop_with({"stops.0.restitution_by_rotor_mass=0.7"});
   EXPECT_EQ(std::get<model::RestitutionByRotorMass>(printed.damping).value, 0.7);
-  // One source of damping takes the place of another where it is written over it.
+  // A new kind of damping replaces the previous one.
   const model::Stop delivered =
       read_stop_with({"stops.0.restitution_by_rotor_mass=0.7", "stops.0.restitution_delivered=0.6"});
   EXPECT_EQ(std::get<model::DeliveredRestitution>(delivered.damping).value, 0.6);
 }
 
-/// The stop of the minimal configuration with this law in place of stiffness and restitution.
+/// The minimal configuration with this law instead of the stop's stiffness and restitution.
 std::string with_law(const std::string& law) {
   return replaced(replaced(test_file("minimal.yaml"), "    restitution: 0.7\n", ""),
                   "    stiffness_n_per_m: 2.0e6\n", "    law: " + law + "\n");

@@ -47,7 +47,7 @@ TEST(SupportTable, FromAFileIsPrintedInlineAndReadsBackTheSame) {
   EXPECT_EQ(print_config(read_run_config_text(printed, "printed.yaml", {})), printed);
 }
 
-/// Table that a file with these bytes gives, or what is wrong with it.
+/// Tests tables read from a file with given bytes, or the error messages.
 class SupportTableFile : public testing::Test {
  protected:
   RunConfig config_of(const std::string& bytes) const {
@@ -75,7 +75,7 @@ class SupportTableFile : public testing::Test {
     expect_near(table.columns[3][1], 3.2e4);
     expect_near(table.columns[4][0], 5);
   }
-  /// The same with a unit of speeds beside the name of the file, at a speed in Hz.
+  /// The configuration with a unit of speed beside the file name, and the table's speed in Hz.
   RunConfig config_in(const std::string& unit, const std::string& speed, const std::string& bytes) const {
     std::ofstream(directory_.path() / "film.csv", std::ios::binary) << bytes;
     return read_run_config_text(replaced(test_file("bad/table_missing.yaml"), "tables/no_such_table.csv",
@@ -117,7 +117,7 @@ TEST_F(SupportTableFile, AreReadFromFurtherSuppliers) {
       "Speed,Stiffness,Stiffness,Damping\n[rpm],Kxx [N/m],Kyy [N/m],Cxx [Ns/m]\n1200,3e4,3.1e4,5\n"
       "4800,33500,32000,6\n");
   expect_table("n [1/s],kxx,kyy,cxx\n20,3e4,3.1e4,5\n80,33500,32000,6\n");
-  // A row that repeats the one before it says nothing else.
+  // A row that repeats the previous one adds nothing.
   expect_table(
       "speed_hz,kxx,kyy,cxx\n20,3e4,3.1e4,5\n20,3e4,3.1e4,5\n80,33500,32000,6\n80,33500,32000,6\n,,,\n");
   expect_table("speed_hz,kxx,kyy,cxx\n80,33500,32000,6\n80,33500,32000,6\n20,3e4,3.1e4,5\n");

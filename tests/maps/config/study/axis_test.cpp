@@ -161,7 +161,7 @@ TEST(AxisKeyAxisAxes, AreRefusedBeforeTheRun) {
             "sweep.x.keys: 'kick.force_n' is there twice, allowed: every key once");
   EXPECT_EQ(axes_problem("x: {keys: [kick.force_n], factors: [0], values: [1]}"),
             "sweep.x.factors: vary nothing, allowed: a factor that is not 0");
-  // Metres that are meant as millimetres.
+  // Metres where millimetres were probably meant.
   EXPECT_NE(axes_problem("x: {key: stops.0.clearance_m, values: [0.001, 1]}").find("millimetres"),
             std::string::npos);
 }

@@ -6,7 +6,7 @@
 namespace rubsweep::config::study {
 namespace {
 
-/// A stop on a moving casing, and a rigid one.
+/// One stop on a moving casing, and one rigid stop.
 const std::vector<std::string> two_stops{
     "stops=[{kind: one_side, angle_deg: 90, clearance_m: 1e-3, stiffness_n_per_m: 2e6, restitution: 0.7, "
     "contact_radius_m: 0.02}, {kind: one_side, angle_deg: -90, clearance_m: 1e-3, stiffness_n_per_m: 2e6, "

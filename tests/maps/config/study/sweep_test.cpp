@@ -124,7 +124,7 @@ TEST(SweepPlaceAxes, TakesAGradeAtTheRatedSpeedInEveryCell) {
       grid(speed, "balance_grade_mm_per_s: {values: [2.5, 6.3]}", "  rated_speed_rpm: 3000\n");
   ASSERT_EQ(read.measure, sweep::UnbalanceMeasure::eccentricity_m);
   ASSERT_EQ(read.unbalance.size(), 2U);
-  // Published beside the grades: 8 and 20 micrometres at 3000 revolutions per minute.
+  // Published eccentricities of the balance grades: 8 and 20 micrometres at 3000 rpm.
   EXPECT_NEAR(read.unbalance[0], 7.96e-6, 0.01e-6);
   EXPECT_NEAR(read.unbalance[1], 20.05e-6, 0.01e-6);
   EXPECT_EQ(grid(speed, "balance_grade_mm_per_s: 6.3", "  rated_speed_hz: 50\n").unbalance.front(),
@@ -226,7 +226,7 @@ TEST(SweepPlaceAxes, RefusesAnAxisOverTheMassBehindAnUnbalance) {
       message_of(with_sweep(speed, "unbalance_g_mm: 80", axis)),
       "test.yaml:8:12: rotor.mass_kg: is part of the mass that sweep.unbalance_g_mm takes its eccentricities "
       "from, allowed: another key, or sweep.eccentricity_m or sweep.whirl_ratio");
-  // A grade says the eccentricity of a Jeffcott rotor whatever its mass.
+  // For a Jeffcott rotor a balance grade determines the eccentricity, whatever its mass is.
   EXPECT_EQ(message_of(with_sweep(speed, "balance_grade_mm_per_s: 6.3", "  rated_speed_hz: 50\n" + axis)),
             "no error");
 }

@@ -4,7 +4,7 @@
 
 namespace rubsweep::config::study {
 
-/// The minimal configuration with its sweep on lines of its own.
+/// The minimal configuration with the axes of its sweep on separate lines.
 inline std::string with_sweep_lines(const std::string& axes) {
   return "rotor: {kind: jeffcott, mass_kg: 0.8, natural_frequency_hz: 30, damping_ratio: 0.02}\n"
          "stops:\n"

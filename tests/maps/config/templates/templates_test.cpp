@@ -14,7 +14,7 @@ TEST(Templates, AreReadWithoutAProblemOrAQuestion) {
   for (const std::string_view name : template_names()) {
     const auto text = template_text(name);
     ASSERT_TRUE(text) << name;
-    // Beside the file of ROSS that one of them names.
+    // One of the templates reads a file of ROSS beside it.
     const auto file = std::filesystem::path(TEMPLATE_FOLDER) / "my.yaml";
     const RunConfig config = read_run_config_text(*text, file.string(), {});
     EXPECT_TRUE(config.questions.empty()) << name << ": " << config.questions.front();

@@ -9,7 +9,7 @@
 namespace rubsweep::config::yaml {
 namespace {
 
-/// A node in one line, maps in the order of their keys: {a: 1, b: [2, 3]}.
+/// A node as one line, with maps in the order of their keys: {a: 1, b: [2, 3]}.
 std::string written(const Node& node) {
   if (node.kind == Node::Kind::null) return "null";
   if (node.kind == Node::Kind::scalar) return node.text;
@@ -65,7 +65,7 @@ TEST(BaseMerged, AKeyTakesBackWhatTheBaseSaysByOtherMeans) {
   EXPECT_EQ(merge("{from: 1, to: 2, count: 3}", "count: 5"), "{from: 1, to: 2, count: 5}");
   EXPECT_EQ(merge("{kick: 1}", "{kick: , start: 2}"), "{start: 2}");
   EXPECT_EQ(merge("{speed_hz: 1}", "{speed_rpm: 60, speed_hz: }"), "{speed_rpm: 60}");
-  // Repeated keys of one file stay, to be refused.
+  // Repeated keys of one file are kept, so that they are refused later.
   EXPECT_EQ(merge("stribeck: [1]", "{coefficient: 1, static: 2}"), "{coefficient: 1, static: 2}");
 }
 

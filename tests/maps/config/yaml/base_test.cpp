@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory of configurations that goes when the test ends.
+/// A directory of configurations that is removed at the end of the test.
 class Base : public testing::Test {
  protected:
   void write(const std::string& name, const std::string& text) const {
@@ -29,7 +29,7 @@ class Base : public testing::Test {
     return read_run_config(directory / name, overrides);
   }
 
-  /// The complete message, without the directory of the test.
+  /// The complete error message without the test's directory.
   std::string message(const std::string& name, const std::vector<std::string>& overrides = {}) const {
     try {
       read(name, overrides);
@@ -185,7 +185,7 @@ TEST_F(Base, AFileThatLeadsBackToItselfIsRefusedWhereItDoes) {
       message("a.yaml"),
       "b/../c.yaml:2:7: kick.base: 'a.yaml' leads back to itself, allowed: a file that is not based on this "
       "one");
-  // The same file twice beside each other is no cycle.
+  // The same file twice on one level is not a cycle.
   write("twice.yaml", "rotor: {base: empty.yaml}\nkick: {base: empty.yaml}\n");
   write("empty.yaml", "{}\n");
   EXPECT_EQ(message("twice.yaml").find("base"), std::string::npos) << message("twice.yaml");
@@ -199,7 +199,7 @@ TEST_F(Base, BoundsFilesGenerationsAndValues) {
       message("chain0.yaml").find("chain16.yaml:1:7: base: too many bases of bases, allowed: at most 16"),
       std::string::npos)
       << message("chain0.yaml");
-  // Sixteen files that each name the next one forty times.
+  // Sixteen files, each of which names the next one forty times.
   std::string list;
   for (int i = 0; i < 16; ++i) {
     list = "x:\n";

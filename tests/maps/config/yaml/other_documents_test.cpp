@@ -49,7 +49,7 @@ TEST(OtherDocumentsTomlDocument, WhatIsNoneSaysWhere) {
             std::string::npos);
 }
 
-/// Each part of a key is a table inside the one before it.
+/// Each part of a dotted key is a table inside the table of the part before it.
 TEST(OtherDocumentsTomlDocument, KeysOfManyPartsAreRefusedBeforeTheyAreTables) {
   std::string parts = "a";
   for (int i = 0; i < 40'000; ++i) parts += i % 2 == 0 ? ".a" : ". \"b\"";

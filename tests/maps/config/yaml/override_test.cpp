@@ -42,7 +42,7 @@ TEST(Override, TakesBackWhatExcludesIt) {
   const auto grid = file({"sweep.speed_hz.values=[70, 80]", "sweep.eccentricity_m={values: [1.0e-5]}"}).grid;
   EXPECT_EQ(grid.speed_hz, (std::vector<double>{70, 80}));
   EXPECT_EQ(grid.measure, sweep::UnbalanceMeasure::eccentricity_m);
-  // Part of a range leaves the rest of it.
+  // Overriding a part of a range keeps its other parts.
   EXPECT_EQ(file({"sweep.speed_hz.count=3"}).grid.speed_hz.size(), 3u);
 }
 

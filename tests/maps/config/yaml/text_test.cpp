@@ -55,7 +55,7 @@ TEST(TextTerminalText, ShowsWhatATerminalWouldObey) {
   EXPECT_EQ(printable("\r\a\x7f"), "\\x0d\\x07\\x7f");
   EXPECT_EQ(printable("\xc2\x9b"
                       "2J"),
-            "\\xc2\\x9b2J");                     // U+009B, an escape sequence in one character
+            "\\xc2\\x9b2J");                     // U+009B introduces an escape sequence
   EXPECT_EQ(printable("\xc2\xa0"), "\xc2\xa0");  // U+00A0 is a blank
 }
 

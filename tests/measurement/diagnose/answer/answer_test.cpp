@@ -14,7 +14,7 @@ namespace {
 using inference::Diagnosis;
 using inference::DiagnosisProblem;
 
-/// The answer to a recording of one of the simulated cases.
+/// The answer for a recording of one of the simulated cases.
 Answer answer_to_case(std::size_t candidate, RecordingFacts facts = {}) {
   const DiagnosisProblem problem = inference::small_problem();
   std::size_t i = 0;
@@ -94,7 +94,7 @@ TEST(Answer, FindsScaleTurnAndMark) {
 TEST(Answer, LeavesWhatTheOtherMotionDoesNotHave) {
   MotionLines other = small_motion();
   other.at(2) = 0;
-  // Energies are 1 and 1/4: a circle of the same size has 1 in common: |c|^2 / (1.25 x 1.25).
+  // The energies are 1 and 1/4; a circle of the same size has |c|^2 / (1.25 x 1.25) in common, with |c| = 1.
   const double common = 1e-4 * std::sqrt(1.25) * 1e-4;
   const double left = 2 * 1.25e-8 - 2 * common;
   EXPECT_NEAR(lay_over(small_motion(), other, true).unexplained, left / 1.25e-8, 1e-9);

@@ -4,7 +4,7 @@
 
 namespace rubsweep::diagnose::answer {
 
-/// Lines at 1X and 1/2 over 4 turns.
+/// A motion with lines at 1X and 1/2X over 4 turns.
 inline MotionLines small_motion() {
   MotionLines lines{4, Eigen::VectorXcd::Zero(2 * 12 + 1)};
   lines.at(4) = 1e-4;

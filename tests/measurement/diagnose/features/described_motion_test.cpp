@@ -36,7 +36,7 @@ TEST(DescribedMotionWaveformFeatures, KnowBackwardWhirlFromForward) {
 }
 
 TEST(DescribedMotionWaveformFeatures, PointToWhereAnOrbitReachesFarthest) {
-  // A circle that is flattened on the side towards +x.
+  // A circle that is flattened on the +x side.
   Eigen::VectorXcd z = circle(64);
   for (std::complex<double>& w : z) w = {std::min(w.real(), 1.0), w.imag()};
   z.array() -= z.mean();
@@ -56,7 +56,7 @@ TEST(DescribedMotion, HasTheSameFeaturesHoweverItIsTurnedScaledAndMarked) {
   response::spectrum::SpectrumWorkspace workspace;
   const MotionLines lines = crooked_motion();
   const DescribedMotion one = describe(lines, {}, workspace);
-  // Marks an eighth of a turn apart: the samples of the waveform are the same then, but begin elsewhere.
+  // Marks an eighth of a turn apart: the waveform has the same samples, but begins at another one.
   const DescribedMotion other = describe(seen_otherwise(lines, 3e-5, 1.1, 2 * pi * 9 / 8), {}, workspace);
   ASSERT_EQ(one.features.size(), other.features.size());
   for (std::size_t i = 0; i < one.features.size(); ++i) {
@@ -89,7 +89,7 @@ TEST(DescribedMotion, TurnsItsDirectionsWithTheMotion) {
   EXPECT_NEAR(angle, one.direction_rad, 1e-12);
   EXPECT_NEAR(value_of(turned.features, "sine of lopsided direction"),
               value_of(one.features, "cosine of lopsided direction"), 1e-9);
-  // An ellipse turned by a quarter is longest across.
+  // An ellipse rotated by 90 degrees is longest in the other direction.
   const char* longest = "cosine of twice the direction in which 1X is longest";
   EXPECT_NEAR(value_of(turned.features, longest), -value_of(one.features, longest), 1e-9);
   const double of_1x = std::arg(lines.at(12) * lines.at(-12));
@@ -128,7 +128,7 @@ TEST(DescribedMotion, NamesItsFeaturesOnce) {
   }
 }
 
-/// Length that a line's arrow keeps in a point.
+/// Ratio by which the features shorten the arrow of line k.
 double kept(const MotionLines& lines, int k) {
   const double length = std::abs(lines.at(k));
   return length / (length + 0.01 * size_of(lines));

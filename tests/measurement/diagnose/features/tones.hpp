@@ -8,12 +8,12 @@
 
 namespace rubsweep::diagnose {
 
-/// A circle; backward at an order below 0.
+/// A circular motion; it is backward for a negative order.
 struct Tone {
   double order = 0, amplitude = 0;
 };
 
-/// Their sum over 30 turns, as a transform of its samples has it.
+/// Lines of the sum of these circles over 30 turns, by a transform of its samples.
 inline MotionLines tones(const std::vector<Tone>& all) {
   constexpr int turns = 30, samples_of_a_turn = 32;
   std::vector<std::complex<double>> samples;

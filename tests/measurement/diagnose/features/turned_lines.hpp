@@ -7,7 +7,7 @@
 
 namespace rubsweep::diagnose {
 
-/// A motion with subharmonics that is round in no way, over 12 turns.
+/// A motion over 12 turns with subharmonics and without any symmetry.
 inline MotionLines crooked_motion() {
   MotionLines lines{12, Eigen::VectorXcd::Zero(2 * 72 + 1)};
   lines.at(12) = {1, 0.2};
@@ -21,7 +21,7 @@ inline MotionLines crooked_motion() {
   return lines;
 }
 
-/// The same motion turned, scaled, and recorded from another mark.
+/// The same motion rotated, scaled, and recorded from another mark.
 inline MotionLines seen_otherwise(const MotionLines& lines, double scale, double turn_rad, double mark_rad) {
   MotionLines seen = lines;
   for (int k = -lines.last(); k <= lines.last(); ++k)
@@ -29,7 +29,7 @@ inline MotionLines seen_otherwise(const MotionLines& lines, double scale, double
   return seen;
 }
 
-/// Its reading by one probe.
+/// The motion as a single probe reads it.
 inline MotionLines one_reading(const MotionLines& lines) {
   MotionLines seen = lines;
   for (int k = -lines.last(); k <= lines.last(); ++k)

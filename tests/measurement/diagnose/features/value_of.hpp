@@ -8,7 +8,7 @@
 
 namespace rubsweep::diagnose::features {
 
-/// Value of the feature of that name, which must be there.
+/// Value of the feature with this name, which must exist.
 inline double value_of(const Features& features, std::string_view name) {
   for (const Feature& feature : features)
     if (feature.name == name) return feature.value;

@@ -67,7 +67,7 @@ TEST(Forest, DoesNotDependOnThreads) {
             Forest(samples, {.threads = 3}).posterior_weights(here));
 }
 
-/// How far the second label's function is above the first's.
+/// Difference between the discriminant functions of the second and the first label.
 Eigen::VectorXd second_over_first(const LinearDiscriminants& functions, const Eigen::MatrixXd& features) {
   const Eigen::MatrixXd both = functions.beside(features);
   return both.col(features.cols() + 1) - both.col(features.cols());
@@ -80,8 +80,8 @@ TEST(Forest, StandBesideTheFeatures) {
   EXPECT_EQ(both.leftCols(2), samples.features);
 }
 
-/// The inverse of a unit covariance times a distance of 2: the logarithm of the odds of Bayes' theorem. The
-/// first feature's deviation is that of both clouds together, sqrt(2), the ridge is small.
+/// With unit covariance and a distance of 2, the difference is the logarithm of the odds by Bayes' theorem.
+/// The first feature is scaled by its deviation over both clouds, sqrt(2); the ridge is small.
 TEST(Forest, OfTwoNormalDistributionsAreTheLogarithmOfTheOdds) {
   const LinearDiscriminants functions(two_clouds(40000, 2));
   for (const double x : {-1.5, 0.4, 2.0}) {
@@ -104,7 +104,7 @@ TEST(Forest, SeeWhatNoFeatureAloneTells) {
 }
 
 TEST(Forest, MindTheWeightsOfTheSamples) {
-  // Samples far off count nothing without weight.
+  // Distant samples without weight have no influence.
   LabelledSamples samples = two_clouds(2000, 4), less = samples;
   for (Eigen::Index i = 0; i < 2000; i += 5) {
     samples.features(i, 0) = 2 - samples.features(i, 0);

@@ -11,7 +11,7 @@
 namespace rubsweep::diagnose::forest {
 namespace {
 
-/// A dense and a wide cloud.
+/// Draws a point from a dense or from a wide cloud.
 Eigen::VectorXd draw(RandomStream& random) {
   const bool wide = random.uniform() < 0.5;
   Eigen::VectorXd x(4);
@@ -32,7 +32,7 @@ TEST(Novelty, OfThePopulationIsEvenlyDistributed) {
   std::vector<double> p;
   for (int k = 0; k < 1000; ++k) p.push_back(novelty.p_value(draw(random)));
   std::ranges::sort(p);
-  // Kolmogorov and Smirnov, at 0.1 %, with the spread of the population's own quantiles beside.
+  // Kolmogorov-Smirnov test at 0.1 %, widened by the scatter of the population's own quantiles.
   double largest = 0;
   for (std::size_t k = 0; k < p.size(); ++k)
     largest = std::max(largest, std::abs(p[k] - static_cast<double>(k + 1) / static_cast<double>(p.size())));
@@ -41,7 +41,7 @@ TEST(Novelty, OfThePopulationIsEvenlyDistributed) {
 
 TEST(Novelty, FindsWhatStandsBesideADenseCloud) {
   const Novelty novelty(population(800));
-  // Nearer to the dense cloud than members of the wide one are to each other.
+  // Closer to the dense cloud than members of the wide cloud are to each other, but still novel.
   EXPECT_LT(novelty.p_value(Eigen::Vector4d(1.5, 0, 0, 0)), 0.01);
   EXPECT_GT(novelty.p_value(Eigen::Vector4d(0, 0.1, 0, 0)), 0.05);
 }

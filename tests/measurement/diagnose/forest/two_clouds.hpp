@@ -7,8 +7,8 @@
 
 namespace rubsweep::diagnose::forest {
 
-/// Two normal distributions of unit deviation, a distance of 2 apart along the first feature; the second
-/// tells nothing.
+/// Two normal distributions with unit deviation, whose means differ by 2 in the first feature; the second
+/// feature has no information.
 inline LabelledSamples two_clouds(int count, std::uint64_t seed) {
   LabelledSamples samples{Eigen::MatrixXd(count, 2), {}, Eigen::VectorXd::Ones(count), 2};
   RandomStream random(seed, 0, 0);
@@ -20,7 +20,7 @@ inline LabelledSamples two_clouds(int count, std::uint64_t seed) {
   return samples;
 }
 
-/// Two clouds that overlap in both features, and differ by 1 in the difference of these alone.
+/// Two clouds that overlap in both features; only the difference of the features separates them, by 1.
 inline LabelledSamples slanting_clouds(int count, std::uint64_t seed) {
   LabelledSamples samples = two_clouds(count, seed);
   for (int i = 0; i < count; ++i) {
@@ -30,7 +30,7 @@ inline LabelledSamples slanting_clouds(int count, std::uint64_t seed) {
   return samples;
 }
 
-/// Probability by Bayes' theorem of the second cloud, which is weighted `odds` times the first.
+/// Probability of the second cloud by Bayes' theorem; its prior weight is `odds` times that of the first.
 inline double second_cloud(double x, double odds = 1) { return 1 / (1 + std::exp(-2 * x) / odds); }
 
 }  // namespace rubsweep::diagnose::forest

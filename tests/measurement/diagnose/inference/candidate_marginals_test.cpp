@@ -13,7 +13,7 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-/// 0, 0.001, ... 1, evenly likely in the prior.
+/// Values 0, 0.001, ... 1 with equal prior probabilities.
 Eigen::VectorXd even_values() { return Eigen::VectorXd::LinSpaced(1001, 0, 1); }
 Eigen::VectorXd even_prior() { return Eigen::VectorXd::Ones(1001); }
 
@@ -87,11 +87,11 @@ TEST(CandidateMarginalsMarginal, AnglesGoRound) {
 }
 
 struct Calibration {
-  double inside = 0, below_middle = 0;  ///< shares of the true values
+  double inside = 0, below_middle = 0;  ///< shares of trials by where the true value lies
 };
 
-/// Simulation-based calibration where the posterior is known: draws of it, each with a weight of its own, and
-/// the true value is one more draw. `spread`: standard deviation of the logarithms of the weights.
+/// Simulation-based calibration with a known posterior: weighted draws from it, and one more draw as the true
+/// value. `spread`: standard deviation of the logarithms of the weights.
 template <class Posterior>
 Calibration calibration_of(Posterior draw, int draws, double spread) {
   std::mt19937_64 random(7);
@@ -147,7 +147,7 @@ TEST(CandidateMarginalsMarginal, TheBetaTransformMovesProbabilitiesAndKeepsTheMe
   EXPECT_EQ(even.beta_transformed(1).quantile(0.3), even.quantile(0.3));
   const Marginal narrow = even.beta_transformed(2);
   EXPECT_NEAR(narrow.quantile(0.5), 0.5, 2e-3);
-  // 3 u^2 - 2 u^3 is the distribution function for parameters of 2.
+  // For the parameter 2 the distribution function is 3 u^2 - 2 u^3.
   EXPECT_NEAR(narrow.probability_up_to(0.2), 3 * 0.04 - 2 * 0.008, 2e-3);
   EXPECT_NEAR(narrow.quantile(3 * 0.04 - 2 * 0.008), 0.2, 3e-3);
 }
@@ -159,7 +159,7 @@ TEST(CandidateMarginalsMarginal, EffectiveCasesAreThoseOfEqualWeight) {
   EXPECT_EQ(effective_cases(Eigen::VectorXd::Zero(3)), 0);
 }
 
-/// Ranks that a beta distribution with both parameters `beta` has, evenly.
+/// Evenly spaced quantiles of the symmetric beta distribution with parameter `beta`.
 Eigen::VectorXd ranks_with(double beta, int count) {
   Eigen::VectorXd ranks(count);
   for (int k = 0; k < count; ++k) ranks(k) = boost::math::ibeta_inv(beta, beta, (k + 0.5) / count);
@@ -186,7 +186,7 @@ TEST(CandidateMarginals, CountRanksByTheirWeights) {
   EXPECT_NEAR(beta_of_ranks(ranks, weight), 2, 0.03);
 }
 
-/// Marginals of the stop, from a recording of a case that the set does not hold.
+/// Marginals for the candidate with a stop, from a recording of a case outside the set.
 std::vector<QuantityMarginal> marginals_of_a_stop(std::uint64_t seed, int threads = 0) {
   ObservedCases observed;
   observe_cases(small_problem(), small_set(), 0, observed);
@@ -219,8 +219,8 @@ TEST(CandidateMarginals, DoNotDependOnThreads) {
       EXPECT_EQ(one[k].marginal.quantile(share), three[k].marginal.quantile(share));
 }
 
-/// The beta transform keeps the median. Any other probability that differs from that of the plain marginal
-/// shows that it was applied, and gives its parameter.
+/// The beta transform keeps the median. A difference of any other probability from the plain marginal shows
+/// that it was applied, and gives its parameter.
 TEST(CandidateMarginals, AreTransformedByTheRanksOfSimilarCases) {
   const DiagnosisProblem problem = small_problem();
   ObservedCases observed;
@@ -240,7 +240,7 @@ TEST(CandidateMarginals, AreTransformedByTheRanksOfSimilarCases) {
     const double lower = plain.quantile(0.25);
     if (std::abs(plain.probability_up_to(lower) - marginal.probability_up_to(lower)) > 1e-3) ++moved;
     EXPECT_EQ(plain.quantile(0), marginal.quantile(0)) << to_string(quantity);
-    // A parameter is within three deviations of its prior, exp(0.75) = 2.1, and the rank beside it.
+    // The parameter is within three deviations of its prior, exp(0.75) = 2.1, which limits the difference.
     EXPECT_NEAR(plain.probability_up_to(lower), marginal.probability_up_to(lower), 0.2)
         << to_string(quantity);
   }

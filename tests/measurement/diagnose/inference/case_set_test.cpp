@@ -10,7 +10,7 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-/// Only the whirl ratio and the kick's phase are unknown.
+/// A candidate in which only the whirl ratio and the kick's phase are unknown.
 Candidate two_unknowns() {
   Candidate candidate = usual_candidate(Cause::one_side);
   for (Spread& spread : candidate.spreads) spread = {1, 1};
@@ -95,7 +95,7 @@ TEST(CaseSet, WeighsCandidatesAsThePriorSays) {
 }
 
 TEST(CaseSet, KeepsTheMeanOfAnUnknownWhateverIsDrawnMoreOften) {
-  // Draws without simulation: the weights undo that the proposal favours one corner.
+  // Draws without simulation: the weights must cancel the proposal's preference for one corner.
   const DiagnosisProblem problem = small_problem();
   CaseSet set;
   RandomStream random(5, 0, 0);

@@ -22,13 +22,13 @@ DiagnosisOptions quick(int threads = 0) {
 
 TEST(Diagnosis, AddsMotionsThatResembleTheRecording) {
   DiagnosisOptions options = quick();
-  options.least_change = 0;  // no round is spared
+  options.least_change = 0;  // all rounds are run
   const features::DescribedMotion seen = recorded_case(1, 21);
   const Diagnosis diagnosis = diagnose(small_problem(), seen, options, small_set());
   EXPECT_EQ(diagnosis.history.size(), 3U);
   EXPECT_GT(diagnosis.set.cases.size(), small_set().cases.size());
   EXPECT_GT(diagnosis.posterior.probability(1), 0.8);
-  // They weigh more than those of the priors, each by itself.
+  // Proposed cases weigh more, on average, than those from the priors.
   double weight[2] = {0, 0}, count[2] = {0, 0};
   for (std::size_t i = 0; i < diagnosis.set.cases.size(); ++i) {
     if (diagnosis.set.cases[i].candidate != 1) continue;
@@ -65,8 +65,8 @@ TEST(Diagnosis, InterruptedAnswersByTheCasesAtHand) {
 }
 
 TEST(Diagnosis, IsTheScatterOfAnswersByOtherCases) {
-  // The same problem with other random numbers: the scatter of the answers is what the halves foretell, also
-  // where these are nearly certain, and halves are less so.
+  // The same problem with other random numbers: the scatter of the answers must agree with the prediction
+  // from halves, also near certainty, where halves are less certain.
   constexpr int sets = 16;
   const std::array recordings{recorded_case(1, 35), recorded_case(1, 33)};
   std::array<double, recordings.size()> sum{}, square{}, foretold{};

@@ -46,7 +46,7 @@ TEST_F(KeptCases, OfAnotherMachineAreNotTaken) {
   DiagnosisProblem other = small_problem();
   other.fixed.rotor_mass_kg = 2;
   EXPECT_FALSE(kept_cases(directory.path(), cases_digest(other, few_cases()), other));
-  // The instrument changes no motion.
+  // The instrument does not affect the simulated motions.
   other = small_problem();
   other.measuring.probes = 1;
   EXPECT_EQ(cases_digest(other, few_cases()), digest);

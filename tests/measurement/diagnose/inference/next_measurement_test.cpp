@@ -9,7 +9,7 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-/// A diagnosis that could not tell, though the candidates differ.
+/// A diagnosis with equal probabilities, although the candidates differ.
 Diagnosis undecided(const DiagnosisProblem& problem) {
   Diagnosis diagnosis;
   diagnosis.set = small_set();
@@ -22,7 +22,7 @@ TEST(NextMeasurement, TellsCandidatesApartThatDiffer) {
   const auto measurements = next_measurements(small_problem(), undecided(small_problem()), 0);
   ASSERT_EQ(measurements.size(), 3U);
   EXPECT_TRUE(std::ranges::is_sorted(measurements, std::greater{}, &NextMeasurement::information_bits));
-  // A rub on one stop against none: at most one bit, and most of it.
+  // Two candidates, a rub on one stop or none, allow one bit at most; the best measurement gives most of it.
   EXPECT_GT(measurements.front().information_bits, 0.5);
   EXPECT_LE(measurements.front().information_bits, 1);
 }

@@ -22,7 +22,7 @@ TEST(OtherCause, VibratesAtOnceTheSpeedAndAtOthers) {
       if (j % 12 != 0) between += std::norm(lines.at(j));
     (between > 1e-4 ? free_orders : others) += 1;
   }
-  // One to four components, half of them multiples of the speed, or an ellipse alone.
+  // There are one to four components, half of which are multiples of the speed; otherwise only an ellipse.
   EXPECT_GT(free_orders, 80);
   EXPECT_GT(others, 40);
 }
@@ -53,7 +53,7 @@ TEST(OtherCause, VibratesAlongOneDirectionAtItsMultiplesNowAndThen) {
   for (std::uint64_t k = 0; k < all; ++k) {
     RandomStream random(3, k, 0);
     const MotionLines lines = vibration_of_another_cause(turns, random, workspace);
-    // A line across the shaft is an ellipse without area: forward and backward are equal.
+    // A line across the shaft is an ellipse without area: its forward and backward amplitudes are equal.
     int without_area = 0;
     for (int order = 2; order <= 5; ++order) {
       const double forward = std::abs(lines.at(order * turns)), backward = std::abs(lines.at(-order * turns));
@@ -61,7 +61,7 @@ TEST(OtherCause, VibratesAlongOneDirectionAtItsMultiplesNowAndThen) {
     }
     along_one += without_area == 4;
   }
-  // By one to four components, of which a free order or a multiple may lie on the same lines.
+  // Each of one to four components may be along a line; a free order or a multiple may overlap with it.
   EXPECT_GT(along_one, all / 10);
   EXPECT_LT(along_one, all / 3);
 }

@@ -42,7 +42,7 @@ TEST(Posterior, ExcludesClearancesThatTheCandidateDoesNotHave) {
   problem.candidates[1].clearance_m = {middle_m / 1.5, middle_m * 1.5, true};
   ObservedCases observed;
   observe_cases(problem, small_set(), 0, observed);
-  // A motion a hundred times as large asks for a clearance that is as much larger.
+  // A motion a hundred times larger requires a clearance a hundred times larger.
   features::DescribedMotion seen = recorded_case(1, 11);
   EXPECT_GT(posterior_of(problem, small_set(), observed, seen, 0).probability(1), 0.8);
   seen.size_m *= 100;
@@ -52,7 +52,7 @@ TEST(Posterior, ExcludesClearancesThatTheCandidateDoesNotHave) {
 TEST(Posterior, AQuietWhirlAsLargeAsManyClearancesIsNone) {
   DiagnosisProblem problem = small_problem();
   problem.candidates[0].clearance_m = {1e-4, 2e-4, true};
-  // Few cases leave a quiet whirl beside vibrations of other causes that hardly differ from it.
+  // With few cases a quiet whirl is hard to distinguish from similar vibrations of other causes.
   const CaseSet set = prior_cases(problem, {.cases_per_candidate = 200});
   ObservedCases observed;
   observe_cases(problem, set, 0, observed);
@@ -62,7 +62,7 @@ TEST(Posterior, AQuietWhirlAsLargeAsManyClearancesIsNone) {
     const Posterior posterior = posterior_of(problem, set, observed, seen, 0);
     return (1 - posterior.none) * posterior.probability(0);
   };
-  // At whirl ratios from 0.01 to 1 and clearances of 100 to 200 um.
+  // Whirl ratios are from 0.01 to 1, clearances from 100 to 200 um.
   EXPECT_GT(no_rub_at(1e-5), 0.8);
   EXPECT_LT(no_rub_at(4e-4), 0.1);
   EXPECT_LT(no_rub_at(4e-7), 0.1);
@@ -74,12 +74,12 @@ TEST(Posterior, AKnownUnbalanceTellsWhetherItExplainsTheSize) {
   observe_cases(problem, small_set(), 0, observed);
   const features::DescribedMotion quiet = recorded_case(0, 11);
   EXPECT_GT(posterior_of(problem, small_set(), observed, quiet, 0).probability(0), 0.8);
-  // A Jeffcott rotor at r = 2.2 whirls by e r^2 / (r^2 - 1), the root mean square of a circle being its
-  // radius.
+  // At r = 2.2 a Jeffcott rotor whirls with the radius e r^2 / (r^2 - 1), which is the root mean square of a
+  // circle.
   const double r = 66 / 30.15, eccentricity_m = quiet.size_m * (r * r - 1) / (r * r);
   problem.eccentricity_m = {eccentricity_m / 1.2, eccentricity_m * 1.2, true};
   EXPECT_GT(posterior_of(problem, small_set(), observed, quiet, 0).probability(0), 0.8);
-  // An unbalance three times as large would make a larger circle.
+  // An unbalance three times larger would cause a larger circle.
   problem.eccentricity_m = {2.5 * eccentricity_m, 3.6 * eccentricity_m, true};
   const Posterior posterior = posterior_of(problem, small_set(), observed, quiet, 0);
   EXPECT_LT((1 - posterior.none) * posterior.probability(0), 0.1);
@@ -89,7 +89,7 @@ TEST(Posterior, KnowsWhatIsNoneOfThem) {
   const DiagnosisProblem problem = small_problem();
   ObservedCases observed;
   observe_cases(problem, small_set(), 0, observed);
-  // A strong line at 2X, and one that turns backward at 2.37X.
+  // A strong line at 2X, and a backward line at 2.37X.
   MotionLines lines{12, Eigen::VectorXcd::Zero(2 * 96 + 1)};
   lines.at(12) = 1e-4;
   lines.at(24) = 1e-4;
@@ -120,8 +120,8 @@ TEST(Posterior, ObservesOnlyWhatIsNew) {
 
 constexpr double case_size_m = 1e-4;
 
-/// Density of a case of the candidate whose clearance would have to be this one. Its numbers stand in the
-/// middle of their ranges.
+/// Size density of a case for the recording whose size requires `clearance`. The candidate's numbers are in
+/// the middle of their ranges.
 double density_at(const DiagnosisProblem& problem, std::size_t candidate, double clearance,
                   double eccentricity_m = 0) {
   SimulatedCase one{.candidate = candidate};
@@ -132,7 +132,7 @@ double density_at(const DiagnosisProblem& problem, std::size_t candidate, double
 }
 
 TEST(Posterior, OfARubIsThatOfItsClearances) {
-  const DiagnosisProblem problem = small_problem();  // 50 um to 1 mm
+  const DiagnosisProblem problem = small_problem();  // clearances from 50 um to 1 mm
   EXPECT_EQ(density_at(problem, 1, 6e-5), 1);
   EXPECT_EQ(density_at(problem, 1, 9e-4), 1);
   EXPECT_EQ(density_at(problem, 1, 4e-5), 0);
@@ -144,7 +144,7 @@ TEST(Posterior, OfAQuietWhirlIsTheShareOfWhirlRatiosThatTheSizeAllows) {
   const Candidate& quiet = problem.candidates[0];
   const Spread ratios = spread_of(quiet, Unknown::whirl_ratio);
   const double middle = std::sqrt(ratios.low * ratios.high);
-  // A radius of 0.2 mm: from 0.2 of the largest clearance to all of one that is as large.
+  // A radius of 0.2 mm: whirl ratios from 0.2 (largest clearance) to 1 (clearance equal to the radius).
   const double radius_m = 2e-4;
   EXPECT_NEAR(density_at(problem, 0, radius_m / middle),
               std::log(ratios.high / 0.2) / std::log(ratios.high / ratios.low), 1e-9);

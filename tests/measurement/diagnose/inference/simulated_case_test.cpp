@@ -14,14 +14,13 @@ namespace rubsweep::diagnose::inference {
 namespace {
 
 TEST(SimulatedCase, GrowsWithItsClearance) {
-  // The same machine with a clearance ten times as large moves ten times as far, and pushes ten times as
-  // hard.
+  // With ten times the clearance the same machine has ten times the displacement and ten times the force.
   DiagnosisProblem problem = small_problem(), larger = problem;
   for (Candidate& candidate : larger.candidates) candidate.clearance_m = {5e-4, 1e-2, true};
   response::spectrum::SpectrumWorkspace workspace;
   int compared = 0;
   for (const SimulatedCase& one : small_set().cases) {
-    // Motions that go on for ever from rounding are left out: those of chaos.
+    // Chaotic motions, which amplify rounding, are left out.
     if (one.candidate != 1 || one.motion.contact.hits > 40) continue;
     const auto other = simulate_case(larger, 1, one.unit, workspace);
     ASSERT_TRUE(other);
@@ -44,7 +43,7 @@ TEST(SimulatedCase, OfAKitThatIsAJeffcottRotorIsTheSame) {
       const double frequency_hz = of_kit.fixed.kit->natural_frequency_hz;
       spread_of(candidate, Unknown::natural_frequency) = {frequency_hz, frequency_hz};
       spread_of(candidate, Unknown::damping_ratio) = {0.02, 0.02};
-      // At the disc.
+      // The stop is at the disc.
       spread_of(candidate, Unknown::position) = {0.2, 0.2};
     }
   }
@@ -58,7 +57,7 @@ TEST(SimulatedCase, OfAKitThatIsAJeffcottRotorIsTheSame) {
     if (!kit || jeffcott->motion.contact.hits > 40) continue;
     EXPECT_NEAR(kit->motion.contact.peak_contact_force_n / jeffcott->motion.contact.peak_contact_force_n, 1,
                 1e-3);
-    // The probe stands nearer to the bearing, where the shaft moves less, in the same way.
+    // The probe is closer to the bearing, where the shaft moves less, but in phase.
     const std::complex<double> ratio = kit->motion.lines.at(12) / jeffcott->motion.lines.at(12);
     EXPECT_LT(ratio.real(), 1);
     EXPECT_NEAR(ratio.imag(), 0, 1e-3);

@@ -4,7 +4,7 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// No rub or one flat stop, of a machine that is known, at twice its natural frequency.
+/// A problem with two candidates, no rub or one flat stop, on a known machine at twice its natural frequency.
 inline DiagnosisProblem small_problem() {
   DiagnosisProblem problem;
   problem.candidates = {usual_candidate(Cause::no_rub), usual_candidate(Cause::one_side)};
@@ -27,13 +27,13 @@ inline CaseOptions few_cases(int threads = 0) {
   return options;
 }
 
-/// The prior cases, simulated once.
+/// Cases drawn from the priors, simulated once for all tests.
 inline const CaseSet& small_set() {
   static const CaseSet set = prior_cases(small_problem(), few_cases());
   return set;
 }
 
-/// A case that the set does not hold, as it would be recorded.
+/// A case outside the set, as it would be recorded.
 inline features::DescribedMotion recorded_case(std::size_t candidate, std::uint64_t seed) {
   const DiagnosisProblem problem = small_problem();
   response::spectrum::SpectrumWorkspace workspace;

@@ -33,7 +33,7 @@ std::vector<double> half_orders() {
 
 AskedLines asked() { return {speed_hz, eccentricity_m, turns, half_orders()}; }
 
-/// Lines of the last turns of a long run from the kick, with which no orbit is corrected.
+/// Lines of the last turns of a long run from the kick, without Newton corrections.
 Eigen::VectorXcd lines_of_a_long_run(const scene::PreparedMachine& machine) {
   constexpr int long_enough = 1200, samples = 512;
   const scene::Cell cell = scene::build_cell(machine, speed_hz, scene::Eccentricity{eccentricity_m});
@@ -64,8 +64,8 @@ Eigen::VectorXcd lines_of_a_long_run(const scene::PreparedMachine& machine) {
   return lines;
 }
 
-/// Angle of the shaft where a run begins, in closed form: there the quiet whirl of the Jeffcott rotor points
-/// at the wall, and the shaft is ahead of it by the lag of the response, arg(1 - r^2 + 2 i z r).
+/// Shaft angle at the start of a run, in closed form: the quiet whirl of the Jeffcott rotor points to the
+/// wall, and the shaft leads by the lag of the response, arg(1 - r^2 + 2 i z r).
 double begin_rad(const model::Machine& machine) {
   const auto& rotor = std::get<model::JeffcottRotor>(machine.rotor);
   const double r = speed_hz / rotor.natural_frequency_hz;
@@ -73,14 +73,15 @@ double begin_rad(const model::Machine& machine) {
          std::arg(Complex(1 - r * r, 2 * rotor.damping_ratio * r));
 }
 
-/// Lines whose phases count from another place of the shaft, after it has turned on by `angle_rad`.
+/// Lines with phases that count from another mark, reached after a shaft angle of `angle_rad`.
 Eigen::VectorXcd turned(Eigen::VectorXcd lines, double angle_rad) {
   for (Eigen::Index i = 0; i < lines.size(); ++i)
     lines(i) *= std::polar(1.0, half_orders()[static_cast<std::size_t>(i)] * angle_rad);
   return lines;
 }
 
-/// Largest difference of lines. A period of two turns may begin with either: the one that leaves less.
+/// Largest difference of the lines. A period of two turns may begin with either turn; the smaller value is
+/// returned.
 double apart(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
   double least = INFINITY;
   for (int turn = 0; turn < turns; ++turn)
@@ -124,7 +125,7 @@ TEST(RubOrbits, LinesDoNotDependOnWhoElseAsked) {
   EXPECT_EQ(other.lines_m(with_clearance(1.001), faster), other_speed);
   EXPECT_EQ(other.lines_m(with_clearance(0.999), asked()), second);
   EXPECT_EQ(other.lines_m(with_clearance(1.001), asked()), first);
-  // From two threads at once.
+  // The lines do not depend on a call from a second thread.
   auto beside = std::async(std::launch::async, [&] { return one.lines_m(with_clearance(1.001), asked()); });
   EXPECT_EQ(one.lines_m(with_clearance(0.999), asked()), second);
   EXPECT_EQ(beside.get(), first);
@@ -158,8 +159,8 @@ TEST(RubOrbits, AFitFindsWhatTheStopIs) {
   };
   RubLines data{.speed_hz = speed_hz, .turns = turns, .order = half_orders(), .line_m = {}};
   data.line_m = lines_of_a_long_run(with(clearance_m, stiffness));
-  // The long run begins where its own smallest gap is: its lines are turned to the shaft, then to another
-  // mark.
+  // The long run begins at its own smallest gap, so its lines are rotated to the shaft's zero angle, then to
+  // another mark.
   data.line_m = turned(data.line_m, mark_deg * pi / 180 - begin_rad(scene::one_side_machine()));
   RubOrbits orbits({}, {});
   MachineFit problem{.parameters = {{"clearance", 1e-3, 9e-4, 1.2e-3, 1e-3},

@@ -19,7 +19,8 @@ namespace {
 using OrbitSegment = Segment<orbits::OrbitProblem, BranchPoint>;
 using OrbitTest = EventTest<EventKind, BranchPoint>;
 
-/// A step in which a pair of roots is looked for is parted at most so often, and not below this length.
+/// Limits on halving a step in search of a pair of roots: number of divisions, and length of the shortest
+/// part.
 constexpr int most_parted = 6;
 constexpr double shortest_parted = 1e-6;
 
@@ -34,17 +35,18 @@ BranchEvent event_between(const orbits::OrbitProblem& problem, EventKind kind, c
   return {kind, b, std::abs(b.parameter - a.parameter) / 2 + rounding_of_parameter(problem, b), {}};
 }
 
-/// Difference of the states half a period apart.
+/// Difference of the states at half a period and at the start.
 Eigen::VectorXd half_period_difference(const BranchPoint& point) {
   return point.facts.sections[point.facts.sections.size() / 2] - point.state;
 }
 
 bool opposite(double a, double b) { return (a < 0) != (b < 0); }
 
-/// Where the branch joins that of half its period it crosses itself, and Newton's iteration is worth little.
-/// The orbit of half the period is regular there and has a period doubling, which is found to rounding.
+/// Locates an orbit where the branch joins the branch of half its period. The branch crosses itself there, so
+/// that Newton's iteration on it is inaccurate. The orbit of half the period is regular there and has a
+/// period doubling, which can be located to rounding.
 void sharpen_halving(const orbits::OrbitProblem& problem, BranchEvent& halving) {
-  constexpr double reach = 1e-4;  ///< share of the parameter, in its coordinate
+  constexpr double reach = 1e-4;  ///< half-width of the searched range, in units of the parameter's scale
   if (!problem.half_returns) return;
   orbits::OrbitProblem half = problem;
   half.returns = problem.half_returns;
@@ -66,7 +68,7 @@ void sharpen_halving(const orbits::OrbitProblem& problem, BranchEvent& halving) 
     halving.point.parameter = (below + above) / 2;
     halving.parameter_error = (above - below) / 2;
   } catch (const NotContinuous&) {
-    return;  // the event stays as it was found
+    return;  // the event keeps the place found first
   }
 }
 
@@ -78,7 +80,7 @@ class Finder {
     if (!(segment_.length() > 0)) throw NotContinuous{};
   }
 
-  /// The orbit at which the step is to be parted because one of the functions may have two roots in it.
+  /// Orbit at which the step is divided because one of the test functions may have two roots in the step.
   std::optional<BranchPoint> between_a_pair(bool every_graze) const {
     if (segment_.length() < shortest_parted || is_about_half_period()) return std::nullopt;
     auto share = share_of_a_pair();
@@ -109,8 +111,9 @@ class Finder {
     return true;
   }
 
-  /// The functions of the multipliers by cubics through their values and slopes; the tangent's component
-  /// along the parameter, which is the parameter's slope, by what the parameter comes to.
+  /// Position in the step at which a test function may have two roots. Functions of the multipliers are
+  /// approximated by cubics through their values and slopes. The tangent's parameter component, the fold
+  /// function, follows from its values at both ends and the change of the parameter.
   std::optional<double> share_of_a_pair() const {
     const double length = segment_.length(), cosine = from_.tangent.dot(to_.tangent);
     if (!(cosine > 0)) return std::nullopt;
@@ -146,7 +149,8 @@ class Finder {
     return has_half_period() && half_period_difference(from_).dot(half_period_difference(to_)) < 0;
   }
 
-  /// The branch then turns back as its own shift by half a period, which is no fold.
+  /// Finds where the branch joins the branch of half the period. Behind it the branch runs back, shifted by
+  /// half a period, and this turning point is no fold.
   bool joins_half_period() {
     if (!has_half_period()) return false;
     const Eigen::VectorXd before = half_period_difference(from_).normalized();
@@ -173,7 +177,8 @@ class Finder {
     return std::ranges::find(events_, kind, &BranchEvent::kind) != events_.end();
   }
 
-  /// Whether multipliers, and pairs of them, that cross 1 in size at the events found explain the change.
+  /// Whether the multipliers that cross the unit circle at the events found, alone or in pairs, explain the
+  /// change of `unstable`.
   bool stability_explained() const {
     const int turns = has(EventKind::fold) || has(EventKind::branch_point);
     const int single = turns + has(EventKind::period_halving) + has(EventKind::period_doubling);
@@ -182,7 +187,8 @@ class Finder {
     return change <= single + 2 * pairs && (change - single) % 2 == 0;
   }
 
-  /// Tori; two real multipliers whose product is 1 are none.
+  /// Finds tori. The test function is also zero for two real multipliers with the product 1, which is no
+  /// torus.
   void find_tori() {
     if (find({EventKind::neimark_sacker, torus_test_of}) &&
         !orbits::nearest_pair_is_complex(events_.back().point.multipliers))
@@ -195,7 +201,7 @@ class Finder {
   std::vector<BranchEvent> events_;
 };
 
-/// `parted`: how often the step has been parted already.
+/// `parted`: number of divisions of the step so far.
 std::vector<BranchEvent> events_of_piece(const orbits::OrbitProblem& problem, const BranchPoint& from,
                                          const BranchPoint& to, bool every_graze, int parted) {
   Finder finder(problem, from, to);

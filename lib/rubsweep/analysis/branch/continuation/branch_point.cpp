@@ -12,7 +12,7 @@ namespace {
 
 using batch::csv_number;
 
-/// Both ends of the interval of the parameter that a branch covers.
+/// Lowest and highest value of the parameter on a branch.
 std::pair<double, double> interval(const Branch& branch) {
   const auto [low, high] = std::ranges::minmax_element(branch.points, {}, &BranchPoint::parameter);
   return {low->parameter, high->parameter};

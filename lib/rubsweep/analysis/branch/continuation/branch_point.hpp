@@ -12,13 +12,13 @@
 
 namespace rubsweep::branch::continuation {
 
-/// Smooth functions of the multipliers, which are zero where one of them is +1 or -1 or a pair has the
-/// product 1; or their slopes along a branch.
+/// Smooth functions of the multipliers, each zero where one multiplier is +1 or -1, or where a pair has the
+/// product 1. Also used for the slopes of these functions along a branch.
 struct MultiplierTests {
   double unit = 0, doubling = 0, torus = 0;
 };
 
-/// A smooth function along a branch which is zero where the sequence of contact modes changes at one place of
+/// Smooth function along a branch that is zero where the sequence of contact modes changes at one place of
 /// the orbit.
 struct Margin {
   enum class Kind {
@@ -27,7 +27,7 @@ struct Margin {
   };
   Kind kind = Kind::approach;
   int contact = 0;
-  contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< change that begins it
+  contact::Mode from = contact::Mode::open, to = contact::Mode::open;  ///< first change of the stretch
   double phase_rad = 0;
   double value = 0;  ///< >= 0
   double slope = 0;  ///< slope per unit of arclength
@@ -37,25 +37,25 @@ struct Margin {
   }
 };
 
-/// Step of central differences by the parameter, in its coordinate: the noise of a turn, 1e-13, and the error
-/// of the formula both stay near 1e-7. Beside a graze, which they must not lead over, they are finer.
+/// Step of central differences by the parameter, in its coordinate. The noise of a turn, 1e-13, and the
+/// truncation error both cause errors near 1e-7. Steps beside a graze are smaller, as they must not cross it.
 inline constexpr double usual_difference_step = 1e-6;
 
-/// An orbit on a branch. Continuation measures lengths in the coordinates (state / sqrt(states),
-/// parameter / parameter_scale).
+/// Orbit on a branch. Continuation measures lengths in the coordinates (state / sqrt(states), parameter /
+/// parameter_scale).
 struct BranchPoint {
   double parameter = 0;
-  double arclength = 0;  ///< along the branch from the start orbit, below 0 on the side of falling parameter
+  double arclength = 0;  ///< length from the start orbit; < 0 on the side of falling parameter
   Eigen::VectorXd state;
   Eigen::VectorXd tangent;  ///< unit vector along the branch in the coordinates above; parameter last
   Eigen::MatrixXd monodromy;
-  Eigen::VectorXcd multipliers;  ///< largest modulus first
-  int unstable = 0;              ///< multipliers outside the unit circle
+  Eigen::VectorXcd multipliers;  ///< multipliers of the orbit, the largest modulus first
+  int unstable = 0;              ///< number of multipliers outside the unit circle
   double branching = 0;  ///< determinant of the bordered derivative, which changes sign at branch points
-  double slope_difference = 0;  ///< relative, of the derivatives by the parameter at two step sizes
-  double difference_step = usual_difference_step;  ///< step of that derivative
-  std::optional<MultiplierTests> slopes;           ///< slopes per unit of arclength, where they were needed
-  std::optional<std::vector<Margin>> margins;      ///< where they were needed
+  double slope_difference = 0;  ///< relative difference of the parameter derivatives at two step sizes
+  double difference_step = usual_difference_step;  ///< step size of the derivative by the parameter
+  std::optional<MultiplierTests> slopes;           ///< slopes per unit of arclength, if they were needed
+  std::optional<std::vector<Margin>> margins;      ///< margins, if they were needed
   orbits::OrbitFacts facts;
 
   bool stable() const { return unstable == 0; }
@@ -67,10 +67,10 @@ enum class EventKind {
   period_doubling,  ///< a multiplier passes -1
   neimark_sacker,   ///< a pair of complex multipliers leaves or enters the unit circle: a torus
   branch_point,  ///< a multiplier passes +1 while the parameter goes on: a symmetry breaks, or branches cross
-  period_halving,  ///< the branch joins that of an orbit of half its period, and runs back as its own shift
+  period_halving,  ///< the branch joins the branch of half its period, and runs back shifted by half a period
   graze,           ///< a hit or a pair of changes of contact mode appears or disappears
-  sequence,        ///< the sequence of contact modes changes otherwise
-  stability,       ///< multipliers leave or enter the unit circle in a way none of the above explains
+  sequence,        ///< any other change of the sequence of contact modes
+  stability,       ///< multipliers cross the unit circle without one of the events above
 };
 
 constexpr std::string_view to_string(EventKind kind) { return enumerator_word(kind); }
@@ -79,38 +79,38 @@ struct BranchEvent {
   EventKind kind = EventKind::fold;
   BranchPoint point;
   double parameter_error =
-      0;               ///< half-width of the interval in which the root was enclosed, in the parameter
-  std::string detail;  ///< graze: contact, and what appears or disappears as the arclength grows
-  std::optional<orbits::SequenceChange> change = {};  ///< change at a graze
+      0;               ///< half-width of the interval that encloses the root, in units of the parameter
+  std::string detail;  ///< graze: contact, and what appears or disappears with growing arclength
+  std::optional<orbits::SequenceChange> change = {};  ///< graze: change of the contact sequence
 };
 
-/// Why a branch ends.
+/// Reason why a branch ends.
 enum class Ending {
   left_range,      ///< the parameter reaches the end of its range; the last point is there
   closed,          ///< back at the start: the branch is a closed curve
-  off_the_walls,   ///< no contact any more behind a graze: the orbit is the quiet motion from there on
-  period_halving,  ///< end on the branch of an orbit of half the period
-  infeasible,      ///< no machine or scene beyond
+  off_the_walls,   ///< no contact any more behind a graze: the orbit is the quiet motion from here on
+  period_halving,  ///< the branch joins the branch of half its period
+  infeasible,      ///< no machine or scene exists beyond
   failed,          ///< the solver cannot make a turn
-  step_too_small,  ///< Newton's iteration finds no orbit however near the last one
-  singular,        ///< no direction of the branch can be told
+  step_too_small,  ///< Newton's iteration finds no orbit even close to the last one
+  singular,        ///< the tangent of the branch cannot be determined
   point_limit,
-  resonance,     ///< curve of tori: beyond a 1:1 or 1:2 resonance its two multipliers are real
-  unfolds,       ///< curve of branch points: branches cross no longer when the second parameter changes
-  first_change,  ///< stability was lost or regained, where following was to stop there
+  resonance,     ///< curve of tori: at a 1:1 or 1:2 resonance both multipliers become real
+  unfolds,       ///< curve of branch points: branches cross no longer as the second parameter changes
+  first_change,  ///< stability changed, and `stop_at_first_change` was set
   target,        ///< the wanted parameter is reached
 };
 
 constexpr std::string_view to_string(Ending ending) { return enumerator_word(ending); }
 
-/// One side of a branch: from its start on.
+/// One half of a branch, from its start in one direction.
 struct HalfBranch {
-  std::vector<BranchPoint> points;  ///< the start first
-  std::vector<BranchEvent> events;  ///< events in the order in which they are met
+  std::vector<BranchPoint> points;  ///< points from the start on
+  std::vector<BranchEvent> events;  ///< events in the order in which they occur
   Ending ending = Ending::left_range;
 };
 
-/// A branch both ways: points and events by ascending arclength.
+/// Branch in both directions: points and events by ascending arclength.
 struct Branch {
   int order = 1;
   std::vector<BranchPoint> points;
@@ -119,13 +119,13 @@ struct Branch {
          rising = Ending::left_range;  ///< endings at the first and at the last point
 };
 
-/// `#` lines of both files: the meaning of the parameter, and the ending of each branch.
+/// Comment lines for both files: meaning of the parameter, and ending of each branch.
 std::string branch_comments(const std::string& parameter, const std::vector<Branch>& branches);
 
-/// Header and a row for every point, branch by branch, by ascending arclength.
+/// Table with a header and a row for every point, branch by branch, by ascending arclength.
 std::string branch_csv(const std::vector<Branch>& branches);
 
-/// Header and a row for every event, the same way.
+/// Table with a header and a row for every event, branch by branch, by ascending arclength.
 std::string branch_events_csv(const std::vector<Branch>& branches);
 
 /// Summary for a terminal: the extent of each branch, and its events.

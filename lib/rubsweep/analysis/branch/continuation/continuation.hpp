@@ -22,20 +22,21 @@ class StepControl {
 
   double step() const { return step_; }
 
-  /// Halves the step, as no point was found one step ahead; false where it becomes too short.
+  /// Halves the step after a failure; false where it becomes too short.
   bool shorten() {
     step_ /= 2;
     return step_ >= shortest_;
   }
 
-  /// A correction farther from its guess than this may have found another branch, or another part of this
-  /// one.
+  /// Whether a correction is so far from its guess that it may have found another branch, or a distant part
+  /// of this one.
   bool is_far(double from_guess) const { return from_guess > 0.2 * step_; }
 
-  /// `cosine`: of the angle between the tangents here and one step ahead.
+  /// Whether the curve turns too much in one step. `cosine`: cosine of the angle between the tangents at both
+  /// ends of the step.
   bool turns_sharply(double cosine) const { return cosine < 0.94 && step_ > 100 * shortest_; }
 
-  /// Follows a step that Newton's iteration found as easily as this.
+  /// Lengthens the step after a success. `easily`: Newton's iteration needed few iterations.
   void lengthen(double cosine, bool easily) {
     if (cosine > 0.985 && easily) step_ = std::min(longest_, 1.5 * step_);
   }
@@ -45,21 +46,21 @@ class StepControl {
 };
 
 /// Pseudo-arclength continuation: predictor along the tangent, Newton's iteration across it as corrector,
-/// adaptive steps, events on every step. What is continued and when it ends says a `Task`:
+/// adaptive steps, and a search for events in every step. A `Task` defines what is continued and where it
+/// ends:
 /// - Problem, Point, Event, Half (points, events, ending), Correction: its types;
 /// - problem(): see Segment;
-/// - easy_iterations: so many iterations or fewer let steps grow;
-/// - holds(correction): whether it lies in the range of the parameters;
+/// - easy_iterations: the step grows if Newton's iteration needs no more iterations than this;
+/// - holds(correction): whether a correction lies in the range of the parameters;
 /// - correct_at_edge(here, correction): Newton's iteration on the edge of that range, which the step to
-///   `correction` has crossed; empty where `here` is on it already;
-/// - refuses(here, next): why `next` cannot be the point after `here`, if it cannot;
-/// - prepare(next): adds what the search for events needs;
-/// - events_between(here, next): by ascending arclength; empty where no continuous curve leads from one to
-///   the other;
-/// - ending_at(start, event): why the curve ends at an event, if it does;
-/// - images(point): positions of the same solution, as seen from each turn of its period;
-/// - corner_ahead(here, step), which may be left out: a corner of the curve within about a step, as
-///   EvenGraze has it, if there is one.
+///   `correction` has crossed; empty where `here` is on the edge already;
+/// - refuses(here, next): reason why `next` cannot be the point after `here`, or empty;
+/// - prepare(next): adds the data that the search for events needs;
+/// - events_between(here, next): events by ascending arclength; empty where no continuous curve connects the
+///   two points;
+/// - ending_at(start, event): reason why the curve ends at an event, or empty;
+/// - images(point): positions of the same solution, one for each turn of its period;
+/// - corner_ahead(here, step), optional: corner of the curve within about a step, as in EvenGraze, or empty.
 template <class Task>
 class Continuation {
  public:
@@ -122,7 +123,7 @@ class Continuation {
     if (take(std::move(*next))) steps_.lengthen(turn, found.iterations <= Task::easy_iterations);
   }
 
-  /// Goes around a corner within the step, or ends there. False where there is none.
+  /// Continues around a corner within the step, or ends there. False where there is no corner.
   bool turns_corner() {
     if constexpr (requires { task_.corner_ahead(here(), steps_.step()); }) {
       auto corner = task_.corner_ahead(here(), steps_.step());
@@ -149,7 +150,7 @@ class Continuation {
     if (take(std::move(*last)) && !ended_) end(Ending::left_range);
   }
 
-  /// False, with a shorter step, where `next` does not follow `here`.
+  /// Takes `next` as the next point. False, with a shorter step, where `next` does not follow `here`.
   bool take(Point next) {
     if (const std::optional<Ending> refusal = task_.refuses(here(), next)) {
       shorten(*refusal);
@@ -166,7 +167,7 @@ class Continuation {
     return true;
   }
 
-  /// Whether the curve ends at one of them.
+  /// Adds events up to one at which the curve ends. Returns whether there was one.
   template <class Events>
   bool add_events(Events events) {
     for (auto& event : events) {
@@ -176,7 +177,7 @@ class Continuation {
     return false;
   }
 
-  /// The event's own point is then the last one.
+  /// Whether the curve ends at the last event, whose point then becomes the last point.
   bool ends_at_last_event() {
     const auto ending = task_.ending_at(half_.points.front(), half_.events.back());
     if (!ending) return false;
@@ -185,7 +186,7 @@ class Continuation {
     return true;
   }
 
-  /// Whether the start lies between here and `next`: the curve then ends there.
+  /// Whether the start lies between `here` and `next`; the curve is then closed and ends there.
   bool is_closed_by(const Point& next) {
     if (half_.points.size() < 3) return false;
     const Segment segment(task_.problem(), here(), next);
@@ -210,15 +211,15 @@ class Continuation {
   bool ended_ = false;
 };
 
-/// A curve followed both ways: points and events by ascending arclength.
+/// Curve followed in both directions: points and events by ascending arclength.
 template <class Half>
 struct BothWays {
-  Half all;  ///< `ending`: at its last point
+  Half all;  ///< `ending`: ending at its last point
   Ending backward = Ending::left_range;
 };
 
-/// `half` seen from its end: arclengths are below 0, and the start, which is the first of the other half, is
-/// left out.
+/// `half` in reverse order with negative arclengths. Leaves out the start, which is the first point of the
+/// other half.
 template <class Half>
 Half reversed(Half half) {
   half.points.erase(half.points.begin());
@@ -237,8 +238,8 @@ Half reversed(Half half) {
   return half;
 }
 
-/// Continues from `start` both ways; one that closes is followed one way. turned_about(point) is a point with
-/// its curve the other way round.
+/// Continues from `start` in both directions; a closed curve is followed in one direction.
+/// turned_about(point) is the point with its tangent reversed.
 template <class Task, class Options>
 BothWays<typename Task::Half> continue_both_ways(const Task& task, const typename Task::Point& start,
                                                  const Options& options) {

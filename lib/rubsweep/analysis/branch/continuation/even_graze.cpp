@@ -16,8 +16,8 @@ using Eigen::VectorXd;
 
 constexpr double first_penetration = 1e-3, last_penetration = 4e-7;
 constexpr int nodes_wanted = 7;
-constexpr std::size_t extrapolated_from = 5;  ///< nodes
-/// Orbits looked for on the other side have this penetration at most.
+constexpr std::size_t extrapolated_from = 5;  ///< number of nodes
+/// Largest penetration at which orbits on the other side of the graze are sought.
 constexpr double other_side = 1e-6;
 
 const orbits::EvenContact* even_at(const BranchPoint& point, int contact) {
@@ -29,7 +29,7 @@ double penetration(const orbits::OrbitProblem& problem, const Position& at, int 
   return problem.penetration(parameter_of(problem, at), state_of(at), contact);
 }
 
-/// Per unit of length along `tangent`.
+/// Slope of the penetration per unit of length along `tangent`.
 double slope_along(const orbits::OrbitProblem& problem, const Position& at, const VectorXd& tangent,
                    int contact) {
   constexpr double h = 1e-6;
@@ -37,14 +37,14 @@ double slope_along(const orbits::OrbitProblem& problem, const Position& at, cons
          (2 * h);
 }
 
-/// An orbit of the branch near the graze: `at` has its distance along the tangent of the start behind its
-/// position.
+/// Orbit of the branch near the graze. `at` is its position, followed by its distance along the start's
+/// tangent.
 struct Node {
   double penetration = 0;
   VectorXd at;
 };
 
-/// The polynomial through the last `count` nodes, by the penetration.
+/// Value at the penetration `to` of the polynomial in the penetration through the last `count` nodes.
 VectorXd extrapolated(const std::vector<Node>& nodes, std::size_t count, double to) {
   count = std::min(count, nodes.size());
   const std::size_t first = nodes.size() - count;
@@ -66,7 +66,7 @@ class EvenGrazeSearch {
     slope_ = slope_along(problem, begin_, here.tangent, contact);
   }
 
-  /// Distance by the slope; not positive where the branch leads away from the graze.
+  /// Distance to the graze, estimated by the slope; <= 0 where the branch leads away from the graze.
   double expected() const { return -nodes_.front().penetration / slope_; }
 
   std::optional<EvenGraze> find(double farthest) {
@@ -104,13 +104,13 @@ class EvenGrazeSearch {
     nodes_.push_back(std::move(node));
   }
 
-  /// Adds the orbit at which the penetration is about `size`, on this side.
+  /// Adds the orbit on this side whose penetration is about `size`.
   bool approach(double size, double farthest) {
     const double wanted = std::copysign(size, nodes_.front().penetration);
     Position guess = begin_ + (wanted - nodes_.front().penetration) / slope_ * here_.tangent;
     if (nodes_.size() > 1) guess = extrapolated(nodes_, extrapolated_from, wanted).head(begin_.size());
     if (here_.tangent.dot(guess - begin_) > farthest) return false;
-    // Differences by the parameter must not lead over the graze.
+    // Differences by the parameter must not cross the graze.
     const double step = std::clamp(size, 1e-8, usual_difference_step);
     last_ = correct(problem_, guess, here_.tangent, step);
     if (!last_.converged) return false;
@@ -121,7 +121,8 @@ class EvenGrazeSearch {
     return true;
   }
 
-  /// The orbit found, one step of Newton's iteration nearer; the step after that one is what rounding leaves.
+  /// Position of the orbit after one more Newton step. The step after that one measures the effect of
+  /// rounding.
   Position polished(double difference_step) {
     Position at = position_of(problem_, last_);
     const VectorXd step = next_step(problem_, last_.point, here_.tangent, difference_step);
@@ -145,7 +146,7 @@ class EvenGrazeSearch {
            std::abs(even->penetration) < first_penetration;
   }
 
-  /// The point with the tangent along which the penetration goes on as it came.
+  /// Point with the direction of its tangent chosen so that the penetration keeps changing in the same sense.
   BranchPoint led_away(BranchPoint point) const {
     const double slope = slope_along(problem_, position_of(problem_, point), point.tangent, contact_);
     return (slope > 0) == touches() ? turned_about(std::move(point)) : point;
@@ -160,7 +161,8 @@ class EvenGrazeSearch {
     return point;
   }
 
-  /// The tangent behind the corner is that of the map at a state which lies on that side as a whole.
+  /// Finds an orbit behind the corner along the tangent there. That tangent follows from the monodromy matrix
+  /// at a state that lies completely on the other side of the graze.
   std::optional<BranchPoint> beyond_by_tangent(const Position& corner) const {
     BranchPoint there = here_;
     there.parameter = parameter_of(problem_, corner);
@@ -184,7 +186,7 @@ class EvenGrazeSearch {
     return std::nullopt;
   }
 
-  /// The motion that the corner's state settles on a little beside it, for branches that touch on the way.
+  /// Orbit behind the corner, found by simulation from the corner's state at a slightly different parameter.
   std::optional<BranchPoint> beyond_by_settling(const Position& corner) const {
     constexpr int returns = 300;
     for (double away = other_side; away >= last_penetration / 4; away /= 4) {
@@ -200,7 +202,8 @@ class EvenGrazeSearch {
     return std::nullopt;
   }
 
-  /// Facts at the graze itself. It touches as the orbit behind it does.
+  /// Takes the facts at the graze itself. Whether the orbit touches there is taken from the orbit behind the
+  /// graze.
   void take_facts(const std::optional<BranchPoint>& beyond, BranchPoint& point) const {
     if (auto facts = problem_.facts(point.parameter, point.state)) point.facts = std::move(*facts);
     if (beyond) {
@@ -219,7 +222,7 @@ class EvenGrazeSearch {
     }
   }
 
-  /// Difference of the last estimates, and what rounding does to the orbits that they are made from.
+  /// Error of the parameter: difference of the last estimates, plus the effect of rounding on the nodes.
   double parameter_error(double parameter_slope) const {
     double error = std::numeric_limits<double>::epsilon() * std::abs(estimates_.back());
     for (std::size_t i = estimates_.size() - 2; i < estimates_.size(); ++i)
@@ -261,7 +264,7 @@ class EvenGrazeSearch {
 std::optional<EvenGraze> even_graze_ahead(const orbits::OrbitProblem& problem, const BranchPoint& here,
                                           double step) {
   if (!problem.penetration || !problem.facts) return std::nullopt;
-  constexpr double reach = 1.5;  ///< number of steps: the next one must not end where all is rounding
+  constexpr double reach = 1.5;  ///< number of steps; the next step must not end where rounding dominates
   std::optional<EvenGrazeSearch> nearest;
   for (const orbits::EvenContact& even : here.facts.even) {
     if (std::abs(even.penetration) < last_penetration) continue;

@@ -14,7 +14,7 @@
 namespace rubsweep::branch::continuation {
 namespace {
 
-/// Unit vector that the monodromy matrix maps to its opposite.
+/// Null vector of monodromy + 1: unit vector whose sign changes every period.
 Eigen::VectorXd alternating(const Eigen::MatrixXd& monodromy) {
   const Eigen::Index n = monodromy.rows();
   const Eigen::MatrixXd sum = monodromy + Eigen::MatrixXd::Identity(n, n);
@@ -25,8 +25,8 @@ bool in_range(const orbits::OrbitProblem& problem, double parameter) {
   return parameter >= problem.low && parameter <= problem.high;
 }
 
-/// Whether its turns begin in the same states before the period is over. Close to where a branch joins that
-/// of a shorter period Newton's iteration leaves as much as this.
+/// Whether the turns begin in the same state before the period ends. The tolerance is the error that Newton's
+/// iteration leaves near the point where a branch joins one of a shorter period.
 bool repeats_sooner(const BranchPoint& point) {
   constexpr double same = 1e-6;
   const auto& sections = point.facts.sections;
@@ -58,12 +58,12 @@ class OrbitTask {
     if (here.parameter == parameter) return std::nullopt;
     const double share = (parameter - here.parameter) / (beyond.parameter - here.parameter);
     Correction last = correct_at(problem_, here.state + share * (beyond.state - here.state), parameter);
-    last.point.parameter = parameter;  // not as its coordinate rounds it
+    last.point.parameter = parameter;  // exact value, without the rounding of its coordinate
     return last;
   }
 
-  /// Every orbit is also one of twice its period: a step from an orbit onto one whose turns repeat sooner has
-  /// left the branch.
+  /// Refuses a step onto an orbit whose turns repeat sooner: every orbit also solves the equations of twice
+  /// its period, so that such a step has left the branch.
   static std::optional<Ending> refuses(const BranchPoint& here, const BranchPoint& next) {
     if (repeats_sooner(next) && !repeats_sooner(here)) return Ending::step_too_small;
     return std::nullopt;
@@ -137,7 +137,7 @@ std::optional<BranchPoint> orbit_from(const orbits::OrbitProblem& problem, const
 
 BranchPoint turned_about(BranchPoint point) {
   point.tangent = -point.tangent;
-  point.branching = -point.branching;  // the last row is the tangent
+  point.branching = -point.branching;  // the reversed tangent is a row of this determinant
   if (point.slopes) point.slopes = {-point.slopes->unit, -point.slopes->doubling, -point.slopes->torus};
   return point;
 }

@@ -14,15 +14,15 @@
 namespace rubsweep::branch::continuation {
 namespace {
 
-constexpr double width_wanted = 1e-12;  ///< along the branch
+constexpr double width_wanted = 1e-12;  ///< length along the branch
 constexpr int most_looks = 200;
 constexpr std::size_t most_grazes = 16;  ///< limit between two points
-/// A stretch longer than this, in shaft rotation, is not yet near its graze.
+/// A longer stretch, in shaft rotation, is not close to its graze yet.
 constexpr double short_stretch_rad = 0.3;
 
 using OrbitSegment = Segment<orbits::OrbitProblem, BranchPoint>;
 
-/// An orbit at s along a segment.
+/// Orbit at the distance s along a segment.
 struct Side {
   double s = 0;
   BranchPoint point;
@@ -63,9 +63,9 @@ class GrazeSearch {
     return change && change->duration_rad < short_stretch_rad ? change : std::nullopt;
   }
 
-  /// Where the squared duration, linear through the last two looks at the richer side, is zero; a little to
-  /// the richer side of it, so that this side comes near; and just beyond it once it is, so that the other
-  /// one does.
+  /// Next distance s to evaluate. The root of the squared duration is extrapolated linearly from the last two
+  /// orbits on the richer side. The first target lies slightly on the richer side of the root, to bring that
+  /// side close; the next lies just beyond the root, to bring the other side close.
   double next_by_root(const orbits::SequenceChange& change) {
     const double middle = (low_.s + high_.s) / 2, s = richer().s;
     const double value = change.duration_rad * change.duration_rad;
@@ -79,7 +79,8 @@ class GrazeSearch {
       aims_ = 0;
     }
     if (!(root_ > low_.s && root_ < high_.s) || aims_ > 3) return middle;
-    // At 1/100, 1/10, ... of the richer side's distance on either side of the root in turn.
+    // Targets at 1/100, then 1/20 of the richer side's distance from the root, first on its side, then on the
+    // other.
     const double away = std::max(std::abs(s - root_) * 0.01 * std::pow(5, aims_ / 2), width_wanted / 4);
     const double aim = root_ + (aims_ % 2 == 0 ? 1 : -1) * (s > root_ ? away : -away);
     ++aims_;
@@ -132,7 +133,7 @@ std::optional<std::vector<BranchEvent>> grazes_between(const orbits::OrbitProble
     events.push_back(search.find(problem));
     if (!search.enclosed(problem)) return std::nullopt;
     if (!(events.back().point.arclength > here.arclength)) break;
-    here = events.back().point;  // just beyond
+    here = events.back().point;  // just behind the event
   }
   return events;
 }

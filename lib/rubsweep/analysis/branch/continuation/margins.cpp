@@ -16,9 +16,9 @@ namespace {
 using contact::Mode;
 using integrate::run::ModeSwitch;
 
-constexpr double near_zero = 0.5;  ///< share of the end that is nearer to zero
+constexpr double near_zero = 0.5;  ///< largest dip, as a share of the value at the end nearer to zero
 
-/// a + b t + c t^2 + d t^3 for 0 <= t <= 1.
+/// Cubic a + b t + c t^2 + d t^3 for 0 <= t <= 1.
 struct Cubic {
   double a = 0, b = 0, c = 0, d = 0;
 
@@ -27,7 +27,7 @@ struct Cubic {
 };
 
 struct Extrema {
-  std::optional<double> lowest, highest;  ///< places of the local minimum and maximum, where they are inside
+  std::optional<double> lowest, highest;  ///< places of the local minimum and maximum inside the interval
 };
 
 Extrema extrema_of(const Cubic& f) {
@@ -38,14 +38,14 @@ Extrema extrema_of(const Cubic& f) {
   };
   const double discriminant = f.c * f.c - 3 * f.b * f.d;
   if (!(discriminant > 0)) return found;
-  // Both roots of b + 2 c t + 3 d t^2 without a difference of what is nearly equal.
+  // Both roots of b + 2 c t + 3 d t^2, without cancellation.
   const double q = -(f.c + std::copysign(std::sqrt(discriminant), f.c));
   if (q != 0) add(f.b / q);
   if (f.d != 0) add(q / (3 * f.d));
   return found;
 }
 
-/// Dip of a function that is positive where it begins.
+/// Place where a function that begins positive may have two more roots than the signs at its ends show.
 std::optional<double> dip_of(const Cubic& f) {
   const Extrema extrema = extrema_of(f);
   if (!extrema.lowest) return std::nullopt;
@@ -54,7 +54,7 @@ std::optional<double> dip_of(const Cubic& f) {
     if (lowest < near_zero * std::min(f.a, f.end())) return extrema.lowest;
     return std::nullopt;
   }
-  // Through zero, back, and through it again.
+  // The function becomes negative, comes back and becomes negative again.
   const bool comes_back =
       extrema.highest && *extrema.highest > *extrema.lowest && f.at(*extrema.highest) > near_zero * f.end();
   if (comes_back && lowest < near_zero * f.a) return extrema.lowest;
@@ -68,7 +68,7 @@ std::optional<double> dip_of_signed(Cubic f) {
 
 double period_of(const orbits::OrbitProblem& problem) { return 2 * std::numbers::pi * problem.order; }
 
-/// Stretch from the change `begin` to `end`, which comes next in the closed sequence.
+/// Stretch from the change `begin` to the change `end`, the next one in the closed sequence.
 Margin stretch_between(const ModeSwitch& begin, const ModeSwitch& end, double period_rad) {
   double duration_rad = end.phase_rad - begin.phase_rad;
   if (duration_rad <= 0) duration_rad += period_rad;
@@ -76,7 +76,7 @@ Margin stretch_between(const ModeSwitch& begin, const ModeSwitch& end, double pe
           duration_rad * duration_rad};
 }
 
-/// Hits, flights and stretches from one mode back to it, of one contact whose changes these are.
+/// Adds the hits, flights and returns to a mode of one contact, whose changes are `changes`.
 void add_stretches(const std::vector<ModeSwitch>& changes, double period_rad, std::vector<Margin>& margins) {
   const std::size_t count = changes.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -114,7 +114,7 @@ double distance_of_phases(double a, double b, double period_rad) {
   return std::abs(std::remainder(a - b, period_rad));
 }
 
-/// The one of the same kind that is nearest in phase; null where there is none.
+/// Margin of the same kind that is nearest in phase; null where there is none.
 const Margin* partner(const Margin& one, const std::vector<Margin>& all, double period_rad) {
   const Margin* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();

@@ -8,38 +8,39 @@
 
 namespace rubsweep::branch::continuation {
 
-/// The functions whose roots are events, at these multipliers.
+/// Test functions of the events at these multipliers.
 MultiplierTests tests_of_multipliers(const Eigen::VectorXcd& multipliers);
 
-/// How they change along the branch, per unit of its length: a difference along the tangent, on which the
-/// neighbouring orbits lie but for terms of second order, so that none of them need be found. Zero where the
-/// map cannot be made there.
+/// Slopes of the test functions per unit of arclength, by a difference along the tangent. The tangent
+/// contains the neighbouring orbits up to terms of second order, so that none of these need be computed. Zero
+/// where the map cannot be evaluated there.
 MultiplierTests multiplier_slopes(const orbits::OrbitProblem& problem, const BranchPoint& point);
 
-/// A smooth function at both ends of a step: its values, and its slopes per unit of the step's length.
+/// Values and slopes of a smooth function at both ends of a step. Slopes are per unit of length.
 struct StepEnds {
   double begin = 0, end = 0;
   double begin_slope = 0, end_slope = 0;
 };
 
-/// Where between the ends, as a share of the step, a function should be looked at because it may have two
-/// roots more than its signs at the ends tell: the cubic through `ends` comes as near to zero there as
-/// half of the nearer end, or beyond it. Empty where it does not. `length` > 0: of the step.
+/// Place in the step, as a share of its `length` > 0, at which a function may have two more roots than its
+/// signs at the ends show. If the function begins positive, it is the local minimum of the cubic through
+/// `ends`. Empty unless the value there is below half the value at the end nearer to zero.
 std::optional<double> dip_of_cubic(const StepEnds& ends, double length);
 
-/// The same share for a function with these values at the ends and this mean in between, by a quadratic.
+/// Place in the sense of dip_of_cubic() for a function that is known by its values at the ends and its mean
+/// over the step. Uses a quadratic.
 std::optional<double> dip_of_quadratic(double begin, double end, double mean);
 
-/// By how much the sequence of contact modes of an orbit of the branch stays as it is: the distance of every
-/// approach, and the squared duration of every hit, of every flight and of every stretch that leads from one
-/// mode back to it. Each is a smooth function along the branch, and zero at the graze at which a hit (or
-/// another stretch) appears or is gone. Their slopes are differences along the tangent. Empty where the orbit
-/// beside this one cannot be made, or where nothing is known of contacts.
+/// Margins of an orbit against a change of its sequence of contact modes: the distance of every approach, and
+/// the squared duration of every hit, every flight, and every stretch that returns to its mode. Each is
+/// smooth along the branch, and zero at the graze where the hit or stretch appears or disappears. Slopes are
+/// differences along the tangent. Empty where a neighbouring orbit cannot be computed, or where contacts are
+/// unknown.
 std::vector<Margin> margins_of(const orbits::OrbitProblem& problem, const BranchPoint& point);
 
-/// Where between two points of a branch, as a share of the `length` of the step, one of these functions comes
-/// near to zero, as dip_of_cubic() has it. `cosine` > 0: of the angle between the tangents at both ends.
-/// Margins belong together that are of one kind and nearest to each other in phase.
+/// Place between two points of a branch, as a share of the step's `length`, at which one of these margins
+/// comes near zero in the sense of dip_of_cubic(). `cosine` > 0: cosine of the angle between the tangents at
+/// both ends. Margins of the two points correspond if they are of one kind and nearest in phase.
 std::optional<double> share_of_dip(const std::vector<Margin>& from, const std::vector<Margin>& to,
                                    double period_rad, double length, double cosine);
 

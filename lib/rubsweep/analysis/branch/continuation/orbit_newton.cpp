@@ -16,8 +16,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr numerics::NewtonLimits newton_limits{.iterations = 10, .free_iterations = 3, .growth = 1};
-constexpr double closed = 1e-12;        ///< return error of an orbit found, per unit of the state's size
-constexpr double nearly_closed = 1e-9;  ///< the same where rounding or the solver's tolerance lets no better
+constexpr double closed = 1e-12;        ///< return error of a converged orbit, per unit of the state's size
+constexpr double nearly_closed = 1e-9;  ///< tolerance where rounding or the solver allows no better
 constexpr double finest_difference_step = 1e-9;
 constexpr double agreement = 1e-4;  ///< relative difference of derivatives at two step sizes
 
@@ -25,7 +25,7 @@ double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
 
 double root_of_states(Eigen::Index states) { return std::sqrt(static_cast<double>(states)); }
 
-/// d(image) / d(parameter coordinate) on one side: where `step` > 0 on that of greater parameters.
+/// One-sided difference d(image) / d(parameter coordinate); for `step` > 0 towards greater parameters.
 bool one_sided_difference(const orbits::OrbitProblem& problem, const VectorXd& state, double parameter,
                           double step, VectorXd& slope) {
   VectorXd beside = state, here = state;
@@ -37,7 +37,7 @@ bool one_sided_difference(const orbits::OrbitProblem& problem, const VectorXd& s
   return slope.allFinite();
 }
 
-/// The same at both sides; on one where the other side has no machine.
+/// Central difference; one-sided where the machine does not exist on the other side.
 bool difference(const orbits::OrbitProblem& problem, const VectorXd& state, double parameter, double step,
                 VectorXd& slope) {
   const double h = step * problem.parameter_scale;
@@ -54,8 +54,8 @@ bool difference(const orbits::OrbitProblem& problem, const VectorXd& state, doub
   return one_sided_difference(problem, state, parameter, has_above ? step : -step, slope);
 }
 
-/// The derivative by the parameter at the largest step at which it agrees with that at half of it. Within
-/// the finest step of a graze it is that on the side which agrees best with itself.
+/// Derivative by the parameter at the largest step at which it agrees with the derivative at half that step.
+/// If a graze is nearer than the finest step, the one-sided difference with the best agreement is taken.
 bool best_difference(const orbits::OrbitProblem& problem, BranchPoint& point, VectorXd& slope) {
   double least = std::numeric_limits<double>::infinity();
   VectorXd wide, narrow;
@@ -77,12 +77,12 @@ bool best_difference(const orbits::OrbitProblem& problem, BranchPoint& point, Ve
   for (const double side : {usual_difference_step, -usual_difference_step}) {
     if (one_sided_difference(problem, point.state, point.parameter, side, wide) &&
         one_sided_difference(problem, point.state, point.parameter, side / 2, narrow))
-      take(finest_difference_step, 1);  // their error is linear in the step
+      take(finest_difference_step, 1);  // cancels the error, which is linear in the step
   }
   return true;
 }
 
-/// [d(image)/d(state) - 1, d(image)/d(parameter); direction] in the coordinates of positions.
+/// Bordered matrix [d(image)/d(state) - 1, d(image)/d(parameter); direction] in the coordinates of positions.
 MatrixXd bordered(const MatrixXd& monodromy, const VectorXd& slope, const VectorXd& direction) {
   const Eigen::Index n = monodromy.rows();
   MatrixXd matrix(n + 1, n + 1);
@@ -92,7 +92,7 @@ MatrixXd bordered(const MatrixXd& monodromy, const VectorXd& slope, const Vector
   return matrix;
 }
 
-/// Unknowns: the position.
+/// Newton's iteration for an orbit; the unknown is the position.
 class OrbitIteration {
  public:
   OrbitIteration(const orbits::OrbitProblem& problem, const Position& guess, const VectorXd& direction,
@@ -130,8 +130,8 @@ class OrbitIteration {
     return true;
   }
 
-  /// Goes on where the iteration stalled though it comes nearer: beside a graze the derivative is often that
-  /// of other contacts, and the error falls slowly.
+  /// Continues a stalled iteration that still improves: beside a graze the derivative often belongs to other
+  /// contacts, and the error falls slowly.
   void improve() {
     constexpr int most_steps = 8;
     constexpr double nearer = 0.7;

@@ -8,7 +8,7 @@
 
 namespace rubsweep::branch::continuation {
 
-/// A point in the coordinates of continuation: state / sqrt(states), then parameter / parameter_scale.
+/// Point in the coordinates of continuation: state / sqrt(states), then parameter / parameter_scale.
 using Position = Eigen::VectorXd;
 
 Position position_of(const orbits::OrbitProblem& problem, const Eigen::VectorXd& state, double parameter);
@@ -23,13 +23,13 @@ Eigen::VectorXd state_of(const Position& position);
 struct NewtonOutcome {
   orbits::Evaluation evaluation = orbits::Evaluation::ok;
   bool converged = false;
-  bool singular = false;  ///< the derivative has no inverse to speak of
+  bool singular = false;  ///< true: the derivative is numerically singular
   int iterations = 0;
 };
 
 /// Outcome of Newton's iteration for an orbit.
 struct Correction : NewtonOutcome {
-  BranchPoint point;  ///< converged: parameter, state and monodromy
+  BranchPoint point;  ///< if converged: parameter, state and monodromy matrix
 };
 
 inline Position position_of(const orbits::OrbitProblem& problem, const Correction& found) {
@@ -37,39 +37,39 @@ inline Position position_of(const orbits::OrbitProblem& problem, const Correctio
 }
 
 /// Newton's iteration from `guess` for an orbit on the plane direction . (position - guess) = 0. The
-/// derivative by the state is the monodromy matrix, that by the parameter a central difference at the guess,
-/// of `difference_step`.
+/// derivative by the state is the monodromy matrix. The derivative by the parameter is a central difference
+/// at the guess with the step `difference_step`.
 Correction correct(const orbits::OrbitProblem& problem, const Position& guess,
                    const Eigen::VectorXd& direction, double difference_step = usual_difference_step);
 
-/// The same from a guess between two points of a branch, across the tangent of the first, with the finer of
-/// their difference steps.
+/// Newton's iteration from a guess between two points of a branch, on the plane across the tangent of `from`.
+/// Uses the smaller difference step of the two points.
 Correction correct_between(const orbits::OrbitProblem& problem, const Position& guess,
                            const BranchPoint& from, const BranchPoint& to);
 
-/// The same at a fixed parameter.
+/// Newton's iteration for an orbit at a fixed parameter.
 Correction correct_at(const orbits::OrbitProblem& problem, const Eigen::VectorXd& state, double parameter);
 
-/// The step that Newton's iteration would make next from an orbit found, across `direction`: in size the
-/// error of its position by rounding. Not finite where that cannot be told.
+/// Next Newton step from a converged orbit, on the plane across `direction`. Its size estimates the error of
+/// the position by rounding. Not finite where it cannot be computed.
 Eigen::VectorXd next_step(const orbits::OrbitProblem& problem, const BranchPoint& point,
                           const Eigen::VectorXd& direction, double difference_step = usual_difference_step);
 
-/// Size of that step as a change of the parameter; 0 where it cannot be told.
+/// Error of the parameter by rounding: size of the parameter component of next_step(). 0 where it cannot be
+/// computed.
 double rounding_of_parameter(const orbits::OrbitProblem& problem, const BranchPoint& point);
 
-/// Fills what belongs to an orbit found: its tangent, on the side of `direction`, its multipliers and their
-/// counts. The derivative by the parameter is made at two step sizes; where they disagree, as beside a graze
-/// that one of them leads over, finer ones are tried, and those count that agree best. False where the
-/// tangent cannot be told, or the map not be differentiated.
+/// Completes a converged orbit: its tangent on the side of `direction`, its multipliers and their counts. The
+/// derivative by the parameter is computed at two step sizes. These disagree where a step crosses a graze;
+/// smaller steps are then tried, and the pair with the best agreement is used. False where the tangent cannot
+/// be determined or the map cannot be differentiated.
 bool complete(const orbits::OrbitProblem& problem, const Eigen::VectorXd& direction, BranchPoint& point);
 
-/// The orbit that Newton's iteration found, complete, with its facts and arclength. Empty where that cannot
-/// be.
+/// Completes an orbit that Newton's iteration found, with its facts and arclength; empty where that fails.
 std::optional<BranchPoint> completed(const orbits::OrbitProblem& problem, Correction found,
                                      const Eigen::VectorXd& direction, double arclength);
 
-/// Position itself: an orbit has no angle among its coordinates.
+/// Position itself, as the coordinates of an orbit contain no angle.
 inline const Position& nearest_image(const orbits::OrbitProblem&, const Position& position,
                                      const BranchPoint&) {
   return position;

@@ -10,15 +10,15 @@
 
 namespace rubsweep::branch::continuation {
 
-/// A point of a curve and its unit tangent there.
+/// Point of a curve, and its unit tangent.
 struct PointAndTangent {
   const Eigen::VectorXd& at;
   const Eigen::VectorXd& tangent;
 };
 
-/// Near the curve between two of its points, on the plane at the distance s along the tangent of the first:
-/// from a cubic through both points along both tangents, whose s is that of the plane up to what the tangents
-/// turn. `length`: of the piece along the first tangent.
+/// Guess for the point of a curve at the distance s along the tangent of `from`, by the cubic through both
+/// points and tangents. The guess lies only nearly at the distance s, as the tangents turn. `length`: length
+/// of the segment along the first tangent.
 inline Eigen::VectorXd hermite_guess(const PointAndTangent& from, const PointAndTangent& to, double length,
                                      double s) {
   const double t = s / length, u = 1 - t;
@@ -27,18 +27,18 @@ inline Eigen::VectorXd hermite_guess(const PointAndTangent& from, const PointAnd
   return guess + (s - from.tangent.dot(guess - from.at)) * from.tangent;
 }
 
-/// Thrown where the curve between two points is not continuous: a point between them is not found, or they
-/// belong to different branches.
+/// Thrown where the curve between two points is not continuous: a point between them is not found, or the
+/// points belong to different branches.
 struct NotContinuous {};
 
-/// Piece of a solution curve between two of its points, by the distance s along the tangent of the first.
-/// A problem that is continued says with functions of these names how:
+/// Piece of a solution curve between two points, parametrised by the distance s along the tangent of the
+/// first. A problem must have these functions:
 /// - position_of(problem, point): its coordinates, in which lengths are measured;
 /// - correct_between(problem, guess, from, to): Newton's iteration from a guess between two points, on the
 ///   plane across the tangent of `from`;
-/// - completed(problem, correction, direction, arclength): the point that it found, or nothing;
-/// - nearest_image(problem, position, near): a position with its angles, where it has some, next to those
-///   of the point `near`.
+/// - completed(problem, correction, direction, arclength): the completed point, or nothing;
+/// - nearest_image(problem, position, near): the position with its angles, if it has some, moved next to the
+///   angles of the point `near`.
 template <class Problem, class Point>
 class Segment {
  public:
@@ -50,10 +50,10 @@ class Segment {
         end_(position_of(problem, to)),
         length_(from.tangent.dot(end_ - begin_)) {}
 
-  /// Distance of the end; > 0 where `to` lies ahead of `from`.
+  /// Distance of the end point; > 0 where `to` lies ahead of `from`.
   double length() const { return length_; }
 
-  /// The point at 0 <= s <= length(), completed. Empty where Newton's iteration does not find it.
+  /// Completed point at 0 <= s <= length(). Empty where Newton's iteration does not find it.
   std::optional<Point> at(double s) const {
     if (s <= 0) return from_;
     if (s >= length_) return to_;
@@ -64,14 +64,14 @@ class Segment {
                      from_.arclength + s / length_ * (to_.arclength - from_.arclength));
   }
 
-  /// The same; throws NotContinuous where there is none.
+  /// Completed point at s; throws NotContinuous where it is not found.
   Point required_at(double s) const {
     auto point = at(s);
     if (!point) throw NotContinuous{};
     return std::move(*point);
   }
 
-  /// The point of the segment at `position`, if it passes there.
+  /// Point of the segment at `position`; empty where the segment does not pass there.
   std::optional<Point> through(const Eigen::VectorXd& position) const {
     constexpr double same = 1e-7;
     const Eigen::VectorXd wanted = nearest_image(problem_, position, from_);
@@ -89,17 +89,17 @@ class Segment {
   double length_;
 };
 
-/// Whether two points that enclose an event belong to one branch.
+/// Whether two points that enclose an event lie on the same branch.
 template <class Problem, class Point>
 bool continuous(const Problem& problem, const Point& a, const Point& b) {
   constexpr double near = 1e-6;
   return (position_of(problem, a) - position_of(problem, b)).norm() < near;
 }
 
-/// Events are enclosed to this, in the coordinate along the curve.
+/// Width of the interval that encloses an event, in the coordinate along the curve.
 inline constexpr double event_width = 1e-12;
 
-/// Kind of event with its test function: smooth along a solution curve, and zero where the event is.
+/// Kind of event with its test function, which is smooth along a solution curve and zero at the event.
 template <class Kind, class Point>
 struct EventTest {
   Kind kind;
@@ -111,7 +111,9 @@ struct Enclosure {
   double low = 0, high = 0;
 };
 
-/// Root of a test function that has opposite signs at both ends of a segment; empty where it has not.
+/// Interval around the root of a test function; empty unless the function has opposite signs at the segment's
+/// ends.
+/// segment.
 template <class Segment, class Value>
 std::optional<Enclosure> root_on(const Segment& segment, const Value& value) {
   constexpr std::uintmax_t most_evaluations = 100;
@@ -125,14 +127,14 @@ std::optional<Enclosure> root_on(const Segment& segment, const Value& value) {
   return Enclosure{low, high};
 }
 
-/// Points on both sides of a change.
+/// Points on both sides of a change, close to it.
 template <class Point>
 struct EnclosedChange {
   Enclosure at;
   Point before, behind;
 };
 
-/// First change of a property, by bisection: `changed` is false at `begin` with the point `before`, and true
+/// First change of a property, by bisection. `changed` is false at `before`, the point at `begin`, and true
 /// at the end of the segment.
 template <class Segment, class Point, class Changed>
 EnclosedChange<Point> change_on(const Segment& segment, double begin, Point before, const Changed& changed) {

@@ -15,7 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Solution of the singular system in the space of all but the last singular value.
+/// Solution of the singular system without the last singular value and its vectors.
 VectorXd solve_but_last(const numerics::spectral::SingularValues& svd, const VectorXd& right) {
   const Eigen::Index rank = right.size() - 1;
   return svd.v.leftCols(rank) *
@@ -62,7 +62,7 @@ std::optional<Condition> singular_condition(const MonodromyJet& jet, double sign
   critical.left = left;
   critical.right = right;
   critical.quadratic = condition.by_state.dot(right);
-  // Kuznetsov, Elements of Applied Bifurcation Theory, (5.50) and (5.53), six times.
+  // Coefficients of Kuznetsov, Elements of Applied Bifurcation Theory, (5.50) and (5.53), times six.
   const VectorXd squared = slope * right;
   const VectorXd answer =
       sign > 0 ? solve_but_last(svd, squared) : numerics::dense::solve(jet.here - one, squared);

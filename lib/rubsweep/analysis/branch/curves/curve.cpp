@@ -16,11 +16,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr numerics::NewtonLimits newton_limits{.iterations = 12, .free_iterations = 4, .growth = 1};
-constexpr double closed = 1e-13;  ///< last correction, per unit of the position's size
-/// Where rounding lets no better: of the parameters the same, of all coordinates this.
+constexpr double closed = 1e-13;  ///< last correction, relative to the size of the position
+/// Tolerances where rounding allows no better, for the parameters and for all coordinates.
 constexpr double nearly_closed = 1e-11, nearly_closed_state = 1e-6;
-/// Steps of differences: those of extend(), then finer ones for orbits so near to a graze that the usual ones
-/// lead over it.
+/// Difference steps, as shares of the usual ones in extend(). The smaller share is for orbits so close to a
+/// graze that the usual steps would cross it.
 constexpr std::array steps_of_differences{1.0, 0.01};
 constexpr double least_condition = 1e-15;
 
@@ -30,7 +30,7 @@ MatrixXd bordered(const Extended& extended, const continuation::Position& direct
   return matrix;
 }
 
-/// Unknowns: the position.
+/// Newton's iteration on the extended system; the unknown is the position.
 class CurveIteration {
  public:
   CurveIteration(const ExtendedSystem& system, const continuation::Position& guess,
@@ -39,7 +39,7 @@ class CurveIteration {
     found.at = guess;
   }
 
-  /// Size of the step that comes next.
+  /// Size of the next step.
   std::optional<double> error(int i, double /*last*/) {
     found.iterations = i + 1;
     found.extended = extend(system_, found.at, difference_steps_);

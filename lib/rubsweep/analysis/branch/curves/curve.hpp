@@ -11,37 +11,37 @@
 
 namespace rubsweep::branch::curves {
 
-/// An orbit on a curve in the plane of two parameters. Lengths are those of the coordinates of its system.
+/// Orbit on a curve in the plane of two parameters. Lengths are in the coordinates of its system.
 struct CurvePoint {
   orbits::PlanePoint place;
-  double arclength = 0;  ///< length from the event that the curve starts from; below 0 on its other side
+  double arclength = 0;  ///< length from the event where the curve starts; < 0 on the other side
   Eigen::VectorXd state;
   continuation::Position at;       ///< place and state in the coordinates
   continuation::Position tangent;  ///< unit vector along the curve
-  double error = 0;              ///< the last Newton correction of the parameters, in shares of their ranges
+  double error = 0;              ///< the last Newton correction of the parameters, as a share of their ranges
   Eigen::VectorXcd multipliers;  ///< largest modulus first
   Critical critical;
   orbits::OrbitFacts facts;
 };
 
-/// Where a curve meets another one: two things happen at one place of the plane.
+/// Kinds of codimension-two points, where a curve meets another one.
 enum class MeetingKind {
-  cusp,                  ///< two curves of folds end in each other
+  cusp,                  ///< two curves of folds end together
   fold_flip,             ///< multipliers +1 and -1
-  fold_torus,            ///< +1 and a complex pair on the unit circle
-  flip_torus,            ///< -1 and such a pair
-  double_torus,          ///< two such pairs
-  resonance_1_1,         ///< +1 twice, where a curve of tori begins at one of folds
-  resonance_1_2,         ///< -1 twice, where one begins at a period doubling
-  resonance_1_3,         ///< a pair at 120 degrees
-  resonance_1_4,         ///< a pair at 90 degrees
-  generalised_flip,      ///< a period doubling changes from soft to hard
-  degenerate_branching,  ///< a break of symmetry changes from soft to hard
+  fold_torus,            ///< multiplier +1 and a complex pair on the unit circle
+  flip_torus,            ///< multiplier -1 and a complex pair on the unit circle
+  double_torus,          ///< two complex pairs on the unit circle
+  resonance_1_1,         ///< double multiplier +1, where a curve of tori begins on one of folds
+  resonance_1_2,         ///< double multiplier -1, where a curve of tori begins on one of period doublings
+  resonance_1_3,         ///< a pair at +-120 degrees on the unit circle
+  resonance_1_4,         ///< a pair at +-90 degrees on the unit circle
+  generalised_flip,      ///< a period doubling changes between supercritical and subcritical
+  degenerate_branching,  ///< a symmetry breaking changes between supercritical and subcritical
   graze_fold,            ///< an orbit that grazes has a multiplier +1
-  graze_flip,            ///< -1
-  graze_torus,           ///< a complex pair on the unit circle
+  graze_flip,            ///< a grazing orbit has a multiplier -1
+  graze_torus,           ///< a grazing orbit has a complex pair on the unit circle
   double_graze,          ///< two grazes at once
-  degenerate_graze,      ///< the grazing guard does not turn back: its second derivative is zero as well
+  degenerate_graze,      ///< the grazing guard has a zero second derivative: it does not turn back
 };
 
 constexpr std::string_view to_string(MeetingKind kind) { return enumerator_word(kind); }
@@ -49,17 +49,17 @@ constexpr std::string_view to_string(MeetingKind kind) { return enumerator_word(
 struct Meeting {
   MeetingKind kind = MeetingKind::cusp;
   CurvePoint point;
-  double error = 0;  ///< half-width, along the curve, of the interval in which the root was enclosed
+  double error = 0;  ///< half-width, along the curve, of the interval that encloses the root
 };
 
-/// One side of a curve: from its start on.
+/// One half of a curve, from its start in one direction.
 struct HalfCurve {
-  std::vector<CurvePoint> points;  ///< the start first
-  std::vector<Meeting> events;     ///< meetings in the order in which they are met
+  std::vector<CurvePoint> points;  ///< points from the start on
+  std::vector<Meeting> events;     ///< meetings in the order in which they occur
   continuation::Ending ending = continuation::Ending::left_range;
 };
 
-/// A curve both ways: points and meetings by ascending arclength.
+/// Curve in both directions: points and meetings by ascending arclength.
 struct Curve {
   continuation::EventKind kind = continuation::EventKind::fold;
   int order = 1;
@@ -77,18 +77,18 @@ struct CurveCorrection : continuation::NewtonOutcome {
   double error = 0;   ///< see CurvePoint
 };
 
-/// Newton's iteration from `guess` on the plane direction . (position - guess) = 0, to rounding.
+/// Newton's iteration from `guess` on the plane direction . (position - guess) = 0, down to rounding.
 CurveCorrection correct(const ExtendedSystem& system, const continuation::Position& guess,
                         const continuation::Position& direction);
 
-/// The same from a guess between two points of a curve, across the tangent of the first.
+/// Newton's iteration from a guess between two points of a curve, on the plane across the tangent of `from`.
 inline CurveCorrection correct_between(const ExtendedSystem& system, const continuation::Position& guess,
                                        const CurvePoint& from, const CurvePoint& /*to*/) {
   return correct(system, guess, from.tangent);
 }
 
-/// The point that Newton's iteration found, with its tangent on the side of `direction`, its multipliers and
-/// its facts. Empty where the tangent cannot be told, or the orbit not be run.
+/// Completes a converged point: its tangent on the side of `direction`, its multipliers and its facts. Empty
+/// where the tangent cannot be determined or the orbit cannot be run.
 std::optional<CurvePoint> completed(const ExtendedSystem& system, const CurveCorrection& found,
                                     const continuation::Position& direction, double arclength);
 
@@ -99,11 +99,11 @@ inline const continuation::Position& position_of(const ExtendedSystem&, const Cu
   return found.at;
 }
 
-/// `position` with the phase of a graze moved by whole turns to be next to that of `near`.
+/// `position` with the phase of a graze moved by whole turns next to the phase of `near`.
 continuation::Position nearest_image(const ExtendedSystem& system, continuation::Position position,
                                      const CurvePoint& near);
 
-/// The same point with its curve the other way round.
+/// Reverses the tangent of a point.
 CurvePoint turned_about(CurvePoint point);
 
 }  // namespace rubsweep::branch::curves

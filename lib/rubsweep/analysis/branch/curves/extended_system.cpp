@@ -12,18 +12,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Steps of central differences, in the coordinates: by parameters and phase, as along a branch; along the
-/// state, where third derivatives are made as well.
+/// Steps of central differences, in the coordinates. The step along the state is larger, as it also serves
+/// third derivatives.
 constexpr double usual_parameter_step = 1e-6, usual_state_step = 1e-5;
-/// A graze is an orbit that misses the guard by so much of the length scale: on the other side its
-/// derivative would have a square root of what rounding leaves.
+/// Distance, as a share of the length scale, by which an orbit misses the guard and counts as a graze. An
+/// orbit beyond the guard is avoided: the square root of rounding errors would enter its derivative.
 constexpr double miss = 4e-12;
-/// Least divisor of Newton's iteration at a branch point.
+/// Smallest divisor in Newton's iteration at a branch point.
 constexpr double least_cubic = 1e-3;
 
 double root_of(Index states) { return std::sqrt(static_cast<double>(states)); }
 
-/// An evaluation that was not ok.
+/// Thrown where an evaluation of the map failed.
 struct NotMade {
   orbits::Evaluation why;
 };
@@ -76,7 +76,8 @@ class Extender {
     }
   }
 
-  /// Differences are one-sided where the other side has no machine or is not smooth.
+  /// Adds the equations of the closed orbit. Differences are one-sided where the other side has no machine or
+  /// is not smooth.
   void add_orbit(Extended& extended) {
     const Image here = image_at(at_);
     jet_.here = here.monodromy;
@@ -99,8 +100,8 @@ class Extender {
     jet_.along = [this](const VectorXd& direction) { return beside(direction); };
   }
 
-  /// Where an orbit that grazes comes back beyond the guard it has touched before, with a square root in its
-  /// image: of two sides the other one is smooth.
+  /// Whether orbit `a` returns deeper behind the guard than `b`. Behind the guard the image of a grazing
+  /// orbit contains a square root, so that only the other side is smooth.
   bool returns_deeper(const Image& a, const Image& b) const {
     return guard_of(place_, a.state).value > guard_of(place_, b.state).value;
   }
@@ -128,9 +129,9 @@ class Extender {
     append(extended, condition->value, row);
   }
 
-  /// At a branch point the equation that the orbit closes along `left` says nothing to first order. In its
-  /// place: the second derivative there is zero, as symmetry has it. What matters of its own derivative is
-  /// that along `right`.
+  /// Replaces one equation at a branch point, as the closing error of the orbit along `left` vanishes there
+  /// to first order. The new equation says that the second derivative along `right` is zero, which symmetry
+  /// requires. Only its derivative along `right` matters.
   void drop_open_equation(Extended& extended) const {
     Critical& critical = extended.critical;
     const VectorXd& left = critical.left;
@@ -138,8 +139,9 @@ class Extender {
     extended.residual += left * (critical.quadratic - critical.open_defect);
     const Eigen::RowVectorXd open = left.transpose() * extended.jacobian;
     Eigen::RowVectorXd bent = Eigen::RowVectorXd::Zero(n_ + extra_);
-    // Where symmetry breaks neither softly nor hard this derivative vanishes, and with it the matrix its
-    // rank. Any other number leaves the direction of the curve as it is.
+    // This derivative vanishes where symmetry breaking changes between supercritical and subcritical. The
+    // matrix would then be singular, so that a larger number is used, which does not change the direction of
+    // the curve.
     const double slope = std::copysign(std::max(std::abs(critical.cubic), least_cubic), critical.cubic);
     bent.head(n_) = root_of(n_) * slope * critical.right.transpose();
     extended.jacobian += left * (bent - open);

@@ -9,9 +9,9 @@
 namespace rubsweep::branch::curves {
 
 /// Extended system of a codimension-one point of periodic orbits: the fixed-point equations and one
-/// bifurcation condition more, so that its solutions are curves in the plane of two parameters. Their
-/// coordinates (Position) are state / sqrt(states), of a graze then the phase at which it touches, and both
-/// parameters, each divided by the width of its range.
+/// bifurcation condition. Its solutions are curves in the plane of two parameters. Its coordinates (Position)
+/// are state / sqrt(states), for a graze the phase at which it touches, and both parameters, each divided by
+/// the width of its range.
 ///
 /// | kind | condition |
 /// |---|---|
@@ -22,16 +22,16 @@ namespace rubsweep::branch::curves {
 /// | graze of an even contact | the guard alone, of orbits that are clear of the contact |
 struct ExtendedSystem {
   const orbits::PlaneOrbits* orbits = nullptr;                   ///< never null
-  continuation::EventKind kind = continuation::EventKind::fold;  ///< a kind that has_curve()
+  continuation::EventKind kind = continuation::EventKind::fold;  ///< kind for which has_curve() is true
   Eigen::Index states = 0;
   orbits::ArmedGuard guard = {};  ///< guard that is grazed
-  bool even = false;  ///< grazed everywhere at once, so that no phase belongs to it (orbits::EvenContact)
+  bool even = false;  ///< true: grazes everywhere at once, so that it has no phase (orbits::EvenContact)
 
   bool has_phase() const { return kind == continuation::EventKind::graze && !even; }
   Eigen::Index unknowns() const { return states + (has_phase() ? 3 : 2); }
 };
 
-/// Whether a kind of event goes on as a curve in two parameters, and is followed as one.
+/// Whether events of a kind form a curve in two parameters that can be followed.
 bool has_curve(continuation::EventKind kind);
 
 continuation::Position position_of(const ExtendedSystem& system, const orbits::PlanePoint& place,
@@ -39,29 +39,30 @@ continuation::Position position_of(const ExtendedSystem& system, const orbits::P
 orbits::PlanePoint place_of(const ExtendedSystem& system, const continuation::Position& at);
 Eigen::VectorXd state_of(const ExtendedSystem& system, const continuation::Position& at);
 
-/// Null vectors and normal form coefficients at a codimension-one point, for tests of meetings.
+/// Null vectors and normal form coefficients at a codimension-one point, needed to find meetings.
 struct Critical {
-  Eigen::VectorXd left, right;  ///< null vectors of the multiplier +-1; their signs mean nothing
-  double quadratic = 0;    ///< left . second derivative along right; zero at a cusp. Its sign is that of left
-  double cubic = 0;        ///< coefficient of the normal form behind it; its sign is that of left times right
+  Eigen::VectorXd left, right;  ///< null vectors for the multiplier +-1, of arbitrary sign
+  double quadratic = 0;    ///< left . second derivative along right; zero at a cusp; sign depends on left
+  double cubic = 0;        ///< normal form coefficient of the next order; sign depends on left and right
   double pair_sum = 0;     ///< torus: 2 cos of the angle of its multipliers
-  double curvature = 0;    ///< curvature of a grazing guard
-  double open_defect = 0;  ///< branch point: how far the orbit is from closing along `left`
+  double curvature = 0;    ///< second derivative of a grazing guard
+  double open_defect = 0;  ///< branch point: closing error of the orbit along `left`
 };
 
-/// The equations at `at`.
+/// Equations at the position `at`.
 struct Extended {
-  orbits::Evaluation evaluation = orbits::Evaluation::ok;  ///< all else is empty where it is not ok
-  Eigen::VectorXd residual;                                ///< unknowns() - 1
+  orbits::Evaluation evaluation = orbits::Evaluation::ok;  ///< if not ok, all else is empty
+  Eigen::VectorXd residual;                                ///< unknowns() - 1 numbers
   Eigen::MatrixXd jacobian;                                ///< derivative by the coordinates
   Eigen::MatrixXd monodromy;
   Critical critical;
 };
 
-/// Rows of the closing orbit: exact derivatives by the state, central differences by parameters and phase.
-/// The row of the condition: exact left and right vectors, between which central differences of the exact
-/// monodromy matrix stand; second derivatives are symmetric, so that one pair of differences, along the right
-/// vector, gives the derivatives by the whole state. `difference_steps` > 0: in shares of the usual ones.
+/// Evaluates the equations. Rows of the closed orbit have exact derivatives by the state, and central
+/// differences by parameters and phase. The row of the condition is left^T dM right with exact singular
+/// vectors, where dM are central differences of the exact monodromy matrix M. Since second derivatives are
+/// symmetric, one pair of differences along the right vector gives the derivatives by the whole state.
+/// `difference_steps` > 0: step sizes as multiples of the usual ones.
 Extended extend(const ExtendedSystem& system, const continuation::Position& at, double difference_steps = 1);
 
 }  // namespace rubsweep::branch::curves

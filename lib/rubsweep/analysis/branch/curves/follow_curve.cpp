@@ -12,12 +12,12 @@
 namespace rubsweep::branch::curves {
 namespace {
 
-/// Farther from the event, in shares of the ranges, it is something else.
+/// Largest distance from the located event, as a share of the ranges. A point farther away is another event.
 constexpr double same_event = 1e-5;
 
-constexpr double still_closed = 1e-8;  ///< defect of an orbit at a branch point, per unit of its size
+constexpr double still_closed = 1e-8;  ///< closing error of an orbit at a branch point, relative to its size
 
-/// The positions of a point as seen from each of its turns.
+/// Positions of a point, one for each of its turns.
 std::vector<continuation::Position> all_turns(const ExtendedSystem& system, const CurvePoint& point) {
   if (system.has_phase() || point.facts.sections.empty()) return {point.at};
   std::vector<continuation::Position> turns;
@@ -26,7 +26,7 @@ std::vector<continuation::Position> all_turns(const ExtendedSystem& system, cons
   return turns;
 }
 
-/// Continuation of a curve by two parameters.
+/// Continuation of a curve in two parameters.
 class CurveTask {
  public:
   using Point = CurvePoint;
@@ -45,7 +45,7 @@ class CurveTask {
     return orbits.first.holds(place.first) && orbits.second.holds(place.second);
   }
 
-  /// Point on the edge of the plane that the step has crossed: the first one, where it has crossed two.
+  /// Point on the edge of the plane that the step crossed; if it crossed two edges, on the first.
   std::optional<CurveCorrection> correct_at_edge(const CurvePoint& here, const CurveCorrection& found) const {
     const orbits::PlaneOrbits& orbits = *system_.orbits;
     const continuation::Position& beyond = found.at;
@@ -74,7 +74,7 @@ class CurveTask {
     return correct(system_, guess, direction);
   }
 
-  /// A point at which branches cross no longer.
+  /// Refuses a point at which branches no longer cross.
   static std::optional<continuation::Ending> refuses(const CurvePoint& /*here*/, const CurvePoint& next) {
     const double size = std::max(1.0, next.state.cwiseAbs().maxCoeff());
     if (std::abs(next.critical.open_defect) > still_closed * size) return continuation::Ending::unfolds;
@@ -125,7 +125,7 @@ std::optional<CurveStart> curve_start(const orbits::PlaneOrbits& orbits,
     state = *touching;
   }
   const continuation::Position guess = position_of(start.system, begin, state);
-  // At the second parameter of the event, where it has been located.
+  // The second parameter is fixed at the value at which the event was located.
   continuation::Position direction = continuation::Position::Zero(guess.size());
   direction(direction.size() - 1) = 1;
   const CurveCorrection found = correct(start.system, guess, direction);

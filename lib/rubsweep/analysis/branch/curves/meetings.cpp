@@ -27,13 +27,14 @@ struct MeetingTest : continuation::EventTest<MeetingKind, CurvePoint> {
         with_a_complex_pair(std::move(complex_pair)),
         of_differences(differences) {}
 
-  /// Where given, a root counts only if of these the pair whose product is nearest to 1 is a complex one.
+  /// Where set, a root counts only if the pair of these multipliers whose product is nearest to 1 is complex.
   Some with_a_complex_pair;
-  /// Made of differences, which near to a graze lead over it and mean nothing: finer ones must agree.
+  /// Whether the test uses differences. Near a graze differences that cross it are wrong, so that smaller
+  /// steps must confirm the root.
   bool of_differences;
 };
 
-/// Without the `count` multipliers nearest to `critical`.
+/// Multipliers without the `count` ones nearest to `critical`.
 Multipliers others(const Multipliers& all, Complex critical, Eigen::Index count = 1) {
   Multipliers rest = all;
   std::stable_sort(rest.begin(), rest.end(),
@@ -41,7 +42,7 @@ Multipliers others(const Multipliers& all, Complex critical, Eigen::Index count 
   return rest.head(std::max<Eigen::Index>(rest.size() - count, 0));
 }
 
-/// Without the pair on the unit circle.
+/// Multipliers without the pair on the unit circle.
 Multipliers without_pair(const CurvePoint& point) {
   const double half = point.critical.pair_sum / 2;
   const Complex root = std::sqrt(Complex(half * half - 1, 0));
@@ -112,7 +113,7 @@ std::vector<MeetingTest> tests_of_a_graze(bool even) {
        [](const CurvePoint& point) { return orbits::torus_test(point.multipliers); },
        [](const CurvePoint& point) { return point.multipliers; }},
       {MeetingKind::degenerate_graze, [](const CurvePoint& point) { return point.critical.curvature; }}};
-  if (even) tests.pop_back();  // nothing turns back
+  if (even) tests.pop_back();  // an even contact touches all along, so that its guard cannot turn back
   return tests;
 }
 
@@ -133,7 +134,7 @@ std::vector<MeetingTest> tests_of(const ExtendedSystem& system, const Critical& 
   }
 }
 
-/// Meeting with a graze on a curve of `kind`.
+/// Kind of the meeting of a graze with a curve of `kind`.
 MeetingKind graze_on(continuation::EventKind kind) {
   switch (kind) {
     case continuation::EventKind::graze:
@@ -180,7 +181,7 @@ class MeetingFinder {
     return std::abs(test.value(point)) < still_zero * size;
   }
 
-  /// Every change of the sequence between both ends, one after the other.
+  /// Finds every change of the sequence of contact modes between both ends, one after the other.
   void find_grazes() {
     double begin = 0;
     CurvePoint here = from_;

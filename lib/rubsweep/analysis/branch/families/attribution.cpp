@@ -17,7 +17,7 @@
 namespace rubsweep::branch::families {
 namespace {
 
-/// Attribution by the family that the kick of `cell` leads to, on the way to a neighbour.
+/// Attribution of an edge by the family to which the kick of `cell` leads, on the way to a neighbour.
 MapEdge seen_from(std::size_t cell, std::size_t neighbour, const Family& family) {
   MapEdge edge{cell, neighbour, Attribution::unresolved, {}};
   if (const FamilyEnd* end = family.end_between(cell, neighbour)) {
@@ -29,7 +29,8 @@ MapEdge seen_from(std::size_t cell, std::size_t neighbour, const Family& family)
   return edge;
 }
 
-/// Attribution by the quiet motion: it exists in a cell or not, whatever lies between.
+/// Attribution of an edge by the quiet motion, which depends only on the two cells and not on the way between
+/// them.
 MapEdge quiet_seen_from(std::size_t cell, std::size_t neighbour, std::span<const Quiet> quiet) {
   MapEdge edge{cell, neighbour, Attribution::unresolved, {}};
   if (quiet[cell] != Quiet::stable) return edge;
@@ -49,7 +50,8 @@ MapEdge quiet_seen_from(std::size_t cell, std::size_t neighbour, std::span<const
   return edge;
 }
 
-/// The stronger of the two: what ceases, then what is there on both sides.
+/// Stronger attribution of two opposite directions: first that a motion ceases, then that it exists on both
+/// sides.
 MapEdge together(const MapEdge& there, const MapEdge& back) {
   const bool stronger =
       back.attribution < there.attribution || (back.attribution == there.attribution && there.kind.empty());
@@ -72,7 +74,7 @@ class Checker {
       for (const std::size_t cell : families.list[i].reached) family_of_[cell] = i;
   }
 
-  /// Where the kick does not lead to the orbit the finding is left to `stays`.
+  /// Checks of all cells inside a family. Where the kick does not lead to the orbit, `stays` decides later.
   std::vector<LabelCheck> inside(std::size_t number) const {
     const Family& family = families_.list[number];
     std::vector<LabelCheck> checks;
@@ -83,12 +85,12 @@ class Checker {
     return checks;
   }
 
-  /// Whether the machine that starts on the orbit settles on it.
+  /// Whether the machine, started on the orbit, settles on it.
   bool stays(std::size_t number, const CellOrbit& orbit) const {
     const scene::Place place = sweep::place_of(study_.grid, number);
     scene::Cell cell = scene::build_cell(prepared_, place.speed_hz, place.unbalance);
     cell.scene = response::proof::after_the_kick(std::move(cell.scene));
-    // Behind the state of an oval stands its time.
+    // The state of an oval is followed by its loop time, which is left out here.
     const Eigen::Index numbers = 2 * cell.scene.displacement_m.size();
     integrate::run::set_initial_state(cell.scene, {orbit.state.data(), static_cast<std::size_t>(numbers)});
     const orbits::SettledStart settled =
@@ -101,7 +103,7 @@ class Checker {
     const Family& family = families_.list[number];
     std::vector<LabelCheck> checks;
     for (const FamilyEnd& end : family.ends) {
-      // Where another way leads into that cell, it is one of the domain.
+      // The cell belongs to the domain if another way leads into it.
       if (family.orbits.contains(end.outside) || labels_[end.outside] != labels_[family.seed]) continue;
       checks.push_back(
           {end.outside, number, false, found_outside(family, end), end.kind, family_of_[end.outside]});

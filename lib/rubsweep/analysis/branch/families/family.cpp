@@ -42,7 +42,8 @@ class Explorer {
     return orbits;
   }
 
-  /// Level by level: the passages out of all cells that the last level added are independent of each other.
+  /// Explores a family in levels: the passages out of all cells of the last level do not depend on each
+  /// other.
   Family explore(std::size_t seed, const CellOrbit& orbit) {
     Family family{seed, {{seed, orbit}}, {}, {}};
     std::vector<std::size_t> frontier{seed};
@@ -127,10 +128,10 @@ class Explorer {
   FamilyRecords& records_;
 };
 
-/// Corner of cells, counted in halves of cells: corner (i, j) is below and left of cell (i, j).
+/// Corner of a cell: (i, j) is the lower left corner of the cell with these indices.
 using Corner = std::pair<long, long>;
 
-/// One side of a cell inside, on the edge of the domain; null `end`: the map ends there.
+/// Side between a cell inside and one outside the domain; null `end`: the map ends there.
 struct Edge {
   Corner from, to;
   const FamilyEnd* end = nullptr;
@@ -146,7 +147,7 @@ class Tracer {
   }
 
   std::vector<OutlineLine> trace() {
-    // Open lines first, from where the map ends; what is left then are closed ones.
+    // Open lines first, which begin at the edge of the map; the lines that remain are closed.
     for (const bool open : {true, false}) {
       for (std::size_t i = 0; i < sides_.size(); ++i) {
         if (used_.contains(i) || sides_[i].end == nullptr) continue;
@@ -157,7 +158,7 @@ class Tracer {
   }
 
  private:
-  /// Counter-clockwise around the cell.
+  /// Adds the sides of a cell, counter-clockwise.
   void add_sides_of(long cell) {
     const long i = cell % speeds_, j = cell / speeds_;
     add(cell, i, j - 1, {i, j}, {i + 1, j});
@@ -186,8 +187,8 @@ class Tracer {
     return false;
   }
 
-  /// The side that goes on where `side` ends: where two cells of the domain meet in a corner only, the one
-  /// that turns left, which stays at the same cell.
+  /// Side that continues at the end of `side`. If two cells of the domain meet only in that corner, it is the
+  /// side that turns left and stays at the same cell.
   std::optional<std::size_t> next_of(std::size_t side) const {
     const auto [first, last] = starts_.equal_range(sides_[side].to);
     std::optional<std::size_t> next;

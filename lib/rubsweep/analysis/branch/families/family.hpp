@@ -15,58 +15,57 @@
 
 namespace rubsweep::branch::families {
 
-/// Where a family ends between a cell that it has an orbit in and a neighbour.
+/// End of a family between one of its cells and a neighbour.
 struct FamilyEnd {
   std::size_t inside = 0, outside = 0;
   double speed_hz = 0, unbalance = 0;
   std::string_view kind;  ///< see Passage::kind
 };
 
-/// Stable orbits of one kind over the grid of a map: all cells to which the orbit of the seed goes on, from
-/// neighbour to neighbour, without losing its stability.
+/// Stable orbits of one kind over the grid of a map: all cells to which the seed's orbit can be continued
+/// from neighbour to neighbour without losing stability.
 struct Family {
-  std::size_t seed = 0;                     ///< the first cell whose kick leads there
-  std::map<std::size_t, CellOrbit> orbits;  ///< orbits by their cells
-  std::vector<FamilyEnd> ends;              ///< ends in the order in which they were met
-  std::vector<std::size_t> reached;         ///< cells whose kick leads to the family, ascending
+  std::size_t seed = 0;                     ///< first cell whose kick leads to the family
+  std::map<std::size_t, CellOrbit> orbits;  ///< orbit of each cell
+  std::vector<FamilyEnd> ends;              ///< ends in the order in which they were found
+  std::vector<std::size_t> reached;         ///< cells whose kicks lead to the family, ascending
 
   int order() const { return orbits.at(seed).order; }
   orbits::Closing closing() const { return orbits.at(seed).closing; }
   int hits() const { return orbits.at(seed).hits; }
-  /// The end on the way from one cell to another; null where the family goes on.
+  /// End of the family on the way from one cell to another; null where it continues.
   const FamilyEnd* end_between(std::size_t inside, std::size_t outside) const;
 };
 
-/// Neighbours of a cell on the grid: up to four.
+/// Neighbours of a cell on the grid, up to four.
 std::vector<std::size_t> neighbours_of(const sweep::Grid& grid, std::size_t cell);
 
-/// Families of the orbits that the cells of a map settle on.
+/// Families of the orbits on which the cells of a map settle.
 struct Families {
   std::vector<Family> list;               ///< families by ascending seed
   std::vector<std::size_t> not_followed;  ///< cells whose proven orbit is not found again as a stable one
 };
 
-/// Settles the cells `proven` (ascending), whose motion a map calls periodic or quasi-periodic and proven,
-/// and follows every family that they belong to over the whole grid, each once. The result does not depend on
-/// the number of threads, nor on what `records` already knew: what they do not is added to them, one call at
-/// a time. Once `stop` is true nothing more is begun, and what is returned is not whole. What the records
-/// throw ends it.
+/// Settles the cells `proven` (ascending), whose motion the map calls proven periodic or quasi-periodic, and
+/// follows each of their families once over the whole grid. The result depends neither on the number of
+/// threads nor on the content of `records`; new results are added to them, one call at a time. Once `stop` is
+/// true nothing new begins, and the result is incomplete. An exception of the records ends it.
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
                      const std::atomic<bool>& stop, FamilyRecords& records);
 
-/// The same from the beginning.
+/// Follows all families of the cells `proven`, without records of an earlier run.
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
                      const std::atomic<bool>& stop);
 
-/// A piece of the boundary of a family, of one kind.
+/// Part of the boundary of a family with the same kind of end.
 struct OutlineLine {
   std::string_view kind;
   std::vector<std::array<double, 2>> points;  ///< speed in Hz and unbalance
 };
 
-/// The boundary of a family over the map: the places at which it ends on the ways between neighbouring cells,
-/// joined around the domain with the domain on the left. Lines end where the map does, and where the kind
-/// changes; the next one then begins where the last one ended.
+/// Boundary of a family over the map, with the domain on the left: the places where it ends between
+/// neighbouring cells, joined to lines. A line ends at the edge of the map and where the kind changes; the
+/// next line then begins there.
 std::vector<OutlineLine> outline_of(const sweep::Grid& grid, const Family& family);
 
 }  // namespace rubsweep::branch::families

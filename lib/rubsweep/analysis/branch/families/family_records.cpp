@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view settled_word = "settled", passage_word = "way", arrived_word = "arrives",
                            stays_word = "stays";
 
-/// Words parted by single blanks.
+/// Words of a line, separated by single blanks.
 class Words {
  public:
   explicit Words(std::string_view text) : rest_(text) {}
@@ -64,7 +64,7 @@ std::optional<CellOrbit> read_orbit(Words& words) {
   return orbit;
 }
 
-/// The word as it stands in the program; empty where nothing is called so.
+/// The constant of the program that equals a word; empty where there is none.
 std::string_view known_kind(std::string_view word) {
   const auto among = [word](const auto& texts) {
     const auto found = std::ranges::find(texts, word);

@@ -12,30 +12,29 @@
 
 namespace rubsweep::branch::families {
 
-/// Results of following families so far, cell by cell, so that a second run need not find them again. Every
-/// number is kept to its last bit, and what is found depends on the study alone: families that are followed
-/// with records are those that are followed without.
+/// Results of following families, cell by cell, so that a second run can reuse them. Numbers are kept
+/// exactly, and results depend on the study alone. Families are therefore the same with and without records.
 class FamilyRecords {
  public:
-  /// Where each new record goes as one line of text, together with the cell that it belongs to.
+  /// Function that stores each new record as one line of text, with the cell to which it belongs.
   using Keep = std::function<void(std::size_t cell, std::string_view line)>;
 
   FamilyRecords() = default;
   explicit FamilyRecords(Keep keep) : keep_(std::move(keep)) {}
 
-  /// Takes back a line that was kept for `cell`. False where it is none of this class.
+  /// Reads back a line that was stored for `cell`. False where the line is no record of this class.
   bool read(std::size_t cell, std::string_view line);
 
-  /// The orbit that a cell settles on, empty where there is none to follow; null where that is not known yet.
+  /// Orbit on which a cell settles, empty if there is none to follow; null: not known yet.
   const std::optional<CellOrbit>* settled(std::size_t cell) const;
   void keep_settled(std::size_t cell, const std::optional<CellOrbit>& orbit);
 
-  /// Passage of the orbit of the family of `seed` on the way between two cells; null: not known yet.
+  /// Passage of the orbit of family `seed` on the way between two cells; null: not known yet.
   const Passage* passage(std::size_t seed, std::size_t from, std::size_t to) const;
   void keep_passage(std::size_t seed, std::size_t from, std::size_t to, const Passage& passage);
 
-  /// Whether the machine that starts on the orbit of the family of `seed` in a cell settles on it; empty: not
-  /// known yet.
+  /// Whether the machine, started in a cell on the orbit of family `seed`, settles on it; empty: not known
+  /// yet.
   std::optional<bool> stays(std::size_t seed, std::size_t cell) const;
   void keep_stays(std::size_t seed, std::size_t cell, bool stays);
 

@@ -12,7 +12,7 @@
 namespace rubsweep::branch::families {
 namespace {
 
-/// Speed and unbalance of a cell, by their places on the axes.
+/// Indices of a cell on the axes of speed and unbalance.
 struct GridPlace {
   std::size_t speed = 0, unbalance = 0;
 };
@@ -39,7 +39,7 @@ struct Way {
   double from = 0, to = 0;
 };
 
-/// Way from one cell to another along one axis; along the speed where they are the same.
+/// Way from one cell to another along one axis; for equal cells along the speed.
 Way way_between(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                 std::size_t neighbour, orbits::Closing closing, int order,
                 response::motion::Workspace& workspace) {
@@ -55,7 +55,7 @@ Way way_between(const sweep::Study& study, const scene::PreparedMachine& prepare
   Way way{orbits::closed_orbits(closing, family, order, study.solver, workspace.modes),
           along_speed ? speed_hz : unbalance,
           along_speed ? grid.speed_hz[b.speed] : grid.unbalance[b.unbalance]};
-  // Behind the start as well, where a branch may come back after a fold.
+  // The range also extends behind the start, where a branch may return after a fold.
   const double behind = way.from + (way.from - way.to);
   way.problem.low = std::min(behind, way.to);
   way.problem.high = std::max(behind, way.to);
@@ -77,12 +77,12 @@ continuation::FollowOptions options_of_a_passage() {
   return options;
 }
 
-/// The same where that does not come through: a long way along the branch between two cells.
+/// Limit on points for a second attempt, where the branch between two cells is long.
 constexpr int patient_points = 5000;
 
 constexpr double same = 1e-6;
 
-/// Compares what does not depend on which of its maxima an oval is known by.
+/// Compares the facts that are the same at all maxima of an oval.
 bool same_oval(const orbits::OrbitFacts& a, const orbits::OrbitFacts& b) {
   const auto agree = [](double x, double y) {
     return std::abs(x - y) <= same * std::max(std::abs(x), std::abs(y));
@@ -92,7 +92,7 @@ bool same_oval(const orbits::OrbitFacts& a, const orbits::OrbitFacts& b) {
          agree(a.peak_contact_force_n, b.peak_contact_force_n);
 }
 
-/// The following ended, and not the orbit.
+/// Whether following failed, rather than the orbit ending.
 bool given_up(continuation::Ending ending) {
   return ending == continuation::Ending::failed || ending == continuation::Ending::step_too_small ||
          ending == continuation::Ending::singular || ending == continuation::Ending::point_limit;
@@ -103,14 +103,15 @@ continuation::HalfBranch follow_the_way(const Way& way, const continuation::Bran
   return continuation::follow(way.problem, way.to > way.from ? start : turned_about(start), options);
 }
 
-/// A parameter that counts for much hides turns behind a graze that take place within a billionth of its
-/// range: on the second attempt the way between the cells is one unit of it, and not the whole axis.
+/// Second attempt with another scale of the parameter: the way between the cells has length 1, not the whole
+/// axis. With the first scale, turns of the branch behind a graze may be too small to be found, below 1e-9 of
+/// the axis.
 continuation::HalfBranch follow_patiently(Way way, const CellOrbit& orbit, continuation::HalfBranch first) {
   continuation::FollowOptions options = options_of_a_passage();
   options.most_points = patient_points;
   way.problem.parameter_scale = std::abs(way.to - way.from);
   const auto start =
-      continuation::orbit_from(way.problem, orbit.state, way.from);  // coordinates of the tangent
+      continuation::orbit_from(way.problem, orbit.state, way.from);  // the tangent depends on the scale
   if (!start) return first;
   continuation::HalfBranch second = follow_the_way(way, *start, options);
   return given_up(second.ending) ? std::move(first) : std::move(second);

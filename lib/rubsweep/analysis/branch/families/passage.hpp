@@ -13,22 +13,22 @@
 
 namespace rubsweep::branch::families {
 
-/// An orbit of a cell of a map.
+/// Orbit of a cell of a map.
 struct CellOrbit {
-  int order = 1;          ///< turns of the period; of an oval loops
+  int order = 1;          ///< turns of the period; for an oval its loops
   int hits = 0;           ///< number of hits over the period
-  Eigen::VectorXd state;  ///< state as closed_orbits() have it: section at the start of one of its turns
+  Eigen::VectorXd state;  ///< state as closed_orbits() defines it: section at the start of one of its turns
   orbits::Closing closing = orbits::Closing::with_the_shaft;
 };
 
-/// Outcome of following a stable orbit on the straight way from its cell to a neighbour.
+/// Result of following a stable orbit from its cell straight to a neighbour.
 struct Passage {
-  std::optional<CellOrbit> arrived;  ///< the orbit there, where it exists and is stable all the way
-  std::string_view kind;             ///< else what ends it: the word of an EventKind or an Ending
-  double parameter = 0;              ///< and where, in the parameter of the axis that the way is along
+  std::optional<CellOrbit> arrived;  ///< orbit in the neighbour, if it exists and is stable all the way
+  std::string_view kind;             ///< what ends it otherwise: the word of an EventKind or an Ending
+  double parameter = 0;              ///< value of the varied axis at that end
 };
 
-/// The stable orbit that a cell settles on. Empty where there is none.
+/// Stable orbit on which a cell settles; empty where there is none.
 std::optional<CellOrbit> stable_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared,
                                       std::size_t cell, const orbits::SettledStart& settled,
                                       response::motion::Workspace& workspace);
@@ -37,8 +37,8 @@ std::optional<CellOrbit> stable_orbit(const sweep::Study& study, const scene::Pr
 Passage pass(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
              const CellOrbit& orbit, std::size_t neighbour, response::motion::Workspace& workspace);
 
-/// Whether both are one orbit of the cell, by whichever of its turns, or of the largest distances of an oval
-/// from the axis, they have it.
+/// Whether both are the same orbit of the cell. They may be given by different turns or, for an oval, by
+/// different maxima of the distance from the axis.
 bool same_orbit(const sweep::Study& study, const scene::PreparedMachine& prepared, std::size_t cell,
                 const CellOrbit& orbit, const CellOrbit& other, response::motion::Workspace& workspace);
 

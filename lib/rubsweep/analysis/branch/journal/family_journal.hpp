@@ -12,31 +12,31 @@
 
 namespace rubsweep::branch::journal {
 
-/// The map_digest and the compiled libraries that families of orbits depend on besides, as one SHA-1.
+/// SHA-1 of map_digest and of the other compiled libraries on which families of orbits depend.
 extern const char* const family_digest;
 
-/// Directory in which families of a map are followed, while a process is at work there: families.journal
-/// holds the results so far, until the result files have them, and families.lock names the process.
+/// Directory of a map while a process follows its families. families.journal holds the results so far, until
+/// they are in the result files, and families.lock names the process.
 class FamilyJournal {
  public:
-  /// Begins, or continues an interrupted call; `fresh`: after removing its results. Throws LockedError when
-  /// another process is at work there, ConfigError when the journal belongs to another study or program,
-  /// IoError.
+  /// Begins, or continues an interrupted call; `fresh`: first removes earlier results. Throws LockedError
+  /// where another process is at work there, ConfigError where the journal belongs to another study or
+  /// program, and IoError.
   FamilyJournal(const std::filesystem::path& directory, const sweep::Study& study, bool fresh);
 
   families::FamilyRecords& records() { return records_; }
 
-  /// Number of records read that an earlier call wrote.
+  /// Number of records that an earlier call left.
   std::size_t found_before() const { return found_before_; }
 
-  /// Removes the journal once the results are written.
+  /// Removes the journal after the results were written.
   void remove();
 
-  /// As LineLog::refresh.
+  /// Syncs the journal to the disk where that is due (LineLog::refresh).
   void refresh();
 
-  /// Frees the directory, for a process that ends at once; waits for a line that is being written, and no
-  /// other one comes after it.
+  /// Unlocks the directory, for a process that ends at once. Waits for a line that is being written; no other
+  /// line follows.
   void leave();
 
  private:

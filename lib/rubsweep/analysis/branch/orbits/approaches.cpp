@@ -18,8 +18,8 @@ using integrate::run::ModeSwitch;
 using System = integrate::run::ScaledSystem<Eigen::Dynamic>;
 using Map = Eigen::Map<const Eigen::VectorXd>;
 
-/// A penetration that varies by less is even. The orbits that part a whole circle from one in partial contact
-/// are then too near to each other to be told apart by what rounding leaves of their modes.
+/// Largest variation of a penetration that counts as even. Orbits in full and in partial contact are then so
+/// close that rounding decides their modes.
 constexpr double most_spread = 1e-8;
 
 double penetration(const System& system, std::size_t contact, const double* state) {
@@ -64,7 +64,8 @@ class ApproachSearch {
   }
 
  private:
-  /// First modes: of contacts that change theirs those before the first change, of the others by the state.
+  /// Sets the modes at the start. A contact that changes its mode starts in the mode before its first change,
+  /// any other contact in the mode that follows from the state.
   void enter_first_modes() {
     changed_.assign(guards_.size(), false);
     auto& modes = dynamics_.modes();
@@ -102,7 +103,7 @@ class ApproachSearch {
     }
   }
 
-  /// Adds an approach between the samples k - 1 and k.
+  /// Adds an approach of contact i between the samples k - 1 and k, if there is one.
   void add_between(std::size_t i, std::size_t k) {
     const Sampled &before = before_[i], &here = guards_[i];
     if (changed_[i] || before.mode != here.mode) return;
@@ -125,7 +126,7 @@ class ApproachSearch {
   std::span<const ModeSwitch> switches_;
   std::size_t next_ = 0;  ///< index of the next switch
   std::vector<Sampled> guards_, before_;
-  std::vector<bool> changed_;  ///< whose mode has changed since the sample before
+  std::vector<bool> changed_;  ///< contacts whose mode changed since the last sample
   std::vector<Approach> approaches_;
 };
 

@@ -10,17 +10,17 @@
 
 namespace rubsweep::branch::orbits {
 
-/// Looks through states of an orbit for contacts whose penetration stays as it is, or that never part.
+/// Finds contacts with a constant penetration, or without any separation, among the states of an orbit.
 class EvenContacts {
  public:
   explicit EvenContacts(const scene::Scene& scene);
 
-  /// `states`: columns of 2n scaled numbers in the fixed or in the turning frame.
+  /// Adds states: columns of 2n scaled numbers in the fixed or in the rotating frame.
   void add(const Eigen::Ref<const Eigen::MatrixXd>& states);
 
-  /// Fills in the even contacts over all states added, and those that touch all along. Takes the changes of
-  /// mode of even contacts out, and has them touch by the sign of their penetration: where it is within
-  /// rounding of zero all along, the modes that a solver meets are chance.
+  /// Stores the even contacts over all added states, and the contacts that touch all along. Mode changes of
+  /// even contacts are removed, and the sign of the penetration decides whether they touch: within rounding
+  /// of zero the modes of a solver are arbitrary.
   void settle(OrbitFacts& facts) const;
 
  private:
@@ -34,22 +34,22 @@ class EvenContacts {
   std::vector<Range> ranges_;
 };
 
-/// The penetration of one contact at one state, scaled; below 0 the gap.
+/// Scaled penetration of one contact at one state; < 0: gap.
 double penetration_at(const scene::Scene& scene, const Eigen::VectorXd& state, int contact);
 
-/// States of an orbit at equal steps of the phase: columns of 2n scaled numbers, in the fixed frame, the
-/// first one at the phase 0.
+/// States of an orbit at equal steps of the phase, the first at phase 0: columns of 2n scaled numbers in the
+/// fixed frame.
 struct SampledOrbit {
   Eigen::MatrixXd states;
   double step_rad = 0;
-  bool closes = true;  ///< true: one step behind the last state comes the first one
+  bool closes = true;  ///< true: the first state follows the last one by one step
 };
 
-/// Where guards come nearest to what they guard and turn back: in flight the smallest gap between two hits,
-/// in contact the smallest penetration, and so on for every guard that a mode has armed (contact::guards_of).
-/// `switches`: all changes of contact mode of the orbit, by phase. Maxima are those of cubics through the
-/// guard and its rate at two neighbouring samples between which the contact does not change its mode. Of a
-/// scene with torsion none.
+/// Approaches of an orbit: places where a guard comes nearest to zero and turns back. In flight this is the
+/// smallest gap between two hits, in contact the smallest penetration, and so on for every guard that is
+/// armed in a mode (contact::guards_of). `switches`: all changes of contact mode of the orbit, by phase.
+/// Extremes are those of the cubic through guard and rate at two neighbouring samples without a change of
+/// mode between them. Empty for a scene with torsion.
 std::vector<Approach> approaches_of(const scene::Scene& scene, const SampledOrbit& orbit,
                                     std::span<const integrate::run::ModeSwitch> switches);
 

@@ -26,7 +26,7 @@ int contacts_of(Switches a, Switches b) {
 
 bool same_change(const ModeSwitch& a, const ModeSwitch& b) { return a.from == b.from && a.to == b.to; }
 
-/// Equal, or one a rotation of the other.
+/// Whether two sequences are equal up to a rotation.
 bool cyclically_equal(const std::vector<ModeSwitch>& a, const std::vector<ModeSwitch>& b) {
   if (a.size() != b.size()) return false;
   if (a.empty()) return true;
@@ -39,7 +39,7 @@ long hits_of(Switches switches) {
   return std::ranges::count(switches, contact::Mode::open, &ModeSwitch::from);
 }
 
-/// `count` changes from number `first` on, over the end of the closed sequence where they lead there.
+/// `count` changes from index `first` on; the sequence is closed, so that the first change follows the last.
 std::vector<ModeSwitch> stretch(const std::vector<ModeSwitch>& all, std::size_t first, std::size_t count,
                                 double period_rad) {
   std::vector<ModeSwitch> part;
@@ -50,7 +50,7 @@ std::vector<ModeSwitch> stretch(const std::vector<ModeSwitch>& all, std::size_t 
   return part;
 }
 
-/// How many changes agree from number `i` of one closed sequence and `j` of another one on.
+/// Number of changes that agree, from index `i` of one closed sequence and `j` of another one on.
 std::size_t agreeing(const std::vector<ModeSwitch>& a, std::size_t i, const std::vector<ModeSwitch>& b,
                      std::size_t j) {
   std::size_t count = 0;
@@ -60,7 +60,7 @@ std::size_t agreeing(const std::vector<ModeSwitch>& a, std::size_t i, const std:
   return count;
 }
 
-/// Kind of change by the stretches that differ; empty if it is no known pattern.
+/// Kind of change, from the parts of both sequences that differ; empty for an unknown pattern.
 std::optional<SequenceChange> change_of(const std::vector<ModeSwitch>& rich,
                                         const std::vector<ModeSwitch>& poor, int contact) {
   using Kind = SequenceChange::Kind;
@@ -81,7 +81,7 @@ std::optional<SequenceChange> change_of(const std::vector<ModeSwitch>& rich,
   return std::nullopt;
 }
 
-/// The same at one contact, whose sequences differ.
+/// Kind of change at one contact whose sequences differ.
 std::optional<SequenceChange> change_at(const std::vector<ModeSwitch>& rich,
                                         const std::vector<ModeSwitch>& poor, int contact, double period_rad) {
   if (rich.empty()) return std::nullopt;

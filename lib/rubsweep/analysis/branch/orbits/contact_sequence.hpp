@@ -11,39 +11,39 @@ namespace rubsweep::branch::orbits {
 
 using Switches = std::span<const integrate::run::ModeSwitch>;
 
-/// Whether two closed orbits go through the same contact modes, contact by contact, wherever on the orbit its
-/// first turn begins.
+/// Whether two closed orbits go through the same contact modes, contact by contact. The start of their first
+/// turns does not matter.
 bool same_sequence(Switches a, Switches b);
 
-/// The same of two orbits, whose contacts that never change their mode are open or touch alike.
+/// Whether two orbits have the same sequence, and contacts without a change of mode are open or touch alike.
 bool same_contact(const OrbitFacts& a, const OrbitFacts& b);
 
-/// The sequence with more hits, and of two with as many the one with more changes.
+/// Whether `a` is richer than `b`: it has more hits, or as many hits and more changes.
 bool is_richer(Switches a, Switches b);
 
-/// Where the sequence of the richer one of two closed orbits differs from that of the other, at one contact:
-/// all changes but those of one stretch agree.
+/// Difference between the sequences of two closed orbits at one contact: one stretch of the richer sequence
+/// is missing in the other, and all other changes agree.
 struct SequenceChange {
   enum class Kind {
-    hit,           ///< the stretch is a hit, without which the orbits agree
-    interruption,  ///< the stretch leads from a touching mode back to it
-    parting,       ///< the stretch is a flight that parts one hit of the other orbit into two
-    even,  ///< contact all along on one orbit and nowhere on the other: no stretch, but all of it at once
+    hit,           ///< the stretch is a hit, missing on the other orbit
+    interruption,  ///< the stretch leaves a touching mode and returns to it
+    parting,       ///< the stretch is a flight that divides a hit of the other orbit into two
+    even,  ///< one orbit touches all along and the other one nowhere: it is no stretch, but the whole period
   };
   Kind kind = Kind::hit;
   int contact = 0;
-  contact::Mode from = contact::Mode::open;  ///< the mode that is interrupted, or that the flight begins in
+  contact::Mode from = contact::Mode::open;  ///< mode that is interrupted, or in which the flight begins
   contact::Mode to = contact::Mode::open;    ///< first mode of the stretch
-  /// Duration of the stretch, in shaft rotation: zero at the graze, and grows as the square root of the
-  /// distance to it.
+  /// Duration of the stretch, in shaft rotation. It is zero at the graze, and grows as the square root of the
+  /// distance from it.
   double duration_rad = 0;
-  double middle_rad = 0;  ///< middle of the stretch, in phases of the richer orbit
+  double middle_rad = 0;  ///< middle of the stretch, as a phase of the richer orbit
 };
 
-/// The shortest such stretch; empty where the sequences differ otherwise. `period_rad`: of the orbits.
+/// Shortest such stretch; empty where the sequences differ otherwise. `period_rad`: period of the orbits.
 std::optional<SequenceChange> sequence_change(Switches richer, Switches poorer, double period_rad);
 
-/// "hit at stop 0", "clamped interrupted at stop 1", "flight within a hit at stop 0".
+/// Description such as "hit at stop 0", "clamped interrupted at stop 1", "flight within a hit at stop 0".
 std::string describe(const SequenceChange& change);
 
 }  // namespace rubsweep::branch::orbits

@@ -23,8 +23,8 @@ using response::rotating::RotatingArc;
 using response::rotating::RotatingField;
 using response::rotating::RotatingFlow;
 
-constexpr double nearest_maximum = 0.2;  ///< share of a loop: farther off it is not the one that was expected
-constexpr double landed_rad = 1e-9;      ///< the rest is one small step along the motion
+constexpr double nearest_maximum = 0.2;  ///< share of a loop: a maximum farther away is not the expected one
+constexpr double landed_rad = 1e-9;      ///< tolerance; the rest is one small step along the motion
 constexpr int most_steps = 12;
 
 integrate::run::SolverOptions exact(integrate::run::SolverOptions solver) {
@@ -32,7 +32,7 @@ integrate::run::SolverOptions exact(integrate::run::SolverOptions solver) {
   return solver;
 }
 
-/// One scene of the family and what is needed to follow ovals in it.
+/// One scene of the family with the flows that are needed to follow ovals in it.
 struct OvalScene {
   double parameter = 0;
   scene::Scene scene;
@@ -46,8 +46,8 @@ struct OvalScene {
         flow(scene, solver, 0),
         sampled_flow(flow.with(solver.relative_tolerance, samples_per_turn)) {}
 
-  /// Half the rate of the squared distance of the observed point from the axis, and its derivative by the
-  /// state. Both are the same in the turning and in the fixed frame.
+  /// Half the rate of change of the observed point's squared distance from the axis. Both this and its
+  /// derivative by the state are the same in the rotating and in the fixed frame.
   double outward(const VectorXd& y) const {
     const Eigen::Index n = y.size() / 2;
     return (scene::observed(scene) * y.head(n)).dot(scene::observed(scene) * y.tail(n));
@@ -60,7 +60,7 @@ struct OvalScene {
     return slope;
   }
 
-  /// The angle until the step that would bring `y` onto the nearest maximum; not finite where that is no
+  /// Angle of shaft rotation from `y` to the nearest maximum, by one Newton step; NaN where the extreme is no
   /// maximum.
   double angle_to_maximum(const VectorXd& y) const {
     const double curvature = outward_slope(y).dot(field.rate(y));
@@ -73,7 +73,7 @@ struct Landing {
   double angle_rad = 0;
 };
 
-/// Way from `y` to the maximum that is nearest to what comes after `expected_rad`.
+/// Follows `y` to the maximum nearest to its state after `expected_rad`.
 std::optional<Landing> land(const OvalScene& at, const VectorXd& y, double expected_rad, double loop_rad) {
   double angle = expected_rad;
   for (int i = 0; i < most_steps; ++i) {
@@ -92,7 +92,7 @@ class OvalOrbits {
   OvalOrbits(SceneFamily family, int loops, const integrate::run::SolverOptions& solver)
       : family_(std::move(family)), loops_(loops), solver_(exact(solver)) {}
 
-  /// `loops`: a whole number, or 0.5 to the maximum half a loop on.
+  /// Advances by `loops`, an integer, or by 0.5 to the maximum half a loop later.
   Evaluation advance(double loops, double parameter, VectorXd& state, MatrixXd* monodromy) {
     OvalScene* at = scene_at(parameter);
     if (at == nullptr) return Evaluation::infeasible;
@@ -106,7 +106,7 @@ class OvalOrbits {
     if (monodromy == nullptr) return Evaluation::ok;
     const auto arc = at->flow.from(y, landing->angle_rad);
     if (!arc || !arc->transition.allFinite()) return Evaluation::failed;
-    // A change of the start moves the maximum along the motion.
+    // A change of the initial state also shifts the maximum along the motion.
     const VectorXd slope = at->outward_slope(arc->end), rate = at->field.rate(arc->end);
     const Eigen::RowVectorXd angle_by_start = -(slope.transpose() * arc->transition) / slope.dot(rate);
     *monodromy = MatrixXd::Zero(n + 1, n + 1);
@@ -122,7 +122,7 @@ class OvalOrbits {
     for (int loops = 0; loops < loops_; ++loops) {
       VectorXd section = state;
       if (loops > 0 && advance(loops, parameter, section, nullptr) != Evaluation::ok) return std::nullopt;
-      section(state.size() - 1) = state(state.size() - 1);  // loops of different length have one mean
+      section(state.size() - 1) = state(state.size() - 1);  // loop time: the mean of all loops
       facts.sections.push_back(section);
     }
     const Eigen::Index n = state.size() - 1;
@@ -137,17 +137,17 @@ class OvalOrbits {
     facts.feasible = !arc->slip_reversed;
     facts.peak_displacement_m = arc->peak_displacement_m;
     facts.peak_contact_force_n = arc->peak_contact_force_n;
-    facts.amplitude_m = arc->peak_displacement_m;  // distance from the axis, around which the oval turns
+    facts.amplitude_m = arc->peak_displacement_m;  // distance from the axis, the centre of the oval
     facts.switches = arc->switches;
     EvenContacts even(at->scene);
     even.add(arc->samples);
     even.settle(facts);
-    // As every orbit has them: 2 pi for each turn of its order.
+    // Phases of all orbits count 2 pi for each turn of the order.
     for (integrate::run::ModeSwitch& change : facts.switches) change.phase_rad /= state(n);
     return facts;
   }
 
-  /// Between the last whole sample and the end of the period no approach is looked for.
+  /// Finds changes and approaches, but no approaches between the last whole sample and the end of the period.
   std::optional<ContactPassages> passages(double parameter, const VectorXd& state) {
     OvalScene* at = scene_at(parameter);
     if (at == nullptr) return std::nullopt;
@@ -158,15 +158,15 @@ class OvalOrbits {
     passages.approaches = approaches_of(
         at->scene, {std::move(arc->samples), numerics::full_turn / samples_per_turn, false}, arc->switches);
     passages.switches = std::move(arc->switches);
-    // As every orbit has them: 2 pi for each turn of its order.
+    // Phases of all orbits count 2 pi for each turn of the order.
     for (Approach& approach : passages.approaches) approach.phase_rad /= turns;
     for (integrate::run::ModeSwitch& change : passages.switches) change.phase_rad /= turns;
     return passages;
   }
 
  private:
-  /// One loop may have two parts that come to be the same: the oval then joins that of half its period. Known
-  /// by the maximum half a period on, where there is one.
+  /// Adds the maximum half a period later, if there is one. The two halves of a loop may become equal, and
+  /// the oval then joins the branch of half its period.
   static void add_half_way(const OvalScene& at, const VectorXd& state, OrbitFacts& facts) {
     const Eigen::Index n = state.size() - 1;
     const double half_rad = numerics::full_turn * state(n) / 2;
@@ -190,7 +190,7 @@ class OvalOrbits {
   int loops_;
   integrate::run::SolverOptions solver_;
   numerics::RecentlyUsed<OvalScene> recent_{
-      3};  ///< an orbit and its neighbours for the derivative by the parameter
+      3};  ///< an orbit and its two neighbours for the derivative by the parameter
 };
 
 }  // namespace

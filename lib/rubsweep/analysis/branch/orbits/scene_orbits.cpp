@@ -20,7 +20,7 @@
 namespace rubsweep::branch::orbits {
 namespace {
 
-/// One scene of the family and what is needed to follow orbits in it.
+/// One scene of the family with the data that are needed to follow orbits in it.
 struct SceneAt {
   double parameter = 0;
   scene::Scene scene;
@@ -89,7 +89,7 @@ class SceneOrbits {
     return facts;
   }
 
-  /// As the facts, without peaks.
+  /// Computes the passages in the same way as the facts, without peaks.
   std::optional<ContactPassages> passages(double parameter, Eigen::VectorXd state) {
     SceneAt* at = scene_at(parameter);
     if (at == nullptr) return std::nullopt;
@@ -150,8 +150,9 @@ class SceneOrbits {
     if (!scene) return nullptr;
     if (!integrate::run::same_every_turn(*scene))
       throw ConfigError(
-          "impulses that are not the same in every revolution, or contacts damped by the approach speed of "
-          "each impact, have no orbits to follow, allowed: law.approach_speed_m_per_s");
+          "impulses that are not the same in every revolution have no orbits to follow, allowed: a whole "
+          "number "
+          "of impulses in a revolution");
     SceneAt& made = recent_.emplace(parameter, *scene, solver_, modes_);
     recent_.trim();
     return &made;
@@ -162,7 +163,7 @@ class SceneOrbits {
   integrate::run::SolverOptions solver_;
   integrate::exact::modes::ModeCache& modes_;
   numerics::RecentlyUsed<SceneAt> recent_{
-      2};  ///< an orbit and a neighbour for the derivative by the parameter
+      2};  ///< an orbit and one neighbour for the derivative by the parameter
 };
 
 }  // namespace

@@ -12,25 +12,25 @@
 
 namespace rubsweep::branch::orbits {
 
-/// The scene at each value of a parameter; empty where there is none.
+/// Scene at each value of a parameter; empty where it does not exist.
 using SceneFamily = std::function<std::optional<scene::Scene>(double parameter)>;
 
-/// Orbits of `order` turns of a family of scenes, their pulses left out: the states are sections, scaled by
-/// the length scale and the speed of the scene that they belong to. Range and scale of the parameter are left
-/// to the caller. The solver works at 1e-11 where it has a tolerance. `modes` must outlive the problem, which
-/// belongs to one thread. Throws ConfigError at a scene whose impulses are not the same in every turn.
+/// Orbits of `order` turns of a family of scenes without their pulses. States are sections, scaled by the
+/// length scale and the speed of their scene. The caller sets range and scale of the parameter. A solver with
+/// a tolerance uses 1e-11. `modes` must outlive the problem, which belongs to one thread. Throws ConfigError
+/// for a scene whose impulses differ from turn to turn.
 OrbitProblem scene_orbits(SceneFamily family, int order, const integrate::run::SolverOptions& solver,
                           integrate::exact::modes::ModeCache& modes);
 
-/// How an orbit closes.
+/// Frame in which an orbit closes.
 enum class Closing {
-  with_the_shaft,        ///< after whole turns: a fixed point of the section map
-  in_the_turning_frame,  ///< an oval: in the frame that turns with the shaft, after a time of its own
+  with_the_shaft,        ///< after whole turns: fixed point of the section map
+  in_the_turning_frame,  ///< an oval: in the rotating frame, after a time of its own
 };
 
 constexpr std::string_view to_string(Closing closing) { return enumerator_word(closing); }
 
-/// scene_orbits() or oval_orbits(), whose `order` is that of turns or of loops.
+/// Makes scene_orbits() or oval_orbits(), with `order` as the number of turns or of loops.
 OrbitProblem closed_orbits(Closing closing, SceneFamily family, int order,
                            const integrate::run::SolverOptions& solver,
                            integrate::exact::modes::ModeCache& modes);

@@ -14,19 +14,20 @@
 namespace rubsweep::branch::orbits {
 namespace {
 
-/// Step of the shaft's rotation for the guard's second derivative: the error of the central difference and
-/// its rounding both stay near 1e-10.
+/// Step in shaft rotation for the second derivative of a guard. Truncation error and rounding of the central
+/// difference are both near 1e-10.
 constexpr double difference_step_rad = 1e-5;
 
 constexpr double turn_rad = 2 * std::numbers::pi;
-/// So near to the phase asked for, a thousandth of a radian, Newton's iteration finds a touch.
+/// Samples per turn. A sample is within a thousandth of a radian of the wanted phase, near enough for
+/// Newton's iteration.
 constexpr int section_samples_per_turn = 4096;
 
 std::span<const double> numbers(const Eigen::VectorXd& state) {
   return {state.data(), static_cast<std::size_t>(state.size())};
 }
 
-/// Puts a stop where nothing reaches it.
+/// Moves a stop to where nothing reaches it.
 void move_away(scene::Scene& scene, int contact) {
   constexpr double far_away = 1e3;
   scene.contacts[static_cast<std::size_t>(contact)].clearance_m += far_away * scene.length_scale_m;
@@ -60,7 +61,7 @@ class ScenePlaneOrbits {
   std::optional<Eigen::VectorXd> at_phase(const PlanePoint& place, const Eigen::VectorXd& state,
                                           double& phase_rad) {
     const auto scene = scene_at(place);
-    // With torsion the unbalance turns with the twist, which `begun_at_phase` does not.
+    // With torsion the unbalance also turns with the twist, which `begun_at_phase` ignores.
     if (!scene || scene->twist) return std::nullopt;
     const integrate::run::Run run = integrate::start(*scene, solver_, modes_);
     const auto sample = std::llround(phase_rad / turn_rad * section_samples_per_turn);
@@ -77,7 +78,7 @@ class ScenePlaneOrbits {
 
  private:
   struct Line {
-    PlanePoint place;  ///< whatever its first parameter
+    PlanePoint place;  ///< place of the guards; its first parameter may be any
     OrbitProblem orbits;
   };
 
@@ -107,7 +108,7 @@ class ScenePlaneOrbits {
   int order_;
   integrate::run::SolverOptions solver_;
   integrate::exact::modes::ModeCache& modes_;
-  numerics::RecentlyUsed<Line> recent_{3};  ///< a line and its neighbours for derivatives
+  numerics::RecentlyUsed<Line> recent_{3};  ///< cache of a line and its neighbours for derivatives
   std::unique_ptr<SectionGuards> guards_;
   PlanePoint guards_at_;
 };
@@ -134,7 +135,7 @@ std::optional<GuardMotion> SectionGuards::at(std::span<const double> section, co
   return GuardMotion{here->value, here->rate, (later->rate - earlier->rate) / (2 * difference_step_rad)};
 }
 
-/// In units of length: a guard of forces is divided by the stiffness.
+/// Guard in units of length: a guard of forces is divided by the stiffness.
 std::optional<contact::Guard> SectionGuards::guard_at(const State& state, double phase_rad,
                                                       const ArmedGuard& guard) const {
   const auto i = static_cast<std::size_t>(guard.contact);

@@ -15,24 +15,24 @@
 
 namespace rubsweep::branch::orbits {
 
-/// A place in the plane of two parameters, and the shaft angle at which the turns of an orbit begin.
+/// Point in the plane of two parameters, and shaft angle at which the turns of an orbit begin.
 struct PlanePoint {
   double first = 0, second = 0;
   double phase_rad = 0;
-  /// Contact that the orbits are clear of: its force is left out, so that they are smooth where they come to
-  /// touch everywhere at once. Below 0: none.
+  /// Contact whose force is left out, so that orbits stay smooth where they begin to touch it everywhere at
+  /// once. < 0: none.
   int clear_of = -1;
 
   bool operator==(const PlanePoint&) const = default;
 };
 
-/// The guard of one contact from one of its modes to another.
+/// Guard of one contact for a change from one of its modes to another.
 struct ArmedGuard {
   int contact = 0;
   contact::Mode from = contact::Mode::open, to = contact::Mode::open;
 };
 
-/// A guard at one state, as a scaled length, with its first two derivatives by the shaft angle.
+/// Value of a guard at one state, as a scaled length, with its first two derivatives by the shaft angle.
 struct GuardMotion {
   double value = 0, rate = 0, curvature = 0;
 };
@@ -44,18 +44,18 @@ struct ParameterRange {
   bool holds(double value) const { return value >= low && value <= high; }
 };
 
-/// Orbits of a map with two parameters: as OrbitProblem, whose members mean the same here.
+/// Orbits of a map with two parameters. Members mean the same as in OrbitProblem.
 struct PlaneOrbits {
   std::function<Evaluation(const PlanePoint&, Eigen::VectorXd& state, Eigen::MatrixXd* monodromy)> returns;
-  /// May be left out.
+  /// Facts of an orbit; may be left out.
   std::function<std::optional<OrbitFacts>(const PlanePoint&, const Eigen::VectorXd& state)> facts;
-  /// The guard at the start of a turn; empty where it cannot be told. May be left out where no graze is
-  /// followed, as may `at_phase`.
+  /// Guard at the start of a turn; empty where it cannot be computed. `guard` and `at_phase` may be left out
+  /// where no graze is followed.
   std::function<std::optional<GuardMotion>(const PlanePoint&, const Eigen::VectorXd& state,
                                            const ArmedGuard&)>
       guard;
-  /// The state `phase_rad` >= 0 after the start of the orbit, at the sample next to it: the phase becomes
-  /// that of the sample.
+  /// State at the sample nearest to `phase_rad` >= 0 after the start of the orbit. The argument becomes the
+  /// phase of that sample.
   std::function<std::optional<Eigen::VectorXd>(const PlanePoint&, const Eigen::VectorXd& state,
                                                double& phase_rad)>
       at_phase;
@@ -63,15 +63,16 @@ struct PlaneOrbits {
   ParameterRange first, second;
 };
 
-/// Guards of a scene without pulses, at its sections.
+/// Evaluates guards of a scene without pulses at its sections.
 class SectionGuards {
  public:
   explicit SectionGuards(const scene::Scene& scene);
   SectionGuards(const SectionGuards&) = delete;
   SectionGuards& operator=(const SectionGuards&) = delete;
 
-  /// The guard at phase 0 and at `section` (2n scaled numbers), its contact in the mode `from` of the guard,
-  /// the others in those that the state has by itself. Empty where no such guard is armed in that mode.
+  /// Guard at phase 0 and state `section` (2n scaled numbers). The contact of `guard` is in the mode
+  /// guard.from, the others in the modes that follow from the state. Empty where the mode guard.from has no
+  /// such guard.
   std::optional<GuardMotion> at(std::span<const double> section, const ArmedGuard& guard);
 
  private:
@@ -84,15 +85,14 @@ class SectionGuards {
   integrate::law::Dynamics<Eigen::Dynamic, false> dynamics_;
 };
 
-/// The scene with its time counted from an instant at which its shaft has turned by `phase_rad`. Its pulses
-/// stay where they are.
+/// Scene with its time shifted to begin when its shaft has turned by `phase_rad`. Its pulses are not shifted.
 scene::Scene begun_at_phase(scene::Scene scene, double phase_rad);
 
-/// The scene at each place of a plane of two parameters; empty where there is none.
+/// Scene at each point of a plane of two parameters; empty where it does not exist.
 using ScenePlane = std::function<std::optional<scene::Scene>(double first, double second)>;
 
-/// Orbits of `order` turns of a plane of scenes, as scene_orbits() has them along a line. Ranges are left to
-/// the caller.
+/// Orbits of `order` turns over a plane of scenes, in the same form as scene_orbits() for one parameter. The
+/// caller sets the ranges.
 PlaneOrbits scene_plane_orbits(ScenePlane plane, int order, const integrate::run::SolverOptions& solver,
                                integrate::exact::modes::ModeCache& modes);
 

@@ -13,24 +13,24 @@
 
 namespace rubsweep::branch::orbits {
 
-/// The oval that a rotationally symmetric scene settles on from `section` (scaled, at the start of a turn,
-/// which is a state of the turning frame as well), its pulses left out: a state of `oval_orbits`. Empty where
-/// it settles on no closed orbit of the turning frame within `options.max_revolutions` turns.
+/// Oval on which a rotationally symmetric scene settles without its pulses, as a state for `oval_orbits`.
+/// `section` is the scaled state at the start of a turn, where fixed and rotating frame coincide. Empty where
+/// the scene reaches no closed orbit of the rotating frame within `options.max_revolutions` turns.
 std::optional<Eigen::VectorXd> oval_from(const scene::Scene& scene, const Eigen::VectorXd& section,
                                          const integrate::run::SolverOptions& solver,
                                          const response::motion::ResponseOptions& options,
                                          response::motion::Workspace& workspace);
 
-/// Motion that a cell settles on when it is run from its kick.
+/// Motion on which a cell settles when it is run from its kick.
 struct SettledStart {
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
-  std::optional<int> order;  ///< order of the closed orbit, in contact; empty: there is none to follow
+  std::optional<int> order;  ///< order of the closed orbit with contact; empty: no orbit to follow
   Closing closing = Closing::with_the_shaft;
-  Eigen::VectorXd state;  ///< near the orbit, as its closed_orbits() have it
+  Eigen::VectorXd state;  ///< state near the orbit, as closed_orbits() defines it
 };
 
-/// Runs the cell until its motion is known: a periodic one, or an oval of a rotationally symmetric scene.
-/// `cell` can run.
+/// Runs the cell, which must be able to run, until its motion is known: a periodic motion, or an oval of a
+/// rotationally symmetric scene.
 SettledStart settle_on_orbit(const scene::Cell& cell, const integrate::run::SolverOptions& solver,
                              const response::motion::ResponseOptions& options,
                              response::motion::Workspace& workspace);

@@ -1,5 +1,6 @@
 "use strict";
-// Settings beside the selected cell: the layer, the classes that are shown, and the address that remembers both.
+// Controls around the map: the layer, the classes that are shown, and the address that stores layer and
+// selected cell.
 const firstLayers = [...layerNames.keys()];
 
 function layersOf(data) {
@@ -18,7 +19,7 @@ function fillLayers(data, state, changed) {
     .selectAll("option").data(layersOf(data)).join("option").attr("value", (name) => name).text(columnTitle);
 }
 
-// The classes of the map with their colours and shares; a box each to hide or show them.
+// Classes of the map with their colours and shares, each with a box to hide or show it.
 function fillClasses(data, state, changed) {
   const counts = new Array(kinds.length).fill(0);
   data.kinds.forEach((kind) => ++counts[kind]);
@@ -49,7 +50,7 @@ function paintSwatches() {
       kind.hatched ? "repeating-linear-gradient(135deg, transparent 0 3px, #fff 3px 4px)" : null);
 }
 
-// Names and colours of the layer that is shown, as the legend and the exported picture have them.
+// Names and colours of the layer that is shown, for the legend and the exported picture.
 function legendOf(data, view, state, present) {
   if (state.layer === "class") return present.map((kind) => [kind.label, kindColour(kind)]);
   const column = data.columns.get(state.layer);
@@ -72,7 +73,8 @@ function drawScale(state, legend) {
     });
 }
 
-// The address behind the #: speed_hz, unbalance and layer, so that a link shows the same cell in another map as well.
+// Part of the address after #: speed_hz, unbalance and layer, so that a link shows the same cell in another
+// map, too.
 function readAddress(data, state) {
   const given = new URLSearchParams(location.hash.slice(1));
   if (layersOf(data).includes(given.get("layer"))) state.layer = given.get("layer");
@@ -89,7 +91,7 @@ function writeAddress(data, state) {
   const [i, j] = data.placeOf(state.selected);
   const parts = { [data.index.across]: data.x.values[i], [data.index.measure]: data.y.values[j], layer: state.layer };
   ownAddress = "#" + new URLSearchParams(parts);
-  // Browsers refuse an address that changes too often, as it does while a key is held.
+  // The address is changed with a delay: browsers refuse frequent changes, as while a key is held down.
   clearTimeout(addressTimer);
   addressTimer = setTimeout(() => location.replace(ownAddress), 200);
 }

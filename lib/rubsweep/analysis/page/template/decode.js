@@ -7,7 +7,7 @@ async function inflate(text) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Records of `width` bytes that were written byte plane by byte plane.
+// Records of `width` bytes from their byte planes.
 function fromPlanes(planes, width) {
   const count = planes.length / width, records = new Uint8Array(planes.length);
   for (let plane = 0; plane < width; ++plane)
@@ -15,7 +15,8 @@ function fromPlanes(planes, width) {
   return records.buffer;
 }
 
-// Typed arrays have the byte order of the machine, and all browsers run on machines with the lowest byte first.
+// Typed arrays have the byte order of the machine. All browsers run on machines that store the lowest byte
+// first.
 const numbersOf = (planes) => new Float64Array(fromPlanes(planes, 8));
 const placesOf = (planes) => new Uint32Array(fromPlanes(planes, 4));
 
@@ -57,7 +58,7 @@ function readOrbit(reader) {
   return orbit;
 }
 
-// A block of records: the orbits by their cells.
+// Reads a block of records and returns the orbits by their cells.
 function readOrbits(bytes) {
   const reader = new Reader(bytes), orbits = new Map();
   while (reader.at < bytes.length) {

@@ -1,5 +1,5 @@
 "use strict";
-// Pictures and tables to keep. All is made in the page and handed over as a download.
+// Export of pictures and tables. They are made inside the page and offered as downloads.
 function download(name, blob) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
@@ -8,7 +8,8 @@ function download(name, blob) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-// A copy of an SVG that looks the same on its own: what the style sheet says is written into its elements.
+// Copy of an SVG that looks the same without the page: styles of the style sheet are written into its
+// elements.
 function standaloneSvg(svg) {
   const copy = svg.cloneNode(true), names = ["fill", "stroke", "stroke-width", "stroke-dasharray", "font-family",
     "font-size", "text-anchor", "opacity"];
@@ -38,8 +39,8 @@ function ground(copy, width, height) {
   copy.prepend(back);
 }
 
-// A text without the characters that XML does not allow, which names in a table may have and a browser hands over as they
-// are: with one of them no program reads the picture.
+// Text without the characters that XML forbids. Names in a table may have them and browsers keep them, but no
+// program reads a picture with one.
 const allowedInXml = (text) => text.replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]|[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g, "\ufffd");
 const svgText = (copy) => allowedInXml(new XMLSerializer().serializeToString(copy));
 const svgBlob = (copy) => new Blob([svgText(copy)], { type: "image/svg+xml" });
@@ -50,7 +51,7 @@ function saveFigure(id) {
   download(id + ".svg", svgBlob(copy));
 }
 
-// The map with its legend to the right; the cells are a picture inside.
+// The map as an SVG with its legend to the right; the cells are embedded as a bitmap.
 function mapSvg(view, legend) {
   const { copy, width, height } = standaloneSvg(document.getElementById("overlay"));
   const whole = width + 230;
@@ -83,7 +84,7 @@ async function saveMapPng(view, legend) {
   canvas.toBlob((blob) => download("map.png", blob));
 }
 
-// The rows of these cells as map.csv has them: equal words, and numbers that read back to the same ones.
+// Rows of these cells as in map.csv: equal words, and numbers that read back to the same values.
 function rowsCsv(data, cells) {
   const names = [...data.columns.keys()];
   const text = (value) => {

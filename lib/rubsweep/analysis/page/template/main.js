@@ -1,10 +1,11 @@
 "use strict";
-// Puts the page together.
+// Builds the page from its parts.
 const state = { layer: "class", hidden: new Set(), selected: null, rectangle: null, view: null, stop: 0 };
 const data = new MapData();
 let view = null, present = [];
 
-// The cell that a page without an address shows: in the middle of those of the most frequent motion with contact.
+// Cell that a page without an address shows: the middle one of those with the most frequent motion with
+// contact.
 function typicalCell() {
   const groups = new Map();
   data.kinds.forEach((kind, cell) => {
@@ -25,7 +26,7 @@ function drawMap() {
     .text(state.rectangle || !state.view ? "Zoom to the rectangle" : "Whole map");
 }
 
-// The line below the map: of the cell under the mouse, else of the selected one.
+// Writes the line below the map for the cell under the mouse, or else for the selected cell.
 function sayNumbers(cell) { document.getElementById("hover").textContent = cell === null ? "" : hoverText(data, cell); }
 
 let asked = 0;
@@ -59,7 +60,7 @@ function select(cell) {
   return showCell();
 }
 
-// The cells that the shown classes and the rectangle leave, in the order of the map.
+// Cells of the shown classes inside the rectangle, in the order of the map.
 function chosenCells() {
   const [i0, j0, i1, j1] = state.rectangle || [0, 0, data.x.values.length - 1, data.y.values.length - 1];
   return d3.range(data.cells).filter((cell) => {
@@ -79,7 +80,7 @@ function listenToMouse() {
   view.box.addEventListener("pointermove", (event) => {
     const at = view.placesAt(event.clientX, event.clientY);
     sayNumbers(at ? data.cellAt(...at) : state.selected);
-    // A finger scrolls the page instead.
+    // With a finger, dragging scrolls the page instead.
     if (!from || !at || event.pointerType !== "mouse" || event.buttons !== 1) return;
     if (!dragged && at[0] === from[0] && at[1] === from[1]) return;
     dragged = true;
@@ -132,8 +133,9 @@ function listenToButtons() {
     d3.select("#" + id).append("button").attr("type", "button").text("SVG").on("click", () => saveFigure(id));
 }
 
-// Draws anew what no longer fits its box. A box changes with the window, and also where a scroll bar comes, a line wraps
-// or the page is zoomed. The map is drawn at once, before its box is seen; panels change their heights, and wait for a frame.
+// Redraws everything that no longer fits its box. A box changes with the window, but also when a scroll bar
+// appears, a line wraps or the page is zoomed. The map is drawn at once, before its box is visible. Panels
+// change their own heights, and are drawn in the next frame.
 function watchBoxes() {
   const refit = () => {
     if (!view.fits()) view.draw();
@@ -142,7 +144,7 @@ function watchBoxes() {
   const boxes = new ResizeObserver(refit);
   boxes.observe(view.box);
   boxes.observe(document.getElementById("orbit"));
-  // In a window of more than the widest page a zoom leaves the boxes as they are.
+  // If the window is wider than the widest page, a zoom does not change the boxes.
   window.addEventListener("resize", refit);
 }
 
@@ -157,7 +159,7 @@ function listenToWindow() {
   });
 }
 
-// Which wall the time history looks at, where there are several.
+// Choice of the wall that the time history shows, where there are several.
 function fillStops() {
   const walls = d3.greatest(data.index.wall_lists, (list) => list.length);
   if (walls.length < 2) return;

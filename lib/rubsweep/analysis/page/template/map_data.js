@@ -1,5 +1,5 @@
 "use strict";
-// The rows of the map and the motions of its cells, decoded when they are asked for.
+// Rows of the map and motions of its cells, which are decoded when needed.
 const dataText = (id) => document.getElementById(id).textContent;
 
 class MapData {
@@ -15,8 +15,8 @@ class MapData {
     this.blocks = new Map();
   }
 
-  // An axis in rising order: its values, the edges of its cells half way between them (on a logarithmic one, of their
-  // logarithms), and the place of each value in the configuration.
+  // An axis in rising order: its values, the edges of its cells half way between values (for a logarithmic
+  // axis, between their logarithms), and the index of each value in the configuration.
   axis(values, logarithmic = false) {
     if (logarithmic && d3.min(values) > 0) {
       const of = this.axis(values.map(Math.log));
@@ -31,7 +31,7 @@ class MapData {
     return { values: sorted, edges: [sorted[0] - margin(1, 0), ...edges, sorted[last] + margin(last, last - 1)], source, place };
   }
 
-  // The cell at place i of the speeds and j of the unbalances, both in rising order, and back.
+  // Cell with index i of the speed and j of the unbalance, both in rising order, and the inverse.
   cellAt(i, j) { return this.y.source[j] * this.x.source.length + this.x.source[i]; }
   placeOf(cell) {
     const speeds = this.x.source.length;
@@ -48,14 +48,14 @@ class MapData {
       this.kinds[cell] = kindByName.get(kindOf((name) => this.value(name, cell))) ?? kinds.length - 1;
   }
 
-  // A number (NaN where there is none) or a word; "" where there is no such column.
+  // Number (NaN where the cell is empty) or word of a column; "" where the column does not exist.
   value(name, cell) {
     const column = this.columns.get(name);
     if (!column) return "";
     return column.words.length ? column.words[column.values[cell]] : column.values[cell];
   }
 
-  // Where the walls stand in a cell: keys move them, speed and unbalance do not.
+  // Walls in a cell. Keys change them, speed and unbalance do not.
   wallsOf(cell) {
     const lists = this.index.wall_list_of_keys;
     return this.index.wall_lists[lists[Math.floor(cell / (this.cells / lists.length))]];
@@ -63,10 +63,10 @@ class MapData {
 
   isWord(name) { return this.columns.get(name).words.length > 0; }
 
-  // A refined map has cells of which only the class is known, from their block.
+  // False for a cell of a refined map whose class is only known from its block.
   isComputed(cell) { return this.value("status", cell) !== "not computed"; }
 
-  // The cells whose motions are stored.
+  // Cells whose motions are stored.
   recordedCells() {
     const { cells, speed_stride, unbalance_stride } = this.index.orbits, speeds = this.x.source.length;
     if (cells) return cells;
@@ -74,7 +74,7 @@ class MapData {
     return kept(this.y.source.length, unbalance_stride).flatMap((j) => kept(speeds, speed_stride).map((i) => j * speeds + i));
   }
 
-  // The nearest cell to `cell` that has its kind and order and a stored motion; null where there is none.
+  // Nearest cell to `cell` of the same kind and order with a stored motion; null where there is none.
   recordedCell(cell) {
     const order = this.value("order", cell), [i, j] = this.placeOf(cell);
     const distance = (other) => { const [k, l] = this.placeOf(other); return (i - k) ** 2 + (j - l) ** 2; };
@@ -83,7 +83,7 @@ class MapData {
     return alike.length ? alike[d3.minIndex(alike, distance)] : null;
   }
 
-  // The motion of a cell for which recordedCell(cell) === cell; undefined where it has none.
+  // Motion of a cell with recordedCell(cell) === cell; undefined for any other.
   async orbit(cell) {
     const speeds = this.x.source.length, { speed_stride, unbalance_stride, cells_per_block } = this.index.orbits;
     const kept = (count, stride) => Math.floor((count - 1 - Math.floor(stride / 2)) / stride) + 1;

@@ -1,11 +1,12 @@
 "use strict";
-// The map: cells on a canvas; axes, boundaries, the marked rectangle and the selected cell above it as SVG.
+// Drawing of the map: cells on a canvas, and above it an SVG with axes, boundaries, marked rectangle and
+// selected cell.
 const margin = { left: 58, right: 14, top: 26, bottom: 44 };
-const rpmHeight = 20;  // of the numbers above a map over speeds in Hz
+const rpmHeight = 20;  // height of the numbers in rpm above a map over speeds in Hz
 
 class MapView {
-  // `state` has layer, hidden (a set of kinds), selected (cell or null), rectangle ([i0, j0, i1, j1] of places, or null)
-  // and view (the rectangle shown, or null).
+  // `state` has layer, hidden (a set of kinds), selected (cell or null), rectangle ([i0, j0, i1, j1] in
+  // indices, or null) and view (the part of the map that is shown, or null).
   constructor(data, state) {
     this.data = data;
     this.state = state;
@@ -17,7 +18,7 @@ class MapView {
     this.svg.append("clipPath").attr("id", "inside").append("rect");
   }
 
-  // Whether the map is drawn for the size of its box and for the pixels of the screen.
+  // Whether the drawing fits the present size of its box and the pixels of the screen.
   fits() {
     const { width, height } = this.box.getBoundingClientRect();
     return width === this.width && height === this.height && window.devicePixelRatio === this.ratio;
@@ -27,7 +28,7 @@ class MapView {
     const { data, state } = this;
     ({ width: this.width, height: this.height } = this.box.getBoundingClientRect());
     this.ratio = window.devicePixelRatio;
-    // Cells and axes keep to each other also in a box of another size, as paper has one.
+    // Cells and axes stay aligned also in a box of another size, as on paper.
     this.svg.attr("viewBox", `0 0 ${this.width} ${this.height}`).attr("preserveAspectRatio", "xMinYMin meet");
     margin.top = inHz(data.index.across) ? 26 + rpmHeight : 26;
     const [i0, j0, i1, j1] = state.view || [0, 0, data.x.values.length - 1, data.y.values.length - 1];
@@ -39,7 +40,7 @@ class MapView {
       .range([this.height - margin.bottom, margin.top]);
   }
 
-  // The colour of each cell on the layer that is shown.
+  // Function that gives the colour of a cell on the layer that is shown.
   painter() {
     const { data, state } = this;
     if (state.layer === "class") return (cell) => kindColour(kinds[data.kinds[cell]]);
@@ -68,7 +69,7 @@ class MapView {
     context.clearRect(0, 0, this.width, this.height);
     const colour = this.painter(), empty = emptyColour();
     const [i0, j0, i1, j1] = this.shown;
-    // On pixels of the device, so that no seam shows between cells.
+    // Edges lie on device pixels, so that no seam shows between cells.
     const snap = (value) => Math.round(value * ratio) / ratio;
     const left = d3.range(i0, i1 + 2).map((i) => snap(this.x(data.x.edges[i])));
     const low = d3.range(j0, j1 + 2).map((j) => snap(this.y(data.y.edges[j])));
@@ -144,7 +145,7 @@ class MapView {
       const [i, j] = data.placeOf(state.selected);
       marks.push({ ...box([i, j, i, j]), dashes: "", widen: 2 });
     }
-    // A light line around a dark one stands out on every colour.
+    // A dark line with a light line around it is visible on every colour.
     const lines = marks.flatMap((mark) => [{ ...mark, stroke: "#FFFFFF", size: 4 }, { ...mark, stroke: "#000000", size: 2 }]);
     this.parts.marks.attr("clip-path", "url(#inside)").attr("fill", "none").selectAll("rect").data(lines).join("rect")
       .attr("x", (m) => m.left - m.widen).attr("y", (m) => m.top - m.widen)
@@ -152,7 +153,7 @@ class MapView {
       .attr("stroke", (m) => m.stroke).attr("stroke-width", (m) => m.size).attr("stroke-dasharray", (m) => m.dashes);
   }
 
-  // The places of the cell under a point of the page; null beside the map.
+  // Indices of the cell under a point of the page; null outside the map.
   placesAt(clientX, clientY) {
     const { left, top } = this.box.getBoundingClientRect(), { data } = this;
     const x = this.x.invert(clientX - left), y = this.y.invert(clientY - top), [i0, j0, i1, j1] = this.shown;
@@ -160,7 +161,7 @@ class MapView {
     return i < i0 || i > i1 || j < j0 || j > j1 ? null : [i, j];
   }
 
-  // The middle of a cell, in pixels of the page.
+  // Centre of a cell, in pixels of the page.
   middleOf(cell) {
     const { left, top } = this.box.getBoundingClientRect(), [i, j] = this.data.placeOf(cell);
     const middle = (scale, edges, place) => (scale(edges[place]) + scale(edges[place + 1])) / 2;

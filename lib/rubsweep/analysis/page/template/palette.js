@@ -1,15 +1,15 @@
 "use strict";
-// As the program has them for all its pictures.
+// Kinds of motions with their colours, the same as in all pictures of the program.
 const kinds = JSON.parse(document.getElementById("index").textContent).motion_kinds;
 const kindByName = new Map(kinds.map((kind, place) => [kind.name, place]));
 const wordColours = ["#332288", "#88CCEE", "#DDCC77", "#CC6677", "#117733", "#AA4499", "#44AA99", "#999933", "#882255"];
-// By the words of a table, which may be any: Maps, not plain objects.
+// Colours by word. Words of a table may be any, so that these are Maps and not plain objects.
 const fixedColours = new Map([
   ["proof", new Map(Object.entries({ rest: "#44AA99", floquet: "#332288", floquet_observed: "#88CCEE", observed: "#DDCC77" }))],
   ["robust", new Map(Object.entries({ yes: "#88CCEE", no: "#882255" }))],
 ]);
 
-// While the page is printed its colours are those of a light screen.
+// True while the page is printed; its colours are then those of the light theme.
 let printing = false;
 const darkScreen = window.matchMedia("(prefers-color-scheme: dark)");
 const isDark = () => darkScreen.matches && !printing;
@@ -17,10 +17,11 @@ const themed = (name) => getComputedStyle(document.documentElement).getPropertyV
 const kindColour = (kind) => (isDark() && kind.dark) || kind.colour;
 const emptyColour = () => (isDark() ? "#22252A" : "#FFFFFF");
 
-// Name of the kind that a row is drawn as. Maps of older programs have no such column, and show the class alone.
+// Name of the kind as which a row is drawn. Maps of older programs have no column `kind`, and show only the
+// class.
 const kindOf = (row) => row("kind") || row("class");
 
-// Colours of a layer of words: one for each word that occurs.
+// Colours for a layer of words: one for each word that occurs.
 function wordScale(name, words) {
   const fixed = fixedColours.get(name) ?? new Map();
   const sorted = words.filter((word) => word !== "").sort();
@@ -28,7 +29,8 @@ function wordScale(name, words) {
   return (word) => colours.get(word) || emptyColour();
 }
 
-// Colours of a layer of numbers: cividis, which colour-blind readers see as others do, and which grows lighter steadily.
+// Colours for a layer of numbers: cividis, which looks alike to colour-blind readers and gets steadily
+// lighter.
 function numberScale(values) {
   const finite = values.filter(Number.isFinite);
   let [low, high] = d3.extent(finite);

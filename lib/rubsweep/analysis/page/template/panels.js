@@ -3,7 +3,7 @@
 const mm = (values) => values.map((value) => 1e3 * value);
 
 const panelWidth = () => document.getElementById("orbit").clientWidth;
-let drawnWidth = null;  // of a panel; null where none is drawn
+let drawnWidth = null;  // width of a panel; null where none is drawn
 const panelsNeedDrawing = () => drawnWidth !== null && drawnWidth !== panelWidth();
 
 function drawPanels(data, cell, orbit, stop) {
@@ -21,14 +21,14 @@ function clearPanels() {
   for (const id of ["history", "orbit", "spectrum", "section"]) d3.select("#" + id).selectAll("svg").remove();
 }
 
-// x and y of the rotor, and for one stop how far the rotor is out towards the wall, and where the wall is,
-// clearance and casing together: these two touch where the gap closes.
+// Time history: x and y of the rotor and, for one stop, the rotor's displacement towards the wall and the
+// position of the wall (clearance plus casing). The last two curves meet where the gap closes.
 function drawHistory(wall, orbit, speed_hz, stop) {
   const signals = orbit.stops[stop];
   const time = orbit.steps.map((step) => (1e3 * step) / orbit.steps_per_turn / speed_hz);
   const casing = signals.x.map((x, i) =>
     wall.around ? Math.hypot(x, signals.y[i]) : wall.normal[0] * x + wall.normal[1] * signals.y[i]);
-  // The distance that counts around a rotor is the one from the casing, so that there the wall stands still.
+  // Around the rotor the distance is measured from the casing, so that the wall is a constant line.
   const wallAt = mm(casing.map((value) => wall.clearance_m + (wall.around ? 0 : value)));
   const rotor = signals.gap.map((gap, i) => wallAt[i] - 1e3 * gap);
   const x = mm(orbit.x), y = mm(orbit.y), all = [...x, ...y, ...wallAt, ...rotor];
@@ -54,7 +54,7 @@ function drawHistory(wall, orbit, speed_hz, stop) {
 function drawOrbit(walls, orbit) {
   const x = mm(orbit.x), y = mm(orbit.y);
   const reach = d3.max([...x, ...y].map(Math.abs));
-  // A far wall does not shrink the orbit to a point.
+  // Distant walls are left out, as the orbit would shrink to a point.
   const near = walls.filter((wall) => wall.at_orbit && 1e3 * wall.clearance_m < 6 * reach);
   const around = near.filter((wall) => wall.around), flat = near.filter((wall) => !wall.around);
   const xs = [...x, 0], ys = [...y, 0];
@@ -86,7 +86,7 @@ function drawOrbit(walls, orbit) {
   addPoints(plot, orbit.section.map((point) => mm(point)), themed("point"), 3);
 }
 
-// Runs of samples in which some stop is touched.
+// Ranges of samples in which a stop is touched.
 function contacts(orbit) {
   const ranges = [];
   orbit.x.forEach((_, i) => {
@@ -114,7 +114,8 @@ function drawSpectrum(orbit) {
     .attr("y", plot.space.top + 12).text("forward");
 }
 
-// Zoomed to its points; where they are one or close together, to a twentieth of the orbit about them.
+// Zooms to the points; if these are close together or a single one, shows a twentieth of the orbit around
+// them.
 function drawSection(orbit) {
   const points = orbit.section.map((point) => mm(point));
   const span = (values) => d3.max(values) - d3.min(values);

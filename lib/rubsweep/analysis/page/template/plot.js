@@ -28,7 +28,7 @@ function makePlot(id, { x, y, xLabel, yLabel, square = false, height = 240 }) {
   return { svg, marks, x: xScale, y: yScale, space, inner };
 }
 
-// Equal millimetres along both axes.
+// Widens the scales so that a millimetre is equally long on both axes.
 function widenToScale(xScale, yScale, inner) {
   const [x0, x1] = xScale.domain(), [y0, y1] = yScale.domain();
   const unit = Math.max((x1 - x0) / inner.width, (y1 - y0) / inner.height);
@@ -53,7 +53,7 @@ function addPoints(plot, points, colour, radius = 3) {
     .attr("cx", (p) => plot.x(p[0])).attr("cy", (p) => plot.y(p[1])).attr("r", radius);
 }
 
-// Names of lines in a row above the plot's lower edge.
+// Names of the curves in a row above the plot's lower edge.
 function addKey(plot, entries) {
   let at = plot.space.left + 6;
   for (const [name, colour, dashes] of entries) {

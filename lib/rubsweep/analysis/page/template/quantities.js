@@ -1,19 +1,19 @@
 "use strict";
-// How numbers and columns are called on the page.
-// Maps, as a table may have columns called constructor or __proto__, which plain objects know already.
+// Names of columns and texts of numbers on the page. Maps are used since a table may have columns called
+// constructor or __proto__, which every plain object has.
 const layerNames = new Map(Object.entries({
   class: "class", proof: "proof", floquet_modulus: "largest multiplier", peak_contact_force_n: "peak contact force",
   peak_displacement_m: "peak displacement", hits_per_revolution: "hits per revolution", revolutions: "revolutions",
   robust: "robust",
 }));
 const fourDigits = d3.format(".4~g"), whole = d3.format(".0f");
-// A speed of 10800 rpm is not called 1.08e+4.
+// Four digits, but whole numbers for large values: 10800 rpm, not 1.08e+4.
 const significant = (value) => (Math.abs(value) >= 9999.5 && Math.abs(value) < 1e6 ? whole : fourDigits)(value);
 
-// Columns that a person wrote in other units: column -> [factor, unit, name].
+// Columns that the configuration gives in other units: column -> [factor, unit, name].
 const writtenUnits = new Map();
 
-// The unit in which a column is shown, and the factor to it.
+// Unit in which a column is shown, and the factor to convert to it.
 function unitOf(name) {
   if (writtenUnits.has(name)) return writtenUnits.get(name);
   if (name.endsWith("_m")) return [1e3, "mm"];
@@ -42,7 +42,7 @@ function axisTitle(name) {
   return axisName(name) + (unit ? ` (${unit})` : "");
 }
 
-// A shaft speed is said in rpm, too, unless that is the unit in which it is written.
+// Whether a column is a shaft speed in Hz, which is shown in rpm, too.
 const inHz = (name) => name === "speed_hz" && !writtenUnits.has(name);
 const rpmPerHz = 60;
 function speedText(value) {
@@ -55,7 +55,7 @@ function placeText(data, cell) {
     axisName(measure) + " " + quantity(measure, data.value(measure, cell));
 }
 
-// "subharmonic 1/3", "quasi-periodic oval"
+// Name of a motion, such as "subharmonic 1/3" or "quasi-periodic oval".
 function motionText(data, cell) {
   const order = data.value("order", cell), kind = kinds[data.kinds[cell]];
   if (data.value("class", cell) === "subharmonic") return "subharmonic 1/" + order;

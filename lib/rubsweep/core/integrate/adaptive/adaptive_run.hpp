@@ -4,11 +4,13 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "rubsweep/core/integrate/adaptive/event_search.hpp"
 #include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
 #include "rubsweep/core/integrate/adaptive/step_observer.hpp"
+#include "rubsweep/core/integrate/adaptive/step_tangents.hpp"
 #include "rubsweep/core/integrate/law/dynamics.hpp"
 #include "rubsweep/core/integrate/law/settle_slips.hpp"
 #include "rubsweep/core/integrate/run/options.hpp"
@@ -19,16 +21,16 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// A run by one of Odeint's steppers. Located (law not smoothed): a step that crosses a mode's guard is cut
-/// there and the next starts in the new mode; inside a step the right-hand side is smooth, so the stepper
-/// keeps its order. Dry friction's slips that come to zero, and contacts that no longer stick, end a step in
-/// the same way. `Law` is the right-hand side: Dynamics, or a law with further numbers behind its state.
+/// A run with one of Odeint's steppers. Located (law not smoothed): a step that crosses a mode's guard is cut
+/// there, and the next one starts in the new mode. Inside a step the right-hand side is smooth, so that the
+/// stepper keeps its order. A step also ends where a slip with dry friction reaches zero or a contact stops
+/// sticking. `Law` is the right-hand side: Dynamics, or a law with further numbers after its state.
 template <class Law>
 class AdaptiveRun {
   static constexpr bool smoothed = Law::smoothed;
 
  public:
-  /// `of_the_law`: arguments of the law beside the system and the width of its blend.
+  /// `of_the_law`: further arguments of the law, after the system and the smoothing width.
   template <class... OfTheLaw>
   AdaptiveRun(const scene::Scene& scene, const run::SolverOptions& options, const OfTheLaw&... of_the_law)
       : system_(run::scale<Law::coordinates>(scene)),
@@ -37,6 +39,7 @@ class AdaptiveRun {
         clock_(run::TurnClock::in_radians(scene, system_.scale)),
         max_steps_(options.max_steps_per_revolution),
         max_evaluations_(run::most_evaluations_of_a_turn(options)),
+        tolerance_(options.relative_tolerance),
         start_kinematics_(system_.contacts.size()),
         end_kinematics_(system_.contacts.size()),
         just_moved_(system_.contacts.size(), false) {
@@ -49,12 +52,12 @@ class AdaptiveRun {
     begin();
   }
 
-  // The dynamics refer to the system.
+  // Not copyable: the dynamics refer to the system.
   AdaptiveRun(const AdaptiveRun&) = delete;
   AdaptiveRun& operator=(const AdaptiveRun&) = delete;
 
   /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
-  /// Moves no tangent vectors.
+  /// Moves tangent vectors beside contacts whose law is not linear alone.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = numerics::full_turn) {
     StepObserver observer(request, report);
@@ -62,9 +65,10 @@ class AdaptiveRun {
     book_.limit_steps(max_steps_);
     const long evaluations = dynamics_.rhs_calls() + max_evaluations_;
     step_.start_phase = 0;
-    // The pulses count their time from the start of the turn: they go first.
+    // Pulses come first, because they count their time from the start of the turn.
     clock_.begin_turn(book_.revolution, end_phase);
     dynamics_(step_.start, step_.start_rate, 0.0);
+    if constexpr (has_step_tangents<Law>) tangents_.begin(request, tolerance_, step_.start);
     while (!clock_.turn_is_over()) {
       if (!book_.may_step() || dynamics_.rhs_calls() >= evaluations)
         return finish(report, run::Outcome::step_limit);
@@ -75,6 +79,7 @@ class AdaptiveRun {
     }
     report.section.assign(step_.start.begin(), step_.start.end());
     book_.end_turn(StepObserver::touching(step_.start, dynamics_), report);
+    if constexpr (has_step_tangents<Law>) tangents_.finish(report);
     return finish(report, run::Outcome::ok);
   }
 
@@ -99,20 +104,20 @@ class AdaptiveRun {
       just_moved_[i] = leaves_zero(i) && law::stands(dynamics_, i, step_.start);
   }
 
-  /// Contact `i`, if its slip is zero, begins to slip.
+  /// Whether the slip of contact `i`, if it is zero, begins to grow.
   bool leaves_zero(std::size_t i) const {
     return dynamics_.touches_dry(i) && dynamics_.slips()[i] != contact::Slip::sticking &&
            !dynamics_.poised(i);
   }
 
-  /// Rate and kinematics at the start of a step, by the law now in force.
+  /// Rate and kinematics at the start of a step with the present modes.
   void look_again(double phase) {
     dynamics_(step_.start, step_.start_rate, phase);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i)
       start_kinematics_[i] = dynamics_.kinematics(i, step_.start, step_.start_rate);
   }
 
-  /// All impulses of this instant.
+  /// Applies all impulses of this instant.
   void apply_impulses(StepObserver& observer) {
     while (clock_.impulse_is_due()) run::add_impulse(clock_.take_impulse(), system_.scale, step_.start);
     dynamics_(step_.start, step_.start_rate, step_.start_phase);
@@ -125,6 +130,7 @@ class AdaptiveRun {
           observer.report());
     }
     enter_slips(step_.start_phase);
+    to_tangents([this](auto& vectors) { vectors.keep_sticking(step_.start); });
     look_again(step_.start_phase);
     method_->restart();
   }
@@ -133,7 +139,7 @@ class AdaptiveRun {
     clock_.change_pulses();
     const double boundary = clock_.next_boundary();
     const double wanted = size_;
-    // A remainder too small to step over is taken along.
+    // The step is extended when the rest to the boundary would be too small for a step.
     const bool limited = step_.start_phase + 1.000001 * wanted >= boundary;
     double size = limited ? boundary - step_.start_phase : wanted;
     const double taken = size;
@@ -157,7 +163,7 @@ class AdaptiveRun {
     return run::Outcome::ok;
   }
 
-  /// Cuts the accepted step at the first mode switch in it, reports it, and makes its end the next start.
+  /// Cuts the accepted step at its first mode switch, reports it, and makes its end the next start.
   void accept(StepObserver& observer) {
     std::optional<Crossing> crossing;
     if constexpr (!smoothed) crossing = first_crossing();
@@ -167,6 +173,7 @@ class AdaptiveRun {
     };
     const double end_phase = crossing ? crossing->phase : step_.end_phase;
     observer.sample(step_.start_phase, step_.start, end_phase, state_at);
+    to_tangents([&](auto& vectors) { vectors.follow(*method_, right_hand_side_, step_, end_phase); });
     if (crossing) cut_step(end_phase);
     observer.watch(step_, dynamics_, start_kinematics_, end_kinematics_);
     if constexpr (!smoothed) switch_modes(crossing, observer);
@@ -187,7 +194,7 @@ class AdaptiveRun {
     method_->state_at(right_hand_side_, step_, phase, probe_);
     step_.end = probe_;
     step_.end_phase = phase;
-    // The force is continuous across the switch of a mode: this rate holds on both sides of it.
+    // The force is continuous at a mode switch, so that this rate holds on both sides of it.
     dynamics_(step_.end, step_.end_rate, phase);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
       end_kinematics_[i] = dynamics_.kinematics(i, step_.end, step_.end_rate);
@@ -210,7 +217,7 @@ class AdaptiveRun {
       mode = dynamics_.mode_after(i, mode, end_kinematics_[i]);
       if (mode == from) continue;
       switched = true;
-      if (from == contact::Mode::open) dynamics_.begin_impact(i, end_kinematics_[i].closing_speed);
+      if (from == contact::Mode::open) begin_impact(i);
       book_.note_switch({step_.end_phase, static_cast<int>(i), from, mode, dynamics_.impact_damping(i)},
                         observer.report());
       if (mode == contact::Mode::open && dynamics_.any_poised())
@@ -220,9 +227,14 @@ class AdaptiveRun {
     }
     if (!switched) return;
     method_->restart();
-    // Contact and flight need steps of different size: continues with the last size in this mode.
+    // Contact and flight need different step sizes: continues with the latest size used in this mode.
     remembered_sizes_[before] = size_;
     if (const double remembered = remembered_sizes_[joint_mode()]; remembered > 0) size_ = remembered;
+  }
+
+  void begin_impact(std::size_t i) {
+    dynamics_.begin_impact(i, end_kinematics_[i].closing_speed);
+    to_tangents([&](auto& vectors) { vectors.begin_impact(i, step_.end, step_.end_rate); });
   }
 
   /// The friction of a contact that begins rises from zero.
@@ -235,19 +247,25 @@ class AdaptiveRun {
     ++book_.effort.switches;
     if (crossing.event == Crossing::Event::release) {
       const std::size_t i = crossing.contact;
+      const bool jumps = dynamics_.jumps(i);
+      to_tangents([&](auto& vectors) {
+        if (jumps) vectors.see_release(i, crossing.slip, step_.end, step_.end_rate, step_.end_phase);
+      });
       const bool others = law::let_go(dynamics_, i, crossing.slip, step_.end, probe_rate_, step_.end_phase);
       for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
         if (j == i || (others && law::stands(dynamics_, j, step_.end))) just_moved_[j] = leaves_zero(j);
       }
-      if (!dynamics_.jumps(i)) return;
+      if (!jumps) return;
+      probe_rate_ = step_.end_rate;
       dynamics_(step_.end, step_.end_rate, step_.end_phase);
+      to_tangents([&](auto& vectors) { vectors.cross_release(probe_rate_, step_.end_rate); });
       look_at_end();
     } else {
       stop_slip(crossing.contact);
     }
   }
 
-  /// The slip of contact `i` is zero: with its friction the rate jumps.
+  /// Settles contact `i` when its slip is zero; the rate jumps together with its friction.
   void stop_slip(std::size_t i) {
     probe_rate_ = step_.end_rate;
     law::settle_slips(dynamics_, step_.end, step_.end_rate, step_.end_phase,
@@ -257,6 +275,7 @@ class AdaptiveRun {
         just_moved_[j] = leaves_zero(j);
     }
     dynamics_(step_.end, step_.end_rate, step_.end_phase);
+    to_tangents([&](auto& vectors) { vectors.cross_stop(i, step_.end, probe_rate_, step_.end_rate); });
     if constexpr (requires { dynamics_.changes(step_.end); }) {
       law::cross_slip(dynamics_, i, step_.end, probe_rate_, step_.end_rate, dynamics_.changes(step_.end));
       dynamics_(step_.end, step_.end_rate, step_.end_phase);
@@ -264,7 +283,7 @@ class AdaptiveRun {
     look_at_end();
   }
 
-  /// Kinematics at the end of a step, by the rate now in force.
+  /// Kinematics at the end of a step with the present rate.
   void look_at_end() {
     for (std::size_t j = 0; j < system_.contacts.size(); ++j)
       end_kinematics_[j] = dynamics_.kinematics(j, step_.end, step_.end_rate);
@@ -286,23 +305,38 @@ class AdaptiveRun {
   run::Outcome finish(run::TurnReport& report, run::Outcome outcome) const {
     report.effort = book_.effort;
     report.effort.rhs_calls = dynamics_.rhs_calls();
+    if constexpr (has_step_tangents<Law>) report.effort.rhs_calls += tangents_.work();
     report.effort.implicit_steps = method_->implicit_steps();
     return outcome;
   }
 
+  struct NoTangents {
+    explicit NoTangents(const Law&) {}
+  };
+
+  /// Has the tangent vectors of this turn, where there are any, taken across something.
+  template <class Act>
+  void to_tangents(const Act& act) {
+    if constexpr (has_step_tangents<Law>) {
+      if (tangents_.any()) act(tangents_);
+    }
+  }
+
   run::ScaledSystem<Law::coordinates> system_;
   Law dynamics_;
+  std::conditional_t<has_step_tangents<Law>, StepTangents<Law>, NoTangents> tangents_{dynamics_};
   LawOfSteps<Law> right_hand_side_{dynamics_};
   std::unique_ptr<StepMethod> method_;
-  run::TurnClock clock_;  ///< in radians
+  run::TurnClock clock_;  ///< clock in radians
   run::TurnBook book_;
   long max_steps_, max_evaluations_;  ///< of a turn
+  double tolerance_;
   Step step_;
   State probe_, probe_rate_;
   double size_ = 0;                       ///< next step to try, in radians of rotation
-  std::vector<double> remembered_sizes_;  ///< per joint mode of the first four contacts; 0: none yet
+  std::vector<double> remembered_sizes_;  ///< for each joint mode of the first four contacts; 0: none yet
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
-  /// A slip that starts at zero and leaves it, per contact.
+  /// Whether the slip of each contact starts from zero and grows.
   std::vector<bool> just_moved_;
 };
 

@@ -17,29 +17,29 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// First event inside a step, which ends it.
+/// First event inside a step; it ends the step.
 struct Crossing {
-  /// A guard of a contact mode, a slip that comes to zero, a sticking contact that is let go.
+  /// mode: a guard of a contact mode; stop: a slip reaches zero; release: a contact stops sticking.
   enum class Event { mode, stop, release };
   double phase = 0;
   std::size_t contact = 0;
   contact::Mode next = contact::Mode::open;
   Event event = Event::mode;
-  contact::Slip slip = contact::Slip::forward;  ///< after a release
+  contact::Slip slip = contact::Slip::forward;  ///< direction of slip after a release
 };
 
-/// Looks in a step that was taken for the first event. The step's states are known by the method's dense
-/// output; a guard is followed between them by the quartic through its values and rates at both ends and its
-/// value in the middle. All members belong to the run that looks.
+/// Finds the first event in an accepted step. States inside the step come from the method's dense output. A
+/// guard is approximated by the quartic through its values and rates at both ends and its value in the
+/// middle. All members belong to the calling run.
 template <class Law>
 struct CrossingSearch {
   Law& dynamics;
-  RightHandSide& right_hand_side;  ///< the same
+  RightHandSide& right_hand_side;  ///< the dynamics as an interface
   StepMethod& method;
   const Step& step;
   const std::vector<contact::Kinematics>&start_kinematics, &end_kinematics;
-  const std::vector<bool>& just_moved;  ///< slips that start at zero and leave it
-  State &probe, &probe_rate;            ///< room for a state inside the step
+  const std::vector<bool>& just_moved;  ///< slips that start from zero and grow
+  State &probe, &probe_rate;            ///< scratch for a state inside the step
 
   std::optional<Crossing> first() {
     std::optional<Crossing> earliest;
@@ -60,16 +60,16 @@ struct CrossingSearch {
   }
 
  private:
-  /// Share of the height of a slip's interpolant over a step from which its largest value is refined.
+  /// Share of the height of a slip's interpolant: if it comes closer to zero, its maximum is refined.
   static constexpr double near_zero = 0.1;
-  /// Rise between three places of a step that they do not show, over their differences.
+  /// Largest rise that three points of a step may miss, relative to their differences.
   static constexpr double most_unseen = 2;
-  static constexpr double shortest_share = 1e-12;  ///< of a step, that an event takes at least
+  static constexpr double shortest_share = 1e-12;  ///< shortest time to an event, as a share of the step
 
-  /// Friction that a sticking contact needs, and the most that it can have.
+  /// Friction needed to hold a contact, and its limit.
   struct Friction {
     double holds_n = 0, largest_n = 0;
-    /// Excess over that in the direction of `sign`.
+    /// Excess of the needed friction over the limit in the direction of `sign`.
     double over(double sign) const { return sign * holds_n - largest_n; }
   };
 
@@ -80,7 +80,7 @@ struct CrossingSearch {
   /// Value of one guard function of contact `i` inside the step.
   double guard_value(std::size_t i, int guard, double phase) {
     method.state_at(right_hand_side, step, phase, probe);
-    // Values need no acceleration, so any rate will do for the third number.
+    // A guard's value does not depend on the acceleration, so that any rate can be passed.
     return guards(i, dynamics.kinematics(i, probe, step.end_rate))
         .list[static_cast<std::size_t>(guard)]
         .value;
@@ -93,8 +93,8 @@ struct CrossingSearch {
     return probe;
   }
 
-  /// Zero of the slip of contact `i`, which slips. A slip that starts at zero starts away from it; that of a
-  /// poised contact stops past the edge of its zero band.
+  /// Zero of the slip of contact `i`, which slips. If its slip starts at zero, the start is no event; the
+  /// slip of a poised contact stops beyond the edge of its zero band.
   std::optional<Crossing> locate_stop(std::size_t i) {
     const double h = step.end_phase - step.start_phase;
     const double sign = -contact::sign_of(dynamics.slips()[i]);
@@ -122,8 +122,8 @@ struct CrossingSearch {
     return law::poised_slip * std::max(1.0, std::abs(c.surface_speed_m_per_s / c.slip_scale_m_per_s));
   }
 
-  /// Rise of a function that is at or above zero at the end of the step, and not at its start but for a slip
-  /// that left zero there. It may have come back before any place that the interpolant knows of.
+  /// Rise through zero of a function that is >= 0 at the end of the step and negative at its start (or zero,
+  /// for a slip that starts there). It may have happened before any point of the interpolant.
   template <class Value>
   std::optional<double> hidden_rise(const Value& value) {
     double x = 1;
@@ -139,8 +139,8 @@ struct CrossingSearch {
     return high > -near_zero * (high - low);
   }
 
-  /// First zero of a function that is negative at the start of the step, searched about its largest value. A
-  /// slip that only just comes to zero stops: unlike a shallow graze it changes the motion.
+  /// First zero of a function that is negative at the start of the step, searched near its largest value. A
+  /// slip that barely reaches zero still stops: unlike a shallow graze this changes the motion.
   template <class Value>
   std::optional<double> shallow_rise(const Value& value) {
     constexpr int places = 16;
@@ -158,8 +158,8 @@ struct CrossingSearch {
     return top.second <= 0 ? rise_between(value, 0, top.first) : std::nullopt;
   }
 
-  /// Release of contact `i`, which sticks: friction no longer holds it. The holding friction has no
-  /// derivative at hand; a parabola through three places approximates it.
+  /// Release of contact `i`, which sticks: the friction needed exceeds the limit. It has no known derivative
+  /// and is approximated by a parabola through three points.
   std::optional<Crossing> locate_release(std::size_t i) {
     const double h = step.end_phase - step.start_phase;
     const auto friction_at = [&](double x) {
@@ -179,7 +179,7 @@ struct CrossingSearch {
       auto phase = rise ? refine(value, *rise) : std::nullopt;
       if (!phase && c > 0) phase = hidden_rise(value);
       const auto [low, high] = std::minmax({a, b, c});
-      // A friction that is less after the release makes a short one count.
+      // Where friction drops after the release, even a short one counts.
       if (!phase && a < 0 && dynamics.holds_harder(i) && high > -most_unseen * (high - low))
         phase = shallow_rise(value);
       constexpr double never = std::numeric_limits<double>::infinity();
@@ -200,16 +200,16 @@ struct CrossingSearch {
         numerics::quartic_through(at_start.value, h * at_start.rate, middle, at_end.value, h * at_end.rate));
     const auto value = [&](double x) { return guard_value(i, guard, step.start_phase + x * h); };
     auto phase = rise ? refine(value, *rise) : std::nullopt;
-    // Not a return from a graze: from zero a guard may rise by any of its derivatives.
+    // Excludes a return from a graze; from zero a guard may rise by any of its derivatives.
     if (!phase && at_end.value >= 0 && (at_start.value <= 0 || at_start.rate >= 0))
       phase = hidden_rise(value);
     if (!phase) return std::nullopt;
     return Crossing{*phase, i, at_start.next};
   }
 
-  /// Root of the true guard function `value` near the root of its interpolant; both in units of the step.
-  /// Empty when the function stays on one side: a graze shallower than the interpolation error, which no
-  /// tolerance sees.
+  /// Root of the true guard function `value` near the root of its interpolant, both in units of the step.
+  /// Empty when the function does not change sign: a graze shallower than the interpolation error, invisible
+  /// at any tolerance.
   template <class Value>
   std::optional<double> refine(const Value& value, double rise) {
     for (double reach = 1e-7; reach < 30; reach *= 30) {
@@ -220,19 +220,18 @@ struct CrossingSearch {
     return std::nullopt;
   }
 
-  /// The same where `low` and `high` are known to lie on either side of it; empty where they do not.
+  /// Root between `low` and `high`, both in units of the step; empty unless the function rises between them.
   template <class Value>
   std::optional<double> rise_between(const Value& value, double low, double high) {
     const double h = step.end_phase - step.start_phase;
     const double at_low = value(low), at_high = value(high);
     if (!(at_low < 0 && at_high >= 0)) return std::nullopt;
     if (at_high == 0) return step.start_phase + high * h;
-    std::uintmax_t iterations =
-        400;  // four halve the bracket at least (Alefeld, Potra & Shi): it ends before
+    std::uintmax_t iterations = 400;  // four of them at least halve the bracket (Alefeld, Potra & Shi)
     const auto close_enough = [](double a, double b) { return std::abs(b - a) < 1e-15; };
     const auto bracket =
         boost::math::tools::toms748_solve(value, low, high, at_low, at_high, close_enough, iterations);
-    return step.start_phase + bracket.second * h;  // the side that is past zero
+    return step.start_phase + bracket.second * h;  // the end of the bracket beyond zero
   }
 };
 

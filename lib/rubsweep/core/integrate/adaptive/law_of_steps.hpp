@@ -4,11 +4,11 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// A law, which is a template over what it is made of, behind the interface that methods know.
+/// Adapts a law, whose type is a template, to the interface used by the methods.
 template <class Law>
 class LawOfSteps final : public RightHandSide {
  public:
-  /// `law` must outlive this.
+  /// `law` must outlive this object.
   explicit LawOfSteps(Law& law) : law_(law) {}
 
   void operator()(const State& state, State& rate, double phase) override { law_(state, rate, phase); }

@@ -6,7 +6,7 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// As start_adaptive, for a scene with torsion.
+/// Starts a run of a scene with torsion, as start_adaptive does for other scenes.
 run::Cursor start_twisted(const scene::Scene& scene, const run::SolverOptions& options);
 
 }  // namespace rubsweep::integrate::adaptive

@@ -7,52 +7,52 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// State of a run, and its rate: coordinates, then their rates, then what a law adds.
+/// State of a run, and its rate: coordinates, their rates, then further numbers of a law.
 using State = std::vector<double>;
 
-/// One attempted or accepted step of any method: from `start` to `end`, states and rates at both.
+/// One attempted or accepted step of any method from `start` to `end`, with states and rates at both ends.
 struct Step {
   double start_phase = 0, end_phase = 0;
   State start, start_rate, end, end_rate;
 };
 
-/// A law as methods see it, so that each method is compiled once and not once for every law.
+/// Interface of a law for methods: each method is compiled only once, not once for every law.
 class RightHandSide {
  public:
   virtual ~RightHandSide() = default;
   virtual void operator()(const State& state, State& rate, double phase) = 0;
 
-  /// d(rate)/d(state), row by row, and d(rate)/d(phase). Implicit methods alone ask for it.
+  /// Jacobian d(rate)/d(state), row by row, and d(rate)/d(phase). Only implicit methods use it.
   virtual void jacobian(const State& state, double* by_state, double phase, State& by_phase) = 0;
 
-  /// As Dynamics::friction_ratio.
+  /// Friction ratio at a state, as Dynamics::friction_ratio.
   virtual double friction_ratio(const State& state) = 0;
 };
 
-/// How a run makes a step. An interface, as the adaptive solver is the reference for the others: it is to be
-/// plain before it is fast.
+/// Method that makes the steps of a run. It is an interface because the adaptive solver is the reference for
+/// the others: simplicity comes before speed.
 class StepMethod {
  public:
   virtual ~StepMethod() = default;
 
-  /// Attempts a step of `size` radians, its start being filled in. True: it was accepted, and the step's
-  /// `end`, `end_rate` and `end_phase` are filled. Either way `size` becomes the next size to try.
+  /// Attempts a step of `size` radians from the given start. If it returns true, the step was accepted, and
+  /// its `end`, `end_rate` and `end_phase` are filled. In both cases `size` becomes the next size to try.
   virtual bool try_step(RightHandSide& law, Step& step, double& size) = 0;
 
-  /// A state inside the last accepted step: by dense output where the method has one, else by the same
-  /// method again from the start of the step.
+  /// State inside the last accepted step, by dense output where available, otherwise by repeating the method
+  /// from the start of the step.
   virtual void state_at(RightHandSide& law, const Step& step, double phase, State& out) = 0;
 
-  /// The right-hand side has changed its form, at a change of contact mode or an impulse: what the method
-  /// remembers of earlier steps is of no use.
+  /// Discards what the method remembers of earlier steps, because the right-hand side has changed at a change
+  /// of contact mode or an impulse.
   virtual void restart() {}
 
-  /// Accepted steps so far of a method that has others as well; 0 of all others.
+  /// Number of accepted implicit steps, for a method that also has explicit ones; otherwise 0.
   virtual long implicit_steps() const { return 0; }
 };
 
-/// The method of the stepper that `options` name, with their tolerance. Throws SolverError for a number that
-/// is no stepper.
+/// The method of the stepper in `options`, with their tolerance. Throws SolverError for a number that is not
+/// a stepper.
 std::unique_ptr<StepMethod> make_step_method(const run::SolverOptions& options);
 
 }  // namespace rubsweep::integrate::adaptive

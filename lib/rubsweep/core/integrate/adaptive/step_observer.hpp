@@ -36,7 +36,7 @@ class StepObserver {
     }
   }
 
-  /// Contact time, slip sign and, when asked for, peaks over the step that ends here, before any mode switch.
+  /// Adds contact time, slip sign and, if requested, peaks of the step; called before any mode switch.
   template <class Dynamics>
   void watch(const Step& step, const Dynamics& dynamics, const std::vector<contact::Kinematics>& start,
              const std::vector<contact::Kinematics>& end) {
@@ -75,8 +75,8 @@ class StepObserver {
     return dynamics.modes()[i] != contact::Mode::open;
   }
 
-  /// Share of the step in contact. A located step is in one mode throughout. A smoothed one may begin or end
-  /// contact anywhere: there the penetration is taken as linear in time.
+  /// Share of the step in contact. A located step is in one mode throughout. A smoothed step may begin or end
+  /// contact inside: the penetration is then taken as linear in time.
   template <class Dynamics>
   double touching_share(const Dynamics& dynamics, std::size_t i, const contact::Kinematics& start,
                         const contact::Kinematics& end) {
@@ -95,7 +95,7 @@ class StepObserver {
                    const contact::Kinematics& end) {
     const auto total = [&](double p, double v) { return dynamics.normal_force(i, p, v).total_n; };
     const auto rate = [&](const contact::Kinematics& k) {
-      // One step of the law is linear in (p, v) when located; a small difference serves the smoothed law too.
+      // The located law is linear in (p, v) within a step; a small difference suits the smoothed law, too.
       constexpr double nudge = 1e-6;
       return (total(k.penetration + nudge * k.closing_speed,
                     k.closing_speed + nudge * k.closing_acceleration) -

@@ -10,10 +10,9 @@
 namespace rubsweep::integrate::adaptive {
 namespace {
 
-/// dopri5, except that a step that starts in stiff friction (`Dynamics::friction_ratio` above
-/// `stiff_friction_ratio`) is one of rosenbrock4. The choice depends on the
-/// state where the step starts, not on what came before, so that a run may be taken up anywhere. Bit for bit
-/// dopri5 where friction is never stiff.
+/// dopri5, except that rosenbrock4 makes each step that starts in stiff friction (`Dynamics::friction_ratio`
+/// above `stiff_friction_ratio`). The choice depends only on the state at the start of the step, so that a
+/// run may be resumed anywhere. Bit for bit equal to dopri5 where friction is never stiff.
 class Dopri5OrRosenbrock4 final : public StepMethod {
  public:
   explicit Dopri5OrRosenbrock4(const run::SolverOptions& options)
@@ -53,7 +52,7 @@ std::unique_ptr<StepMethod> make(const run::SolverOptions& options) {
 
 constexpr std::string_view dopri5 = "dopri5 (Dormand-Prince 5(4), dense output of order 4)";
 
-/// The table. It is a switch so that a stepper without a row does not compile.
+/// Table of the steppers. It is a switch so that a stepper without a row does not compile.
 constexpr StepperRow make_row(Stepper stepper) {
   switch (stepper) {
     case Stepper::automatic:

@@ -75,7 +75,7 @@ class ReStepping final : public StepMethod {
 };
 
 /// Extrapolated midpoint rule of variable order. Odeint's dense variant cannot be stopped at a mode switch,
-/// so states inside a step come from the same method run again from the step's start.
+/// so that states inside a step are computed by repeating the method from the step's start.
 class BulirschStoer final : public StepMethod {
  public:
   explicit BulirschStoer(const run::SolverOptions& options)
@@ -96,7 +96,7 @@ class BulirschStoer final : public StepMethod {
     out = step.start;
     State from = step.start, rate = step.start_rate;
     double phase = step.start_phase, size = target - phase;
-    // The whole step satisfied the error control, so a part of it does at once or after a few halvings.
+    // The whole step passed the error control, so that a part of it passes at once or after a few halvings.
     for (int attempt = 0; attempt < 1000 && phase < target; ++attempt) {
       if (phase + size > target) size = target - phase;
       const bool last = phase + size == target;
@@ -105,7 +105,7 @@ class BulirschStoer final : public StepMethod {
       from = out;
       law(from, rate, phase);
     }
-    // A state on the way is no state at `target`: the run is to end where it does not get there.
+    // A state before `target` is not the result: NaN ends the run if `target` was not reached.
     if (phase < target) std::fill(out.begin(), out.end(), std::numeric_limits<double>::quiet_NaN());
   }
 
@@ -116,8 +116,8 @@ class BulirschStoer final : public StepMethod {
   odeint::bulirsch_stoer<State> stepper_;
 };
 
-/// Odeint's coefficients of RODAS with the sign of d4 put right: Boost 1.81 has +0.0362, which makes the
-/// method first order as soon as the right-hand side depends on time (Hairer & Wanner, RODAS: D4 = -0.0362).
+/// Odeint's RODAS coefficients with the correct sign of d4. Boost 1.81 has +0.0362, which reduces the method
+/// to first order when the right-hand side depends on time (Hairer & Wanner, RODAS: D4 = -0.0362).
 struct RodasCoefficients : odeint::default_rosenbrock_coefficients<double> {
   const double d4 = -0.3620000000000023e-01;
 };

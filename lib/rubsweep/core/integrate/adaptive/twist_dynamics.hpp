@@ -11,47 +11,47 @@
 
 namespace rubsweep::integrate::adaptive {
 
-/// Terms that torsion adds to the right-hand side of a scene, scaled: lengths by L, time in radians of the
-/// drive's rotation, the angle coordinate by L like all others. phi is the angle of the rotor, phi' its rate
-/// (1 where it keeps up with the drive).
+/// Terms that torsion adds to the right-hand side of a scene, in scaled units: lengths by L, time in radians
+/// of the drive's rotation, the angle coordinate by L like all others. phi is the angle of the rotor, phi'
+/// its rate (1 at the speed of the drive).
 struct TwistLaw {
   Eigen::Index coordinate = 0;
   double length_m = 0;            ///< L: angle = L times the coordinate
   Eigen::VectorXcd unbalance;     ///< M^-1 U / L: accelerations Re(unbalance (phi'^2 - i phi'') e^{i phi})
-  Eigen::VectorXcd lever;         ///< L U / J: phi'' loses Re(i lever e^{i phi}) . (u'' - weight)
+  Eigen::VectorXcd lever;         ///< L U / J: phi'' is reduced by Re(i lever e^{i phi}) . (u'' - weight)
   Eigen::VectorXcd bow;           ///< M^-1 b / (L speed^2): accelerations Re(bow e^{i phi}); empty: none
-  Eigen::VectorXcd bow_lever;     ///< L b / (J speed^2): phi'' gains Re(i bow_lever e^{i phi}) . u
+  Eigen::VectorXcd bow_lever;     ///< L b / (J speed^2): phi'' is increased by Re(i bow_lever e^{i phi}) . u
   Eigen::MatrixXd gyroscopic;     ///< M^-1 G: accelerations -(phi' - 1) gyroscopic u'; empty: none
   Eigen::MatrixXd circulatory;    ///< M^-1 C / speed: accelerations -(phi' - 1) circulatory u; empty: none
-  double inertia_share = 1;       ///< polar inertia without the eccentric masses / J, which has them
+  double inertia_share = 1;       ///< polar inertia without the eccentric masses, over J, which has them
   double angle_per_nm = 0;        ///< 1 / (J speed^2): phi'' per newton metre
   double drive_stiffness_nm = 0;  ///< torque per radian of twist
   double drive_damping_nm = 0;    ///< torque per unit of the twist's rate
   std::vector<double> contact_radius_m;
 };
 
-/// Law of a scene that has torsion.
+/// Torsion law of a scene.
 TwistLaw twist_law(const scene::Scene& scene);
 
-/// The scene without the forces that turn with the shaft, which the law of torsion has.
+/// The scene without the forces that turn with the shaft, which are part of the torsion law.
 scene::Scene without_turning(scene::Scene scene);
 
-/// Twist and torque in the drive at one state, with their rates per radian of the drive's rotation. A
-/// positive angle is a rotor ahead of its drive, a positive torque that of such a rotor on the drive.
+/// Twist and torque in the drive at one state, with their rates per radian of the drive's rotation. The angle
+/// is positive where the rotor leads its drive; the torque, from rotor to drive, then is positive too.
 struct TwistState {
   double angle_rad = 0, angle_rate = 0, torque_nm = 0, torque_rate = 0;
 };
 
-/// Right-hand side of a scene with torsion, for AdaptiveRun; the scene of its system has no force that turns
-/// with the shaft. From the energies, with U the unbalance and R = Re(i U e^{i phi}),
+/// Right-hand side of a scene with torsion, for AdaptiveRun; the scene of its system must have no force that
+/// turns with the shaft. From the energies, with the unbalance U and R = Re(i U e^{i phi}):
 ///
 ///     M q'' = ... + Re(U (phi'^2 - i phi'') e^{i phi}) + Re(bow e^{i phi}),
 ///     J phi'' = -k angle - c angle' - R . (q'' - g) + Re(i bow e^{i phi}) . q - sum of radius * friction,
 ///
-/// J with the eccentric masses, g the acceleration that constant forces give. Both equations have both
-/// accelerations; what couples them has rank one, so that phi'' follows in closed form. The slip of the
-/// rubbing surfaces, gyroscopic moments and damping that turns with the shaft go by phi'. The torque of that
-/// damping on the shaft, which is of second order in the deflection, is left out.
+/// J includes the eccentric masses; g is the acceleration by constant forces. Both equations contain both
+/// accelerations; their coupling has rank one, so that phi'' follows in closed form. The slip of the rubbing
+/// surfaces, gyroscopic moments and rotating damping depend on phi'. The torque of that damping on the shaft
+/// is neglected, because it is of second order in the deflection.
 template <bool Smoothed>
 class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynamics<Eigen::Dynamic, Smoothed> {
   using Base = law::Dynamics<Eigen::Dynamic, Smoothed>;
@@ -76,7 +76,7 @@ class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynami
     if (law_.gyroscopic.size() > 0) acceleration.noalias() -= (speed - 1) * (law_.gyroscopic * v);
     if (law_.circulatory.size() > 0) acceleration.noalias() -= (speed - 1) * (law_.circulatory * u);
 
-    // i e^{i phi} is e^{i phi} a quarter turn on.
+    // i e^{i phi} is e^{i phi} turned by a quarter turn.
     const Eigen::VectorXd lever = turned(law_.lever, -sine, cosine),
                           push = turned(law_.unbalance, -sine, cosine);
     double torsional = law_.inertia_share * law_.length_m * acceleration(law_.coordinate) -
@@ -99,8 +99,8 @@ class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynami
     return Base::friction_ratio(state);
   }
 
-  /// Jacobian as that of Dynamics, by central differences, which are exact to rounding but for the rotation
-  /// and the friction.
+  /// Jacobian as in Dynamics, by central differences. They are exact to rounding except for the terms with
+  /// rotation and friction.
   template <class State, class Jacobian>
   void jacobian(const State& state, Jacobian&& j, double phase, State& phase_rate) {
     constexpr double nudge = 1e-6;
@@ -120,7 +120,7 @@ class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynami
     for (std::size_t row = 0; row < size; ++row) phase_rate[row] = (ahead[row] - behind[row]) / (2 * nudge);
   }
 
-  /// At a state and its rate.
+  /// Twist and torque at a state and its rate.
   template <class State>
   TwistState twist(const State& state, const State& rate) const {
     const auto c = static_cast<std::size_t>(law_.coordinate),
@@ -140,7 +140,7 @@ class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynami
     return load.real() * cosine - load.imag() * sine;
   }
 
-  /// phi'.
+  /// Rate phi' of the rotor's angle.
   template <class State>
   double shaft_speed(const State& state) const {
     const Eigen::Index n = OwnSystem::own.coordinates();
@@ -154,7 +154,7 @@ class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynami
       OwnSystem::own.contacts[i].surface_speed_m_per_s = speed * surface_m_per_s_[i];
   }
 
-  /// Contribution of friction at the surfaces to phi''.
+  /// Contribution of the friction at the surfaces to phi''.
   template <class State>
   double contact_torque(const State& state) const {
     double torque_nm = 0;
@@ -164,7 +164,7 @@ class TwistDynamics : private law::OwnSystem<Eigen::Dynamic>, public law::Dynami
   }
 
   TwistLaw law_;
-  std::vector<double> surface_m_per_s_;  ///< surface speed of a rotor that keeps up with its drive
+  std::vector<double> surface_m_per_s_;  ///< surface speed at the speed of the drive
 };
 
 }  // namespace rubsweep::integrate::adaptive

@@ -11,7 +11,7 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-constexpr double at_zero = 1e-12;  ///< clearances: a guard past zero by no more is so by rounding
+constexpr double at_zero = 1e-12;  ///< clearances: a smaller excess of a guard over zero is rounding
 
 }  // namespace
 
@@ -33,7 +33,7 @@ bool ExactMotion<N>::enter(std::size_t joint, const State& physical) {
   if (cells_.size() <= mode_->index) cells_.resize(mode_->index + 1);
   ModeCell& cell = cells_[mode_->index];
   bool usable = prepare(*mode_, cell);
-  // A pulse may begin in contact, where bounds on released slips ask for the responses of the open mode.
+  // A pulse may begin in contact, where the bounds on released slips need the responses of the open mode.
   if (joint != 0 && !drives_.acting().empty()) {
     const modes::LinearMode<N>& open = *machine_->mode(0);
     usable = usable && prepare(open, cells_[open.index]);
@@ -200,7 +200,7 @@ typename ExactMotion<N>::GuardValue ExactMotion<N>::annular(std::size_t r, const
     speed += response.annular_length[r] * response.rate;
     curvature += response.annular_length[r] * response.rate * response.rate;
   });
-  // (|d|^2)'' = 2 |d'|^2 + 2 d.d'' with |d| <= C until the first touch.
+  // (|d|^2)'' = 2 |d'|^2 + 2 d.d'', where |d| <= C until the first touch.
   return {(d[0] * d[0] + d[1] * d[1] - c.clearance * c.clearance) / (2 * c.clearance),
           (d[0] * v[0] + d[1] * v[1]) / c.clearance, speed * speed / c.clearance + curvature};
 }
@@ -236,24 +236,23 @@ double ExactMotion<N>::land(std::size_t e, double within_s) {
   if (size > numerics::short_series) {
     const auto start = expand(1, 2);
     const double guess_s = std::clamp(numerics::next_root(start[0], start[1], 2 * start[2]), 0.0, within_s);
-    // Steps of the table lead up to the parabola's root as far as they fit; the series reaches over what they
-    // leave, with a quarter to spare, and over a twentieth of the whole, for the error of the parabola. Where
-    // that is not enough the loop below takes a longer series, so that these two numbers decide the cost
-    // alone. Measured: of 810 000 landings of configs/benchmark/one_side.yaml and 770 000 of three other maps
-    // none was farther from the parabola's root than a twentieth, and none needed a second series, at 10.3
-    // terms each in the mean. A series that reaches no farther than the parabola's root needs a second one in
-    // 42 % of them, 15.3 terms in the mean.
+    // Table steps cover the time up to the parabola's root as far as they fit. The series covers the rest
+    // plus a quarter of it, and a twentieth of the whole for the error of the parabola. If this is too short,
+    // the loop below takes a longer series; the two numbers thus affect only the cost. Measured: of 810 000
+    // landings of configs/benchmark/one_side.yaml and 770 000 of three other maps none was farther than a
+    // twentieth from the parabola's root, and none needed a second series, with 10.3 terms on average. A
+    // series that ends at the parabola's root needs a second one in 42 % of them, 15.3 terms on average.
     stepped_s = guess_s - modes::table_steps(*mode_, fastest, guess_s, [this](int k) { step_by_table(k); });
     size = fastest * (1.25 * (guess_s - stepped_s) + 0.05 * guess_s);
   }
-  size += 1e-4;  // not zero where the root is here, and still the shortest of all series
+  size += 1e-4;  // not zero where the root is here, yet among the shortest series
   for (;; size = std::min(4 * size, numerics::longest_series)) {
     const double duration_s = size / fastest;
     const auto terms = expand(duration_s, numerics::series_terms(size));
     root_s = duration_s * numerics::root_of_series(terms);
     if (std::abs(root_s) * fastest <= size || size >= numerics::longest_series) break;
     if (within_s > 0 || terms[0] > at_zero) continue;
-    // The rate is rounding, too, as where a rotor starts at rest at a wall: a root away from here is none.
+    // The rate is rounding too, as where a rotor starts at rest at a wall: a root elsewhere is meaningless.
     root_s = 0;
     break;
   }
@@ -277,7 +276,7 @@ typename ExactMotion<N>::SlidingRate ExactMotion<N>::sliding_rate(std::size_t t)
   return sliding;
 }
 
-/// Every run has entered the open mode first, so that its flow is there, and so are its responses.
+/// Every run has entered the open mode first, so that its flow and its responses exist.
 template <int N>
 double ExactMotion<N>::sliding_rate_bound(const modes::TouchWatch<N>& touch, const State& physical) const {
   const modes::LinearMode<N>& open = *machine_->mode(0);

@@ -19,14 +19,14 @@
 namespace rubsweep::integrate::exact {
 
 /// State of an exact run: the free vibration in the present contact mode and the phasors of the forces.
-/// Propagation has no truncation error; the ends of modes are not its business. Time in seconds, lengths
-/// scaled.
+/// Propagation has no truncation error; the caller finds the end of each mode. Time is in seconds, lengths
+/// are scaled.
 template <int N>
 class ExactMotion {
  public:
   using State = typename modes::ExactTypes<N>::State;
 
-  /// A guard function (or its smooth substitute), its rate, and a bound on its second derivative within the
+  /// A guard function (or a smooth substitute), its rate, and a bound on its second derivative within the
   /// mode's longest step.
   struct GuardValue {
     double value = 0, rate = 0, curvature = 0;
@@ -34,16 +34,16 @@ class ExactMotion {
 
   ExactMotion(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes);
 
-  /// Puts a state (u, u') into a joint mode. False where the mode has no closed form here: no equilibrium, or
-  /// a harmonic force at an undamped resonance.
+  /// Enters a joint mode with a state (u, u'). False where the mode has no closed form here: no equilibrium,
+  /// or a harmonic force at an undamped resonance.
   bool enter(std::size_t joint, const State& physical);
-  /// Changes to another joint mode at the present state, without a detour over displacements where no pulse
-  /// acts and the compiler knows N (ModeChange). False as for `enter`.
+  /// Changes to another joint mode at the present state. If no pulse acts and N is a compile-time constant,
+  /// the change does not go through displacements (ModeChange). False as for `enter`.
   bool change(std::size_t joint);
-  /// Number of times that a mode was entered.
+  /// Number of modes entered so far, repeated ones included.
   long visits() const { return visits_; }
 
-  /// As Drives::start.
+  /// Sets the phasors as Drives::start.
   void set_phases(double phase_rad) { drives_.start(phase_rad, now_.phasors); }
   void set_phases(double phase_rad, const run::PulseTimes& pulses, double time_s) {
     drives_.start(phase_rad, pulses, time_s, now_.phasors);
@@ -55,11 +55,11 @@ class ExactMotion {
     Phasors phasors;
   };
   const Instant& here() const { return now_; }
-  /// Moves an instant of the present mode, which must have a modal form; the motion stays where it is.
+  /// Moves an instant within the present mode, which must have a modal form; the motion itself does not move.
   void ahead(Instant& instant, double duration_s) const;
-  /// The same by a step of the mode's table.
+  /// Moves an instant by step `k` of the mode's table.
   void ahead_by_table(Instant& instant, int k) const;
-  /// The same over one interval, whose flow is kept.
+  /// Moves an instant by one sampling interval, whose flow is cached.
   void ahead_by_interval(Instant& instant, double interval_s);
 
   State physical() const { return physical(here()); }
@@ -67,11 +67,11 @@ class ExactMotion {
     return forced(*mode_, *cell_, instant) + mode_->from_free(instant.free);
   }
   State rate_of(const State& physical) const;
-  /// p'' of flat contact `i`, by the law of the present mode.
+  /// Second derivative p'' of the penetration of flat contact `i` by the law of the present mode.
   double closing_acceleration(std::size_t i, const State& physical) const;
 
-  /// Factors of the bounds: with a modal form the length of every pair of the free vibration (n numbers, then
-  /// n zeros), else the size of each of its 2n components.
+  /// Factors of the bounds. With a modal form: the length of each pair of the free vibration (n numbers, then
+  /// n zeros); otherwise the magnitude of each of its 2n components.
   State sizes() const;
   GuardValue guard(std::size_t e) const {
     const modes::LinearGuard<N>& guard = mode_->guards[e];
@@ -80,11 +80,11 @@ class ExactMotion {
                        forced_guard(e));
   }
 
-  // A guard is the sum of three parts: the terms of slow pairs of the free vibration, those of fast pairs,
-  // and the part that unbalance and pulses force. Most steps can be certified from some of them, so that they
-  // can be had one by one.
+  // A guard is the sum of three parts: the terms of slow pairs of the free vibration, the terms of fast
+  // pairs, and the part forced by unbalance and pulses. Most steps can be certified with only some of them,
+  // so that each can be computed separately.
 
-  /// The forced part.
+  /// The forced part of a guard.
   struct Forced {
     GuardValue shaft, pulses;
     bool pulsed = false;
@@ -103,9 +103,9 @@ class ExactMotion {
     }
   };
   Forced forced_guard(std::size_t e) const;
-  /// The terms of slow pairs alone; those of slow and fast pairs, from the former; those of fast pairs alone.
-  /// The first two are for guards that have slow pairs (`guard.terms.slow_count` > 0); in all others every
-  /// pair counts as fast. Only a mode with a modal form tells slow from fast.
+  /// Sums of terms: slow_sum of the slow pairs, with_fast adds the fast pairs to it, fast_sum of the fast
+  /// pairs only. The first two are for guards with slow pairs (`guard.terms.slow_count` > 0); in other guards
+  /// all pairs count as fast. Only a mode with a modal form distinguishes slow and fast pairs.
   modes::ModalSum slow_sum(const modes::LinearGuard<N>& guard) const {
     return modes::sum_of(guard.terms.slow(), now_.free.data(), true);
   }
@@ -113,9 +113,9 @@ class ExactMotion {
   modes::ModalSum fast_sum(const modes::LinearGuard<N>& guard) const {
     return modes::sum_of(guard.terms.fast(), now_.free.data(), mode_->paired);
   }
-  /// The guard with every fast pair at the top of its envelope instead of at its present value: never below
-  /// the guard itself, and it moves as slowly as the slow pairs do. A step over which this stays negative is
-  /// certified without a look at the fast pairs, however often they oscillate in it.
+  /// The guard with every fast pair at the maximum of its envelope instead of at its present value. It is
+  /// never below the guard itself and moves as slowly as the slow pairs. A step over which it stays negative
+  /// is certified without the fast pairs, however often they oscillate.
   GuardValue slow_guard(const modes::LinearGuard<N>& guard, const modes::ModalSum& slow,
                         const Forced& forced) const;
   GuardValue whole_guard(const modes::LinearGuard<N>& guard, const modes::ModalSum& all,
@@ -123,49 +123,49 @@ class ExactMotion {
     return forced.with(guard.constant + all.value(), all);
   }
 
-  /// Smooth guard of an open annular stop: (|d|^2 - C^2) / (2 C), with d the offset of the rotor and C the
-  /// clearance. It passes through zero with |d| - C and is smooth in the centre, where |d| is not.
+  /// Smooth guard of an open annular stop: (|d|^2 - C^2) / (2 C), d being the offset of the rotor and C the
+  /// clearance. It crosses zero together with |d| - C and is smooth at the centre, where |d| is not.
   GuardValue annular(std::size_t r, const State& sizes) const;
 
-  /// Normal force in newtons of the touching contact `t`, one that pushes, at an instant of the present mode.
+  /// Normal force in newtons of touch `t`, which must push, at an instant of the present mode.
   GuardValue force(std::size_t t, const Instant& instant) const;
 
-  /// Displacement and velocity of casing `c`, as `physical` has them.
+  /// Displacement and velocity of casing `c`, as in `physical`.
   struct CasingMotion {
     Eigen::Vector2d displacement, velocity;
   };
   CasingMotion casing(std::size_t c, const Instant& instant) const;
 
-  /// Rate of the sliding speed of the touching contact `t`, scaled length per second squared, and a bound of
-  /// its second derivative within the mode's longest step.
+  /// Rate of the sliding speed of touch `t`, scaled length per second squared, and a bound of its second
+  /// derivative within the mode's longest step.
   struct SlidingRate {
     double rate = 0, curvature = 0;
   };
   SlidingRate sliding_rate(std::size_t t) const;
 
   void step_by_table(int k);
-  /// Any duration up to the mode's longest step.
+  /// Moves by any duration up to the mode's longest step.
   void step_by(double duration_s);
 
-  /// Longest duration that `land` reaches over.
+  /// Longest duration that `land` can cover.
   double reach_s() const { return numerics::longest_series / fastest_rad_per_s(); }
-  /// Moves to where guard `e`, monotone up to there, rises through zero, at most `within_s` <= reach_s()
-  /// ahead. Returns the duration.
+  /// Moves to the instant where guard `e`, monotone up to there, rises through zero. It must lie at most
+  /// `within_s` <= reach_s() ahead. Returns the duration.
   double land(std::size_t e, double within_s);
 
-  /// Bound on |d slip / dt| / length scale of a touching contact that has a `friction_rate`, within the
-  /// mode's longest step from `physical`, the present state, without the contribution of friction.
+  /// Bound on |d slip / dt| / length scale, without the contribution of friction, of a touching contact that
+  /// has a `friction_rate`. It holds within the mode's longest step from `physical`, the present state.
   double sliding_rate_bound(const modes::TouchWatch<N>& touch, const State& physical) const;
 
   void carry_no_tangents() { tangents_.clear(); }
-  /// Carries tangent vectors of the state along from here on.
+  /// Carries tangent vectors of the state from here on.
   void carry_tangents(const Eigen::MatrixXd& vectors) { tangents_.begin(*mode_, scale_, vectors); }
-  /// Puts out the tangent vectors where they are now: as many of the first ones as `vectors` has columns.
+  /// Writes the tangent vectors at the present state: the first ones, as many as `vectors` has columns.
   void put_tangents(Eigen::MatrixXd& vectors) { tangents_.put(*mode_, scale_, vectors); }
 
   /// Carries one more tangent vector, given as a change of (u, u').
   void carry_tangent_too(const State& vector) { tangents_.add(*mode_, vector); }
-  /// Tangent vectors where they are now, in the coordinates of `free()`.
+  /// Tangent vectors at the present state, in the coordinates of `free()`.
   std::vector<State> tangents() { return tangents_.now(*mode_); }
   /// Products of each tangent vector with a linear function of the free vibration, times `unit`.
   void put_tangent_sums(const modes::ModalTerms& terms, double unit, modes::ModalSums& sums) {
@@ -180,7 +180,7 @@ class ExactMotion {
  private:
   using Complex = std::complex<double>;
 
-  /// Flow of a mode of pairs over some duration, and how far the phasors turn.
+  /// Flow of a mode with pairs over some duration, and the factors that advance the phasors by it.
   struct PairFlow {
     double duration_s = -1;
     typename modes::ExactTypes<N>::Pairs pairs;
@@ -200,16 +200,16 @@ class ExactMotion {
 
   struct ModeCell {
     ModeResponse shaft;
-    std::vector<ModeResponse> pulses{};  ///< each made where it meets the mode
+    std::vector<ModeResponse> pulses{};  ///< each made when first needed in the mode
     PairFlow interval;
   };
 
-  /// Highest angular frequency of the free vibration and of the forces that act now.
+  /// Highest angular frequency of the free vibration and of the acting forces.
   double fastest_rad_per_s() const { return drives_.fastest_rad_per_s(mode_->fastest_rad_per_s); }
   bool prepare(const modes::LinearMode<N>& mode, ModeCell& cell) const;
-  /// From the present mode to one whose cell is prepared.
+  /// Transition from the present mode to `to`, whose cell must be prepared.
   const Transition& transition(const modes::LinearMode<N>& to);
-  /// Visits the response of `cell` to every force that acts, and its phasor.
+  /// Calls `visit` with the response of `cell` to each acting force and its phasor.
   template <class Visit>
   void for_each_response(const ModeCell& cell, const Instant& instant, const Visit& visit) const {
     const auto& acting = drives_.acting();

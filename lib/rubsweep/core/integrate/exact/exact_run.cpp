@@ -14,15 +14,16 @@ namespace {
 
 using contact::Mode;
 
-constexpr double shortest_step = 1e-13;  ///< share of a turn: a graze is stepped over by it
-constexpr double same_instant = 1e-13;   ///< share of a turn: crossings nearer to each other happen at once
-/// Shortest step towards an annular stop, as a share of a turn; after a shorter one it counts as touched.
+constexpr double shortest_step = 1e-13;  ///< share of a turn: smallest step, used to pass a graze
+constexpr double same_instant = 1e-13;   ///< share of a turn: crossings closer than this are simultaneous
+/// Shortest step towards an annular stop, as a share of a turn; below it the stop counts as touched.
 constexpr double shortest_to_annular = 1e-7;
-/// More steps in a turn than this show bounds that do not fit the motion, as with a friction so strong that
-/// closed forms are small differences of large numbers: the adaptive solver makes such a turn.
+/// Largest number of steps in a turn. More steps show that the bounds do not fit the motion, as with friction
+/// so strong that closed forms are small differences of large numbers; the adaptive solver then makes the
+/// turn.
 constexpr long most_steps = 100'000;
-/// Shortest stretch of certain saturation, as a share of a mode's longest step, for a turn to come back from
-/// another solver. Longer than what ends an exact piece, so that the two do not alternate.
+/// Shortest certain stretch of saturated friction, as a share of a mode's longest step, for returning from
+/// another solver. It is longer than the stretch that ends an exact piece, so that the two do not alternate.
 constexpr double stretch_to_join = 16 * SlipWatch<2>::shortest_stretch;
 
 }  // namespace
@@ -141,7 +142,7 @@ bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& r
   return !clock_.impulse_is_due() || apply_impulses(report);
 }
 
-/// At the start of a turn only the phase starts again, from exactly zero; the motion continues.
+/// At the start of a turn only the phase restarts, at exactly zero; the motion continues.
 template <int N>
 bool ExactRun<N>::start_motion(bool pulses_changed) {
   const bool stands = std::exchange(goes_on_, false);
@@ -170,7 +171,7 @@ run::Outcome ExactRun<N>::end_turn(run::TurnReport& report) {
   return run::Outcome::ok;
 }
 
-/// Steps one after the other, only one where something is watched, and the events that end them.
+/// Takes steps until an event ends them; only a single step where something is watched.
 template <int N>
 run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
   watch_.start_step(motion_, clock_.time(), report);
@@ -216,9 +217,9 @@ run::Outcome ExactRun<N>::reach_boundary(run::TurnReport& report, double boundar
   return std::isfinite(motion_.free()(0)) ? run::Outcome::ok : run::Outcome::non_finite;
 }
 
-/// Instants that a turn steers for: pulses begin or end, impulses act. A pulse is zero at both ends, so that
-/// the state and its rate are continuous; but its phasor appears or disappears, and with it changes the free
-/// vibration that the bounds on the slips were made from.
+/// Handles known instants of a turn: pulses begin or end, impulses act. A pulse is zero at both ends, so that
+/// the state and its rate are continuous. But its phasor appears or disappears, and this changes the free
+/// vibration on which the bounds on the slips are based.
 template <int N>
 bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
   if (clock_.change_pulses()) {
@@ -229,7 +230,7 @@ bool ExactRun<N>::pass_boundary(run::TurnReport& report) {
   return !clock_.impulse_is_due() || apply_impulses(report);
 }
 
-/// Applies all impulses of this instant. They shift the state by constants: tangent vectors do not change.
+/// Applies all impulses of this instant: constant shifts of the state, which leave tangent vectors unchanged.
 template <int N>
 bool ExactRun<N>::apply_impulses(run::TurnReport& report) {
   State here = motion_.physical();
@@ -285,7 +286,7 @@ bool ExactRun<N>::begin_motion(const State& here) {
   return true;
 }
 
-/// Begins the slip watch. False where friction is not saturated, and the run ends at `here`.
+/// Begins the slip watch. False where friction is not saturated; the run then ends at `here`.
 template <int N>
 bool ExactRun<N>::begin_slip(const State& here) {
   if (slip_.begin(motion_, here)) return true;
@@ -294,7 +295,7 @@ bool ExactRun<N>::begin_slip(const State& here) {
   return false;
 }
 
-/// Renews the slip watch, whose bounds hold over one longest stretch.
+/// Renews the slip watch, whose bounds hold for one longest stretch only.
 template <int N>
 bool ExactRun<N>::renew_slip_watch(StepChoice& choice) {
   if (motion_.joint() == 0 || slip_.duration_s() + choice.step_s <= slip_.longest_s()) return true;

@@ -14,53 +14,51 @@
 
 namespace rubsweep::integrate::exact {
 
-/// A run between flat stops with saturated friction, without truncation error: inside a contact mode the
-/// state follows the mode's exact flow, and mode switches are found by certified steps: a bound M on the
-/// second derivative of every guard function g keeps g + g' t + M t^2 / 2 negative over the whole step, so
-/// that no guard is missed, graze or not; a crossing is accepted where M proves g monotone up to it. Rings
-/// are taken as far as they are not touched.
+/// A run between flat stops with saturated friction, without truncation error. Inside a contact mode the
+/// state follows the mode's exact flow. Certified steps find the mode switches: with a bound M on the second
+/// derivative of every guard function g, g + g' t + M t^2 / 2 stays negative over the whole step, so that no
+/// guard is missed, graze or not. A crossing is accepted where M proves g monotone up to it. Annular stops
+/// are supported while they are not touched.
 template <int N>
 class ExactRun {
  public:
-  /// `modes` must fit the scene.
+  /// `modes` must have been made for the scene.
   ExactRun(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes,
            long max_steps_per_revolution);
 
-  /// Integrates the next revolution. After `no_closed_form` the run stands where the revolution
-  /// began, and the report means nothing. After `unsaturated` the turn is made up to `handover()`, and so is
-  /// the report.
+  /// Integrates the next revolution. After `no_closed_form` the run is back at the start of the revolution,
+  /// and the report is undefined. After `unsaturated`, turn and report are complete up to `handover()`.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report);
 
-  /// State in the middle of a turn, for another solver to take over.
+  /// State during a turn, from which another solver continues.
   struct Handover {
     double phase_rad = 0;
-    std::vector<double> state;         ///< state as TurnReport::section has it
+    std::vector<double> state;         ///< state as in TurnReport::section
     std::vector<contact::Mode> modes;  ///< mode of each contact
-    Eigen::MatrixXd tangent_vectors;   ///< vectors as TurnRequest::tangent_vectors has them
+    Eigen::MatrixXd tangent_vectors;   ///< vectors as in TurnRequest::tangent_vectors
   };
-  /// The state after `unsaturated`. Its memory is kept from piece to piece.
+  /// State after `unsaturated`. Its memory is reused.
   const Handover& handover();
 
-  /// Takes the turn over from another solver, which made `report` up to here. False, with nothing changed,
-  /// where friction is not saturated there, or only for a moment.
+  /// Continues a turn of another solver, which made `report` up to here. False, with nothing changed, where
+  /// friction is not saturated, or would be only for a moment.
   bool join(double phase_rad, std::span<const double> state, const std::vector<contact::Mode>& modes,
             const run::TurnReport& report);
-  /// The rest of the turn, behind `join`, as `advance`.
+  /// Completes the turn after `join`, as `advance`.
   run::Outcome go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report);
 
-  /// The next revolution starts from `section` (as TurnReport::section): another solver made the turns before
-  /// it.
+  /// Starts the next revolution from `section` (as TurnReport::section), after turns made by another solver.
   void resume(std::span<const double> section);
 
-  /// Back to the start of revolution 0, at another section.
+  /// Returns to the start of revolution 0, with another section.
   void restart(std::span<const double> section) {
     resume(section);
     book_.revolution = 0;
   }
 
-  /// Scaled state where the next revolution begins, as TurnReport::section.
+  /// Scaled state at the start of the next revolution, as TurnReport::section.
   std::vector<double> section() const;
-  /// The same without an allocation, once `section` is large enough.
+  /// Writes the section without an allocation, once `section` is large enough.
   void put_section(std::vector<double>& section) const;
   long revolution() const { return book_.revolution; }
   const run::Effort& effort() const { return book_.effort; }
@@ -100,11 +98,11 @@ class ExactRun {
   run::TurnBook book_;
   long max_steps_ = 0;  ///< limit for a turn
 
-  State turn_start_;           ///< physical
-  bool goes_on_ = false;       ///< the motion stands where the last turn ended
-  Eigen::Index tangents_ = 0;  ///< asked for in this turn
-  bool unsaturated_ = false;   ///< the turn has come to where friction leaves saturation
-  State here_;                 ///< physical, where it did
+  State turn_start_;           ///< unscaled state
+  bool goes_on_ = false;       ///< true: the motion is where the last turn ended
+  Eigen::Index tangents_ = 0;  ///< number of vectors requested in this turn
+  bool unsaturated_ = false;   ///< true: friction leaves saturation at the present point of the turn
+  State here_;                 ///< unscaled state at that point
   Handover handover_;
 };
 

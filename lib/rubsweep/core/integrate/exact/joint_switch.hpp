@@ -11,8 +11,8 @@
 namespace rubsweep::integrate::exact {
 
 /// Joint mode after the crossing of guard `e` of the motion's mode, at its state `here`. Other contacts
-/// change their modes with it where the state demands it; annular stops are open. The slip of a contact keeps
-/// its direction as long as it touches.
+/// change their modes together with it where the state requires it; annular stops are open. The slip of a
+/// contact keeps its direction as long as it touches.
 template <int N>
 std::size_t joint_mode_behind(const ExactMotion<N>& motion, const SlipWatch<N>& slip, std::size_t e,
                               const typename ExactMotion<N>::State& here) {

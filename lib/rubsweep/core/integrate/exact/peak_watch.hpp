@@ -13,19 +13,19 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Spacing of states at which a cubic through values and rates has the maximum of a contact force. Its error
-/// is at most h^4 / 384 times the largest fourth derivative, which for a vibration of amplitude F at the
-/// angular frequency w is F w^4. No rate w of the motion is faster than 1 / reach_s(), so that h = reach_s()
-/// / 4 makes the error (1 / 4)^4 / 384 = 1e-5 of the amplitude.
+/// Spacing of states at which a cubic through values and rates gives the maximum of a contact force. Its
+/// error is at most h^4 / 384 times the largest fourth derivative, which is F w^4 for a vibration of
+/// amplitude F and angular frequency w. No w of the motion exceeds 1 / reach_s(), so that h = reach_s() / 4
+/// makes the error (1 / 4)^4 / 384 = 1e-5 of the amplitude.
 template <int N>
 double peak_reach_s(const ExactMotion<N>& motion) {
   return 0.25 * motion.reach_s();
 }
 
-/// Largest displacements and contact force of an exact run: of the rotor's displacement from values and rates
-/// at the ends of its steps, of a force by certified steps towards the instants where it may exceed the known
-/// peak, of a casing's displacement by steps as short as its vibration demands, where its energy does not
-/// show that it stays below the known peak.
+/// Largest displacements and contact force of an exact run. The rotor's displacement: from values and rates
+/// at the ends of steps. The force: by certified steps towards the instants where it may exceed the known
+/// peak. A casing's displacement: by steps as short as its vibration requires, unless its energy shows that
+/// it stays below the known peak.
 template <int N>
 class PeakWatch {
  public:
@@ -39,15 +39,15 @@ class PeakWatch {
 
   bool watches_casings() const { return !casings_.empty(); }
 
-  /// From here on, in the motion's present mode.
+  /// Begins watching in the motion's present mode.
   void begin(const ExactMotion<N>& motion) {
     start_state_ = motion.physical();
     now_ = square_of(observed_, start_state_);
     start_ = motion.here();
   }
 
-  /// A step of `duration_s` in one mode ends here, `since_look_s` after the last state that was passed or the
-  /// step's start.
+  /// Ends a step of `duration_s` in one mode, `since_look_s` after the last state that was passed, or after
+  /// the step's start.
   void step(const ExactMotion<N>& motion, double duration_s, double since_look_s, run::TurnReport& report) {
     const State end = motion.physical();
     pass(end, since_look_s, report);
@@ -62,7 +62,7 @@ class PeakWatch {
     start_state_ = end;
   }
 
-  /// The same at a state between the ends of steps, for the displacement alone.
+  /// Notes a state between the ends of steps, for the displacement only.
   void pass(const State& here, double duration_s, run::TurnReport& report) {
     const ValueAndRate last = std::exchange(now_, square_of(observed_, here));
     const double known = report.peak_displacement_m / length_m_;
@@ -84,7 +84,7 @@ class PeakWatch {
     return numerics::cubic_maximum(a.value, duration_s * a.rate, b.value, duration_s * b.rate);
   }
 
-  /// No cubic through values and rates of both ends rises higher: the largest weight of a rate is 4 / 27.
+  /// Upper bound of all cubics through values and rates of both ends: the largest weight of a rate is 4 / 27.
   static double ceiling(const ValueAndRate& a, const ValueAndRate& b, double duration_s) {
     return std::max(a.value, b.value) + 0.1482 * duration_s * (std::abs(a.rate) + std::abs(b.rate));
   }
@@ -98,14 +98,14 @@ class PeakWatch {
     return {z.squaredNorm(), 2 * z.dot(v)};
   }
 
-  /// From the step's start to its end. A casing that is not touched vibrates at its own rate, one that is
-  /// touched as fast as the contact makes it. In a mode without pairs the run's own steps are short enough.
+  /// Covers a step from start to end. A casing without contact vibrates at its own rate, one in contact as
+  /// fast as the contact makes it. In a mode without pairs the run's own steps are short enough.
   void raise_casing(const ExactMotion<N>& motion, std::size_t c, const State& end, double duration_s,
                     double& known_m) {
     const Casing& casing = casings_[c];
     const bool open = motion.mode().modes[casing.contact] == contact::Mode::open;
     if (open && casing.reach(start_state_) * length_m_ <= known_m) return;
-    // The square of a displacement vibrates twice as fast.
+    // The square of a displacement vibrates at twice its frequency.
     const double reach_s = open ? 0.125 / casing.rate : peak_reach_s(motion);
     ValueAndRate from = square_of(casing.map, start_state_);
     double square = from.value, left_s = duration_s;
@@ -124,8 +124,8 @@ class PeakWatch {
     known_m = std::max(known_m, length_m_ * std::sqrt(square));
   }
 
-  /// From the step's start to its end `here`. Where the force may exceed the known peak the steps are so
-  /// short that a cubic through values and rates of both ends has its maximum; in a mode without pairs the
+  /// Covers a step from start to its end `here`. Where the force may exceed the known peak, the steps are so
+  /// short that a cubic through values and rates of both ends has its maximum. In a mode without pairs the
   /// run's own steps are short enough.
   void raise_force(const ExactMotion<N>& motion, std::size_t t, const Instant& here, double left_s,
                    double& known_n) {
@@ -154,7 +154,7 @@ class PeakWatch {
   std::vector<Casing> casings_;
   State start_state_;   ///< state at the start of the step
   ValueAndRate now_;    ///< square of the observed displacement
-  Instant start_, at_;  ///< start of the step, and what `raise_force` moves along it
+  Instant start_, at_;  ///< start of the step, and a scratch instant that moves along it
 };
 
 }  // namespace rubsweep::integrate::exact

@@ -9,8 +9,8 @@
 namespace rubsweep::integrate::exact {
 
 /// Sampling of an exact run. In modes with a modal form samples do not cut the run's steps: a second copy of
-/// the state goes from sample to sample by the flow over one sampling interval. In other modes, where such a
-/// flow would be a full matrix, the run ends its steps at every sample.
+/// the state moves from sample to sample by the flow over one sampling interval. In other modes this flow
+/// would be a full matrix; there the run ends a step at every sample.
 template <int N>
 class SampleWatch {
  public:
@@ -24,7 +24,7 @@ class SampleWatch {
     if (count_ > 0) report.samples.resize(static_cast<std::size_t>(count_ * states));
   }
 
-  /// Continues after the samples that another solver has put into the report.
+  /// Continues after the samples of another solver in the report.
   void resume(const run::TurnReport& report) {
     next_ = report.sample_count;
     visit_ = -1;
@@ -32,15 +32,15 @@ class SampleWatch {
 
   bool wanted() const { return next_ < count_; }
 
-  /// Whether samples are wanted between the ends of steps in the motion's mode.
+  /// Whether the motion's mode requires samples between the ends of steps.
   bool ahead(const ExactMotion<N>& motion) const { return wanted() && motion.mode().paired; }
 
-  /// Where the next step must end at the latest.
+  /// Latest time at which the next step must end.
   double boundary_s(const ExactMotion<N>& motion) const {
     return wanted() && !motion.mode().paired ? due_s() : period_s_;
   }
 
-  /// A step starts here, `time_s` into the turn; where nothing is wanted, the first of several.
+  /// Notes a step that starts `time_s` into the turn; where nothing is wanted, the first of several steps.
   void start(const ExactMotion<N>& motion, double time_s, run::TurnReport& report,
              const run::StateScale& scale) {
     step_s_ = time_s;
@@ -52,8 +52,9 @@ class SampleWatch {
     }
   }
 
-  /// The step that started last ends at `time_s`, still in its mode. `look(state, seconds)` sees every sample
-  /// inside and the time since the one before, or since the step's start; returns the time left over.
+  /// Ends the latest step at `time_s`, still in its mode. Calls `look(state, seconds)` for every sample
+  /// inside, with the time since the sample before or since the step's start. Returns the time after the last
+  /// sample.
   template <class Look>
   double end(ExactMotion<N>& motion, double time_s, run::TurnReport& report, const run::StateScale& scale,
              const Look& look) {
@@ -84,7 +85,7 @@ class SampleWatch {
     report.sample_count = ++next_;
   }
 
-  /// At the start of a visit to a mode.
+  /// Sets the instant at the start of a visit to a mode.
   void stand(const ExactMotion<N>& motion, double time_s) {
     visit_ = motion.visits();
     instant_ = motion.here();
@@ -92,7 +93,7 @@ class SampleWatch {
     at_sample_ = false;
   }
 
-  typename ExactMotion<N>::Instant instant_;  ///< where the visit began, then at the last sample
+  typename ExactMotion<N>::Instant instant_;  ///< start of the visit, then the latest sample
   double instant_s_ = 0, step_s_ = 0, period_s_ = 0;
   long visit_ = -1;
   bool at_sample_ = false;

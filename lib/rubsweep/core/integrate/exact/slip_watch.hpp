@@ -19,10 +19,10 @@
 namespace rubsweep::integrate::exact {
 
 /// Event function for friction that must stay saturated and keep its direction, so that its coefficient is
-/// the constant of the linear mode, over stretches of contact no longer than the mode's longest step. The
-/// slip margin is a guard like any other: its value, its rate and a bound of its second derivative give a
-/// stretch over which it cannot come to zero. So the premise of a stretch holds all along it, and a motion
-/// whose next stretch would be too short to be worth a step is still at a point of saturated friction.
+/// the constant of the linear mode. It works over stretches of contact no longer than the mode's longest
+/// step. The slip margin is a guard: its value, its rate and a bound of its second derivative give a stretch
+/// over which it cannot reach zero. Friction is therefore saturated throughout a stretch. When the next
+/// stretch would be too short for a step, the motion is still at a point with saturated friction.
 template <int N>
 class SlipWatch {
  public:
@@ -40,8 +40,8 @@ class SlipWatch {
     }
   }
 
-  /// Joint mode of these contact modes with the direction that every slip has at `physical`. Empty where the
-  /// friction of a touching contact is not saturated there.
+  /// Joint mode of these contact modes with the present direction of each slip at `physical`. Empty where the
+  /// friction of a touching contact is not saturated.
   std::optional<std::size_t> saturated_mode(const modes::MachineModes<N>& machine, std::size_t modes,
                                             const State& physical) const {
     const std::size_t joint = with_ways(machine, modes, physical);
@@ -52,7 +52,7 @@ class SlipWatch {
     return joint;
   }
 
-  /// The same whether or not friction is saturated.
+  /// Joint mode with the present slip directions, as saturated_mode, without the test for saturation.
   std::size_t with_ways(const modes::MachineModes<N>& machine, std::size_t modes,
                         const State& physical) const {
     std::size_t joint = modes;
@@ -63,14 +63,13 @@ class SlipWatch {
     return joint;
   }
 
-  /// Whether the slip of contact `i`, and its friction with it, goes backward at `physical`.
+  /// Whether slip and friction of contact `i` are backward at `physical`.
   bool goes_backward(const modes::MachineModes<N>& machine, std::size_t i, const State& physical) const {
     return !contacts_[i].always() && slip(machine, i, physical) < 0;
   }
 
-  /// Starts a stretch at `physical`, the motion's state; false when friction is not saturated here, or so
-  /// little beyond it, with a slip that goes back, that it is certain to stay so over no stretch of
-  /// `least_share` of the mode's longest step.
+  /// Starts a stretch at `physical`, the motion's state. False where friction is not saturated, or where its
+  /// saturation is certain for less than `least_share` of the mode's longest step.
   bool begin(const ExactMotion<N>& motion, const State& physical, double least_share = shortest_stretch) {
     duration_s_ = 0;
     longest_s_ = motion.mode().longest_step_s;
@@ -91,10 +90,10 @@ class SlipWatch {
     return longest_s_ >= least_share * motion.mode().longest_step_s;
   }
 
-  /// Slip margin of touch `t` at `physical`, the motion's state, as a guard, m/s: negative while friction is
-  /// saturated, zero where it leaves saturation, with a bound of its second derivative within the mode's
-  /// longest step. Where the touch has a `friction_rate` the bound is one of the first derivative, which
-  /// stands as the rate. For contacts that are not `always` saturated.
+  /// Slip margin of touch `t` at `physical`, the motion's state, as a guard in m/s: negative while friction
+  /// is saturated, zero where it leaves saturation, with a bound of its second derivative within the mode's
+  /// longest step. For a touch with a `friction_rate`, the rate is instead an upper bound of the first
+  /// derivative. Only for contacts that are not `always` saturated.
   Guard guard(const ExactMotion<N>& motion, std::size_t t, const State& physical) const {
     const modes::TouchWatch<N>& touch = motion.mode().touches[t];
     const Contact& c = contacts_[touch.contact];
@@ -104,17 +103,17 @@ class SlipWatch {
     return {value, -touch.way * length_m_ * sliding.rate, length_m_ * sliding.curvature};
   }
 
-  /// Whether the friction of touch `t` holds at every slip.
+  /// Whether the friction of touch `t` is the same at every slip.
   bool always(const ExactMotion<N>& motion, std::size_t t) const {
     return contacts_[motion.mode().touches[t].contact].always();
   }
 
-  /// Whether the slip of a one-way friction, which holds at every speed and so never ends a stretch, may come
-  /// to zero in this one.
+  /// Whether the slip may reach zero in this stretch with one-way friction, which holds at every speed and
+  /// never ends a stretch.
   bool may_reverse() const { return may_reverse_; }
 
-  /// At the end of a step of `duration_s` inside the stretch: whether such a slip came to zero in it, by the
-  /// cubic through its values and rates at both ends.
+  /// Whether such a slip reached zero in a step of `duration_s` inside the stretch that ends at `physical`,
+  /// by the cubic through its values and rates at both ends.
   bool reversed_in(const ExactMotion<N>& motion, const State& physical, double duration_s) {
     bool reversed = false;
     const auto before = [this](const modes::TouchWatch<N>& touch) { return contacts_[touch.contact].last; };
@@ -134,28 +133,28 @@ class SlipWatch {
 
   void advance(double duration_s) { duration_s_ += duration_s; }
   double duration_s() const { return duration_s_; }
-  /// Longest stretch from where the present one began.
+  /// Longest duration of the present stretch from its start.
   double longest_s() const { return longest_s_; }
 
-  /// Shortest stretch that is worth a step, as a share of the mode's longest step.
+  /// Shortest stretch worth a step, as a share of the mode's longest step.
   static constexpr double shortest_stretch = 1.0 / 256;
 
  private:
   struct ValueAndRate {
-    double value = 0, rate = 0;  ///< m/s, m/s^2
+    double value = 0, rate = 0;  ///< slip speed in m/s, its rate in m/s^2
   };
 
   struct Contact {
-    double above_m_per_s = 0;  ///< saturated from here on
+    double above_m_per_s = 0;  ///< slip speed above which friction is saturated
     double surface_speed_m_per_s = 0;
-    bool one_way = false;  ///< friction that does not depend on the slip, nor on its sign
+    bool one_way = false;  ///< true: friction that depends neither on the slip nor on its sign
     ValueAndRate last{};   ///< slip at the end of the last step
 
     bool always() const { return above_m_per_s < 0; }
   };
 
-  /// A contact that sticks has a slip that is zero but for rounding. Where its friction is less as soon as it
-  /// slips, it would be let go by that.
+  /// Slip speed above which friction is saturated. A sticking contact has a slip of zero with rounding
+  /// errors, which must not release it where its friction drops as soon as it slips.
   static double saturated_above(const scene::Scene& scene, const scene::Contact& contact,
                                 const contact::SaturatedFriction& friction) {
     if (!contact::saturated_friction(contact.friction)) return std::numeric_limits<double>::infinity();
@@ -178,7 +177,7 @@ class SlipWatch {
                                  duration_s);
   }
 
-  /// Bound on the rate of a slip within the mode's longest step, m/s^2.
+  /// Bound on the rate of a slip within the mode's longest step, in m/s^2.
   double rate_bound(const ExactMotion<N>& motion, const modes::TouchWatch<N>& touch,
                     const State& physical) const {
     double rate = motion.sliding_rate_bound(touch, physical), swing = 0;

@@ -7,25 +7,26 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Limits that the choice of a step respects.
+/// Limits on the choice of a step.
 struct StepLimits {
-  double until_s = 0;                ///< no step is longer
+  double until_s = 0;                ///< largest step
   double reach_s = 0;                ///< longest landing
   double shortest_to_annular_s = 0;  ///< a shorter step towards an annular stop counts as touching it
-  double same_instant_s = 0;         ///< crossings nearer to each other happen at one instant
+  double same_instant_s = 0;         ///< crossings closer than this count as simultaneous
 };
 
 /// Next action of an exact run: a step that crosses no guard, or a landing on the first one crossed.
 struct StepChoice {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  double step_s = 0;            ///< safe, or the latest instant of the crossing
-  std::size_t crossing = none;  ///< number of the guard that is crossed, for certain and first
-  double earliest_s = 0;        ///< instant before which it cannot be
-  bool annular = false;         ///< an annular stop is about to be touched
+  double step_s = 0;            ///< certified step, or the latest instant of the crossing
+  std::size_t crossing = none;  ///< index of the guard that certainly crosses first
+  double earliest_s = 0;        ///< earliest possible instant of the crossing
+  bool annular = false;         ///< true: an annular stop is about to be touched
 
-  /// Limits the step. A crossing that was to be landed on later than the limit is no longer certain to be the
-  /// first: the step then ends before it, too, unless all of this is one instant.
+  /// Limits the step. If the limit is before the latest instant of the chosen crossing, that crossing is no
+  /// longer certainly the first: the step then ends before it as well, unless all of this counts as one
+  /// instant.
   void keep_below(double other_step_s, double same_instant_s) {
     if (other_step_s >= step_s) return;
     const double safe_s = crossing == none ? other_step_s : std::min(other_step_s, earliest_s);
@@ -34,9 +35,9 @@ struct StepChoice {
     crossing = none;
   }
 
-  /// Takes in that guard `e` is crossed between these instants, the later one within reach. Of two crossings
-  /// the first is the one whose latest instant comes before the other's earliest. Where neither does, the
-  /// step ends before both: from there both intervals are smaller, by the square of their length.
+  /// Adds a crossing of guard `e` between two instants, the later one within reach. One of two crossings is
+  /// the first if its latest instant is before the earliest instant of the other. If neither is, the step
+  /// ends before both: from there both intervals are smaller, by the square of their length.
   void keep_first(std::size_t e, double from_s, double to_s, double same_instant_s) {
     if (crossing == none) {
       if (to_s >= step_s) return keep_below(from_s, same_instant_s);
@@ -51,7 +52,7 @@ struct StepChoice {
   }
 };
 
-/// Narrows the choice by `linear`, guard `e` of the mode.
+/// Narrows the choice by `linear`, which is guard `e` of the mode.
 template <int N>
 void limit_by_guard(const ExactMotion<N>& motion, const modes::LinearGuard<N>& linear, std::size_t e,
                     const StepLimits& limits, StepChoice& choice) {
@@ -71,7 +72,7 @@ void limit_by_guard(const ExactMotion<N>& motion, const modes::LinearGuard<N>& l
   const auto slow = motion.slow_guard(linear, slow_terms, forced);
   if (numerics::stays_below(slow.value, slow.rate, slow.curvature, choice.step_s)) return;
   const double slow_step = slow.value < 0 ? numerics::safe_step(slow.value, slow.rate, slow.curvature) : 0;
-  // No crossing within reach.
+  // There is no crossing within reach.
   if (slow_step > limits.reach_s) return choice.keep_below(slow_step, limits.same_instant_s);
   limit(motion.whole_guard(linear, motion.with_fast(linear, slow_terms), forced), slow_step);
 }
@@ -89,7 +90,7 @@ void limit_by_annular_guard(const ExactMotion<N>& motion, std::size_t r,
   choice.keep_below(step, limits.same_instant_s);
 }
 
-/// The longest step of the motion that is certified.
+/// The longest certified step of the motion.
 template <int N>
 StepChoice choose_step(const ExactMotion<N>& motion, const StepLimits& limits) {
   const modes::LinearMode<N>& mode = motion.mode();

@@ -13,9 +13,9 @@ namespace {
 using Complex = std::complex<double>;
 using Row = Eigen::RowVectorXd;
 
-constexpr double independent = 1e-10;       ///< share of the largest mobility, as of contact::determined
-constexpr double largest_amplitude = 1e4;   ///< clearances, as of a HarmonicResponse
-constexpr double least_reciprocal = 1e-14;  ///< condition of a stiffness that has an equilibrium
+constexpr double independent = 1e-10;       ///< smallest independent mobility, as a share of the largest
+constexpr double largest_amplitude = 1e4;   ///< largest forced amplitude in clearances
+constexpr double least_reciprocal = 1e-14;  ///< least reciprocal condition of a stiffness with an equilibrium
 
 }  // namespace
 
@@ -113,8 +113,9 @@ std::optional<StickingMode> StickingMode::make(const System& system, const std::
   return mode;
 }
 
-/// Friction lambda along a tangent that is turned pushes along -n, too. The slip stays zero where t . d'' is
-/// the angle times n . d''. The normal force along a turned normal is a force along t, which friction takes.
+/// Along a turned tangent, the friction lambda also pushes along -n. The slip stays zero if t . d'' is the
+/// angle times n . d''. The normal force along a turned normal has a component along t, which friction
+/// balances.
 void StickingMode::add_rings(const System& system, const std::vector<bool>& sticks,
                              const Eigen::MatrixXd& along) {
   Eigen::Index held = 0;
@@ -178,7 +179,7 @@ void StickingMode::begin(double phase_rad, const Eigen::Ref<const Eigen::VectorX
   motion.phase_rad = phase_rad;
   motion.drift = rows_ * state.head(n);
   motion.drift_rate = rows_ * state.tail(n);
-  // Pieces leave the slip within rounding of zero, and a whole turn of it would count.
+  // Taylor pieces leave a slip of rounding size, which would add up over a whole turn.
   for (const Ring& ring : rings_) motion.drift_rate(ring.held) = 0;
   motion.free.resize(2 * k);
   if (k == 0) return;
@@ -224,8 +225,8 @@ void StickingMode::put_state(const StickingMotion& motion, Eigen::Ref<Eigen::Vec
       on_drift_ * motion.drift_rate + (amplitude_ * (Complex(0, 1) * phasor)).real() + basis_v_ * motion.free;
 }
 
-/// Small change of the motion, zero at first, by a force that is `force` times its accelerations without
-/// friction: a part of the exponential of one matrix for w, u, 1, w', u', cos, sin.
+/// Tangent vector of the motion, zero at first, excited by `force` times the accelerations without friction:
+/// a part of the exponential of one matrix for w, u, 1, w', u', cos, sin.
 Eigen::VectorXd StickingMode::by_turned_normal(const Eigen::MatrixXd& force, double duration_rad,
                                                const StickingMotion& motion) const {
   const Eigen::Index n = rest_.size(), half = 2 * n + 1, size = 2 * half + 1;

@@ -14,20 +14,20 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// Spacing of cubics in radians of a vibration: they miss its peaks by less than h^4 / 384 of its amplitude:
-/// 2e-9 for the unbalance's own vibration, 1e-6 for faster ones, which are small beside it.
+/// Spacing of cubics in radians of a vibration. They miss its peaks by less than h^4 / 384 of its amplitude:
+/// 2e-9 for the vibration by unbalance, 1e-6 for faster ones, which are small beside it.
 constexpr double peak_step = 0.03, fast_peak_step = 0.15;
-/// Longest piece of Taylor series, in radians of the fastest vibration: a step has to go further.
+/// Longest Taylor piece, in radians of the fastest vibration: a step must be longer.
 constexpr double piece = 8;
-/// A vibration below this share of a clearance adds less than that to any peak.
+/// A vibration below this share of a clearance is ignored: it adds less than that to a peak.
 constexpr double unseen = 1e-10;
-/// Fewest cubics of a block that is looked at as a whole before.
+/// Smallest number of cubics in a block that is first bounded as a whole.
 constexpr double least_block = 8;
-/// Turn of a ring's normal by rounding of the states that it was taken from.
+/// Angle of a ring's normal that is only rounding of the states.
 constexpr double same_normal = 1e-14;
 
-/// Duration for which no guard, made of the slow parts of `view` and, for its free vibration, the largest
-/// value or the present one, can come to zero; `longest_rad` at most.
+/// Duration, at most `longest_rad`, in which a guard cannot reach zero. The guard is the sum of the slow
+/// parts of `view` and, for its free vibration, its largest or its present value.
 double certified_by(const StickingView& view, const StickingMotion& motion, double growth,
                     double longest_rad) {
   const Eigen::Index k = motion.free.size() / 2;
@@ -57,8 +57,8 @@ StickingStretch::StickingStretch(const scene::Scene& scene) : system_(run::scale
   for (const auto& contact : system_.contacts) {
     const bool normal_stands = contact::linear(contact.wall) || contact.surface_speed_m_per_s == 0;
     const contact::FrictionTerms terms = contact::friction_terms(contact.friction);
-    // A stretch ends at the bound. A state there says neither that the contact is held nor that it is let go,
-    // which differ where the friction is less as soon as it slips: pieces go through that instant.
+    // A stretch ends at the bound of friction. If friction drops as soon as the contact slips, a state at the
+    // bound does not tell whether the contact is held or released; Taylor pieces pass that instant.
     dry_.push_back(normal_stands && terms.holding != 0 && !terms.jumps());
     const bool dry = terms.holding != 0 && terms.holding == terms.dry;
     steady_.push_back(contact::linear(contact.wall) && (dry || !contact::acts(contact.friction)));
@@ -119,7 +119,7 @@ void StickingStretch::watch(MadeMode& made) const {
   for (const auto& casing : system_.casings) add(casing.map, &run::TurnReport::peak_casing_displacement_m);
 }
 
-/// The system with the rings that hold the rotor as flat walls across its normals there.
+/// The system with each annular stop that holds the rotor replaced by a flat wall normal to its local normal.
 run::ScaledSystem<Eigen::Dynamic> StickingStretch::with_flat_rings() const {
   run::ScaledSystem<Eigen::Dynamic> flat = system_;
   auto normal = normals_.begin();
@@ -213,8 +213,8 @@ double StickingStretch::peak_step_rad() const {
   return std::min(peak_step, fast_peak_step / fastest);
 }
 
-/// No peak of it is higher within `duration_rad` of `motion`: its slow parts go straight on but for what they
-/// bend, and vibrations of more than a radian are as large as they ever are.
+/// Upper bound of a peak within `duration_rad` of `motion`: slow parts are straight lines plus their
+/// curvature, and vibrations of more than a radian have their full amplitude.
 double StickingStretch::bound(const Watched& watched, double duration_rad) const {
   const Eigen::Index k = mode_->pairs();
   const double grown = std::exp(std::max(0.0, mode_->growth()) * duration_rad);
@@ -241,8 +241,8 @@ double StickingStretch::bound(const Watched& watched, double duration_rad) const
                                          : std::max(from(0), to(0)) + more(0));
 }
 
-/// Cubics through values and rates at places that what still vibrates allows. They are as many as a fast
-/// vibration has in all of the stretch: where these are many, blocks of them are looked at as a whole.
+/// Raises the peaks by cubics through values and rates, as close together as the remaining vibration needs. A
+/// fast vibration needs many of them; then blocks of cubics are first bounded as a whole.
 void StickingStretch::raise_peaks(double duration_rad, run::TurnReport& report) {
   const double pieces = std::max(1.0, std::ceil(duration_rad / peak_step_rad())),
                size = duration_rad / pieces, block = std::max(1.0, std::floor(peak_step / size));
@@ -253,8 +253,8 @@ void StickingStretch::raise_peaks(double duration_rad, run::TurnReport& report) 
   raise_peaks_by_cubics(pieces - blocks * block, size, report);
 }
 
-/// Moves `at_` on by so many blocks of cubics. Those without any higher peak are left out: the most promising
-/// one of each peak is looked at first.
+/// Moves `at_` on by this number of blocks of cubics. The most promising block of each peak comes first;
+/// blocks without a higher peak are skipped.
 void StickingStretch::raise_peaks_by_blocks(double blocks, double block, double size,
                                             run::TurnReport& report) {
   promising_.resize(made_->watched.size());
@@ -284,7 +284,7 @@ void StickingStretch::raise_peaks_by_blocks(double blocks, double block, double 
   }
 }
 
-/// Moves `at_` on by `pieces` of this size.
+/// Moves `at_` on by `pieces` cubics of this size.
 void StickingStretch::raise_peaks_by_cubics(double pieces, double size, run::TurnReport& report) {
   const auto square = [](const Watched& watched, const StickingMotion& motion) {
     const ValueAndRate x = value_of(watched.views[0], motion);

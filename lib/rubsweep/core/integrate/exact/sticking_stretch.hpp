@@ -15,29 +15,29 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Stretches of a turn in which dry friction holds every contact that touches and has any: closed forms and
-/// certified steps, so that a rotor held by friction costs as much as a rotor at rest. A stretch ends before
-/// any guard can be reached: the event that ends the mode is left to the caller. A ring whose surface stands
-/// (contact radius 0) is a flat wall as long as the rotor sticks to it: its normal does not turn.
+/// Stretches of a turn in which dry friction holds every touching contact that has any. Closed forms and
+/// certified steps make a rotor held by friction as cheap as a rotor at rest. A stretch ends before any guard
+/// can be reached; the caller handles the event that ends the mode. An annular stop without surface speed
+/// (contact radius 0) counts as a flat wall while the rotor sticks to it, because its normal does not turn.
 class StickingStretch {
  public:
   explicit StickingStretch(const scene::Scene& scene);
 
-  /// State at the start of a stretch, and after `go_on` at its end.
+  /// State at the start of a stretch and, after `go_on`, at its end.
   struct StretchState {
     double phase_rad = 0;
-    std::vector<double> state;        ///< as TurnReport::section
-    Eigen::MatrixXd tangent_vectors;  ///< as TurnRequest::tangent_vectors
+    std::vector<double> state;        ///< state as in TurnReport::section
+    Eigen::MatrixXd tangent_vectors;  ///< vectors as in TurnRequest::tangent_vectors
   };
 
-  /// Advances the turn of `report` towards `end_phase_rad`, without pulses or impulses, as far as is certain,
-  /// by `most_steps` at most. False, with nothing changed, where a piece of Taylor series would go as far, or
-  /// where the modes are not of this kind.
+  /// Continues the turn of `report` towards `end_phase_rad`, without pulses or impulses, as far as is
+  /// certain, with at most `most_steps` steps. False, with nothing changed, where a Taylor piece would reach
+  /// as far, or where the modes do not stick in this way.
   bool go_on(const run::TurnRequest& request, const std::vector<contact::Mode>& modes,
              const std::vector<contact::Slip>& slips, double end_phase_rad, long most_steps,
              StretchState& place, run::TurnReport& report);
 
-  /// Steps taken since the run began.
+  /// Number of steps since the run began.
   long steps() const { return steps_; }
 
  private:
@@ -54,20 +54,20 @@ class StickingStretch {
   double peak_step_rad() const;
 
   run::ScaledSystem<Eigen::Dynamic> system_;
-  /// A force, or the length of a vector, of which a report has the peak.
+  /// A force, or the length of a vector, whose peak is reported.
   struct Watched {
     bool length = false;
-    std::array<StickingView, 2> views;  ///< the force; x and y
-    double scale = 1;                   ///< to the unit of the report
+    std::array<StickingView, 2> views;  ///< the force; or x and y of the vector
+    double scale = 1;                   ///< factor to the unit of the report
     double run::TurnReport::*peak = nullptr;
   };
-  /// A mode, and the normals of the rings that it was made with, in the order of the contacts.
+  /// A mode, and the normals of the annular stops for which it was made, in the order of the contacts.
   struct MadeMode {
     std::vector<Eigen::Vector2d> normals;
     std::optional<StickingMode> mode;
     std::vector<Watched> watched;
   };
-  /// Where the bound of a peak is highest.
+  /// Place where the bound of a peak is highest.
   struct Promising {
     double bound = 0;
     StickingMotion at;
@@ -76,12 +76,12 @@ class StickingStretch {
   void watch(MadeMode& made) const;
   double bound(const Watched& watched, double duration_rad) const;
 
-  std::vector<bool> dry_, steady_;  ///< per contact: it can stick, its friction is the same at every slip
+  std::vector<bool> dry_, steady_;  ///< per contact: it can stick; its friction does not depend on the slip
   std::map<std::vector<int>, MadeMode> modes_;
   std::vector<int> key_;
   std::vector<bool> sticks_;
-  std::vector<double> ways_;              ///< signs of the slips of those that do not, 0 without friction
-  std::vector<Eigen::Vector2d> normals_;  ///< as of MadeMode, where the motion is
+  std::vector<double> ways_;              ///< slip signs of contacts that do not stick, 0 without friction
+  std::vector<Eigen::Vector2d> normals_;  ///< normals as in MadeMode, at the present motion
   const StickingMode* mode_ = nullptr;
   const MadeMode* made_ = nullptr;
   StickingMotion motion_, at_, before_;

@@ -8,8 +8,8 @@
 namespace rubsweep::integrate::exact {
 namespace {
 
-/// Smallest number of vectors that lie side by side: fewer do not fill a register, and a product by full
-/// matrices is then made several rows at once.
+/// Smallest number of vectors that are stored side by side. Fewer vectors do not fill a register; products
+/// with full matrices then compute several rows at once.
 constexpr std::size_t fewest_side_by_side = 4;
 
 }  // namespace
@@ -115,7 +115,7 @@ void TangentVectors<N>::catch_up(const modes::LinearMode<N>& mode) {
         }
         const double rest_s = modes::table_steps(mode, mode.fastest_rad_per_s, duration_s,
                                                  [&](int k) { list.move(mode.steps.of(k)); });
-        if (rest_s != 0) list.move_by_series(mode, rest_s);  // other states move by a step of the table
+        if (rest_s != 0) list.move_by_series(mode, rest_s);  // the state moves by a table step
       },
       vectors_);
 }

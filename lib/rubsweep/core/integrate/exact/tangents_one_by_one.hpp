@@ -9,7 +9,7 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Tangent vectors in the coordinates of a contact mode, each a state of its own.
+/// Tangent vectors in the coordinates of a contact mode, each stored as a separate state.
 template <int N>
 class TangentsOneByOne {
  public:
@@ -18,7 +18,7 @@ class TangentsOneByOne {
 
   std::size_t size() const { return count_; }
   void clear() { count_ = 0; }
-  /// Makes room for `count` vectors, of any length; the first ones stay.
+  /// Makes room for `count` vectors of any length; existing vectors stay.
   void resize(Eigen::Index /*numbers*/, std::size_t count) {
     if (list_.size() < count) list_.resize(count);
     count_ = count;
@@ -44,7 +44,7 @@ class TangentsOneByOne {
       to.put_to_free(moved_, z);
     }
   }
-  /// `unit` times a linear function of every one, as of ModalSum.
+  /// Sums of a linear function (ModalSum) for each vector, times `unit`.
   void see(const modes::ModalTerms& terms, bool paired, double unit, modes::ModalSums& sums) const {
     sums.resize(count_);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -60,7 +60,7 @@ class TangentsOneByOne {
 
   std::vector<State> list_;
   std::size_t count_ = 0;
-  State moved_;  ///< state of one of them on its way
+  State moved_;  ///< scratch: a vector being moved
 };
 
 }  // namespace rubsweep::integrate::exact

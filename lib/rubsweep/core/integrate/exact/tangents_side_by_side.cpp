@@ -15,14 +15,14 @@ using numerics::SideBySide;
 
 namespace {
 
-/// ModalSum of a lane of states, those from `z` on: what comes from z_u and from z_v apart.
+/// ModalSum for a lane of states from `z` on; contributions of z_u and of z_v are summed separately.
 template <std::size_t bytes>
 struct LaneSum {
   using Lane = typename numerics::Lanes<bytes>::Type;
   // NOLINTNEXTLINE(modernize-use-using): an attribute that depends on a parameter
   typedef long long Bits __attribute__((vector_size(bytes)));
 
-  // The sum of nothing, which leaves even the sign of a zero as it is.
+  // Empty sum: -0, so that even the sign of a zero is preserved.
   Lane value_u = -Lane{}, value_v = -Lane{}, rate_u = -Lane{}, rate_v = -Lane{}, bound_u = -Lane{},
        bound_v = -Lane{};
 
@@ -89,7 +89,7 @@ void TangentsSideBySide::move(const Types::Factor& flow) {
   std::swap(list_, moved_);
 }
 
-/// As the series of one state by full matrices.
+/// The same series as for one state with full matrices.
 void TangentsSideBySide::move_by_series(const Linear& mode, double duration_s) {
   const Eigen::Index n = mode.rest.size();
   const int terms = numerics::series_terms(std::abs(duration_s) * mode.fastest_rad_per_s);

@@ -9,8 +9,8 @@
 
 namespace rubsweep::integrate::exact {
 
-/// The same as TangentsOneByOne, with the same bits, for many long vectors: several of them are processed at
-/// once.
+/// The same as TangentsOneByOne, with identical results, for many long vectors: several of them are processed
+/// at once.
 class TangentsSideBySide {
  public:
   using Types = modes::ExactTypes<Eigen::Dynamic>;
@@ -35,7 +35,7 @@ class TangentsSideBySide {
 
   std::size_t count_ = 0;
   numerics::AlignedMatrix list_;            ///< number j of vector i at (i, j)
-  numerics::AlignedMatrix moved_, forces_;  ///< matrices of the same size for what is made on the way
+  numerics::AlignedMatrix moved_, forces_;  ///< scratch matrices of the same size
 };
 
 }  // namespace rubsweep::integrate::exact

@@ -8,8 +8,8 @@
 
 namespace rubsweep::integrate::exact {
 
-/// Observer of an exact turn between the ends of its steps, for samples and peaks, and the limit that it sets
-/// on the length of steps.
+/// Observer of an exact turn: takes samples and peaks between the ends of steps, and limits the length of
+/// steps.
 template <int N>
 class TurnWatch {
  public:
@@ -22,27 +22,27 @@ class TurnWatch {
     samples_.begin(request, report, period_s_, states);
     peaks_wanted_ = request.peaks;
   }
-  /// Continues after the part of the report that another solver made.
+  /// Continues after the part of the report made by another solver.
   void resume(const run::TurnReport& report) { samples_.resume(report); }
 
-  /// From here on, in the motion's present mode.
+  /// Begins watching in the motion's present mode.
   void begin_motion(const ExactMotion<N>& motion) {
     if (peaks_wanted_) peaks_.begin(motion);
   }
 
   bool wanted() const { return peaks_wanted_ || samples_.wanted(); }
 
-  /// Starts a step, `time_s` into the turn; where nothing is wanted, the first of several.
+  /// Notes a step that starts `time_s` into the turn; where nothing is wanted, the first of several steps.
   void start_step(const ExactMotion<N>& motion, double time_s, run::TurnReport& report) {
     samples_.start(motion, time_s, report, scale_);
   }
   /// Latest end of the next step.
   double boundary_s(const ExactMotion<N>& motion) const { return samples_.boundary_s(motion); }
-  /// Longest landing.
+  /// Longest allowed landing.
   double reach_s(const ExactMotion<N>& motion) const {
     return peaks_by_steps(motion) ? peak_reach_s(motion) : motion.reach_s();
   }
-  /// Longest step but a landing.
+  /// Longest allowed step that is not a landing.
   double longest_step_s(const ExactMotion<N>& motion) const {
     if (!peaks_wanted_) return std::numeric_limits<double>::infinity();
     double longest_s = samples_.ahead(motion) ? period_s_ : period_s_ / steps_per_turn_when_watched;
@@ -50,7 +50,7 @@ class TurnWatch {
     return longest_s;
   }
 
-  /// Ends the step that started last, which lasted `duration_s` and ends at `time_s`, still in its mode.
+  /// Ends the latest step, which lasted `duration_s` and ends at `time_s`, still in its mode.
   void end_step(ExactMotion<N>& motion, double time_s, double duration_s, run::TurnReport& report) {
     if (!wanted()) return;
     const double rest_s =
@@ -63,8 +63,7 @@ class TurnWatch {
  private:
   static constexpr double steps_per_turn_when_watched = 64;
 
-  /// Whether peaks of a contact force or of a casing's displacement are searched between the ends of short
-  /// steps.
+  /// Whether peaks of a contact force or of a casing's displacement need short steps.
   bool peaks_by_steps(const ExactMotion<N>& motion) const {
     return peaks_wanted_ && !motion.mode().paired && (motion.mode().pushes || peaks_.watches_casings());
   }

@@ -14,10 +14,10 @@
 
 namespace rubsweep::integrate::law {
 
-/// Normal force and friction of each contact of a system at one state, the mode that it goes on in, and the
-/// guards of its modes. Located: every contact obeys the law of its current mode, continued smoothly past the
-/// mode's end. Smoothed: the blended law, whatever the mode, of linear contacts alone. Dry friction, which
-/// jumps where the slip reverses, depends on `slips`.
+/// Normal force and friction of each contact of a system at one state, the mode after it, and the guards of
+/// its modes. Located: every contact obeys the law of its current mode, continued smoothly past the mode's
+/// end. Smoothed: the blended law of linear contacts, without modes. Dry friction, which jumps where the slip
+/// reverses, depends on `slips`.
 template <int N, bool Smoothed>
 class ContactForces : public ContactStates<N, Smoothed> {
   using States = ContactStates<N, Smoothed>;
@@ -28,13 +28,13 @@ class ContactForces : public ContactStates<N, Smoothed> {
   ContactForces(const run::ScaledSystem<N>& system, double smoothing_width)
       : States(system), smoothing_width_(smoothing_width), curved_(system) {}
 
-  /// Largest friction in newtons of contact `i`, which touches.
+  /// Largest friction in newtons of contact `i`, which must be touching.
   template <class State>
   double largest_friction_n(std::size_t i, const State& state) const {
     const contact::ContactFrame f = this->frame_at(i, state);
     return dry_[i].holding * normal_force(i, f.penetration, f.closing_speed).spring_n;
   }
-  /// The friction that it begins to slip with.
+  /// Friction in newtons with which contact `i` begins to slip.
   template <class State>
   double sliding_friction_n(std::size_t i, const State& state) const {
     const contact::ContactFrame f = this->frame_at(i, state);
@@ -42,8 +42,8 @@ class ContactForces : public ContactStates<N, Smoothed> {
     return coefficient * normal_force(i, f.penetration, f.closing_speed).spring_n;
   }
 
-  /// Penetration of contact `i` and its two rates, scaled, from a state and its rate; as
-  /// contact::open_kinematics while it is open.
+  /// Penetration of contact `i` and its two rates, scaled, from a state and its rate; as by
+  /// contact::open_kinematics while the contact is open.
   template <class State>
   contact::Kinematics kinematics(std::size_t i, const State& state, const State& rate) const {
     const Eigen::Index n = system_.coordinates();
@@ -57,15 +57,15 @@ class ContactForces : public ContactStates<N, Smoothed> {
                : contact::kinematics(c.wall, m, a1, a2, c.clearance);
   }
 
-  /// Puts contact `i` into the mode that a state has by itself, its rate being that of the modes before. A
-  /// start exactly at the wall and moving into it is in contact from the first instant.
+  /// Puts contact `i` into the mode that belongs to a state; `rate` was computed with the modes before. A
+  /// contact exactly at the wall that moves into it is in contact from the first instant.
   template <class State>
   void enter_by_state(std::size_t i, const State& state, const State& rate) {
     const Contact& c = system_.contacts[i];
     const bool begins = modes_[i] == contact::Mode::open;
     contact::Kinematics k = kinematics(i, state, rate);
     if (k.penetration > 0) {
-      // The guard of an open annular stop is in squares; the modes are separated by the penetration itself.
+      // An open annular stop has a guard in squares, but the modes are separated by the penetration itself.
       modes_[i] = contact::Mode::sprung;
       k = kinematics(i, state, rate);
     }
@@ -76,7 +76,7 @@ class ContactForces : public ContactStates<N, Smoothed> {
     modes_[i] = mode_after(i, mode, k);
   }
 
-  /// The guards armed in the mode of contact `i`, and the mode just after an instant at which `mode` may have
+  /// Guards armed in the mode of contact `i`; and the mode just after an instant at which `mode` may have
   /// ended.
   contact::Guards guards(std::size_t i, const contact::Kinematics& k) const {
     return guards(i, modes_[i], k);
@@ -85,11 +85,11 @@ class ContactForces : public ContactStates<N, Smoothed> {
     return contact::mode_after(mode, k, [&](contact::Mode of) { return guards(i, of, k); });
   }
 
-  /// Contact `i` begins to touch with this closing speed: its law may damp it by that.
+  /// Begins an impact at contact `i` with this closing speed, on which its damping may depend.
   void begin_impact(std::size_t i, double closing_speed) { curved_.begin_impact(i, closing_speed); }
   double impact_damping(std::size_t i) const { return curved_.impact_damping(i); }
 
-  /// Normal force in newtons by the law this object integrates.
+  /// Normal force in newtons by the law in use.
   contact::NormalForce normal_force(std::size_t i, double penetration, double closing_speed) const {
     const auto& c = system_.contacts[i];
     if constexpr (Smoothed) {
@@ -116,9 +116,9 @@ class ContactForces : public ContactStates<N, Smoothed> {
     return coefficient(i, f) * normal_force(i, f.penetration, f.closing_speed).spring_n;
   }
 
-  /// Rate at which friction alone changes the slip at contact `i`, over the angular frequency of that
-  /// contact's spring between the masses it joins. Zero where friction does not depend on the slip, and in a
-  /// contact that is open.
+  /// Rate at which friction alone changes the slip at contact `i`, divided by the angular frequency of the
+  /// contact's spring between the masses it joins. Zero where friction does not depend on the slip, and in an
+  /// open contact.
   template <class State>
   double friction_ratio(std::size_t i, const State& state) const {
     const Eigen::Index n = system_.coordinates();
@@ -132,7 +132,7 @@ class ContactForces : public ContactStates<N, Smoothed> {
     return slope * spring_n * std::sqrt(c.mobility() / c.stiffness);
   }
 
-  /// The largest of all contacts that touch.
+  /// Largest friction ratio of all touching contacts.
   template <class State>
   double friction_ratio(const State& state) const {
     double largest = 0;
@@ -148,9 +148,8 @@ class ContactForces : public ContactStates<N, Smoothed> {
   using States::system_;
   using typename States::Contact;
 
-  /// Friction over spring force, which is none of a contact that sticks, and its derivative by the scaled
-  /// slip. A smoothed law takes dry friction over from one way to the other within one smoothing width a
-  /// radian.
+  /// Friction over spring force, 0 for a sticking contact, and its derivative by the scaled slip. A smoothed
+  /// law changes the direction of dry friction within one smoothing width per radian.
   double coefficient(std::size_t i, const contact::ContactFrame& f) const {
     const Contact& c = system_.contacts[i];
     const contact::FrictionTerms& dry = dry_[i];

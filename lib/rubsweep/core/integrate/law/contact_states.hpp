@@ -15,7 +15,7 @@
 
 namespace rubsweep::integrate::law {
 
-/// The motion of the rotor against the casing at one contact, from the coordinates `u` and their rates `v`.
+/// Motion of the rotor relative to the casing at one contact, from the coordinates `u` and their rates `v`.
 template <int N>
 contact::RelativeMotion relative_motion(const run::ScaledContact<N>& c,
                                         const Eigen::Map<const Eigen::Matrix<double, N, 1>>& u,
@@ -24,7 +24,7 @@ contact::RelativeMotion relative_motion(const run::ScaledContact<N>& c,
           c.first_row.dot(v.transpose()), c.second_row.dot(v.transpose())};
 }
 
-/// The same as it is seen from the wall.
+/// Contact frame, seen from the wall, of the motion with coordinates `u` and rates `v`.
 template <int N>
 contact::ContactFrame contact_frame(const run::ScaledContact<N>& c,
                                     const Eigen::Map<const Eigen::Matrix<double, N, 1>>& u,
@@ -37,21 +37,21 @@ double slip_m_per_s(const run::ScaledContact<N>& c, const contact::ContactFrame&
   return c.slip_scale_m_per_s * f.sliding_speed + c.surface_speed_m_per_s;
 }
 
-/// Row that gives the sliding speed from the rates of the coordinates.
+/// Row that maps the rates of the coordinates to the sliding speed.
 template <int N>
 Eigen::Matrix<double, 1, N> tangential_row(const run::ScaledContact<N>& c, const contact::ContactFrame& f) {
   return f.cosine * c.second_row - f.sine * c.first_row;
 }
 
-/// Scaled acceleration per newton of friction on the casing.
+/// Scaled accelerations of the coordinates per newton of friction on the casing.
 template <int N>
 Eigen::Matrix<double, N, 1> tangential_push(const run::ScaledContact<N>& c, const contact::ContactFrame& f) {
   return f.cosine * c.second_push - f.sine * c.first_push;
 }
 
-/// Discrete states of a system's contacts: the mode of each, and with dry friction, which jumps where the
-/// slip reverses, its slip: one way, the other, or sticking at the slip that it has, with the holding forces
-/// and their derivatives by the state. A smoothed law has neither modes nor slips.
+/// Discrete states of a system's contacts. Each contact has a mode. With dry friction, which jumps where the
+/// slip reverses, it also has a slip state: forward, backward, or sticking at its present slip, with holding
+/// forces and their derivatives by the state. A smoothed law has neither modes nor slips.
 template <int N, bool Smoothed>
 class ContactStates {
  public:
@@ -74,17 +74,17 @@ class ContactStates {
   const run::ScaledSystem<N>& system() const { return system_; }
   std::vector<contact::Mode>& modes() { return modes_; }
   const std::vector<contact::Mode>& modes() const { return modes_; }
-  /// Slip states for dry friction; meaningless in contacts that are open or have another friction.
+  /// Slip states for dry friction; undefined for contacts that are open or have other friction.
   std::vector<contact::Slip>& slips() { return slips_; }
   const std::vector<contact::Slip>& slips() const { return slips_; }
 
-  /// Contacts with dry friction that touch, by their numbers.
+  /// Indices of touching contacts with dry friction.
   struct Stuck {
     std::array<std::size_t, contact::most_sticking> list{};
     std::size_t count = 0;
   };
 
-  /// Contacts that stick.
+  /// Contacts that stick at present.
   Stuck stuck_contacts() const {
     Stuck stuck;
     for (std::size_t i = 0; i < slips_.size() && stuck.count < stuck.list.size(); ++i) {
@@ -97,33 +97,33 @@ class ContactStates {
   bool touches_dry(std::size_t i) const {
     return !Smoothed && dry_[i].holding > 0 && modes_[i] != contact::Mode::open;
   }
-  /// Whether it holds harder than it slides, and whether its friction is less as soon as it slips.
+  /// Whether static friction exceeds sliding friction; whether friction drops when the slip begins.
   bool holds_harder(std::size_t i) const { return dry_[i].holding > dry_[i].dry; }
   bool jumps(std::size_t i) const { return dry_[i].jumps(); }
   bool any_dry() const { return !Smoothed && any_dry_; }
 
-  /// Contact `i` has its largest friction, and others that stick keep its slip at zero all the same.
+  /// Whether contact `i` has its largest friction while other sticking contacts keep its slip at zero.
   bool poised(std::size_t i) const { return poised_[i]; }
   const std::vector<bool>& poised() const { return poised_; }
   void poise(std::size_t i, bool so) { poised_[i] = so; }
   bool any_poised() const { return std::ranges::find(poised_, true) != poised_.end(); }
 
-  /// Sets whether no friction was found that obeys the law: then the run is to end.
+  /// Sets whether no friction was found that obeys the law; the run must then end.
   void leave_unsettled(bool so) { unsettled_ = so; }
   bool unsettled() const { return unsettled_; }
 
-  /// Holding friction of a contact that sticks, newtons along its tangent, and the second derivative of its
+  /// Holding friction of a sticking contact, in newtons along its tangent, and the second derivative of its
   /// distance along the normal.
   struct Held {
     double force_n = 0, normal_acceleration = 0;
   };
 
-  /// Holding frictions of the contacts that stick, in the order of `stuck`.
+  /// Holding frictions of the sticking contacts, in the order of `stuck`.
   struct Holding {
     Stuck stuck;
     std::array<Held, contact::most_sticking> held{};
 
-    /// Zero for a contact that does not stick.
+    /// Holding friction of a contact; zero if it does not stick.
     double force_n(std::size_t contact) const {
       for (std::size_t k = 0; k < stuck.count; ++k)
         if (stuck.list[k] == contact) return held[k].force_n;
@@ -131,7 +131,7 @@ class ContactStates {
     }
   };
 
-  /// Adds the friction that holds the contacts that stick to a rate without it.
+  /// Adds to a rate the friction that holds the sticking contacts.
   template <class State>
   Holding hold(const State& state, State& rate) const {
     Holding holding;
@@ -158,7 +158,7 @@ class ContactStates {
     return holding;
   }
 
-  /// Slip of contact `i` in scaled units, and how fast it changes at a rate of the state.
+  /// Slip of contact `i` in scaled units; and its time derivative for a given rate of the state.
   template <class State>
   double slip(std::size_t i, const State& state) const {
     const Contact& c = system_.contacts[i];
@@ -175,7 +175,7 @@ class ContactStates {
            f.sliding_speed * f.closing_speed * f.curvature +
            surface_growth_ * c.surface_speed_m_per_s / c.slip_scale_m_per_s;
   }
-  /// Its derivative by the state.
+  /// Derivative of the slip by the state.
   template <class State>
   Eigen::RowVectorXd slip_gradient(std::size_t i, const State& state) const {
     const contact::ContactFrame f = frame_at(i, state);
@@ -185,7 +185,7 @@ class ContactStates {
     return row;
   }
 
-  /// Mobility of the surfaces of these contacts, and the accelerations of their slips at a rate.
+  /// Mobility of the surfaces of these contacts; and the accelerations of their slips for a given rate.
   template <class State>
   contact::StickMobility mobility(const Stuck& stuck, const State& state) const {
     const auto count = static_cast<Eigen::Index>(stuck.count);
@@ -237,9 +237,9 @@ class ContactStates {
     return contact_frame(system_.contacts[i], ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
   }
 
-  /// Sticking constraint of small changes: with t the tangent and s = t . d' the sliding speed, a contact
-  /// that sticks has t . d'' = s r' / r, whose derivative they obey by the forces that it takes: these, by u
-  /// and by u', a contact a row, from the derivatives of the acceleration without them.
+  /// Derivatives of the holding forces by u and by u', one contact per row, from those of the acceleration
+  /// without these forces. They follow from the sticking constraint of small changes: with the tangent t and
+  /// the sliding speed s = t . d', a sticking contact has t . d'' = s r' / r.
   template <class State>
   std::pair<Eigen::MatrixXd, Eigen::MatrixXd> holding_slopes(const State& state, const Holding& holding,
                                                              const Matrix& by_u, const Matrix& by_v) const {
@@ -254,7 +254,7 @@ class ContactStates {
       const auto along = tangential_row(system_.contacts[i], f);
       const Eigen::Matrix<double, 1, N> across = f.cosine * c.first_row + f.sine * c.second_row;
       const double q = f.curvature, s = f.sliding_speed, v = f.closing_speed;
-      // Derivative of s: t . w' - v q t . w; of r': n . w' + s q t . w; of the tangent: -q (t . w) n.
+      // Derivatives of s: t . w' - v q t . w; of r': n . w' + s q t . w; of the tangent: -q (t . w) n.
       need_u.row(k) =
           along * by_u - (normal_acceleration * q + (s * s - v * v) * q * q) * along + s * v * q * q * across;
       need_v.row(k) = along * by_v - v * q * along - s * q * across;
@@ -282,7 +282,7 @@ class ContactStates {
   std::vector<contact::Slip> slips_;
   std::vector<contact::FrictionTerms> dry_;
   std::vector<bool> poised_;
-  /// Rate of the surface speeds over these themselves; zero at a steady speed.
+  /// Growth rate of the surface speeds relative to themselves; zero at a steady speed.
   double surface_growth_ = 0;
 
  private:

@@ -11,14 +11,14 @@
 
 namespace rubsweep::integrate::law {
 
-/// Contacts of a system whose law is not linear, and the damping c that each has since it began to touch, in
-/// the scaled force S(p) (1 + c p'). Linear ones are here, too, and have none.
+/// Contacts of a system with a non-linear law, and the damping c of each since it began to touch, in the
+/// scaled force S(p) (1 + c p'). Linear contacts have an entry, too, but no damping.
 template <int N>
 class CurvedContacts {
   using Contact = run::ScaledContact<N>;
 
  public:
-  /// `system` must outlive this.
+  /// `system` must outlive this object.
   explicit CurvedContacts(const run::ScaledSystem<N>& system)
       : system_(system), damping_(system.contacts.size(), 0) {
     for (std::size_t i = 0; i < damping_.size(); ++i) begin_impact(i, 0);
@@ -26,7 +26,7 @@ class CurvedContacts {
 
   double impact_damping(std::size_t i) const { return damping_[i]; }
 
-  /// Contact `i` begins to touch with this closing speed.
+  /// Begins an impact at contact `i` with this closing speed.
   void begin_impact(std::size_t i, double closing_speed) {
     const Contact& c = system_.contacts[i];
     if (!c.law) return;
@@ -37,8 +37,8 @@ class CurvedContacts {
     damping_[i] = c.law->factor() / approach;
   }
 
-  /// The same of a run that begins there, maybe in the wall: with the speed at which a free mass that is
-  /// there now would have touched.
+  /// Begins an impact for a run that starts there, perhaps inside the wall: the approach speed is that with
+  /// which a free mass in this state would have begun to touch.
   void begin_inside(std::size_t i, const contact::Kinematics& k) {
     const Contact& c = system_.contacts[i];
     if (!c.law) return;
@@ -46,7 +46,7 @@ class CurvedContacts {
     begin_impact(i, std::sqrt(k.closing_speed * k.closing_speed + 2 * c.mobility() * energy));
   }
 
-  /// A function of its own, so that linear contacts do not pay for its registers.
+  /// A separate function, so that linear contacts do not pay for its registers.
   [[gnu::noinline]] contact::NormalForce force(std::size_t i, contact::Mode mode, double p, double v) const {
     if (mode == contact::Mode::open) return {};
     const double spring = spring_n(i, p);

@@ -11,8 +11,8 @@
 
 namespace rubsweep::integrate::law {
 
-/// Right-hand side of a scaled system as Odeint takes it, u then u' in one state, and its derivatives. Any
-/// state with contiguous doubles behind operator[] will do. A contact that sticks keeps the slip that it has.
+/// Right-hand side of a scaled system for Odeint, with u then u' in one state, and its derivatives. A state
+/// may be any type with contiguous doubles behind operator[]. A sticking contact keeps its slip.
 template <int N, bool Smoothed>
 class Dynamics : public ContactForces<N, Smoothed> {
   using Forces = ContactForces<N, Smoothed>;
@@ -28,14 +28,14 @@ class Dynamics : public ContactForces<N, Smoothed> {
 
   Dynamics(const run::ScaledSystem<N>& system, double smoothing_width) : Forces(system, smoothing_width) {}
 
-  /// `phase` in [0, 2 pi]: the revolution is an integer kept elsewhere, so that phases stay exact for ever.
+  /// `phase` in [0, 2 pi]; revolutions are counted elsewhere, so that phases never lose accuracy.
   template <class State>
   void operator()(const State& state, State& rate, double phase) const {
     loose(state, rate, phase);
     if (this->any_dry()) this->hold(state, rate);
   }
 
-  /// The same without the friction that holds sticking contacts.
+  /// Right-hand side without the friction that holds sticking contacts.
   template <class State>
   void loose(const State& state, State& rate, double phase) const {
     ++rhs_calls_;
@@ -58,16 +58,16 @@ class Dynamics : public ContactForces<N, Smoothed> {
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) add_contact(i, u, v, acceleration);
   }
 
-  /// Derivatives of the acceleration by u and by u', n x n, by the law in force; `holding` is what `hold`
-  /// returned at this state.
+  /// Derivatives of the acceleration by u and by u', n x n, for the present modes; `holding` is the result of
+  /// `hold` at this state.
   template <class State>
   void slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
     given_slopes(state, holding, by_u, by_v);
     this->hold_slopes(state, holding, by_u, by_v);
   }
 
-  /// Derivative by the state of the distance from its bound of the friction that holds contact `i`, in the
-  /// direction of `slip`; `rate` is scratch.
+  /// Derivative, by the state, of the reserve of contact `i`, which sticks: the friction limit minus its
+  /// holding friction in the direction of `slip`. `rate` is scratch.
   template <class State>
   Eigen::RowVectorXd reserve_gradient(std::size_t i, contact::Slip slip, const State& state, State& rate,
                                       double phase) const {
@@ -88,8 +88,8 @@ class Dynamics : public ContactForces<N, Smoothed> {
     return gradient;
   }
 
-  /// d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), by the law in force. `j(row, column)` is a reference to
-  /// one entry.
+  /// Jacobian d(rate)/d(state), 2n x 2n, and d(rate)/d(phase), for the present modes. `j(row, column)` is a
+  /// reference to one entry.
   template <class State, class Jacobian>
   void jacobian(const State& state, Jacobian&& j, double phase, State& phase_rate) const {
     const Eigen::Index n = system_.coordinates();
@@ -118,18 +118,18 @@ class Dynamics : public ContactForces<N, Smoothed> {
     });
   }
 
-  /// State that a run starts with at `section`.
+  /// State with which a run starts at `section`.
   std::vector<double> whole_state(std::vector<double> section) const { return section; }
 
   double smoothing_width() const { return smoothing_width_; }
   long rhs_calls() const { return rhs_calls_; }
 
-  /// Sets the pulses of the system that act from here on, in radians; `pulses` must outlive this. Before,
-  /// the second harmonic alone acts.
+  /// Sets the pulses that act from now on, with times in radians; `pulses` must outlive this object. Without
+  /// this call only the second harmonic acts.
   void follow(const run::PulseTimes& pulses) { pulses_ = &pulses; }
 
  private:
-  /// As `slopes`, with the friction that holds as it is.
+  /// The same as `slopes`, but with constant holding friction.
   template <class State>
   void given_slopes(const State& state, const Holding& holding, Matrix& by_u, Matrix& by_v) const {
     const Eigen::Index n = system_.coordinates();
@@ -176,7 +176,7 @@ class Dynamics : public ContactForces<N, Smoothed> {
     }
   }
 
-  /// f = F(p, v) n + mu(s) S(p) t with n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
+  /// For f = F(p, v) n + mu(s) S(p) t with n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
   void add_contact_slopes(std::size_t i, const Holding& holding, const ConstMap& u, const ConstMap& v,
                           Matrix& by_u, Matrix& by_v) const {
     const Contact& c = system_.contacts[i];

@@ -4,8 +4,8 @@
 
 namespace rubsweep::integrate::law {
 
-/// A copy that a right-hand side may change as it goes, for a base of it that refers to one: it must be there
-/// before that base is.
+/// Copy of a system that a right-hand side may change. It is a base class so that it exists before the base
+/// that refers to it.
 template <int N>
 struct OwnSystem {
   explicit OwnSystem(const run::ScaledSystem<N>& system) : own(system) {}

@@ -10,21 +10,21 @@
 
 namespace rubsweep::integrate::law {
 
-/// A poised contact whose slip is within this (as contact::no_slip) of zero stands. Where it leaves that
-/// against its friction, it is settled anew.
+/// Zero band of the slip of a poised contact (compare contact::no_slip). A contact that leaves it against its
+/// friction is settled anew.
 inline constexpr double poised_slip = 1e-11;
 
 template <class Law, class State>
 bool stands(const Law& law, std::size_t i, const State& state) {
   const auto& c = law.system().contacts[i];
   const double surface = c.surface_speed_m_per_s / c.slip_scale_m_per_s;
-  // A contact that is settled anew may be past the edge, and poised again.
+  // A contact that is settled anew may be slightly outside the band, and poised again.
   const double near = law.poised(i) ? 2 * poised_slip : contact::no_slip;
   return std::abs(law.slip(i, state)) <= near * std::max(1.0, std::abs(surface));
 }
 
-/// Lists the contacts with zero slip: those that stick, or whose slip is zero, and those selected by
-/// `besides`, but for those excluded by `never`. None is poised from here on. False where they are too many.
+/// Lists the contacts with zero slip: those that stick, those within the zero band, and those selected by
+/// `besides`, without those excluded by `never`. None of them remains poised. False where there are too many.
 template <class Law, class State, class Besides, class Never>
 bool find_standing(Law& law, const State& state, const Besides& besides, const Never& never,
                    typename Law::Stuck& standing) {
@@ -40,8 +40,8 @@ bool find_standing(Law& law, const State& state, const Besides& besides, const N
   return true;
 }
 
-/// Decides stick or slip for these contacts from here on. `more` is the acceleration of their slips beside
-/// that by the forces of all others.
+/// Decides stick or slip for these contacts. `more` is an additional acceleration of their slips, beside that
+/// by all other forces.
 template <class Law, class State>
 void settle_standing(Law& law, const typename Law::Stuck& standing, const State& state, State& rate,
                      double phase, const contact::StickVector& more) {
@@ -64,7 +64,7 @@ void settle_standing(Law& law, const typename Law::Stuck& standing, const State&
   }
 }
 
-/// Decides stick or slip for every contact with zero slip velocity: those that stick, those that stand, and
+/// Decides stick or slip for all contacts with zero slip: those that stick, those within the zero band, and
 /// those selected by `besides`. `rate` is scratch for a rate of the state.
 template <class Law, class State, class Besides>
 void settle_slips(Law& law, const State& state, State& rate, double phase, const Besides& besides) {
@@ -75,14 +75,14 @@ void settle_slips(Law& law, const State& state, State& rate, double phase, const
   settle_standing(law, standing, state, rate, phase, contact::StickVector::Zero(count));
 }
 
-/// Releases contact `i`, which sticks and whose friction has come to its limit in the direction of `slip`.
-/// Poised contacts may have to hold it from here on, and are settled again for a slightly larger load: the
-/// part of its load that `i` can no longer take. The friction of all is continuous, unless that of `i` is
-/// less as soon as it slips: then all are settled, as others may not hold what it leaves to them. True where
-/// there was something to settle. `rate` is scratch.
+/// Releases the sticking contact `i`, whose friction has reached its limit in the direction of `slip`. Poised
+/// contacts may have to hold its load instead; they are settled again for a slightly larger load, the part
+/// that `i` can no longer take. All frictions are continuous unless that of `i` drops as soon as it slips. In
+/// that case all contacts are settled, because others may be unable to take over. True where contacts were
+/// settled. `rate` is scratch.
 template <class Law, class State>
 bool let_go(Law& law, std::size_t i, contact::Slip slip, const State& state, State& rate, double phase) {
-  constexpr double little = 1e-9;  // of the limit: above rounding of the forces
+  constexpr double little = 1e-9;  // share of the limit: above rounding of the forces
   const double asked_n = contact::sign_of(slip) * little * law.largest_friction_n(i, state);
   const bool all = law.jumps(i);
   if (!all) law.slips()[i] = slip;
@@ -104,7 +104,7 @@ bool let_go(Law& law, std::size_t i, contact::Slip slip, const State& state, Sta
   return true;
 }
 
-/// Direction in which contact `i` slips, from the state alone; zero slips are left to `settle_slips`.
+/// Sets the slip direction of contact `i` from the state; zero slips are left to `settle_slips`.
 template <class Law, class State>
 void take_slip_of_state(Law& law, std::size_t i, const State& state) {
   law.slips()[i] = stands(law, i, state)    ? contact::Slip::sticking
@@ -112,7 +112,7 @@ void take_slip_of_state(Law& law, std::size_t i, const State& state) {
                                             : contact::Slip::backward;
 }
 
-/// All of them.
+/// Sets the slip states of all contacts from the state.
 template <class Law, class State>
 void enter_slips_by_state(Law& law, const State& state, State& rate, double phase) {
   if (!law.any_dry()) return;
@@ -124,9 +124,9 @@ void enter_slips_by_state(Law& law, const State& state, State& rate, double phas
   settle_slips(law, state, rate, phase, [](std::size_t) { return false; });
 }
 
-/// A small change of a state, one a column, across the instant at which `rate` becomes another one because a
-/// function of this gradient, which changes at the rate `way`, has come to zero (Leine & Nijmeijer, Dynamics
-/// and Bifurcations of Non-Smooth Mechanical Systems, eq. 7.46: the saltation matrix).
+/// Saltation matrix applied to small changes of a state, one per column, at an instant where an event
+/// function reaches zero and `rate` jumps. `gradient`: derivative of the event function by the state; `way`:
+/// its rate (Leine & Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical Systems, eq. 7.46).
 template <class State, class Changes>
 void cross(const Eigen::RowVectorXd& gradient, double way, const State& rate_before, const State& rate_after,
            Changes&& changes) {
@@ -139,7 +139,7 @@ void cross(const Eigen::RowVectorXd& gradient, double way, const State& rate_bef
   }
 }
 
-/// The same where the slip of contact `i` has come to zero. Where it sticks, no change lets it slip.
+/// Applies `cross` where the slip of contact `i` reaches zero. If it then sticks, no change lets it slip.
 template <class Law, class State, class Changes>
 void cross_slip(const Law& law, std::size_t i, const State& state, const State& rate_before,
                 const State& rate_after, Changes&& changes) {

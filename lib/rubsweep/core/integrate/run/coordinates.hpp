@@ -5,9 +5,9 @@
 
 namespace rubsweep::integrate::run {
 
-/// `start(std::integral_constant<int, N>{})` with the number of coordinates as a constant where it is usual
-/// (a rotor with no, one or two moving casings), else with Eigen::Dynamic. The specialised model is chosen
-/// here, once per run.
+/// Calls `start(std::integral_constant<int, N>{})`. N is the number of coordinates if it is a usual one (a
+/// rotor with no, one or two moving casings), else Eigen::Dynamic. The specialised model is chosen here, once
+/// per run.
 template <class Start>
 decltype(auto) with_coordinates(Eigen::Index coordinates, const Start& start) {
   switch (coordinates) {

@@ -14,8 +14,8 @@ const double last_phase = std::nextafter(numerics::full_turn, 0.0);
 
 }  // namespace
 
-/// Number of the first impulse not before the start of a revolution: no rounding can make one fall between
-/// two revolutions, or into both.
+/// Number of the first impulse at or after the start of a revolution. Rounding can neither lose an impulse
+/// between two revolutions nor put it into both.
 Impulses::TrainPosition Impulses::position(const Train& train, long revolution) {
   const double periods = static_cast<double>(revolution) * train.multiple, whole = std::floor(periods);
   const double rest = periods - whole;
@@ -51,10 +51,12 @@ void Impulses::begin_turn(long revolution) {
 }
 
 bool same_every_turn(const scene::Scene& scene) {
-  return std::ranges::all_of(
-             scene.impulses,
-             [](const auto& train) { return train.multiple == std::floor(train.multiple); }) &&
-         std::ranges::none_of(scene.contacts, [](const auto& c) { return c.law && c.law->remembers(); });
+  return std::ranges::all_of(scene.impulses,
+                             [](const auto& train) { return train.multiple == std::floor(train.multiple); });
+}
+
+bool remembers_impacts(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.contacts, [](const auto& c) { return c.law && c.law->remembers(); });
 }
 
 }  // namespace rubsweep::integrate::run

@@ -9,7 +9,7 @@
 
 namespace rubsweep::integrate::run {
 
-/// Adds an impulse to the velocities of a state of `scale`, u then u', with whatever stands behind them.
+/// Adds an impulse to the velocities of a state (u, u', then any further members) in the units of `scale`.
 template <class State>
 void add_impulse(const Eigen::VectorXd& jump_m_per_s, const StateScale& scale, State& state) {
   const auto n = static_cast<std::size_t>(jump_m_per_s.size());
@@ -17,15 +17,15 @@ void add_impulse(const Eigen::VectorXd& jump_m_per_s, const StateScale& scale, S
     state[n + j] += jump_m_per_s(static_cast<Eigen::Index>(j)) / scale.unit_velocity_m_per_s();
 }
 
-/// The impulses of a scene, turn by turn. Instants repeat to the last bit where a whole number of impulses
-/// fits into a turn.
+/// The impulses of a scene, turn by turn. Where a whole number of impulses fits into a turn, their instants
+/// repeat exactly, bit by bit.
 class Impulses {
  public:
   explicit Impulses(const scene::Scene& scene);
 
   bool none() const { return trains_.empty(); }
 
-  /// Lists the instants of a revolution of the run. One at phase 0 belongs to the revolution that begins.
+  /// Lists the instants of a revolution. An impulse at phase 0 belongs to the revolution that begins.
   void begin_turn(long revolution);
 
   /// Phase of the next impulse, in [0, 2 pi); infinity when this revolution has no more.
@@ -38,10 +38,10 @@ class Impulses {
 
  private:
   struct Train {
-    Eigen::VectorXd jump_m_per_s;  ///< mass^-1 impulse
+    Eigen::VectorXd jump_m_per_s;  ///< jump by an impulse: mass^-1 impulse
     double multiple = 0, phase_periods = 0;
   };
-  /// Position of a train at the start of a revolution, in periods, and its next impulse there.
+  /// Position of a train at the start of a revolution, in periods, and its next impulse in that revolution.
   struct TrainPosition {
     double whole = 0, rest = 0, next = 0;
   };
@@ -54,12 +54,14 @@ class Impulses {
 
   std::vector<Train> trains_;
   long elapsed_revolutions_ = 0;
-  std::vector<Instant> instants_;  ///< of this revolution, ascending; never grows after the first
+  std::vector<Instant> instants_;  ///< instants of this revolution, ascending; never grows after the first
   std::size_t next_ = 0;
 };
 
-/// True when a section decides the revolutions after it: every one gets its impulses at the same phases, and
-/// no contact goes by how fast it began to touch.
+/// True when every revolution gets its impulses at the same phases.
 bool same_every_turn(const scene::Scene& scene);
+
+/// Whether a contact is damped by how fast it began to touch, which a section that touches does not say.
+bool remembers_impacts(const scene::Scene& scene);
 
 }  // namespace rubsweep::integrate::run

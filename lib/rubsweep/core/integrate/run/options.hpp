@@ -11,9 +11,9 @@ namespace rubsweep::integrate::run {
 
 enum class Method { automatic, exact, adaptive };
 
-/// Method of the adaptive solver. Descriptions and makers: adaptive/stepper_table.
+/// Method of the adaptive solver. Descriptions and factory functions are in adaptive/stepper_table.
 enum class Stepper {
-  automatic,  ///< dopri5, and rosenbrock4 for the steps that start in stiff friction
+  automatic,  ///< dopri5, but rosenbrock4 for steps that start in stiff friction
   dopri5,
   cash_karp54,
   rkf78,
@@ -23,11 +23,11 @@ enum class Stepper {
 
 /// Treatment of a change of contact mode by a stepper.
 enum class ContactHandling {
-  located,   ///< stops at every mode switch, found to rounding
+  located,   ///< stops at every mode switch, located to rounding
   smoothed,  ///< integrates through, with a C1 blend of the law over `smoothing_m`
 };
 
-/// Words of the configuration and of tables.
+/// Words in the configuration and in tables.
 constexpr std::string_view to_string(Method method) {
   return method == Method::automatic ? "auto" : enumerator_word(method);
 }
@@ -42,9 +42,9 @@ struct SolverOptions {
   Method method = Method::automatic;
   Stepper stepper = Stepper::automatic;
   ContactHandling contact = ContactHandling::located;
-  double relative_tolerance = 1e-8;  ///< absolute tolerance is this times (clearance, clearance omega)
-  double smoothing_m = 1e-7;         ///< penetration width of the blend, `smoothed` only
-  long max_steps_per_revolution = 1'000'000;  ///< accepted and refused steps; more ends the run as step_limit
+  double relative_tolerance = 1e-8;  ///< absolute tolerance: times clearance, or clearance times speed
+  double smoothing_m = 1e-7;         ///< penetration width of the blend; only for `smoothed`
+  long max_steps_per_revolution = 1'000'000;  ///< limit of accepted plus refused steps; beyond it: step_limit
 
   static constexpr model::Range relative_tolerance_range{.low = 1e-14, .high = 1e-2};
   static constexpr model::Range smoothing_range = model::positive;
@@ -68,7 +68,7 @@ struct SolverOptions {
   }
 };
 
-/// Whether a run by these options may have contacts whose law is not linear.
+/// Whether a run with these options supports contacts with a non-linear law.
 constexpr bool knows_curved_laws(const SolverOptions& options) {
   return options.method != Method::exact && options.contact == ContactHandling::located;
 }
@@ -76,11 +76,10 @@ inline constexpr std::string_view no_curved_laws =
     "solver: method exact and contact smoothed know linear contacts alone, allowed: method auto or adaptive "
     "with contact located beside a law of another kind";
 
-/// `automatic` takes the implicit stepper where friction alone would change the slip faster than this many
-/// times the contact's own angular frequency: 4 tolerance^(-1/4). Below it dopri5 needs less time although
-/// its steps are limited by stability (h rate < 3.3), because it is five times cheaper per step and accuracy
-/// makes rosenbrock4, of order 4, take steps of about 8 tolerance^(1/4) / frequency. Measured by
-/// studies/cost/stiff_friction_table.
+/// `automatic` uses the implicit stepper where friction alone would change the slip faster than this many
+/// times the contact's own angular frequency: 4 tolerance^(-1/4). Below it dopri5 takes less time: its steps
+/// are limited by stability (h rate < 3.3), but cost a fifth. For accuracy rosenbrock4, of order 4, needs
+/// steps of about 8 tolerance^(1/4) / frequency. Measured by studies/cost/stiff_friction_table.
 inline double stiff_friction_ratio(double relative_tolerance) {
   return 4 / std::pow(relative_tolerance, 0.25);
 }

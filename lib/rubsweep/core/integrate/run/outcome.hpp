@@ -6,17 +6,17 @@
 
 namespace rubsweep::integrate::run {
 
-/// How a stretch of integration ended, by any solver. A cell that cannot be integrated is a result like any
-/// other, so that this is a value and not an exception.
+/// End of a stretch of integration, for all solvers. A cell that cannot be integrated is a normal result, so
+/// that this is a value and not an exception.
 enum class Outcome {
   ok,
   step_limit,          ///< more steps in one revolution than allowed
-  step_too_small,      ///< the step control asked for a step below rounding of the phase
-  non_finite,          ///< the state left the finite numbers
-  friction_unsettled,  ///< no friction was found that obeys the law at all contacts with slip zero
-  // Endings of closed forms alone, which leave the revolution to another solver: no run ends with them.
-  no_closed_form,  ///< touching an annular stop, an undamped resonance
-  unsaturated,     ///< up to here there was one: the friction of a touching contact leaves saturation
+  step_too_small,      ///< the step control needs a step below the rounding of the phase
+  non_finite,          ///< the state is no longer finite
+  friction_unsettled,  ///< no friction obeys the law at all contacts with slip zero
+  // Results of closed forms only, after which another solver makes the revolution: no run ends with them.
+  no_closed_form,  ///< touching an annular stop, or an undamped resonance
+  unsaturated,     ///< closed form up to this point, where friction of a touching contact leaves saturation
 };
 
 constexpr std::string_view to_string(Outcome outcome) { return enumerator_word(outcome); }

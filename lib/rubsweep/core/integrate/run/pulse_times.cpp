@@ -32,8 +32,8 @@ bool PulseTimes::begin_turn(long revolution) {
   return look(0);
 }
 
-/// A pulse acts from its beginning up to, but not at its end, so that an instant that a run was steered to
-/// belongs to what comes after it.
+/// Updates which pulses act. A pulse acts from its beginning up to, but not at, its end: an instant at which
+/// a run stops belongs to what follows.
 bool PulseTimes::look(double time) {
   bool changed = false;
   next_change_ = std::numeric_limits<double>::infinity();

@@ -42,14 +42,14 @@ ScaledContact<N> scale_contact(const scene::Contact& contact, const scene::Scene
   return scaled;
 }
 
-/// `system` has its structure and its constant forces.
+/// `system` must already have its structure and its constant forces.
 template <int N>
 ScaledCasing<N> scale_casing(std::size_t contact, const structure::Point& point,
                              const ScaledSystem<N>& system) {
   ScaledCasing<N> casing;
   casing.contact = contact;
   casing.map = point.map;
-  // Both coordinates of a casing are alike and coupled to nothing.
+  // Both coordinates of a casing have equal coefficients and are uncoupled.
   casing.rate = std::sqrt(casing.map.row(0).dot(casing.map.row(0) * system.stiffness));
   casing.sag = casing.map * system.constant / (casing.rate * casing.rate);
   return casing;

@@ -15,50 +15,50 @@
 
 namespace rubsweep::integrate::run {
 
-/// One contact in scaled units. Forces stay in newtons, so that peaks and `push` need no second scale.
-/// Vectors at the contact are written in two fixed directions: normal and tangent of a flat wall, x and y in
-/// an annular stop.
+/// One contact in scaled units. Forces stay in newtons, so that peaks and `push` need no further scale.
+/// Vectors at the contact are given in two fixed directions: normal and tangent of a flat wall, x and y in an
+/// annular stop.
 template <int N>
 struct ScaledContact {
   /// d = (first_row u + offset[0], second_row u + offset[1])
   Eigen::Matrix<double, 1, N> first_row, second_row;
   Eigen::Matrix<double, N, 1> first_push, second_push;  ///< scaled acceleration per newton on the casing
-  contact::Wall wall;              ///< its shape; displacements are measured from `offset`
-  std::array<double, 2> offset{};  ///< of the wall, in the two directions
+  contact::Wall wall;              ///< shape of the wall; displacements count from `offset`
+  std::array<double, 2> offset{};  ///< offset of the wall in the two directions
   double clearance = 0;
   double stiffness = 0;  ///< N per scaled penetration
   double damping = 0;    ///< N per scaled closing speed
   model::Friction friction;
   double slip_scale_m_per_s = 0;  ///< slip = slip_scale * (d' . tangent) + surface speed
   double surface_speed_m_per_s = 0;
-  /// Law of a contact that is no straight line, whose `stiffness` is a secant and `damping` 0; else null.
+  /// Law of a non-linear contact, for which `stiffness` is a secant and `damping` 0; otherwise null.
   std::shared_ptr<const contact::CurvedLaw> law;
-  double length_m = 0;  ///< L, the unit of penetrations
+  double length_m = 0;  ///< L, the length unit of penetrations
 
-  /// Scaled relative acceleration of rotor and casing along the first direction per newton between them.
+  /// Scaled relative acceleration of rotor and casing along the first direction, per newton between them.
   double mobility() const { return -first_row.dot(first_push.transpose()); }
 };
 
-/// A half-sine pulse, as a part of the acceleration: top sin(rate * time since its start) while it acts.
+/// A half-sine pulse as part of the acceleration: top sin(rate * time since its start) while it acts.
 template <int N>
 struct ScaledPulse {
   Eigen::Matrix<double, N, 1> top;
   double rate = 0;  ///< angle of the half-sine per radian of rotation
-  /// Not empty: a part of the second harmonic, which always acts. Time from its start to that of every
-  /// revolution.
+  /// Not empty: a part of the second harmonic, which always acts. The value is the time from its start to the
+  /// start of every revolution.
   std::optional<double> always_elapsed{};
 };
 
-/// The casing behind a contact. Nothing but the contact and its own spring acts on it, so that its vibration
-/// while the contact is open is an oscillator's, whose energy never grows.
+/// The casing behind a contact. Only the contact and its own mount act on it, so that with an open contact it
+/// vibrates as an oscillator whose energy never grows.
 template <int N>
 struct ScaledCasing {
   std::size_t contact = 0;
   Eigen::Matrix<double, 2, N> map;  ///< (x, y) in units of L
-  Eigen::Vector2d sag;              ///< where constant forces hold it
-  double rate = 0;                  ///< its undamped angular frequency
+  Eigen::Vector2d sag;              ///< position under constant forces
+  double rate = 0;                  ///< undamped angular frequency
 
-  /// No displacement from here on is larger while the contact is open: the energy bounds the vibration.
+  /// Upper bound of all later displacements while the contact is open: the energy bounds the vibration.
   template <class State>
   double reach(const State& state) const {
     const Eigen::Index n = state.size() / 2;
@@ -67,9 +67,9 @@ struct ScaledCasing {
   }
 };
 
-/// A scene in the units of a StateScale. That of its sections makes every tolerance a pure number: length in
-/// L = scene.length_scale_m, time in radians of shaft rotation. With the mass matrix already divided out, its
-/// equations of motion are
+/// A scene in the units of a StateScale. The scale of its sections makes every tolerance a pure number:
+/// length in L = scene.length_scale_m, time in radians of shaft rotation. After division by the mass matrix,
+/// the equations of motion are
 ///
 ///     u'' = -stiffness u - damping u' + cosine cos(phase) + sine sin(phase) + constant + pulses + contacts.
 ///
@@ -79,25 +79,25 @@ struct ScaledSystem {
   using Vector = Eigen::Matrix<double, N, 1>;
   using Matrix = Eigen::Matrix<double, N, N>;
 
-  bool diagonal = false;  ///< stiffness and damping are diagonal: the diagonals below suffice
+  bool diagonal = false;  ///< true: stiffness and damping are diagonal; the diagonals suffice
   Vector stiffness_diagonal, damping_diagonal;
   Matrix stiffness, damping;
   Vector cosine, sine, constant;
-  /// As those of the scene, then the parts of its second harmonic; PulseTimes says when they act.
+  /// Pulses of the scene, then the parts of its second harmonic; PulseTimes knows when they act.
   std::vector<ScaledPulse<N>> pulses;
   Eigen::Matrix<double, 2, N> observed;  ///< (x, y) of the observed point in units of L
   std::vector<ScaledContact<N>> contacts;
-  std::vector<ScaledCasing<N>> casings;  ///< the moving ones
+  std::vector<ScaledCasing<N>> casings;  ///< the moving casings
   StateScale scale;
 
   Eigen::Index coordinates() const { return stiffness_diagonal.size(); }
 };
 
-/// Divides out mass and units. Throws SolverError when the scene's coordinates are not N.
+/// The scene in scaled units, divided by its mass matrix. Throws SolverError if it has not N coordinates.
 template <int N>
 ScaledSystem<N> scale(const scene::Scene& scene, const StateScale& scale);
 
-/// The same in the scale of the scene's sections.
+/// Converts a scene to the scale of its sections.
 template <int N>
 ScaledSystem<N> scale(const scene::Scene& scene) {
   return scale<N>(scene, state_scale(scene));

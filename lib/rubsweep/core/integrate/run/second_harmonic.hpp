@@ -7,14 +7,14 @@
 
 namespace rubsweep::integrate::run {
 
-/// A part of a force that repeats twice per revolution: top_n sin(4 pi (turns + turns_ahead)). To the solvers
-/// it is a half-sine pulse that does not end, its time counted anew in every revolution.
+/// A part of a force that repeats twice per revolution: top_n sin(4 pi (turns + turns_ahead)). The solvers
+/// treat it as a half-sine pulse that never ends; its time restarts in every revolution.
 struct HarmonicPart {
   Eigen::VectorXd top_n;   ///< n: generalised forces
-  double turns_ahead = 0;  ///< turns of the shaft from the start of its sine to that of a revolution
+  double turns_ahead = 0;  ///< turns of the shaft from the start of its sine to the start of a revolution
 };
 
-/// The second harmonic of a scene: its cosine and its sine, or nothing.
+/// Parts of the second harmonic of a scene: its cosine and its sine, or none.
 std::vector<HarmonicPart> second_harmonic(const scene::Scene& scene);
 
 }  // namespace rubsweep::integrate::run

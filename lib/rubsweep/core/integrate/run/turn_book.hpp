@@ -6,7 +6,7 @@
 
 namespace rubsweep::integrate::run {
 
-/// Work of two solvers together. A member of Effort that is not named here does not compile.
+/// Work of two solvers together. If a member of Effort is missing here, this does not compile.
 inline Effort operator+(const Effort& a, const Effort& b) {
   const auto& [rhs_calls, steps, refused, switches, implicit_steps, taylor_turns, taylor_pieces, creep_pieces,
                taylor_work, adaptive_turns] = b;
@@ -22,11 +22,11 @@ inline Effort operator+(const Effort& a, const Effort& b) {
           .adaptive_turns = a.adaptive_turns + adaptive_turns};
 }
 
-/// Life of a turn as every solver keeps it: its number, its limit of steps, progress, changes of mode and
+/// Bookkeeping of a turn for all solvers: its number, its limit of steps, progress, changes of mode and
 /// contact, and the work of the run so far.
 class TurnBook {
  public:
-  long revolution = 0;  ///< the one that is made, or comes next
+  long revolution = 0;  ///< number of the present turn, or of the next one
   Effort effort;
 
   void begin_turn(const TurnRequest& request) {
@@ -42,7 +42,7 @@ class TurnBook {
     --limit_;
   }
 
-  /// Whether so many changes of mode made no progress that this instant is to be stepped over.
+  /// Whether so many changes of mode made no progress that the solver must step over this instant.
   bool stands_still() const { return standstill_ >= longest_standstill; }
   bool made_progress() const { return standstill_ == 0; }
   void note_progress(bool made) { standstill_ = made ? 0 : standstill_ + 1; }
@@ -52,8 +52,7 @@ class TurnBook {
     report.add(change, switches_listed_);
   }
 
-  /// The turn is complete: the shares of its steps add up to it but for rounding, and a landing may go back
-  /// by rounding.
+  /// Ends the turn. The contact fraction is clamped, because its parts add up to 1 only within rounding.
   void end_turn(bool touching, TurnReport& report) {
     ++revolution;
     report.contact_fraction = std::clamp(report.contact_fraction, 0.0, 1.0);
@@ -63,12 +62,12 @@ class TurnBook {
  private:
   static constexpr int longest_standstill = 16;
 
-  long limit_ = 0;  ///< largest effort.steps
+  long limit_ = 0;  ///< largest allowed effort.steps
   int standstill_ = 0;
   bool switches_listed_ = false;
 };
 
-/// Adds a stretch in contact, so many turns long.
+/// Adds a stretch of contact that lasts this many turns.
 inline void add_contact(double turns, TurnReport& report) {
   report.touched = true;
   report.contact_fraction += turns;

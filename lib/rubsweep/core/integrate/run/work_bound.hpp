@@ -8,11 +8,11 @@
 
 namespace rubsweep::integrate::run {
 
-// Work is counted in evaluations of the right-hand side, about 0.1 microseconds each for a rotor with one
-// casing. A count and not a time, so that a run ends at the same place on every host.
+// Work is counted in evaluations of the right-hand side, each about 0.1 microseconds for a rotor with one
+// casing. A count instead of a time makes a run end at the same place on every computer.
 
-/// Work of a step of closed forms, and of an expansion into a Taylor series, in evaluations of about the same
-/// time; that of a tangent vector is a share of the motion's.
+/// Work of a step with closed forms and of a Taylor expansion, as a number of evaluations that take about the
+/// same time; the work for a tangent vector is a share of that for the motion.
 inline constexpr double work_of_a_step = 2, work_of_an_expansion = 50, share_of_a_tangent = 1.0 / 3;
 
 /// Work of a run since its start.
@@ -22,22 +22,22 @@ inline double work(const Effort& effort) {
          work_of_an_expansion * effort.taylor_work;
 }
 
-/// Largest number of evaluations of an adaptive turn, for its steps and the searches for events inside them:
-/// those of as many steps by dopri5 as a turn may take, and a third more.
+/// Largest number of evaluations in an adaptive turn, for its steps and for event searches inside them: as
+/// many as the maximum of dopri5 steps takes, plus a third.
 inline long most_evaluations_of_a_turn(const SolverOptions& options) {
   return 8 * options.max_steps_per_revolution;
 }
 
-/// Largest number of Taylor pieces of a turn: as much work, but never fewer than the smallest limit of
+/// Largest number of Taylor pieces in a turn: the same work, but never fewer than the smallest limit of
 /// steps.
 inline long most_pieces_of_a_turn(const SolverOptions& options) {
   return std::min(options.max_steps_per_revolution,
                   std::max(SolverOptions::max_steps_low, options.max_steps_per_revolution / 10));
 }
 
-/// Work of a whole run, whatever the solver: that of ten of the dearest turns. A smaller limit of a turn does
-/// not shorten runs whose turns are cheap. With more than four coordinates, those of a rotor with one casing,
-/// each evaluation takes longer, in proportion, and there are fewer.
+/// Largest work of a whole run with any solver: about ten of the most expensive turns. A limit of steps below
+/// the default does not shorten runs of cheap turns. With more than four coordinates (a rotor with one
+/// casing) each evaluation takes longer, and the number is reduced in proportion.
 inline double most_work_of_a_run(const SolverOptions& options, Eigen::Index coordinates) {
   constexpr double usual_coordinates = 4;
   const long steps = std::max(options.max_steps_per_revolution, SolverOptions{}.max_steps_per_revolution);
@@ -45,7 +45,7 @@ inline double most_work_of_a_run(const SolverOptions& options, Eigen::Index coor
          std::min(1.0, usual_coordinates / static_cast<double>(coordinates));
 }
 
-/// Budget of work that several share. Counts down by `spend`, and stays used up.
+/// Budget of work for several users. `spend` reduces it; once used up, it stays so.
 class WorkBudget {
  public:
   explicit WorkBudget(double work) : left_(work) {}

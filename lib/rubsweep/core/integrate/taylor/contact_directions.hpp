@@ -10,14 +10,14 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// A vector of coordinates in a contact's two directions.
+/// Components of a coordinate vector in a contact's two directions.
 template <int N, class Vector>
 numerics::Twin at_contact(const run::ScaledContact<N>& c, const Vector& of) {
   return numerics::Twin{c.first_row.dot(of), c.second_row.dot(of)};
 }
 
-/// Projection of a structure whose coordinates come in pairs onto a contact's two directions: the motion of
-/// the contact, and the accelerations by its force.
+/// Projection of a structure whose coordinates form pairs onto a contact's two directions: the motion of the
+/// contact, and the accelerations by its force.
 template <int N>
 class AnyDirections {
  public:
@@ -31,13 +31,13 @@ class AnyDirections {
         by_first_{c.first_row.dot(c.first_push), c.second_row.dot(c.first_push)},
         by_second_{c.first_row.dot(c.second_push), c.second_row.dot(c.second_push)} {}
 
-  /// A force on the casing, each of its components twice.
+  /// A force on the casing, each component stored twice.
   struct Force {
     explicit Force(Twin force) : first(numerics::first_twice(force)), second(numerics::second_twice(force)) {}
     Twin first, second;
   };
 
-  /// Projection of some pairs onto the contact's two directions, each in two partial sums.
+  /// Partial sums of the projection of pairs onto the contact's two directions, two sums each.
   struct Seen {
     Twin first{}, second{};
   };
@@ -45,7 +45,7 @@ class AnyDirections {
     seen.first += first_row_[pair] * moved;
     seen.second += second_row_[pair] * moved;
   }
-  /// In the contact's two directions, with what a force adds.
+  /// Components in the contact's two directions, including the contribution of a force.
   Twin total(const Seen& seen, const Force& force) const {
     return numerics::sums_of(seen.first, seen.second) + by_first_ * force.first + by_second_ * force.second;
   }
@@ -55,12 +55,13 @@ class AnyDirections {
 
  private:
   StatePairs<N> first_push_, second_push_, first_row_, second_row_;
-  /// Acceleration of the contact itself per newton along either of its directions.
+  /// Acceleration of the contact itself per newton along each of its directions.
   Twin by_first_, by_second_;
 };
 
-/// The same where the first coordinate of every pair lies along the first direction, or against it, and the
-/// second along the second: half the products, none across a pair.
+/// AnyDirections for a contact whose directions are parallel to the coordinates: in every pair the first
+/// coordinate is along the first direction (or against it), the second along the second. This takes half the
+/// products and none across a pair.
 template <int N>
 class AxisDirections {
  public:
@@ -68,7 +69,7 @@ class AxisDirections {
   using Force = Twin;
   using Seen = Twin;
 
-  /// Empty where the directions lie otherwise.
+  /// Empty where the directions are not parallel to the coordinates.
   static std::optional<AxisDirections> of(const run::ScaledContact<N>& c) {
     for (Eigen::Index i = 0; i < c.first_row.size(); ++i) {
       const bool first = i % 2 == 0;
@@ -93,7 +94,7 @@ class AxisDirections {
   Twin by_force_;
 };
 
-/// Stands where nothing touches for directions, for a contact, and for its tangent vectors' changes.
+/// Stand-in for directions, contact and variations of tangent vectors where nothing touches.
 struct NoContact {
   using Twin = numerics::Twin;
 
@@ -113,7 +114,7 @@ struct NoContact {
   }
 };
 
-/// AxisDirections where they are such; the bits are the same from either.
+/// AxisDirections where possible; both give the same bits.
 template <int N>
 using ContactDirections = std::variant<AnyDirections<N>, AxisDirections<N>>;
 

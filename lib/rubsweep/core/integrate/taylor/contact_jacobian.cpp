@@ -18,7 +18,7 @@ void ContactJacobian::read_law() {
   clearance_ = law.clearance;
 }
 
-/// Coefficient k of n1 n, and what follows from it alone.
+/// Computes coefficient k of n1 n and the quantities that depend on it only.
 void ContactJacobian::make_along(int k) {
   const PlaneSeries& n = contact_->normal();
   normal_first_.set(k, numerics::first_twice(n[k]));
@@ -50,12 +50,12 @@ void ContactJacobian::make(int k) {
   first_.set(k, spring_column(one - clearance_ * bend[0], -clearance_ * bend[1]));
   second_.set(k, spring_column(-clearance_ * bend[1], one - clearance_ * (inverse - bend[0])));
   if (!damped()) return;
-  // r' T / r by its first column; then r' / r and n1' n2.
+  // r' T / r, given by its first column; then r' / r and n1' n2.
   const Twin shrinking = product_term(speed, bend_, k), turning = both(k + 1) * along_[k + 1];
   rates_.set(k, Twin{speed.number(k), (k + 1) * n[k + 1][0]});
   factors_.set(k, Twin{inverse, n[k][1]});
   const Twin mixed = product_term(rates_, factors_, k);
-  // (n n^T)' is n' n^T and its transpose, and n . n' is zero.
+  // (n n^T)' is n' n^T plus its transpose, and n . n' is zero.
   const double n1_n1 = turning[0] / 2, n2_n1 = turning[1] - mixed[1];
   first_.set(k, first_[k] + both(damper_) * (shrinking - Twin{n1_n1, n2_n1}));
   second_.set(

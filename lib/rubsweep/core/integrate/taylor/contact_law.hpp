@@ -27,13 +27,13 @@ struct ContactLaw {
         mobility(c.mobility()),
         friction(contact::friction_terms(c.friction)) {}
 
-  /// Normal force = spring p + damper p' in a mode.
+  /// Normal force = spring p + damper p' in this mode.
   double spring(contact::Mode mode) const { return contact::law_of(mode).spring * stiffness; }
   double damper(contact::Mode mode) const { return contact::law_of(mode).damper * damping; }
 };
 
-/// From |steepness slip| = 20 on a tanh is one to the last bit. A step that begins there takes it as constant
-/// and ends, at the latest, where 19 is reached: 1 - tanh(19) is 6e-17.
+/// From |steepness slip| = 20 on, a tanh is 1 to the last bit. A step that starts there takes it as constant
+/// and ends, at the latest, at 19, where 1 - tanh(19) is 6e-17.
 inline constexpr double saturated_at_start = 20, saturated_until = 19;
 
 }  // namespace rubsweep::integrate::taylor

@@ -67,9 +67,9 @@ double ContactSeries::turn_rate() const {
 
 Twin ContactSeries::force_term(int k) { return law_->annular ? annular_term(k) : flat_term(k); }
 
-/// A flat contact's slip changes as t . d''. Around the rotor d1 d2'' - d2 d1'' = (s r)', s being the sliding
-/// speed, which is constant unless the contact creeps: of all its products of order k, the one with d'' of
-/// that order is looked for.
+/// The slip of a flat contact changes with t . d''. At an annular stop d1 d2'' - d2 d1'' = (s r)', where the
+/// sliding speed s is constant unless the contact creeps. Among the products of order k, the one with
+/// coefficient k of d'' is the unknown.
 double ContactSeries::keeping_term(int k) const {
   if (!law_->annular) return creep_ ? (k + 1) * creep_->sliding()[k + 1] : 0;
   double rest = 0;
@@ -89,7 +89,7 @@ void ContactSeries::hold(int k, double force_n, Twin acceleration) {
   acceleration_.set(k, acceleration);
 }
 
-/// Coefficient k of mu from that of the slip.
+/// Adds coefficient k of mu from coefficient k of the slip.
 void ContactSeries::add_slip_term(double slip, int k) {
   double mu = law_->friction.viscous_s_per_m * slip + (k == 0 ? constant_mu_ : 0);
   for (std::size_t i = 0; i < law_->friction.count; ++i) {
@@ -126,8 +126,8 @@ Twin ContactSeries::flat_term(int k) {
   return Twin{total, product_term(mu_, load_, k)[0]};
 }
 
-/// Coefficient k of the normal n by r n = d, then of r' = n . d', and with `damped` of r' n, which is
-/// returned. r is known up to k.
+/// Coefficient k of the normal n from r n = d, then of r' = n . d', and, if `damped`, of r' n, which is
+/// returned. r must be known up to k.
 template <bool damped>
 Twin ContactSeries::normal_and_rate(int k) {
   if (k == 0) {
@@ -139,7 +139,7 @@ Twin ContactSeries::normal_and_rate(int k) {
     length_rate_.set(0, sum_of(normal_[0] * velocity_[0]));
     return damped ? length_rate_[0] * normal_[0] : Twin{};
   }
-  // Only the ends of the sums use the newest coefficients: the other terms need not wait for them.
+  // Only the last products use the newest coefficients: the other terms need not wait for them.
   Twin by_length[2]{}, by_velocity[2]{}, by_rate[2]{};
   const auto add = [&](int j, int half) {
     const Twin n = normal_[k - j];
@@ -163,8 +163,8 @@ Twin ContactSeries::normal_and_rate(int k) {
   return by_rate[0] + by_rate[1] + length_rate_[0] * normal + rate * normal_[0];
 }
 
-/// The force is F n + mu S t with normal force F, spring force S = K (r - C) and t a quarter of a turn from
-/// n: S n = K (d - C n) and, where the damper works, F n has d r' n besides.
+/// The force is F n + mu S t with normal force F, spring force S = K (r - C), and t = n turned by a quarter
+/// turn. S n = K (d - C n); with a damper, F n includes d r' n.
 Twin ContactSeries::annular_term(int k) {
   const Twin damping = damper_[0] == 0 ? normal_and_rate<false>(k) : damper_ * normal_and_rate<true>(k);
   length_.set(k + 1, length_rate_[k] * numerics::one_over_twice(k + 1));
@@ -185,7 +185,7 @@ Twin ContactSeries::annular_term(int k) {
   return force;
 }
 
-/// d' . t = n1 d2' - n2 d1'.
+/// Sliding speed d' . t = n1 d2' - n2 d1'.
 void ContactSeries::add_sliding_term(int k) {
   Twin sum{};
   for (int j = 0; j <= k; ++j) {

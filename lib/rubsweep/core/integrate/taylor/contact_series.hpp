@@ -12,11 +12,11 @@ namespace rubsweep::integrate::taylor {
 class Creep;
 
 /// Motion and forces of one contact as power series of the time, within one contact mode. In its two fixed
-/// directions the relative displacement is d = (d1, d2); around the rotor r = |d| and the normal is d / r.
+/// directions the relative displacement is d = (d1, d2). In an annular stop r = |d|, and the normal is d / r.
 class ContactSeries {
  public:
-  /// Relative displacement, offset included, and coefficients of its rate in their order: coefficient k
-  /// before `force_term(k)` is asked for.
+  /// Relative displacement, offset included, and the coefficients of its rate, which must be set in order:
+  /// coefficient k before the call of `force_term(k)`.
   void set_distance(numerics::Twin distance) { distance_.set(0, distance); }
   void set_velocity(int k, numerics::Twin velocity) {
     velocity_.set(k, velocity);
@@ -25,77 +25,77 @@ class ContactSeries {
   const numerics::PlaneSeries& distance() const { return distance_; }
   const numerics::PlaneSeries& velocity() const { return velocity_; }
 
-  /// Starts an expansion in `mode` with the slip there, which decides what part of the friction is saturated.
-  /// Dry friction depends on `way` instead, and is at its bound where it is `poised` (ContactStates).
+  /// Starts an expansion in `mode` with the present slip, which decides what part of the friction is
+  /// saturated. Dry friction instead depends on `way`, and is at its limit if `poised` (ContactStates).
   void begin(const ContactLaw& law, contact::Mode mode, double slip_m_per_s, contact::Slip way,
              bool poised = false);
-  /// Makes the expansion that has begun keep the slip of `creep`, by a friction that the whole system
-  /// decides: as a contact that sticks, whose slip is constant. `creep` outlives the expansion.
+  /// Makes the expansion keep the slip of `creep`, as for a sticking contact, whose slip is constant; the
+  /// whole system determines the friction. `creep` must outlive the expansion.
   void follow(const Creep& creep);
 
-  /// Coefficient k of the force on the casing, newtons, along the contact's two fixed directions; to be
-  /// called in their order, while the contact touches. Where it sticks, the holding friction's coefficient k
-  /// is not in it yet.
+  /// Coefficient k of the force on the casing, in newtons, along the contact's two fixed directions. Call it
+  /// in order of k, while the contact touches. In a sticking contact it does not yet include coefficient k of
+  /// the holding friction.
   numerics::Twin force_term(int k);
 
-  /// Whether the contact sticks or creeps: its slip is given, by a friction that the whole system decides.
+  /// Whether the contact sticks or creeps: its slip is given, and the whole system determines its friction.
   bool sticks() const { return sticks_; }
-  /// Null where it does not creep.
+  /// Slip series of a creeping contact; null for others.
   const Creep* creep() const { return creep_; }
-  /// Normal where the expansion starts.
+  /// Normal at the start of the expansion.
   double cosine() const { return law_->annular ? normal_[0][0] : 1; }
   double sine() const { return law_->annular ? normal_[0][1] : 0; }
-  /// Coefficient k of (tangent at the start) . d'' that keeps the slip; `a1`, `a2` are those of d'' in the
-  /// two fixed directions so far, without the holding friction's coefficient k.
+  /// Coefficient k of (tangent at the start) . d'' that keeps the slip, from lower coefficients and without
+  /// the holding friction's coefficient k.
   double keeping_term(int k) const;
-  /// Sets coefficient k of the holding friction, and with it those of d''.
+  /// Sets coefficient k of the holding friction, and the resulting one of d''.
   void hold(int k, double force_n, numerics::Twin acceleration);
-  /// Each coefficient twice.
+  /// Holding friction, each coefficient stored twice.
   const numerics::PlaneSeries& holding() const { return holding_; }
-  /// Coefficient k of the bound mu S -+ the holding friction, which is above zero as long as it holds.
+  /// Coefficient k of the reserve mu S -+ holding friction, which is positive as long as friction holds.
   double reserve_term(int k, double sign) const {
     return law_->friction.holding * law_->stiffness * penetration_term(k) - sign * holding_.number(k);
   }
 
   const ContactLaw& law() const { return *law_; }
   contact::Mode mode() const { return mode_; }
-  /// Angle per unit of time by which the normal turns where the expansion starts; zero at a flat stop.
+  /// Angle per unit of time by which the normal turns at the start of the expansion; zero at a flat stop.
   double turn_rate() const;
-  /// Whether friction varies along the expansion, as viscous friction does and a tanh that is not saturated.
+  /// Whether friction varies along the expansion, as does viscous friction or an unsaturated tanh.
   bool friction_varies() const { return varies_; }
 
-  // Results of an expansion that is complete up to `order`.
+  // Results of an expansion that is complete up to `order`:
 
-  /// Coefficient k <= order of the penetration; of an open annular contact (|d|^2 - C^2) / (2 C) instead,
-  /// which rises through zero with it, after `make_open_penetration`.
+  /// Coefficient k <= order of the penetration. For an open annular contact it is that of (|d|^2 - C^2) / (2
+  /// C), which crosses zero at the same instant; call `make_open_penetration` first.
   double penetration_term(int k) const {
     if (law_->annular && mode_ == contact::Mode::open) return open_penetration_[static_cast<std::size_t>(k)];
     return (law_->annular ? length_ : distance_).number(k) - (k == 0 ? law_->clearance : 0);
   }
   void make_open_penetration(int order);
-  /// Its coefficients up to `order`, as `penetration_term`.
+  /// Writes the coefficients of `penetration_term` up to `order`.
   void put_penetration(int order, double* to) const;
-  /// Coefficients of d' . t up to order - 1, once `make_sliding` was called.
+  /// Computes the coefficients of d' . t up to order - 1, for `slip_term`.
   void make_sliding(int order);
   double slip_term(int k) const;
-  /// Steepness of the tanh that leaves saturation first, zero where none is saturated; the sign of the slip.
+  /// Steepness of the tanh that leaves saturation first, zero if none is saturated; and the slip's sign.
   double saturated_steepness() const { return saturated_steepness_; }
   double slip_sign() const { return slip_sign_; }
 
-  // For the tangent vectors. Around the rotor: normal, r and r'.
+  // For tangent vectors; the first three are for an annular stop: normal, r and r'.
   const numerics::PlaneSeries& normal() const { return normal_; }
   const numerics::PlaneSeries& length() const { return length_; }
   const numerics::PlaneSeries& length_rate() const { return length_rate_; }
-  double inverse_length() const { return inverse_length_[0]; }  ///< where the expansion starts
+  double inverse_length() const { return inverse_length_[0]; }  ///< at the start of the expansion
   const numerics::Series& sliding() const { return sliding_; }
-  /// Friction that varies: its coefficient, and the force that it is multiplied by (at a flat stop the first
-  /// component of it).
+  /// Varying friction: its coefficient, and the force by which it is multiplied (at a flat stop the first
+  /// component).
   const numerics::PlaneSeries& coefficient() const { return mu_; }
   const numerics::PlaneSeries& load() const { return load_; }
   double constant_coefficient() const { return constant_mu_; }
-  /// Coefficient k of d mu / d(sliding).
+  /// Coefficient k of d mu / d(sliding speed).
   double friction_slope_term(int k) const;
-  /// Acceleration d'' in the two fixed directions, where the contact sticks.
+  /// Acceleration d'' in the two fixed directions of a sticking contact.
   const numerics::PlaneSeries& acceleration() const { return acceleration_; }
 
  private:
@@ -108,21 +108,21 @@ class ContactSeries {
 
   const ContactLaw* law_ = nullptr;
   contact::Mode mode_ = contact::Mode::open;
-  // Coefficients of the law in this mode, each number twice, as products take it: factor of the spring,
-  // damper, stiffness and clearance.
+  // Coefficients of the law in this mode, each stored twice for products: factor of the spring, damper,
+  // stiffness and clearance.
   numerics::Twin spring_factor_{}, damper_{}, stiffness_{}, clearance_{};
   bool varies_ = false, falls_ = false, sliding_made_ = false, sticks_ = false;
   const Creep* creep_ = nullptr;
   double sliding_speed_ = 0;
-  double constant_mu_ = 0;      ///< of the terms that do not vary
-  numerics::Twin turned_mu_{};  ///< (-mu, mu) of it: times a swapped pair, mu times that pair quarter turned
+  double constant_mu_ = 0;      ///< friction coefficient of the constant terms
+  numerics::Twin turned_mu_{};  ///< (-mu, mu): times a swapped pair, mu times its quarter turn
   double saturated_steepness_ = 0, slip_sign_ = 1;
   std::array<bool, 3> active_{};
   std::array<numerics::TanhSeries, 3> tanh_;
   numerics::FallSeries fall_;
   numerics::PlaneSeries distance_, velocity_, mu_, load_, holding_, acceleration_;
-  // Annular: the normal; r and its rate; 1 / r where the expansion starts; while open, the substitute for the
-  // penetration.
+  // For annular stops: normal; r and its rate; 1 / r at the start of the expansion; and, while open, the
+  // substitute for the penetration.
   numerics::PlaneSeries normal_, length_, length_rate_;
   numerics::Twin inverse_length_{};
   std::array<double, numerics::most_taylor_order + 1> open_penetration_{};

@@ -59,7 +59,7 @@ auto ContactTangents<Count>::force_term(int k, const Term& rate) -> Term {
   return annular_ ? annular_term(k) : flat_term(k);
 }
 
-/// (B w)' + A w, the matrices of both products taken together: k + 1 is the same for all vectors.
+/// Coefficient k of (B w)' + A w. Both matrices are combined first: all vectors share the factor k + 1.
 template <int Count>
 template <bool damped>
 auto ContactTangents<Count>::linear_term(int k) -> Term {
@@ -97,7 +97,7 @@ Twin ContactTangents<Count>::sliding_friction(std::size_t which, Twin load, int 
          product_term(contact_->coefficient(), load_.member(which), k);
 }
 
-/// Normal force K (factor p) + d v, friction mu(slip) K p.
+/// Normal force K (factor p) + d v and friction mu(slip) K p.
 template <int Count>
 auto ContactTangents<Count>::flat_term(int k) -> Term {
   Term force;
@@ -114,8 +114,8 @@ auto ContactTangents<Count>::flat_term(int k) -> Term {
   return force;
 }
 
-/// With m the change of the normal n: the change of r is n . w, r m = w - n (n . w), and that of r' n, which
-/// is returned with `damped`, is (n . w)' n + r' m. Coefficient k of m, and k + 1 of n . w.
+/// With m the change of the normal n: the change of r is n . w, r m = w - n (n . w), and the change of r' n,
+/// returned if `damped`, is (n . w)' n + r' m. Computes coefficient k of m and k + 1 of n . w.
 template <int Count>
 template <bool damped>
 auto ContactTangents<Count>::normal_and_rate(int k) -> Term {

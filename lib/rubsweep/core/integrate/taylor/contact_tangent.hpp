@@ -8,33 +8,34 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Tangent vectors that are expanded side by side: the products of one do not keep a processor busy, and
-/// those of more need more than its sixteen registers.
+/// Number of tangent vectors that are expanded side by side. Fewer do not keep a processor busy, and more
+/// need more than its sixteen registers.
 inline constexpr int tangents_together = 4;
 
-/// Variations of a contact's force with `Count` small changes w of its relative displacement, as power series
-/// along an expanded motion: the derivatives of the recurrences of ContactSeries, or, for several around the
-/// rotor where friction does not vary, the Jacobian's product with each. The friction that holds a contact
-/// that sticks counts as given.
+/// Variations of a contact's force for `Count` small changes w of its relative displacement, as power series
+/// along an expanded motion. They are derivatives of the recurrences of ContactSeries, or, for several
+/// vectors at an annular stop with constant friction, products with its Jacobian. The holding friction of a
+/// sticking contact is not varied here.
 template <int Count>
 class ContactTangents {
  public:
   using Bundle = numerics::PlaneSeriesBundle<Count>;
   using Term = typename Bundle::Term;
 
-  /// Up to `order` terms. The motion stays as it is until the last `force_term` has been asked for;
-  /// `jacobian` is of it, too.
+  /// Prepares up to `order` terms. The motion must not change until the last call of `force_term`; `jacobian`
+  /// must belong to the same motion.
   void follow(const ContactSeries& contact, ContactJacobian& jacobian, int order);
-  /// Begins other variations of the same motion.
+  /// Begins with other variations along the same motion.
   void begin(const Term& displacement);
 
-  /// Coefficient k of the forces' variations, from coefficient k of w'; to be called in their order. Writes
+  /// Coefficient k of the variations of the forces, from coefficient k of w'; call it in order of k. Writes
   /// coefficient k + 1 of w.
   Term force_term(int k, const Term& rate);
 
-  /// w, up to one more than the last term asked for; not kept where the Jacobian serves, nor is what follows.
+  /// Bundle w, up to one order above the latest term. Not kept, like the functions below, when the Jacobian
+  /// is used.
   const Bundle& displacement() const { return displacement_; }
-  /// Coefficient k of the variation of r of an annular stop, up to the last term as well.
+  /// Coefficient k of the variation of r in an annular stop, up to the latest term.
   double length_term(std::size_t which, int k) const { return length_.member(which)[k][0]; }
   /// Coefficient k of the variation of the spring force.
   double load_term(std::size_t which, int k) const {
@@ -51,19 +52,19 @@ class ContactTangents {
   Term normal_and_rate(int k);
   Term damping_products(int k) const;
   numerics::Twin sliding_friction(std::size_t which, numerics::Twin load, int k);
-  /// Coefficient k of the variation of mu, from that of the sliding speed.
+  /// Coefficient k of the variation of mu, from that of the variation of the sliding speed.
   void add_coefficient_term(std::size_t which, double sliding, int k);
 
   static constexpr auto count = static_cast<std::size_t>(Count);
   const ContactSeries* contact_ = nullptr;
   double stiffness_ = 0, spring_factor_ = 0, damper_ = 0, clearance_ = 0, friction_ = 0;
-  /// `linear_`: by the Jacobian, which costs as much as one or two vectors.
+  /// `linear_`: uses the Jacobian, which costs as much as one or two vectors.
   bool varies_ = false, sticks_ = false, annular_ = false, linear_ = false;
   ContactJacobian* jacobian_ = nullptr;
   Bundle displacement_, rate_;
-  Bundle along_first_, along_second_;  ///< bundles of a linear contact: either component of w, twice
-  /// Variations: of r, of r', of the normal, of the force that friction is proportional to; of the sliding
-  /// speed and the friction coefficient. Then the slope of the friction coefficient, which is the motion's.
+  Bundle along_first_, along_second_;  ///< for a linear contact: first and second component of w, each twice
+  /// Variations of r, r', the normal, the force to which friction is proportional, the sliding speed and the
+  /// friction coefficient. `slope_`: slope of the friction coefficient along the motion.
   Bundle length_, length_rate_, normal_, load_, sliding_, coefficient_;
   numerics::PlaneSeries slope_;
 };

@@ -16,7 +16,7 @@ void Creep::set_slip(int k, double slip_m_per_s) {
   sliding_.set(k, (slip_m_per_s - (k == 0 ? law_->surface_speed_m_per_s : 0)) / law_->slip_scale_m_per_s);
 }
 
-/// Newton's iteration from the slip so far: mu(slip) = coefficient.
+/// Solves mu(slip) = coefficient by Newton's iteration from the present slip.
 bool Creep::find_start(double coefficient) {
   constexpr int most_iterations = 10;
   constexpr double settled = 1e-14;

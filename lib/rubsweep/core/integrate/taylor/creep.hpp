@@ -11,27 +11,27 @@ class ContactSeries;
 
 inline constexpr int most_creep_sweeps = 24;
 
-/// Slip of a contact in friction so steep that the slip's own transient has died out: it creeps, with the
-/// slip at which friction balances the rest of the motion. As a power series it is found by fixed-point
-/// sweeps. One takes the slip as given, which then is a constraint like that of a contact that sticks; the
-/// friction that keeps it gives the slip with which the next sweep begins. Each sweep is nearer by the ratio
-/// of the motion's rate to that at which friction changes the slip.
+/// Slip of a contact with friction so steep that the slip's own transient has died out: the contact creeps at
+/// the slip for which friction balances the rest of the motion. Its power series is found by fixed-point
+/// sweeps. A sweep takes the slip as given, a constraint like that of a sticking contact; from the friction
+/// that keeps it follows the slip for the next sweep. Each sweep reduces the error by the ratio of the
+/// motion's rate to the rate at which friction changes the slip.
 class Creep {
  public:
-  /// The slip keeps the value it has where the expansion starts.
+  /// Starts with a constant slip, its value at the start of the expansion.
   void begin(const ContactLaw& law, double slip_m_per_s);
 
-  /// Finds the friction that keeps `contact` at its present slip, and sets the slip to the one with that
+  /// Finds the friction that keeps `contact` at its present slip, and sets the slip to the value with that
   /// friction, up to `order`. False where no slip nearby has that friction.
   bool sweep(const ContactSeries& contact, int order);
 
   double slip_m_per_s() const { return slip_[0]; }
   /// Series of the sliding speed d' . t.
   const numerics::Series& sliding() const { return sliding_; }
-  /// Change of coefficient k < order of the sliding speed in the last sweep.
+  /// Change of coefficient k < order of the sliding speed by the latest sweep.
   double change(int k) const { return change_[static_cast<std::size_t>(k)]; }
 
-  // After a sweep: the spring force, friction over spring force, and its derivative by the sliding speed.
+  // Results of a sweep: spring force, friction over spring force, and its derivative by the sliding speed.
   const numerics::Series& load() const { return load_; }
   const numerics::Series& coefficient() const { return coefficient_; }
   const numerics::Series& slope() const { return slope_; }

@@ -11,7 +11,7 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Largest `Dynamics::friction_ratio` of the contacts that touch and neither creep nor stick.
+/// Largest `Dynamics::friction_ratio` of the touching contacts that neither creep nor stick.
 template <int N>
 double friction_ratio(const Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
                       const std::vector<double>& state) {
@@ -23,18 +23,18 @@ double friction_ratio(const Expansion<N>& motion, const law::Dynamics<N, false>&
   return largest;
 }
 
-/// Choice of the pieces of a run that are expanded with creeping contacts: those where friction is steep, the
-/// slip's own transient has died out, and a piece is worth its sweeps.
+/// Chooses the pieces of a run that are expanded with creeping contacts: where friction is steep, the slip's
+/// own transient has died out, and a piece is worth its sweeps.
 template <int N>
 class CreepChoice {
  public:
-  /// Contacts creep where `Dynamics::friction_ratio` is above `creep_above`.
+  /// Contacts may creep where `Dynamics::friction_ratio` exceeds `creep_above`.
   explicit CreepChoice(double creep_above) : creep_above_(creep_above) {}
 
   void begin_turn() { pieces_to_wait_ = 0; }
-  /// None of the next pieces creeps.
+  /// Excludes creep from the next few pieces.
   void wait() { pieces_to_wait_ = pieces_until_creep; }
-  /// Whether the next piece may creep, at this largest ratio of its contacts. Counts the pieces that wait.
+  /// Whether the next piece may creep at this largest friction ratio. Counts pieces that wait.
   bool due(double ratio) {
     if (!(ratio > creep_above_)) return false;
     if (pieces_to_wait_ == 0) return true;
@@ -42,9 +42,9 @@ class CreepChoice {
     return false;
   }
 
-  /// Expands anew, by `expand(state)`, with all contacts creeping that friction holds. False, and the
-  /// expansion as it was, where that is not known to last. `longest_rad` is the longest piece without regard
-  /// to friction, `usual_rad` that of a piece without creep; `state` and `settled` as in `settle_creep`.
+  /// Repeats the expansion, by `expand(state)`, with all contacts with steep friction creeping. False, with
+  /// the expansion unchanged, where creep may not last. `longest_rad`: longest piece without regard to
+  /// friction; `usual_rad`: that without creep; `state` and `settled` as in `settle_creep`.
   template <class Expand>
   bool begin(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics, const Expand& expand,
              std::vector<double>& state, std::vector<double>& settled, double longest_rad, double usual_rad) {
@@ -56,18 +56,18 @@ class CreepChoice {
     expand(state);
     return false;
   }
-  /// Duration over which the creeping contacts are known.
+  /// Duration over which the series of the creeping contacts are accurate.
   double known_rad() const { return known_rad_; }
-  /// From the next expansion on none does.
+  /// Ends creep from the next expansion on.
   void end(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics) {
     if (known_rad_ > 0) stop_creep(motion, dynamics);
     known_rad_ = 0;
   }
 
  private:
-  /// The remainder of a slip's own transient falls by a factor of a hundred or more in each usual piece.
+  /// Pieces to wait: the remainder of a slip's transient falls at least to a hundredth in each usual piece.
   static constexpr int pieces_until_creep = 6;
-  static constexpr double least_gain = 12;  ///< usual pieces that one of creep has to be worth
+  static constexpr double least_gain = 12;  ///< least length of a piece with creep, in usual pieces
 
   void start_creep(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
                    const std::vector<double>& state) const {

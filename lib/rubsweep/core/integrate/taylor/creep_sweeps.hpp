@@ -9,7 +9,7 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Duration up to which the change by the last sweep of `creep` is at most `smallest`; zero where it is
+/// Duration up to which the change by the latest sweep of `creep` is at most `smallest`; zero where it is
 /// larger from the start.
 inline double unchanged_rad(const Creep& creep, int order, double smallest) {
   if (std::abs(creep.change(0)) > smallest) return 0;
@@ -22,11 +22,11 @@ inline double unchanged_rad(const Creep& creep, int order, double smallest) {
   return longest;
 }
 
-/// Expands a motion, whose creeping contacts `Expansion::set_creeping` says, by `expand(state)`, until the
-/// sweeps change nothing but rounding. The slips of `state` lose the remainder of their own transient, where
-/// that moves them by no more than rounding. Returns the duration over which all that holds, at most
-/// `longest_rad`; zero, and `state` as it was, where it is less than `worth_rad`. `settled` is scratch for a
-/// state.
+/// Expands a motion by `expand(state)`, with the creeping contacts set by `Expansion::set_creeping`, until
+/// sweeps change only the rounding. The slips of `state` lose the remainder of their own transient, if that
+/// moves them only by rounding. Returns the duration over which the result is accurate, at most
+/// `longest_rad`. Returns zero, with `state` unchanged, where this is less than `worth_rad`. `settled` is
+/// scratch for a state.
 template <int N, class Expand>
 double settle_creep(Expansion<N>& motion, const Expand& expand, std::vector<double>& state,
                     std::vector<double>& settled, double longest_rad, double worth_rad) {
@@ -56,7 +56,7 @@ double settle_creep(Expansion<N>& motion, const Expand& expand, std::vector<doub
     moved = 0;
     for (std::size_t k = state.size() / 2; k < state.size(); ++k)
       moved = std::max(moved, std::abs(settled[k] - state[k]));
-    // The remainder of the slip's own transient is known by now, and will not change.
+    // The remainder of the slip's own transient is known by now and too large.
     if (moved > start_noise * speed && change < 0.1 * moved) return 0;
   }
   if (moved > start_noise * std::max(1.0, motion.series().speed()) || reach < worth_rad) return 0;

@@ -8,17 +8,17 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Variation of the sliding speed of a contact that creeps, found by sweeps as the sliding speed itself.
+/// Variation of the sliding speed of a creeping contact, found by sweeps like the sliding speed itself.
 class CreepTangent {
  public:
-  /// The variation keeps the value that it has where the expansion starts.
+  /// Starts with a constant variation, its value at the start of the expansion.
   void begin(double sliding) {
     for (int k = 0; k <= numerics::most_taylor_order + 1; ++k) sliding_.set(k, k == 0 ? sliding : 0);
   }
 
-  /// Sets the variation of the slip to the one that the varied friction needs, up to `order` terms.
-  /// `holding(k)` and `load(k)` are coefficients of the variations of that friction and of the spring force
-  /// S: friction = mu S and mu' sliding = the variation of mu.
+  /// Sets the variation of the slip to the one that the varied friction requires, up to `order` terms.
+  /// `holding(k)` and `load(k)` are the coefficients of the variations of that friction and of the spring
+  /// force S: friction = mu S, and the variation of mu is mu' times that of the sliding speed.
   template <class Holding, class Load>
   void sweep(const Creep& creep, int order, const Holding& holding, const Load& load) {
     for (int k = 0; k < order; ++k) {
@@ -39,7 +39,7 @@ class CreepTangent {
   }
 
   const numerics::Series& sliding() const { return sliding_; }
-  /// Largest term of the change by the last sweep, anywhere within `duration_rad`.
+  /// Largest term of the change by the latest sweep, within `duration_rad`.
   double change(double duration_rad) const {
     double largest = 0, power = 1;
     for (int k = 0; k < order_; ++k, power *= duration_rad)

@@ -8,7 +8,7 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// A diagonal structure by its pairs of coordinates, and the forces on it.
+/// A diagonal structure with its coordinates in pairs, and the forces on it.
 template <int N>
 struct DiagonalStructure {
   using Pairs = StatePairs<N>;
@@ -28,11 +28,11 @@ struct DiagonalStructure {
   Pairs stiffness, damping, constant, cosines, sines;
 };
 
-/// Coefficients of the drives cosine * cosines + sine * sines, one after the other, each of them twice.
+/// Coefficients of the drives cosine * cosines + sine * sines, in order of k; each is stored twice.
 struct DriveTerms {
   numerics::Twin cosine, sine;
 
-  /// To the next coefficient, by `next` = 1 / its order.
+  /// Advances to the next coefficient, with `next` = 1 / its order.
   void advance(numerics::Twin next) {
     const numerics::Twin turned = cosine;
     cosine = -(next * sine);

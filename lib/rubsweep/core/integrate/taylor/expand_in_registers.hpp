@@ -17,8 +17,8 @@
 namespace rubsweep::integrate::taylor {
 
 /// Computes all coefficients of a motion from the start of `series`, with `drives`, at most one touching
-/// stop, which slips, and the series of both begun; no pulse acts. This recurrence is the critical path:
-/// coefficient k + 1 needs only the structural terms and the contact force.
+/// contact, which must slip, and no pulse. The series of motion and contact must have begun. This recurrence
+/// is the critical path: coefficient k + 1 needs only the structural terms and the contact force.
 template <int N, class Directions, class Contact>
 void expand_in_registers(const DiagonalStructure<N>& structure, const Directions& directions,
                          DriveTerms drives, Contact& contact, StateSeries<N>& series) {
@@ -46,9 +46,9 @@ void expand_in_registers(const DiagonalStructure<N>& structure, const Directions
   }
 }
 
-/// The same for `Count` tangent vectors side by side, whose displacements are columns k Count + i of `w` and
-/// rates of `rate`, until they have converged over `duration_rad` or for `most` terms. The contact's
-/// variations have begun; `speed` is the variation of its relative velocity.
+/// Computes the coefficients of `Count` tangent vectors side by side, until they have converged over
+/// `duration_rad` or for `most` terms. Displacements are columns k Count + i of `w`, rates those of `rate`.
+/// The contact's variations must have begun; `speed` is the variation of its relative velocity.
 template <int N, class Directions, int Count, class Contact, class Terms>
 void expand_in_registers(const DiagonalStructure<N>& structure, const Directions& directions, int most,
                          double duration_rad, Contact& contact, typename ContactTangents<Count>::Term speed,

@@ -22,8 +22,8 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Motion of a scaled system from one instant on as a power series of the phase, within one joint contact
-/// mode: u'' = linear structure + unbalance + pulses + forces of the contacts that touch.
+/// Motion of a scaled system from one instant as a power series of the phase, within one joint contact mode:
+/// u'' = linear structure + unbalance + pulses + forces of the touching contacts.
 template <int N>
 class Expansion {
  public:
@@ -44,8 +44,8 @@ class Expansion {
     for (const auto& contact : system.contacts) directions_.push_back(directions_of(contact));
   }
 
-  /// Expands from `state` (u then u') at `phase_rad` into the revolution, with the pulses that act there.
-  /// `modes` per contact, and `slips` of those with dry friction, of which some may be `poised`.
+  /// Expands from `state` (u then u') at `phase_rad` in the revolution, with the pulses acting there. Per
+  /// contact: `modes`; `slips`, used with dry friction; `poised` (may be empty).
   void expand(const double* state, double phase_rad, const run::PulseTimes& pulses,
               const std::vector<contact::Mode>& modes, const std::vector<contact::Slip>& slips,
               const std::vector<bool>& poised = {}) {
@@ -63,8 +63,8 @@ class Expansion {
     complete_contacts();
   }
 
-  /// Makes contact `i` creep from the next expansion on, or end it; it starts with the slip that it has where
-  /// the expansion is now.
+  /// Sets whether contact `i` creeps from the next expansion on. It starts with its slip at the start of the
+  /// present expansion.
   void set_creeping(std::size_t i, bool creeps) {
     creeping_[i] = creeps;
     if (creeps) creeps_[i].begin(laws_[i], slip(i));
@@ -77,7 +77,7 @@ class Expansion {
     }
     return false;
   }
-  /// Slip of contact `i` where the expansion starts.
+  /// Slip of contact `i` at the start of the expansion.
   double slip(std::size_t i) const {
     const ContactSeries& c = contacts_[i];
     const numerics::Twin d = c.distance()[0], v = c.velocity()[0];
@@ -86,21 +86,21 @@ class Expansion {
     return laws_[i].slip_scale_m_per_s * sliding + laws_[i].surface_speed_m_per_s;
   }
 
-  /// The one contact that touches, and slips, where the structure is diagonal; else empty.
+  /// Index of the only touching contact, if it slips and the structure is diagonal; otherwise empty.
   std::optional<std::size_t> only_slip() const {
     if (!system_.diagonal || touching_.size() != 1 || sticking_ > 0) return std::nullopt;
     return touching_[0];
   }
-  /// Whether nothing touches a diagonal structure.
+  /// Whether the structure is diagonal and nothing touches.
   bool flies() const { return system_.diagonal && touching_.empty(); }
   const DiagonalStructure<N>& structure() const { return structure_; }
   const ContactDirections<N>& directions(std::size_t i) const { return directions_[i]; }
 
-  // Contacts that stick or creep.
+  // Access to the contacts that stick or creep.
   std::size_t sticking() const { return sticking_; }
   std::size_t stuck(Eigen::Index k) const { return stuck_[static_cast<std::size_t>(k)]; }
   const contact::StickMobility& mobility() const { return mobility_; }
-  /// Row of the tangential velocity where the expansion starts.
+  /// Row of the tangential velocity at the start of the expansion.
   Eigen::Matrix<double, 1, N> tangential_row(std::size_t i) const {
     const auto& c = system_.contacts[i];
     return contacts_[i].cosine() * c.second_row - contacts_[i].sine() * c.first_row;
@@ -110,7 +110,7 @@ class Expansion {
     return contacts_[i].cosine() * c.second_push - contacts_[i].sine() * c.first_push;
   }
 
-  /// Changes the velocities of `state` by an impulse of friction at contacts that stick or creep, so that
+  /// Changes the velocities of `state` by friction impulses at the contacts that stick or creep, so that
   /// their sliding speeds change by `by`.
   void change_slips(const contact::StickVector& by, double* state) const {
     const contact::StickVector impulse = contact::holding_forces(mobility_, by);
@@ -146,13 +146,13 @@ class Expansion {
     }
   }
 
-  /// A half-sine that acts, by sine and cosine of its angle.
+  /// An acting half-sine pulse, given by sine and cosine of its angle.
   struct ActingPulse {
     std::size_t index = 0;
     double sine = 0, cosine = 1;
   };
 
-  /// cos and sin of the phase are 1 and i^k / k! times each other; a pulse's by its own rate.
+  /// Starts the recurrences for the coefficients of cosine and sine of the phase and of pulse angles.
   void start_drives(double phase_rad, const run::PulseTimes& pulses) {
     cosine_ = std::cos(phase_rad);
     sine_ = std::sin(phase_rad);
@@ -163,8 +163,8 @@ class Expansion {
     }
   }
 
-  /// False, and nothing done, unless no pulse acts on a diagonal structure and one contact at most touches,
-  /// and slips.
+  /// Expands in registers if no pulse acts, the structure is diagonal and at most one contact touches, which
+  /// must slip. Otherwise returns false without doing anything.
   bool expanded_in_registers() {
     if (!pulses_.empty()) return false;
     const DriveTerms drives{numerics::both(cosine_), numerics::both(sine_)};
@@ -182,7 +182,7 @@ class Expansion {
     return true;
   }
 
-  /// Coefficient k of the acceleration; drives and contacts go on to the next.
+  /// Computes coefficient k of the acceleration; drives and contacts advance to the next one.
   void accelerate(int k) {
     Vector& a = acceleration_;
     if (system_.diagonal) {
@@ -214,7 +214,7 @@ class Expansion {
       contacts_[i].set_velocity(k + 1, at_contact(system_.contacts[i], acceleration_) * numerics::both(next));
   }
 
-  /// Adds coefficient k of the holding forces of the contacts that stick.
+  /// Adds coefficient k of the holding forces of the sticking contacts.
   void hold(int k) {
     const auto count = static_cast<Eigen::Index>(sticking_);
     if (k == 0) {
@@ -233,7 +233,7 @@ class Expansion {
       contacts_[stuck(j)].hold(k, force(j), at_contact(system_.contacts[stuck(j)], acceleration_));
   }
 
-  /// Completes the velocities of open contacts, which their guards need.
+  /// Completes the velocities of open contacts for their guards.
   void complete_contacts() {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (contacts_[i].mode() != contact::Mode::open) continue;
@@ -251,7 +251,7 @@ class Expansion {
   std::vector<ContactJacobian> jacobians_;
   std::vector<Creep> creeps_;
   std::vector<char> creeping_;
-  std::vector<ContactDirections<N>> directions_;  ///< per contact
+  std::vector<ContactDirections<N>> directions_;  ///< for each contact
   std::vector<std::size_t> touching_;
   std::array<std::size_t, contact::most_sticking> stuck_{};
   std::size_t sticking_ = 0;

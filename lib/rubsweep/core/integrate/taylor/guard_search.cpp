@@ -14,17 +14,17 @@ namespace {
 using contact::Mode;
 using Coefficients = std::array<double, numerics::most_taylor_order + 1>;
 
-/// Distance from zero, in clearances, below which a falling guard starts at zero: 1e-13 where series end at
-/// rounding, since a landing leaves a few units of rounding of the states, which are of order one.
+/// Distance from zero, in clearances, below which a falling guard counts as starting at zero. It is 1e-13 for
+/// series that end at rounding, because a landing leaves a few units of rounding in states of order one.
 double noise_of(double accuracy) { return 1e-13 / rounding_of_series * accuracy; }
 
-/// A value below zero that is none: no guard with a rate is as near.
+/// Value that stands for just below zero: no guard with a rate comes as near.
 constexpr double just_below_zero = -1e-30;
 
-/// First rise of a guard that is armed, and so counts as below zero where the piece begins. One that is at
-/// zero there, or past it by rounding, and goes on rising has its root at once: it fell on the end of the
-/// piece before, where it was not searched. One that has no rate either is put just below zero: the first of
-/// its derivatives that is not zero then decides, as where a rotor starts at rest at a wall.
+/// First rise of an armed guard, which counts as below zero at the start of the piece. If it is at zero
+/// there, or beyond by rounding, and still rising, its root is at once: it was at the end of the piece
+/// before, which was not searched. If its rate is zero as well, it is set just below zero. Its first non-zero
+/// derivative then decides, as where a rotor starts at rest at a wall.
 std::optional<double> first_rise_of_armed(std::span<double> c, double noise) {
   if (c[0] >= 0 && c.size() > 1) {
     if (c[1] > 0) return 0;
@@ -33,7 +33,7 @@ std::optional<double> first_rise_of_armed(std::span<double> c, double noise) {
   return numerics::first_rise_of(c, noise);
 }
 
-/// 1, 2, ...: factors of the coefficients in a derivative.
+/// Factors 1, 2, ... of the coefficients in a derivative.
 constexpr auto rate_factors = [] {
   Coefficients factors{};
   for (std::size_t k = 0; k < factors.size(); ++k) factors[k] = static_cast<double>(k + 1);
@@ -44,7 +44,7 @@ std::span<double> first(Coefficients& c, int count) {
   return std::span(c).first(static_cast<std::size_t>(count));
 }
 
-/// Sums of |a_k| t^k over the first `count` terms of both components: bounds of them up to t.
+/// Sums of |a_k| t^k over the first `count` terms of both components: their bounds up to t.
 numerics::Twin bounds_of(const numerics::PlaneSeries& a, int count, double t) {
   using numerics::Twin;
   Twin sums{}, power{1, 1};
@@ -53,14 +53,14 @@ numerics::Twin bounds_of(const numerics::PlaneSeries& a, int count, double t) {
   return sums;
 }
 
-/// Bound of |d'| over the duration: no sliding speed is larger.
+/// Bound of |d'| over the duration, which is also a bound of the sliding speed.
 double fastest_distance(const ContactSeries& contact, int order, double duration_rad) {
   const numerics::Twin bounds = bounds_of(contact.velocity(), order, duration_rad);
   return contact.law().annular ? std::sqrt(bounds[0] * bounds[0] + bounds[1] * bounds[1]) : bounds[1];
 }
 
-/// Zero of the slip, from the side it is on. It is measured in clearances a radian, and starts at zero where
-/// it is within rounding of the surface's own speed.
+/// Zero of the slip, approached from its present side. The slip is measured in clearances per radian; it
+/// starts at zero if it is within rounding of the surface's own speed.
 std::optional<double> first_stop(ContactSeries& contact, int order, double accuracy, double duration_rad,
                                  const SlipStart& start) {
   const ContactLaw& law = contact.law();
@@ -78,8 +78,8 @@ std::optional<double> first_stop(ContactSeries& contact, int order, double accur
   return numerics::first_rise_of(first(c, order).subspan(static_cast<std::size_t>(start.zero_terms)), noise);
 }
 
-/// Zero of the margin between the holding friction and `sign` times the largest one; in units of the stop's
-/// spring force at one clearance.
+/// Zero of the margin between the holding friction and `sign` times its limit, in units of the stop's spring
+/// force at one clearance.
 std::optional<double> first_release(const ContactSeries& contact, int order, double duration_rad,
                                     double sign) {
   const double unit = contact.law().stiffness * contact.law().clearance;
@@ -90,7 +90,7 @@ std::optional<double> first_release(const ContactSeries& contact, int order, dou
   return first_rise_of_armed(first(c, order), 0);
 }
 
-/// Coefficients of `sign` slip + `constant` in units of the duration, order of them.
+/// The first `order` coefficients of `sign` slip + `constant`, with time in units of the duration.
 Coefficients slip_polynomial(ContactSeries& contact, int order, double duration_rad, double sign,
                              double constant) {
   contact.make_sliding(order);
@@ -101,7 +101,7 @@ Coefficients slip_polynomial(ContactSeries& contact, int order, double duration_
   return c;
 }
 
-/// Far inside an annular stop |d| cannot reach the wall: cheaper to see than by its square's polynomial.
+/// Whether |d| surely stays inside an annular stop: a cheaper test than the polynomial of its square.
 bool far_from_wall(const ContactSeries& contact, int order, double duration_rad) {
   const numerics::Twin bounds = bounds_of(contact.distance(), order + 1, duration_rad);
   const double clearance = contact.law().clearance;
@@ -128,7 +128,7 @@ double guards_converged_rad(ContactSeries& contact, int order, double accuracy, 
     contact.make_open_penetration(order);
   }
   const double damper = law.damping / law.stiffness;
-  // Far inside the wall rounding is relative to the penetration.
+  // Far inside the wall, rounding is proportional to the penetration.
   const double size = std::max(law.clearance, std::abs(contact.penetration_term(0)));
   for (int k = order - 2; k < order; ++k) {
     const double term = (std::abs(contact.penetration_term(k)) +
@@ -144,12 +144,12 @@ std::optional<GuardCrossing> first_guard(const ContactSeries& contact, int order
   const ContactLaw& law = contact.law();
   const Mode mode = contact.mode();
   if (mode == Mode::open && law.annular && far_from_wall(contact, order, duration_rad)) return std::nullopt;
-  // Penetration and closing speed; rates are known to one order less.
+  // Coefficients of penetration and closing speed; those of rates end one order earlier.
   Coefficients all, power, p, v;
   contact.put_penetration(order, all.data());
   numerics::put_powers(duration_rad, order, power.data());
   const auto count = static_cast<std::size_t>(order);
-  // A far wall is known to its own rounding.
+  // The position of a distant wall has its own rounding.
   const double noise = noise_of(accuracy) * std::max(1.0, law.clearance);
   for (std::size_t k = 0; k < count; ++k) {
     p[k] = power[k] * all[k];

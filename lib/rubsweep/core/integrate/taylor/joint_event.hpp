@@ -14,14 +14,14 @@ namespace rubsweep::integrate::taylor {
 /// Event that ends a piece: the first change of mode or slip among all contacts, or the first friction that
 /// leaves saturation.
 struct JointEvent {
-  double share = 1;                    ///< of the duration that was searched
-  std::optional<std::size_t> contact;  ///< none: friction leaves saturation, and nothing changes
+  double share = 1;                    ///< share of the searched duration
+  std::optional<std::size_t> contact;  ///< empty: friction leaves saturation, and nothing changes
   contact::Mode next = contact::Mode::open;
-  std::optional<contact::Slip> slip{};  ///< the slip of the contact changes, not its mode
+  std::optional<contact::Slip> slip{};  ///< set: the slip of the contact changes, not its mode
 };
 
-/// The first event within `duration_rad` of an expansion; a share of one and no contact where there is none.
-/// `zero_terms` per contact, as of `SlipStart`.
+/// First event within `duration_rad` of an expansion; share 1 without a contact if there is none.
+/// `zero_terms` per contact, as in `SlipStart`.
 template <int N>
 JointEvent first_event(Expansion<N>& motion, const law::Dynamics<N, false>& dynamics,
                        const std::vector<int>& zero_terms, double duration_rad) {

@@ -10,16 +10,16 @@
 namespace rubsweep::integrate::taylor {
 namespace {
 
-constexpr double piece_times_fastest = 0.25;  ///< cubics through values and rates have peaks to 2e-5
+constexpr double piece_times_fastest = 0.25;  ///< cubics through values and rates then give peaks to 2e-5
 constexpr int most_pieces = most_peak_states - 1;
 
-/// Number of pieces for which a cubic through values and rates at their ends has the maximum.
+/// Number of pieces for which cubics through values and rates at their ends give the maximum.
 int pieces_of(double fastest, double duration_rad) {
   return std::clamp(static_cast<int>(std::ceil(duration_rad * fastest / piece_times_fastest)), 1,
                     most_pieces);
 }
 
-/// Square of the distance |map q|, from the states at both ends of a piece, or `known` where that is larger.
+/// Largest square of the distance |map q| by the states at both ends of a piece, at least `known`.
 template <class Map, class State>
 double largest_square(double known, const Map& map, const State& from, const State& to, double duration_rad) {
   const Eigen::Index n = map.cols();
@@ -68,7 +68,7 @@ double largest_force(const ContactSeries& contact, int order, double fastest, do
     last = value;
     last_rate = rate;
   };
-  // Four ends of pieces at a time: one alone would wait for its own sum.
+  // Four ends of pieces at a time, so that their sums do not wait for each other.
   for (int i = 1; i <= pieces; i += 4) {
     const Twin at[2] = {Twin{size * i, size * (i + 1)}, Twin{size * (i + 2), size * (i + 3)}};
     Twin value[2]{}, rate[2]{};

@@ -14,25 +14,25 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Largest distances of points from their unloaded places, scaled.
+/// Largest distances of points from their unloaded positions, scaled.
 struct LargestDisplacements {
   double observed = 0;  ///< peak of the observed point
   double casing = 0;    ///< peak of any casing
 };
 
-/// Largest number of states that are looked at in a step, its ends among them.
+/// Largest number of states examined in a step, including its ends.
 inline constexpr int most_peak_states = 65;
 
 /// Peaks over the first `duration_rad` of an expanded motion. `fastest` is the fastest rate of the motion per
-/// radian; `states` is scratch, which grows to most_peak_states of them.
+/// radian; `states` is scratch that grows to most_peak_states states.
 template <int N>
 LargestDisplacements largest_displacements(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
                                            double fastest, double duration_rad, std::vector<double>& states);
 
-/// Largest normal force of a touching contact over the same, newtons.
+/// Largest normal force of a touching contact over this duration, in newtons.
 double largest_force(const ContactSeries& contact, int order, double fastest, double duration_rad);
 
-/// Takes both into the peaks of `report`; `modes` per contact.
+/// Updates the peaks of `report` with both; `modes` per contact.
 template <int N>
 void note_peaks(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
                 const std::vector<contact::Mode>& modes, double fastest, double duration_rad,
@@ -48,8 +48,8 @@ void note_peaks(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
   report.peak_casing_displacement_m = std::max(report.peak_casing_displacement_m, casing * length_m);
 }
 
-/// Samples due before `end_phase` in a turn of `wanted` evenly spaced ones, from the expansion that starts at
-/// `start_phase`, radians into the turn; `report` has room for all of them.
+/// Writes the samples due before `end_phase`, out of `wanted` evenly spaced ones in a turn, from an expansion
+/// that starts at `start_phase` (radians in the turn). `report` must have room for all of them.
 template <int N>
 void put_samples(const Expansion<N>& motion, double start_phase, double end_phase, int wanted,
                  run::TurnReport& report) {
@@ -63,8 +63,8 @@ void put_samples(const Expansion<N>& motion, double start_phase, double end_phas
       report.samples.data() + static_cast<std::size_t>(first) * numbers);
 }
 
-/// Takes contact over the first `duration_rad`, and slips that reverse in it against a friction that keeps
-/// its direction, into `report`; `modes` per contact.
+/// Adds contact over the first `duration_rad` to `report`, and notes slips that reverse against one-way
+/// friction; `modes` per contact.
 template <int N>
 void note_contact(Expansion<N>& motion, const std::vector<contact::Mode>& modes, double duration_rad,
                   run::TurnReport& report) {

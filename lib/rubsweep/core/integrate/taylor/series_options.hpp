@@ -4,18 +4,18 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Rounding of a sum relative to the last terms of a series: at the end of a step each term is about a fourth
-/// of the one before, so that they may be four times as large as the truncation error.
+/// Rounding of a sum, relative to the last terms of a series. At the end of a step each term is about a
+/// fourth of the one before, so that the last terms may be four times the truncation error.
 inline constexpr double rounding_of_series = 0x1p-51;
 
-/// How a motion is made of power series.
+/// Settings of the power series of a motion.
 struct SeriesOptions {
   int order = numerics::most_taylor_order;
-  /// A step ends where the last two terms come to this share of the motion's size. Above rounding the steps
-  /// are longer, and the motion is as good as this.
+  /// A step ends where the last two terms reach this share of the motion's size. A value above rounding makes
+  /// steps longer and is the accuracy of the motion.
   double accuracy = rounding_of_series;
-  /// Ratio `Dynamics::friction_ratio` above which contacts creep: sweeps cost as much as a dozen usual
-  /// pieces, whose length falls with the ratio, and converge by it.
+  /// Value of `Dynamics::friction_ratio` above which contacts creep. Sweeps cost as much as a dozen usual
+  /// pieces; a larger ratio shortens usual pieces and makes sweeps converge faster.
   double creep_above = 20;
 };
 

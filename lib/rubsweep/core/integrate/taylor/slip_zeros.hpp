@@ -9,20 +9,20 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Slips of dry friction that are zero where a piece begins. Each is a power series whose first coefficients
-/// are then zero, and its next root lies behind that one.
+/// Slips of dry friction that are zero at the start of a piece. The first coefficients of their power series
+/// are then zero, and only the next root is an event.
 class SlipZeros {
  public:
   explicit SlipZeros(std::size_t contacts) : terms_(contacts, 0) {}
 
-  /// Number of leading coefficients that are zero, per contact (as of `SlipStart`).
+  /// Number of leading zero coefficients per contact (as in `SlipStart`).
   const std::vector<int>& terms() const { return terms_; }
 
-  /// No slip is zero, or those that are hold: a piece was moved, or all contacts were entered anew.
+  /// Clears all: after a piece, or after entering all contacts anew, no slip starts from zero.
   void clear() { std::ranges::fill(terms_, 0); }
 
-  /// The slip of contact `i` has come to zero: decides which contacts stick from here on. Those that slip on
-  /// do so from zero. `scratch` takes a rate of the state.
+  /// Handles contact `i` whose slip has reached zero: decides which contacts stick from now on. Those that
+  /// continue to slip start from zero. `scratch` takes a rate of the state.
   template <class Dynamics, class State>
   void stop(Dynamics& dynamics, std::size_t i, const State& state, State& scratch, double phase) {
     law::settle_slips(dynamics, state, scratch, phase, [i](std::size_t j) { return j == i; });
@@ -32,9 +32,9 @@ class SlipZeros {
     }
   }
 
-  /// Contact `i`, which sticks, is let go in the direction of `slip`. It starts with its friction, and so
-  /// does its slip's rate: two coefficients are zero, also of others that begin to slip with it. Where its
-  /// friction jumps, the rates do, too.
+  /// Releases the sticking contact `i` in the direction of `slip`. Its slip and the rate of its slip start
+  /// from zero, so that two coefficients are zero, also for others that begin to slip with it. If its
+  /// friction jumps, the rates jump, too, and only one coefficient is zero.
   template <class Dynamics, class State>
   void let_go(Dynamics& dynamics, std::size_t i, contact::Slip slip, const State& state, State& scratch,
               double phase) {

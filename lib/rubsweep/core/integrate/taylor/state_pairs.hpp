@@ -8,8 +8,8 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// N coordinates two by two, as an expansion takes them that keeps its newest terms in registers; none where
-/// the compiler does not know how many there are.
+/// N coordinates in pairs, for expansions that keep their newest terms in registers; empty if N is not a
+/// compile-time constant.
 template <int N>
 struct StatePairs {
   static constexpr std::size_t count = N == Eigen::Dynamic ? 0 : static_cast<std::size_t>(N) / 2;

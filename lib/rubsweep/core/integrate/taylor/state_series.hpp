@@ -12,7 +12,7 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Displacements u and velocities u' as power series of the phase from one instant on, u one order longer.
+/// Displacements u and velocities u' as power series of the phase from one instant; u has one more order.
 template <int N>
 class StateSeries {
  public:
@@ -33,13 +33,13 @@ class StateSeries {
   int order() const { return order_; }
   double accuracy() const { return accuracy_; }
   void set_accuracy(double accuracy) { accuracy_ = accuracy; }
-  // Coefficients: up to order + 1 of u, up to order of u'.
+  // Coefficients: of u up to order + 1, of u' up to order.
   auto u(int k) { return u_.col(k); }
   auto u(int k) const { return u_.col(k); }
   auto v(int k) { return v_.col(k); }
   auto v(int k) const { return v_.col(k); }
 
-  /// u then u' after `duration_rad`.
+  /// Writes u then u' after `duration_rad`.
   void put_state(double duration_rad, double* state) const {
     const Eigen::Index n = u_.rows();
     if constexpr (N != Eigen::Dynamic) {
@@ -50,15 +50,14 @@ class StateSeries {
     }
   }
 
-  /// Puts the states after the durations at(0), ..., at(count - 1), one behind the other, each with the same
-  /// bits however many there are: faster than one by one, because the sums of one need not wait for those of
-  /// another.
+  /// Writes the states after the durations at(0), ..., at(count - 1), one after another. Each has the same
+  /// bits for any count. This is faster than one by one, because the sums are independent.
   template <class At>
   void put_states(int count, const At& at, double* states) const {
     const Eigen::Index numbers = 2 * u_.rows();
     int i = 0;
     if constexpr (N != Eigen::Dynamic) {
-      // Number of states whose sums sixteen registers hold.
+      // Number of states whose sums fit into sixteen registers.
       constexpr std::size_t together = N <= 4 ? 3 : 2;
       for (; i + static_cast<int>(together) <= count; i += static_cast<int>(together)) {
         std::array<double, together> durations;
@@ -69,8 +68,8 @@ class StateSeries {
     for (; i < count; ++i) put_one_by_one(at(i), states + i * numbers);
   }
 
-  /// The longest duration, at most `longest_rad`, over which the last two terms stay within the accuracy
-  /// asked for, of the motion's size, or of one clearance where it is smaller.
+  /// The longest duration, at most `longest_rad`, over which the last two terms stay below the accuracy times
+  /// the motion's size, which counts as at least one clearance.
   double converged_rad(double longest_rad) const {
     const double length = std::max(1.0, u_.col(0).template lpNorm<Eigen::Infinity>());
     const double speed = std::max(1.0, v_.col(0).template lpNorm<Eigen::Infinity>());
@@ -88,7 +87,7 @@ class StateSeries {
  private:
   using Series = Eigen::Matrix<double, N, Eigen::Dynamic>;
 
-  /// Sum of the terms up to `highest`, even and odd ones apart: neither sum waits for the other.
+  /// Sum of the terms up to `highest`; even and odd terms are summed independently.
   static void put_sum(const Series& series, int highest, double duration_rad, double* to) {
     using Pairs = StatePairs<N>;
     const numerics::Twin step = numerics::both(duration_rad), square = step * step;

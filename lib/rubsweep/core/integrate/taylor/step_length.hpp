@@ -10,20 +10,20 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Largest product of a step and the fastest rate. Up to here a polynomial of order 24 moves the rounding in
-/// a mode that is not excited as the motion does, within 8^25 / 25! = 2e-3.
+/// Largest product of a step and the fastest rate. Up to here a polynomial of order 24 treats the rounding in
+/// an unexcited mode as the motion would, within 8^25 / 25! = 2e-3.
 inline constexpr double longest_times_fastest = 8;
 
-/// The same where tangent vectors are carried: they excite every mode, as strongly as themselves, whatever
-/// the motion does. The truncation error of e^x at order 23 is x^24 / 24!: 3.3 for 4e-12.
+/// Largest such product with tangent vectors, which excite every mode as strongly as themselves, whatever the
+/// motion does. The truncation error of e^x at order 23 is x^24 / 24!: x = 3.3 for 4e-12.
 inline double longest_times_fastest_of_tangents(double accuracy) {
   constexpr int next = TangentExpansion<2>::order + 1;
   return std::min(longest_times_fastest, std::pow(accuracy * std::tgamma(next + 1), 1.0 / next));
 }
 
-/// Fastest rate per radian of the structure, whose own is `structure_rate`, and of the springs that contacts
-/// join it with: an underdamped oscillator has eigenvalues of its undamped frequency's size, an overdamped
-/// one none above its damping. `modes` per contact.
+/// Fastest rate per radian of the structure (`structure_rate`) together with the contact springs. An
+/// underdamped oscillator has eigenvalues of the size of its undamped frequency, an overdamped one none above
+/// its damping. `modes` per contact.
 template <int N>
 double fastest_rate(double structure_rate, const Expansion<N>& motion,
                     const std::vector<contact::Mode>& modes) {
@@ -38,8 +38,8 @@ double fastest_rate(double structure_rate, const Expansion<N>& motion,
   return std::max(linear, std::sqrt(square));
 }
 
-/// Largest turning rate of the normals of contacts that touch where the expansion begins; per radian. The
-/// stiffness across a turning normal comes round twice a turn, and tangent vectors see it.
+/// Largest turning rate, per radian, of the normals of touching contacts at the start of the expansion. The
+/// stiffness in a fixed direction varies with twice this rate, which matters for tangent vectors.
 template <int N>
 double fastest_normal(const Expansion<N>& motion, const std::vector<contact::Mode>& modes) {
   double turning = 0;

@@ -21,11 +21,11 @@
 namespace rubsweep::integrate::taylor {
 
 /// `Count` tangent vectors of a motion side by side: w'' = -stiffness w - damping w' + variation of the
-/// contacts' forces. Where a contact sticks, they keep its slip, too.
+/// contacts' forces. They also keep the slip of sticking contacts.
 template <int N, int Count>
 class TangentBundle {
  public:
-  /// Highest order: one less than the motion's, which has to be known one further.
+  /// Highest order: one below that of the motion, which must be known to one order more.
   static constexpr int order = numerics::most_taylor_order - 1;
 
   explicit TangentBundle(const run::ScaledSystem<N>& system)
@@ -40,8 +40,9 @@ class TangentBundle {
     holding_.assign(count, TangentHolding(system.contacts.size(), holds ? order + 1 : 0));
   }
 
-  /// Moves columns `first` to `first` + Count - 1 over `duration_rad` of the motion as it was expanded. Each
-  /// is expanded until its last two terms are `accuracy` of its largest ones, in displacements and in rates.
+  /// Moves columns `first` to `first` + Count - 1 over `duration_rad` of the expanded motion. Each is
+  /// expanded until its last two terms are at most `accuracy` times its largest ones, in displacements and in
+  /// rates.
   void pass(Expansion<N>& motion, double duration_rad, double accuracy, Eigen::MatrixXd& tangents,
             Eigen::Index first) {
     const int most = begin(motion, tangents, first);
@@ -49,7 +50,7 @@ class TangentBundle {
     for (Eigen::Index i = 0; i < Count; ++i) sum_up(i, duration_rad, tangents.col(first + i));
   }
 
-  /// The same for one vector where contacts creep. False where its slips still have a transient of their own.
+  /// Moves one vector where contacts creep. False where its slips still have a transient of their own.
   bool pass_creeping(Expansion<N>& motion, double duration_rad, double accuracy, Eigen::MatrixXd& tangents,
                      Eigen::Index column) requires(Count == 1) {
     if (!settle_creep(motion, begin(motion, tangents, column), duration_rad, accuracy)) return false;
@@ -57,14 +58,14 @@ class TangentBundle {
     return true;
   }
 
-  /// Expansions that `pass_creeping` has made since the last call.
+  /// Number of expansions by `pass_creeping` since the last call.
   long take_sweeps() { return std::exchange(sweeps_, 0); }
 
  private:
   using Vector = Eigen::Matrix<double, N, 1>;
   using Terms = Eigen::Matrix<double, N, Eigen::Dynamic>;
 
-  /// Returns the highest order.
+  /// Sets the start of the vectors; returns the highest order.
   int begin(Expansion<N>& motion, const Eigen::MatrixXd& tangents, Eigen::Index first) {
     const int most = std::min(order, motion.order() - 1);
     const Eigen::Index n = system_.coordinates();
@@ -80,7 +81,7 @@ class TangentBundle {
     return most;
   }
 
-  /// Sweeps as of `taylor::settle_creep`, for the vector that has begun.
+  /// Sweeps as in `taylor::settle_creep`, for a vector that has begun.
   bool settle_creep(Expansion<N>& motion, int most, double duration_rad, double accuracy) {
     const Vector start = rate(0, 0);
     const double size =
@@ -110,7 +111,7 @@ class TangentBundle {
     return false;
   }
 
-  /// One sweep of a contact that creeps; returns its change.
+  /// Makes one sweep of a creeping contact; returns its change.
   double swept(Expansion<N>& motion, Eigen::Index stuck, int most, double duration_rad) {
     const std::size_t i = motion.stuck(stuck);
     CreepTangent& creep = holding_[0].creep(i);
@@ -120,7 +121,7 @@ class TangentBundle {
     return creep.change(duration_rad);
   }
 
-  /// Variation of the sliding speed of contact `stuck` with the vector where it starts.
+  /// Variation of the sliding speed of contact `stuck` with the vector at the start of the expansion.
   double sliding(Expansion<N>& motion, Eigen::Index stuck) {
     const std::size_t i = motion.stuck(stuck);
     const ContactSeries& contact = motion.contact(i);
@@ -128,7 +129,7 @@ class TangentBundle {
                          speed = at_contact(system_.contacts[i], rate(0, 0));
     if (!contact.law().annular) return speed[1];
     const numerics::Twin d = contact.distance()[0], v = contact.velocity()[0];
-    // Variation of |d| times the sliding speed, which is d1 d2' - d2 d1'.
+    // Variation of |d| times the sliding speed: that product is d1 d2' - d2 d1'.
     const double product = moved[0] * v[1] - moved[1] * v[0] + d[0] * speed[1] - d[1] * speed[0];
     return (product - contacts_[i].length_term(0, 0) * contact.creep()->sliding()[0]) *
            contact.inverse_length();
@@ -142,7 +143,7 @@ class TangentBundle {
   using Tangents = ContactTangents<Count>;
   using Term = typename Tangents::Term;
 
-  // Coefficient k of vector i.
+  // Column of coefficient k of vector i.
   static Eigen::Index place_of(int k, Eigen::Index i) { return Eigen::Index{k} * Count + i; }
   auto w(int k, Eigen::Index i) { return w_.col(place_of(k, i)); }
   auto rate(int k, Eigen::Index i) { return rate_.col(place_of(k, i)); }
@@ -158,7 +159,7 @@ class TangentBundle {
     return of.template middleCols<Count>(place_of(k, 0)).cwiseAbs().colwise().maxCoeff().array();
   }
 
-  /// Until each has converged; sets the orders that they reached: with an accuracy of zero the highest.
+  /// Expands until each vector has converged (accuracy 0: to the highest order); sets the reached orders.
   void expand(Expansion<N>& motion, int most, double duration_rad, double accuracy) {
     TangentConvergence<Count> convergence(accuracy, sizes(w_, 0), sizes(rate_, 0));
     if constexpr (N != Eigen::Dynamic) {
@@ -195,7 +196,7 @@ class TangentBundle {
     for (std::size_t i = 0; i < count; ++i) reached_[i] = convergence.order(i, most);
   }
 
-  /// Coefficients k of the accelerations.
+  /// Computes coefficient k of the accelerations.
   void accelerate(Expansion<N>& motion, int k) {
     for (Eigen::Index i = 0; i < Count; ++i) {
       auto a = acceleration_.col(i);
@@ -221,7 +222,7 @@ class TangentBundle {
       holding_[i].hold(motion, system_, contacts_, i, k, acceleration_.col(static_cast<Eigen::Index>(i)));
   }
 
-  /// `tangent` becomes the sum of the series of vector i.
+  /// Sets `tangent` to the sum of the series of vector i.
   template <class Column>
   void sum_up(Eigen::Index i, double duration_rad, Column&& tangent) {
     const Eigen::Index n = system_.coordinates();
@@ -236,12 +237,12 @@ class TangentBundle {
   }
 
   const run::ScaledSystem<N>& system_;
-  Terms w_, rate_;  ///< those of one order side by side
+  Terms w_, rate_;  ///< terms of one order are neighbours
   Eigen::Matrix<double, N, Count> acceleration_;
   std::array<int, count> reached_{};
   std::vector<Tangents> contacts_;
-  std::vector<TangentHolding> holding_;            ///< per vector
-  static constexpr double share_of_sweeps = 0.01;  ///< of the accuracy asked for
+  std::vector<TangentHolding> holding_;            ///< for each vector
+  static constexpr double share_of_sweeps = 0.01;  ///< share of the wanted accuracy
   Eigen::VectorXd change_;
   long sweeps_ = 0;
 };

@@ -8,21 +8,21 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Order up to which each of `Count` tangent vectors is summed: until two terms in a row are `accuracy` of
-/// its largest ones, in displacements and in rates.
+/// Order up to which each of `Count` tangent vectors is summed: until two successive terms are at most
+/// `accuracy` times its largest ones, in displacements and in rates.
 template <int Count>
 class TangentConvergence {
  public:
   /// Largest magnitudes in a term of each vector.
   using Sizes = Eigen::Array<double, 1, Count>;
 
-  /// From the sizes where the vectors start.
+  /// Starts with the sizes at the start of the vectors.
   TangentConvergence(double accuracy, Sizes displacement, Sizes rate)
       : accuracy_(accuracy), displacement_(std::move(displacement)), rate_(std::move(rate)) {}
 
-  /// The terms of order `k`, in their order.
+  /// Adds the terms of order `k`; call it in order of k.
   void add(int k, const Sizes& displacement, const Sizes& rate) {
-    // Number by number, as they were written: pairs of them would wait for each other.
+    // One by one: loading numbers in pairs right after they were stored one by one would stall.
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       displacement_(column) = std::max(displacement_(column), displacement(column));
@@ -42,7 +42,7 @@ class TangentConvergence {
 
  private:
   double accuracy_;
-  Sizes displacement_, rate_;  ///< the largest so far
+  Sizes displacement_, rate_;  ///< largest terms so far
   std::array<int, static_cast<std::size_t>(Count)> small_in_a_row_{}, orders_{};
   int left_ = Count;
 };

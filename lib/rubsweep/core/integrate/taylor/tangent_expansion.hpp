@@ -7,29 +7,29 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Tangent vectors of a motion, small changes of its state, moved along its expansions. At a change of mode
-/// they go on without a jump, as the force does.
+/// Tangent vectors of a motion (small changes of its state), moved along its expansions. They are continuous
+/// at a change of mode, because the force is.
 template <int N>
 class TangentExpansion {
  public:
-  /// Highest order: one less than the motion's, which has to be known one further.
+  /// Highest order: one below that of the motion, which must be known to one order more.
   static constexpr int order = TangentBundle<N, 1>::order;
 
   explicit TangentExpansion(const run::ScaledSystem<N>& system) : together_(system), alone_(system) {}
 
-  /// One per column, as TurnRequest::tangent_vectors.
+  /// Begins with one vector per column, as TurnRequest::tangent_vectors.
   void begin(const Eigen::MatrixXd& tangents) { tangents_ = tangents; }
   Eigen::Index count() const { return tangents_.cols(); }
 
-  /// Moves them over `duration_rad` of the motion as it was expanded. Each is expanded until its last two
-  /// terms are `accuracy` of its largest ones, in displacements and in rates. False, and nothing moved, where
-  /// contacts creep and the slips of a vector still have a transient of their own.
+  /// Moves the vectors over `duration_rad` of the expanded motion. Each is expanded until its last two terms
+  /// are at most `accuracy` times its largest ones, in displacements and in rates. False, with nothing moved,
+  /// where contacts creep and the slips of a vector still have a transient of their own.
   bool pass(Expansion<N>& motion, double duration_rad, double accuracy);
 
-  /// Sweeps for creep since the last call.
+  /// Number of sweeps for creep since the last call.
   long take_sweeps() { return alone_.take_sweeps(); }
 
-  /// Where they are now, to be read or changed between two pieces.
+  /// Present vectors, which may be read or changed between two pieces.
   Eigen::MatrixXd& vectors() { return tangents_; }
   const Eigen::MatrixXd& vectors() const { return tangents_; }
 

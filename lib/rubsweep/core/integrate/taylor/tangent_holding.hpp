@@ -15,11 +15,11 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// Variation, along a tangent vector, of the friction that holds contacts which stick or creep, as power
+/// Variation, along a tangent vector, of the friction that holds contacts that stick or creep, as power
 /// series.
 class TangentHolding {
  public:
-  /// For so many contacts and terms; no terms where nothing can be held.
+  /// For the given numbers of contacts and terms; no terms are needed where nothing can be held.
   TangentHolding(std::size_t contacts, std::size_t terms) : terms_(terms), creeps_(contacts) {}
 
   /// Variation of the sliding speed of a contact that creeps.
@@ -29,10 +29,10 @@ class TangentHolding {
     return terms_[static_cast<std::size_t>(k)].force[static_cast<std::size_t>(stuck)];
   }
 
-  /// Computes coefficient k of the holding forces' variations and adds their accelerations to that of the
-  /// vector; the vector is number `which` of those with the variations `contacts`. Small changes obey the
-  /// derivative of d1 d2'' - d2 d1'' = (s r)' (at a flat stop d2'' = s'), with the sliding speed s constant
-  /// where contacts stick, and with its variation where they creep.
+  /// Computes coefficient k of the variations of the holding forces and adds their accelerations to that of
+  /// the vector. `which`: index of the vector within the variations `contacts`. Small changes obey the
+  /// derivative of d1 d2'' - d2 d1'' = (s r)' (at a flat stop d2'' = s'). The sliding speed s is constant in
+  /// sticking contacts and varies in creeping ones.
   template <int N, int Count, class Column>
   void hold(const Expansion<N>& motion, const run::ScaledSystem<N>& system,
             const std::vector<ContactTangents<Count>>& contacts, std::size_t which, int k,
@@ -63,20 +63,20 @@ class TangentHolding {
   }
 
  private:
-  /// Coefficients of all contacts that stick: the friction, and the relative acceleration.
+  /// Coefficients of all sticking contacts: the friction, and the relative acceleration.
   struct Term {
     std::array<double, contact::most_sticking> force{};
     std::array<numerics::Twin, contact::most_sticking> acceleration{};
   };
 
-  /// Variation of the friction, as far as it is known, along the tangent as it turns.
+  /// Variation of the friction along the turning tangent, from the coefficients known so far.
   numerics::Twin turned_term(const ContactSeries& contact, Eigen::Index stuck, int k) const {
     numerics::Twin sum{};
     for (int j = 0; j < k; ++j) sum += numerics::both(term(j, stuck)) * contact.normal()[k - j];
     return numerics::quarter_turned(sum);
   }
 
-  /// Coefficient k of (tangent at the start) . the change of d'' that keeps the slip or follows its change.
+  /// Coefficient k of (tangent at the start) . (change of d'') that keeps the slip or follows its change.
   template <int Count>
   double keeping_term(const ContactSeries& contact, const ContactTangents<Count>& changes, std::size_t which,
                       const CreepTangent& creep, Eigen::Index stuck, int k) const {
@@ -103,7 +103,7 @@ class TangentHolding {
     return sum * contact.inverse_length();
   }
 
-  /// Coefficient k of the change of s r.
+  /// Coefficient k of the variation of s r, the product of sliding speed and distance.
   template <int Count>
   static double creeping_term(const ContactSeries& contact, const ContactTangents<Count>& changes,
                               std::size_t which, const CreepTangent& creep, int k) {

@@ -16,8 +16,8 @@ namespace {
 
 using contact::Mode;
 
-constexpr double same_instant = 1e-13;  ///< radians: landings nearer than that make no progress
-constexpr int most_expansions = 4;      ///< of each piece that a turn may have
+constexpr double same_instant = 1e-13;  ///< radians: shorter landings make no progress
+constexpr int most_expansions = 4;      ///< for each piece that a turn may have
 
 }  // namespace
 
@@ -120,7 +120,7 @@ run::Outcome TaylorRun<N>::end(run::TurnReport& report, run::Outcome ending) {
   return ending;
 }
 
-/// Modes by the state alone.
+/// Sets modes and slips from the state.
 template <int N>
 void TaylorRun<N>::enter_by_state() {
   clock_.change_pulses();
@@ -162,7 +162,7 @@ run::Outcome TaylorRun<N>::step(run::TurnReport& report) {
     wanted = guards_converged_rad(motion_.contact(i), motion_.order(), motion_.accuracy(), wanted);
   if (!(wanted > 0)) return run::Outcome::non_finite;
   if (book_.stands_still()) {
-    // Without progress a landing is not repeated: its instant is stepped over.
+    // A landing without progress is not repeated: its instant is stepped over.
     const double instant = std::min(same_instant, left);
     take(report, fastest, instant, instant < left ? clock_.time() + instant : boundary);
     switch_modes(report, {}, instant);
@@ -197,7 +197,7 @@ void TaylorRun<N>::expand(const std::vector<double>& state) {
                  dynamics_.poised());
 }
 
-/// Expands anew with contacts that creep, or leaves the expansion as it is.
+/// Repeats the expansion with creeping contacts, or leaves it as it is.
 template <int N>
 bool TaylorRun<N>::try_creep(double fastest, double ratio) {
   if (!book_.made_progress() || !creep_.due(ratio)) return false;
@@ -206,8 +206,8 @@ bool TaylorRun<N>::try_creep(double fastest, double ratio) {
       longest_step(fastest), longest_step(fastest * ratio));
 }
 
-/// Moves on by `duration` within the modes of the expansion, and takes the peaks and samples asked for.
-/// False, and nothing done, where contacts creep and tangent vectors do not yet.
+/// Moves on by `duration` within the modes of the expansion, and takes the requested peaks and samples.
+/// False, with nothing done, where contacts creep but their tangent vectors do not yet.
 template <int N>
 bool TaylorRun<N>::take(run::TurnReport& report, double fastest, double duration, double end_phase) {
   const bool moved = tangents_.pass(motion_, duration, tangent_accuracy_);
@@ -228,8 +228,8 @@ void TaylorRun<N>::note_switch(run::TurnReport& report, std::size_t i, Mode from
   book_.note_switch({clock_.time(), static_cast<int>(i), from, dynamics_.modes()[i]}, report);
 }
 
-/// Switches what `event` asks for at the end of the piece, which took `duration`. The force is continuous
-/// across the switch of a mode: one rate holds on both sides of it.
+/// Makes the switch of `event` at the end of the piece, which took `duration`. The force is continuous at the
+/// switch of a mode, so that one rate holds on both sides of it.
 template <int N>
 void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event, double duration) {
   clock_.change_pulses();
@@ -257,7 +257,7 @@ void TaylorRun<N>::switch_modes(run::TurnReport& report, const JointEvent& event
   }
 }
 
-/// Handles the zero of the slip of contact `i`; `rate_` is that before it was.
+/// Handles contact `i` whose slip reaches zero; `rate_` is the rate before this.
 template <int N>
 void TaylorRun<N>::stop_slip(std::size_t i) {
   zeros_.stop(dynamics_, i, state_, probe_, clock_.time());
@@ -266,8 +266,9 @@ void TaylorRun<N>::stop_slip(std::size_t i) {
   std::swap(rate_, probe_);
 }
 
-/// Friction no longer holds contact `i` at the end of a piece that took `duration`; `rate_` is that before.
-/// Tangent vectors change where the rate does: where the friction is less as soon as it slips.
+/// Releases contact `i`, which friction no longer holds at the end of a piece of `duration`; `rate_` is the
+/// rate before this. Tangent vectors jump where the rate does: if friction drops as soon as the contact
+/// slips.
 template <int N>
 void TaylorRun<N>::let_go(std::size_t i, contact::Slip slip, double duration) {
   if (!dynamics_.jumps(i)) return zeros_.let_go(dynamics_, i, slip, state_, probe_, clock_.time());
@@ -282,14 +283,14 @@ void TaylorRun<N>::let_go(std::size_t i, contact::Slip slip, double duration) {
   std::swap(rate_, probe_);
 }
 
-/// A contact that may have kept others standing is open.
+/// Settles poised contacts after the opening of a contact that may have held them.
 template <int N>
 void TaylorRun<N>::settle_poised() {
   law::settle_slips(dynamics_, state_, probe_, clock_.time(), [](std::size_t) { return false; });
   dynamics_(state_, rate_, clock_.time());
 }
 
-/// Applies all impulses of this instant. They shift the state by constants: tangent vectors do not change.
+/// Applies all impulses of this instant: constant shifts of the state, which leave tangent vectors unchanged.
 template <int N>
 void TaylorRun<N>::apply_impulses(run::TurnReport& report) {
   while (clock_.impulse_is_due()) run::add_impulse(clock_.take_impulse(), system_.scale, state_);

@@ -19,13 +19,13 @@
 
 namespace rubsweep::integrate::taylor {
 
-/// A run in pieces that are power series of the phase: within one joint contact mode every law is analytic,
-/// so that a step of order 24 is as long as its last terms are rounding. Guards are polynomials over a step,
-/// whose first rise through zero is found by signs of Bernstein coefficients, so that none is passed over. In
-/// friction so steep that the slip follows the rest of the motion, pieces are as long as without it
-/// (`Creep`), once the slip's own transient has died out. With dry friction pieces end, too, where a slip
-/// comes to zero and where a contact that sticks is let go. Takes flat and annular stops, any friction, any
-/// number of coordinates.
+/// A run in pieces that are power series of the phase. Within one joint contact mode every law is analytic; a
+/// step of order 24 is so long that its last terms are of the size of rounding. Guards are polynomials over a
+/// step; the signs of Bernstein coefficients locate their first rise through zero, so that none is missed. If
+/// friction is so steep that the slip follows the rest of the motion, pieces are as long as without friction
+/// once the slip's own transient has died out (`Creep`). With dry friction, pieces also end where a slip
+/// reaches zero or a contact stops sticking. Supports flat and annular stops, any friction, any number of
+/// coordinates.
 template <int N>
 class TaylorRun {
  public:
@@ -34,25 +34,25 @@ class TaylorRun {
   TaylorRun(const TaylorRun&) = delete;
   TaylorRun& operator=(const TaylorRun&) = delete;
 
-  /// Integrates phases 0 to `end_phase` of the next revolution; the run is over when that is less than 2 pi.
+  /// Integrates phases 0 to `end_phase` of the next revolution; an end before 2 pi ends the run.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = numerics::full_turn);
-  /// Begins a revolution that `go_on` makes in pieces and `finish` completes, of a scene without impulses.
+  /// Begins a revolution of a scene without impulses; `go_on` makes its pieces, `finish` completes it.
   void begin(const run::TurnRequest& request, run::TurnReport& report,
              double end_phase = numerics::full_turn);
 
-  /// As SeriesOptions::accuracy, from the next piece on.
+  /// Sets SeriesOptions::accuracy from the next piece on.
   void set_series_accuracy(double accuracy) { motion_.set_accuracy(accuracy); }
 
-  /// The next revolution is number `revolution` and starts from `section` (as TurnReport::section).
+  /// Starts the next revolution, number `revolution`, from `section` (as TurnReport::section).
   void resume(std::span<const double> section, long revolution);
 
-  /// Takes over a revolution of a scene without impulses, which another solver has made up to `phase_rad`: at
-  /// `state` (as TurnReport::section), with these modes of its contacts and these tangent vectors (as
-  /// TurnRequest::tangent_vectors).
+  /// Continues a revolution of a scene without impulses that another solver has made up to `phase_rad`.
+  /// `state` is as TurnReport::section, `tangent_vectors` as TurnRequest::tangent_vectors, `modes` per
+  /// contact.
   void join(const run::TurnRequest& request, long revolution, double phase_rad, std::span<const double> state,
             const std::vector<contact::Mode>& modes, const Eigen::MatrixXd& tangent_vectors);
-  /// One piece of the turn that was begun or joined; `report` goes on. After `ok` the run is at
+  /// Makes one piece of a turn that was begun or joined, and continues `report`. After `ok` the run is at
   /// `phase_rad()`.
   run::Outcome go_on(run::TurnReport& report) {
     const bool may_go_on = book_.may_step() && expansions_ < expansion_limit_;
@@ -60,19 +60,19 @@ class TaylorRun {
   }
   /// Whether the last piece reached the end of the turn.
   bool at_end_of_turn() const { return clock_.turn_is_over(); }
-  /// Completes the report of a turn that was begun or joined and is at its end.
+  /// Completes the report of a turn that was begun or joined and has reached its end.
   void finish(run::TurnReport& report) { end(report, run::Outcome::ok); }
 
   double phase_rad() const { return clock_.time(); }
-  /// Dry friction holds a contact.
+  /// Whether dry friction holds a contact.
   bool sticks() const { return dynamics_.any_dry() && dynamics_.stuck_contacts().count > 0; }
   const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
-  /// Slips of the contacts, valid for those that touch with dry friction.
+  /// Slips of the contacts, valid for touching contacts with dry friction.
   const std::vector<contact::Slip>& slips() const { return dynamics_.slips(); }
-  /// As many tangent vectors as were given, where they are now.
+  /// Present tangent vectors, as many as were given.
   const Eigen::MatrixXd& tangents() const { return tangents_.vectors(); }
 
-  /// Scaled state where the run is: where the next revolution begins, or in the turn that was joined.
+  /// Present scaled state: start of the next revolution, or within a joined turn.
   const std::vector<double>& section() const { return state_; }
   long revolution() const { return book_.revolution; }
   run::Effort effort() const {
@@ -103,20 +103,20 @@ class TaylorRun {
   law::Dynamics<N, false> dynamics_;
   Expansion<N> motion_;
   TangentExpansion<N> tangents_;
-  run::TurnClock clock_;       ///< in radians
-  double structure_rate_ = 0;  ///< fastest of the structure without contacts, per radian
+  run::TurnClock clock_;       ///< clock in radians
+  double structure_rate_ = 0;  ///< fastest rate of the structure without contacts, per radian
   CreepChoice<N> creep_;
   double tangent_accuracy_ = 0;
-  double longest_of_tangents_ = 0;  ///< step times the fastest rate of what they excite
+  double longest_of_tangents_ = 0;  ///< largest product of a step and the fastest rate with tangent vectors
   run::TurnBook book_;
   long max_steps_ = 0;
-  /// Where contacts creep a piece takes several, and a search for creep that fails takes them for nothing.
+  /// Counts expansions: a piece with creep takes several, also if the search for creep fails.
   long expansions_ = 0, expansion_limit_ = 0;
   std::vector<double> state_, rate_, probe_, states_;
   std::vector<contact::Mode> modes_before_;
   SlipZeros zeros_;
   bool entered_ = false;
-  int samples_wanted_ = 0;  ///< as asked for in this turn
+  int samples_wanted_ = 0;  ///< samples requested in this turn
   bool peaks_wanted_ = false;
 };
 

@@ -10,8 +10,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Binary orders between a row and the column of the same number from which a matrix is balanced. The
-/// generator of u'' = -k u has k of them: an eigenvalue loses sqrt(k) times the rounding of doubles.
+/// Smallest ratio, in powers of two, between a row and its column for which the matrix is balanced first. The
+/// generator of u'' = -k u has the ratio k; its eigenvalues lose a factor sqrt(k) in relative accuracy.
 constexpr int badly_scaled = 40;
 
 /// log2 of the off-diagonal part of row `i` over that of column `i`; 0 where one of them is zero.
@@ -22,13 +22,13 @@ int imbalance(const MatrixXd& matrix, Eigen::Index i) {
   return row > 0 && column > 0 ? std::ilogb(row) - std::ilogb(column) : 0;
 }
 
-/// Balanced matrix, similar and with rows and columns of like size, by powers of two, which cost no rounding
-/// (Parlett and Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors, 1969).
+/// Similar matrix whose rows and columns have about equal norms. It is scaled by powers of two, which add no
+/// rounding (Parlett and Reinsch, Balancing a matrix for calculation of eigenvalues and eigenvectors, 1969).
 MatrixXd balanced(MatrixXd matrix) {
   bool needed = false;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     needed = needed || std::abs(imbalance(matrix, i)) >= badly_scaled;
-  constexpr int most_sweeps = 100;  // each one at least halves what is out of balance
+  constexpr int most_sweeps = 100;  // each one at least halves the imbalance
   for (int sweep = 0; needed && sweep < most_sweeps; ++sweep) {
     needed = false;
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
@@ -48,7 +48,7 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 Eigen::VectorXcd eigenvalues(const MatrixXd& matrix) {
   const Eigen::VectorXcd none = Eigen::VectorXcd::Constant(matrix.rows(), not_known);
-  // For a matrix that is not finite the iteration may claim convergence.
+  // The iteration may report convergence for a matrix that is not finite.
   if (!matrix.allFinite()) return none;
   const Eigen::EigenSolver<MatrixXd> solver(balanced(matrix), false);
   return solver.info() == Eigen::Success ? solver.eigenvalues() : none;
@@ -64,7 +64,7 @@ Eigenvectors eigenvectors(const MatrixXd& matrix) {
 
 GeneralModes general_modes(const Eigen::MatrixXd& matrix, bool with_vectors,
                            Eigen::Index iterations_per_row) {
-  // One solver a thread: it keeps its workspace from one matrix to the next.
+  // One solver per thread: it keeps its workspace from one matrix to the next.
   thread_local Eigen::EigenSolver<Eigen::MatrixXd> solver;
   solver.setMaxIterations(iterations_per_row * matrix.rows());
   solver.compute(matrix, with_vectors);

@@ -4,33 +4,33 @@
 
 namespace rubsweep::numerics::dense {
 
-/// Eigenvalues of a real square matrix, in the order that Eigen's EigenSolver finds them; all NaN where its
-/// iteration does not converge or the matrix is not finite. Here so that its templates are compiled once.
+/// Eigenvalues of a real square matrix, in the order of Eigen's EigenSolver. All are NaN where its iteration
+/// does not converge or the matrix is not finite. Defined here so that its templates are compiled once.
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix);
 
-/// The same with their eigenvectors, one per column. Those of a pair of complex eigenvalues are conjugate.
+/// Eigenvalues and eigenvectors, one per column. Vectors of a pair of complex eigenvalues are conjugate.
 struct Eigenvectors {
   Eigen::VectorXcd values;
   Eigen::MatrixXcd vectors;
 };
 Eigenvectors eigenvectors(const Eigen::MatrixXd& matrix);
 
-/// Eigenvalues of a real square matrix and, where asked for, eigenvectors of unit length, one a column.
-/// `iterations_per_row`: after so many QR steps a row it gives up; Eigen's own limit is 40.
+/// Eigenvalues of a real square matrix and, on request, eigenvectors of unit length as columns.
+/// `iterations_per_row`: largest number of QR steps per row; Eigen's own limit is 40.
 struct GeneralModes {
   Eigen::VectorXcd values;
   Eigen::MatrixXcd vectors;
-  bool converged = false;  ///< else there are no values
+  bool converged = false;  ///< false: there are no values
 };
 GeneralModes general_modes(const Eigen::MatrixXd& matrix, bool with_vectors,
                            Eigen::Index iterations_per_row = 40);
 
-/// Spectral radius, the largest |eigenvalue|: of a monodromy matrix the modulus of the largest multiplier, of
-/// a generator its fastest rate. NaN where the eigenvalues are.
+/// Spectral radius, the largest |eigenvalue|. For a monodromy matrix it is the modulus of the largest
+/// multiplier, for a generator its fastest rate. NaN where the eigenvalues are NaN.
 double spectral_radius(const Eigen::MatrixXd& matrix);
 
-/// Eigenvalues, smallest first, and orthonormal eigenvectors of a self-adjoint matrix
-/// (SelfAdjointEigenSolver). Here so that Eigen's templates are compiled once.
+/// Eigenvalues in ascending order and orthonormal eigenvectors of a self-adjoint matrix
+/// (SelfAdjointEigenSolver). Defined here so that Eigen's templates are compiled once.
 template <class Matrix>
 struct SelfAdjointModes {
   Eigen::VectorXd values;
@@ -39,7 +39,7 @@ struct SelfAdjointModes {
 };
 SelfAdjointModes<Eigen::MatrixXd> self_adjoint_modes(const Eigen::MatrixXd& a);
 
-/// Eigenvalues of a symmetric matrix alone, smallest first; all NaN where the iteration does not converge.
+/// Eigenvalues of a symmetric matrix in ascending order; all NaN where the iteration does not converge.
 Eigen::VectorXd self_adjoint_eigenvalues(const Eigen::MatrixXd& a);
 
 }  // namespace rubsweep::numerics::dense

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <algorithm>
 
 namespace rubsweep::numerics::dense {
 
@@ -16,31 +15,6 @@ VectorXd solve(const MatrixXd& a, const VectorXd& b) { return a.partialPivLu().s
 VectorXcd solve(const MatrixXcd& a, const VectorXcd& b) { return a.partialPivLu().solve(b); }
 MatrixXcd solve(const MatrixXcd& a, const MatrixXcd& b) { return a.partialPivLu().solve(b); }
 MatrixXcd inverse(const MatrixXcd& a) { return a.partialPivLu().inverse(); }
-
-MatrixXcd solve_banded(MatrixXcd a, MatrixXcd b, Eigen::Index band) {
-  // Elimination by columns halves the time of Eigen's blocks of complex numbers up to some hundred rows.
-  constexpr Eigen::Index narrow = 6, small = 128;
-  const Eigen::Index n = a.rows();
-  if (n > small && narrow * band > n) return solve(a, b);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::Index below = std::min(band, n - 1 - k), right = std::min(2 * band, n - 1 - k);
-    Eigen::Index pivot = 0;
-    a.col(k).segment(k, below + 1).cwiseAbs2().maxCoeff(&pivot);
-    if (pivot > 0) {
-      a.row(k).segment(k, right + 1).swap(a.row(k + pivot).segment(k, right + 1));
-      b.row(k).swap(b.row(k + pivot));
-    }
-    const VectorXcd factors = a.col(k).segment(k + 1, below) / a(k, k);
-    a.block(k + 1, k + 1, below, right).noalias() -= factors * a.row(k).segment(k + 1, right);
-    b.middleRows(k + 1, below).noalias() -= factors * b.row(k);
-  }
-  for (Eigen::Index k = n - 1; k >= 0; --k) {
-    const Eigen::Index above = std::min(2 * band, k);
-    b.row(k) /= a(k, k);
-    b.middleRows(k - above, above).noalias() -= a.col(k).segment(k - above, above) * b.row(k);
-  }
-  return b;
-}
 
 double determinant(const MatrixXd& a) { return a.partialPivLu().determinant(); }
 

@@ -5,16 +5,13 @@
 
 namespace rubsweep::numerics::dense {
 
-/// LU decompositions of matrices whose size is known at run time. Here so that Eigen's templates are compiled
-/// once: a source that uses one needs seconds for them.
+/// LU decompositions of matrices whose size is known at run time. Compiled here once, because Eigen's
+/// templates take seconds in every source that uses them.
 
 /// a^-1 b by partialPivLu; not finite where `a` is singular.
 Eigen::VectorXd solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::VectorXcd solve(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 Eigen::MatrixXcd solve(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
-/// The same where all numbers of `a` stand at most `band` places off its diagonal: by elimination within the
-/// band if that is narrow or they are small, with pivots of the columns.
-Eigen::MatrixXcd solve_banded(Eigen::MatrixXcd a, Eigen::MatrixXcd b, Eigen::Index band);
 /// a^-1 by partialPivLu.
 Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& a);
 /// Determinant by partialPivLu.
@@ -31,34 +28,34 @@ class LuFactors {
   explicit LuFactors(const Eigen::MatrixXd& a);
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
-  double reciprocal_condition() const;  ///< estimated, in the 1-norm
+  double reciprocal_condition() const;  ///< estimate in the 1-norm
 
  private:
   std::shared_ptr<const Eigen::PartialPivLU<Eigen::MatrixXd>> lu_;
 };
 
-/// Factors of a matrix with pivots from all rows and columns (FullPivLU), which tell its rank.
+/// Factors of a matrix with full pivoting (FullPivLU), which reveal its rank.
 class FullPivotFactors {
  public:
   explicit FullPivotFactors(const Eigen::MatrixXd& a);
   bool invertible() const;              ///< square and of full rank
-  double reciprocal_condition() const;  ///< estimated, in the 1-norm
+  double reciprocal_condition() const;  ///< estimate in the 1-norm
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
   Eigen::MatrixXd inverse() const;
-  Eigen::MatrixXd kernel() const;  ///< basis, one vector a column; a zero column where only zero is in it
+  Eigen::MatrixXd kernel() const;  ///< basis of the null space as columns; one zero column if it is trivial
 
  private:
   std::shared_ptr<const Eigen::FullPivLU<Eigen::MatrixXd>> lu_;
 };
 
 /// Factors of a symmetric positive definite matrix a = lower lower^T whose size is known at run time (LLT).
-/// Here so that Eigen's templates are compiled once.
+/// Compiled here once.
 class CholeskyFactors {
  public:
-  CholeskyFactors() = default;  ///< factors of no matrix; another one must be assigned before it is used
+  CholeskyFactors() = default;  ///< no matrix; assign one before use
   explicit CholeskyFactors(const Eigen::MatrixXd& a);
-  bool positive_definite() const;  ///< else nothing below means anything
+  bool positive_definite() const;  ///< false: the results below are meaningless
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
   Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;  ///< lower^-1 b
@@ -80,15 +77,15 @@ class SymmetricFactors {
   std::shared_ptr<const Eigen::LDLT<Eigen::MatrixXd>> ldlt_;
 };
 
-/// The x of least norm among those of least |a x - b|, by completeOrthogonalDecomposition, of matrices whose
-/// size is known at run time. Here so that Eigen's templates are compiled once.
+/// The x of least norm among all minima of |a x - b|, by completeOrthogonalDecomposition, for matrices whose
+/// size is known at run time. Compiled here once.
 Eigen::VectorXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::MatrixXd least_norm_solution(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-/// The same by real and imaginary parts, whose least squares and norm are equal.
+/// The complex problem solved by real and imaginary parts, which have the same residual and norm.
 Eigen::VectorXcd least_norm_solution(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 
-/// First `count` columns of the orthogonal factor of householderQr, of a matrix whose size is known at run
-/// time. Here so that Eigen's templates are compiled once.
+/// First `count` columns of the orthogonal factor of householderQr, for a matrix whose size is known at run
+/// time. Compiled here once.
 Eigen::MatrixXd orthonormal_columns(const Eigen::MatrixXd& a, Eigen::Index count);
 
 }  // namespace rubsweep::numerics::dense

@@ -6,21 +6,21 @@
 
 namespace rubsweep::numerics::spectral {
 
-/// Decompositions of complex matrices, and of pairs of symmetric ones, whose size is known at run time. Here
-/// so that Eigen's templates are compiled once, and not at all for programs that do without.
+/// Decompositions of complex matrices and of pairs of symmetric ones, whose size is known at run time.
+/// Eigen's templates are compiled here once, and not at all for programs that do not use them.
 
-/// As dense::self_adjoint_modes, of a Hermitian matrix.
+/// The same as dense::self_adjoint_modes for a Hermitian matrix.
 dense::SelfAdjointModes<Eigen::MatrixXcd> hermitian_modes(const Eigen::MatrixXcd& a);
 
-/// The w of a x = w b x with b positive definite, smallest first (GeneralizedSelfAdjointEigenSolver); all NaN
-/// where the iteration does not converge.
+/// Eigenvalues w of a x = w b x with b positive definite, in ascending order
+/// (GeneralizedSelfAdjointEigenSolver); all NaN where the iteration does not converge.
 Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// As dense::orthonormal_columns, of a complex matrix.
+/// The same as dense::orthonormal_columns for a complex matrix.
 Eigen::MatrixXcd unitary_columns(const Eigen::MatrixXcd& a, Eigen::Index count);
 
-/// Singular value decomposition a = u diag(values) v^T (JacobiSVD), largest value first, with as many columns
-/// of u and v as there are values. Here so that Eigen's templates are compiled once.
+/// Singular value decomposition a = u diag(values) v^T (JacobiSVD), largest value first; u and v have as many
+/// columns as there are values. Compiled here once.
 struct SingularValues {
   Eigen::MatrixXd u, v;
   Eigen::VectorXd values;

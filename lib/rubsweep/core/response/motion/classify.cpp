@@ -30,7 +30,7 @@ void require_shape(const Window& window) {
   }
 }
 
-// A rotor that slides all along never hits: both must be zero.
+// A rotor that slides without a break has no hits; therefore hits and contact share must both be zero.
 bool never_touches(const ContactFacts& contact) { return contact.hits == 0 && contact.contact_fraction == 0; }
 
 double largest_line_m(const spectrum::FullSpectrum& spectrum) {
@@ -42,7 +42,7 @@ struct OffOrder {
   bool agrees = true;
 };
 
-// Energy and largest line off the multiples of 1/order; spectrum.turns is a multiple of order.
+// Energy and largest line off the multiples of 1/order; spectrum.turns must be a multiple of order.
 OffOrder off_order(const spectrum::FullSpectrum& spectrum, int order, double clearance_m) {
   const int spacing = spectrum.turns / order;
   const double floor_m = significant_share_of_clearance * clearance_m;

@@ -24,16 +24,16 @@ enum class MotionClass {
   failed,
 };
 
-/// All that is said about one class. Maps, summaries, comparisons and help texts read it here; colours are
-/// those of MotionKind.
+/// Properties of one class. Maps, summaries, comparisons and help texts use this table; colours are in
+/// MotionKind.
 struct MotionClassRow {
   std::string_view word;         ///< word in map.csv
   std::string_view description;  ///< text for --help
   bool rubs = false;             ///< the rotor keeps touching a stop
-  bool repeats = false;  ///< true: measures do not depend on when one looks, so that maps may be compared
+  bool repeats = false;  ///< true: measures do not depend on when they are taken: maps may be compared
 };
 
-/// The table. It is a switch so that a class without a row does not compile.
+/// Table of all classes. It is a switch so that a class without a row does not compile.
 constexpr MotionClassRow row_of(MotionClass motion_class) {
   switch (motion_class) {
     case MotionClass::non_contact:
@@ -85,33 +85,33 @@ constexpr MotionClassRow row_of(MotionClass motion_class) {
   return {};
 }
 
-/// The word in map.csv; empty for a number that is no class.
+/// Word of a class in map.csv; empty for a number that is no class.
 constexpr std::string_view to_string(MotionClass motion_class) { return row_of(motion_class).word; }
 
-/// Every class, in the order of the enumeration.
+/// All classes, in the order of the enumeration.
 inline constexpr auto motion_classes =
     enumerators_of<MotionClass, [](MotionClass motion_class) { return row_of(motion_class).word; }>;
 
-/// The class of a word in map.csv; empty for any other word.
+/// Class for a word in map.csv; empty for any other word.
 constexpr std::optional<MotionClass> motion_class_of(std::string_view word) {
   const auto found = std::ranges::find(motion_classes, word,
                                        [](MotionClass motion_class) { return to_string(motion_class); });
   return found == motion_classes.end() ? std::nullopt : std::optional(*found);
 }
 
-/// A kind of motion as maps show it: the class, with the order of a subharmonic motion and with the shape and
-/// direction that tell the motions at an annular stop apart. Terminal, figures and report read this table.
+/// A kind of motion as maps show it: the class, the order of a subharmonic motion, and the shape and
+/// direction by which motions at an annular stop differ. Terminal, figures and report use this table.
 struct MotionKind {
   std::string_view name;      ///< name in map.csv
   std::string_view label;     ///< label in legends
   std::uint32_t colour;       ///< 0xRRGGBB
   std::uint32_t dark_colour;  ///< colour on a dark background
-  char sign;             ///< letter on a terminal; a subharmonic motion shows the digit of its order instead
-  bool hatched = false;  ///< true: hatched in figures
+  char sign;                  ///< letter on a terminal; a subharmonic motion shows the digit of its order
+  bool hatched = false;       ///< true: hatched in figures
   bool settled_rub = true;
 };
 
-/// Colours: Paul Tol's "muted" scheme, made for colour-blind readers, and some of their own for rare kinds.
+/// Colours are from Paul Tol's "muted" scheme for colour-blind readers, with others for rare kinds.
 inline constexpr std::array motion_kinds{
     MotionKind{"non_contact", "no contact", 0xF4F4F4, 0x2B2F36, '.', false, false},
     MotionKind{"synchronous_circle", "synchronous circle", 0x4F9BD0, 0x4F9BD0, '1'},
@@ -134,11 +134,11 @@ inline constexpr std::array motion_kinds{
     MotionKind{"failed", "failed", 0xCC0000, 0xCC0000, '!', true, false},
 };
 
-/// The kind of a name in map.csv; null for any other word.
+/// Kind for a name in map.csv; null for any other word.
 const MotionKind* motion_kind_of(std::string_view name);
 
-/// `order` of a motion that repeats, shape and direction of its orbit where it has any, `comb` for a closed
-/// orbit in the rotating frame (Measures::comb_spacing).
+/// Kind of a motion. `order`: of a periodic motion; `orbit`, `whirl`: shape and direction, if it has any;
+/// `comb`: it is a closed orbit in the rotating frame (Measures::comb_spacing).
 const MotionKind& kind_of(MotionClass motion_class, std::optional<int> order,
                           std::optional<spectrum::OrbitKind> orbit, std::optional<spectrum::WhirlKind> whirl,
                           bool comb);

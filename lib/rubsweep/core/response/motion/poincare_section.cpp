@@ -11,7 +11,7 @@
 namespace rubsweep::response::motion {
 namespace {
 
-// Largest return error after `lag` numbers; empty as soon as one is beyond the tolerance or not a number.
+// Largest return error at the distance `lag`; empty as soon as an error exceeds the tolerance or is NaN.
 std::optional<double> return_error(std::span<const double> rows, std::size_t lag) {
   double largest = 0;
   for (std::size_t i = 0; i + lag < rows.size(); ++i) {
@@ -22,12 +22,12 @@ std::optional<double> return_error(std::span<const double> rows, std::size_t lag
   return largest;
 }
 
-/// Limit of the return error of a motion after a number of turns, as the turns go by.
+/// Limit of the return error after a number of turns, as time goes on.
 enum class ReturnLimit { apart, nothing, undecided };
 
-/// Root mean square of the return error after `lag` numbers in three successive stretches at the end of the
-/// rows, of as many whole periods as fit, `period` numbers each: returns that differ along a period then do
-/// not tell the stretches apart. Zeros where none fits.
+/// Root mean square of the return error at the distance `lag` (in numbers) in three successive parts at the
+/// end of the rows. Each part has the same count of whole periods of `period` numbers, so that variations
+/// within a period do not affect the comparison. Zeros where none fits.
 std::array<double, 3> returns_by_thirds(std::span<const double> rows, std::size_t lag, std::size_t period) {
   std::array<double, 3> means{};
   const std::size_t third = (rows.size() - lag) / period / 3 * period;
@@ -41,12 +41,12 @@ std::array<double, 3> returns_by_thirds(std::span<const double> rows, std::size_
   return means;
 }
 
-/// Limit of the returns, as if the decaying part shrank by one factor per turn (Aitken's extrapolation).
+/// Limit of the returns if the decaying part shrinks by one factor per turn (Aitken's extrapolation).
 ReturnLimit return_limit(std::span<const double> rows, std::size_t lag, std::size_t period) {
-  constexpr double shrinks = 0.999;  ///< largest ratio of the last third to the first of a decay
-  constexpr double enough = 0.95;    ///< largest such ratio of one whose limit may be nothing
-  constexpr double of_last = 0.5;    ///< a limit above this share of the last third is one
-  constexpr double nothing = 0.05;   ///< largest share of the last third that counts as nothing
+  constexpr double shrinks = 0.999;  ///< largest ratio of the last to the first part of a decay
+  constexpr double enough = 0.95;    ///< largest such ratio if the limit may be zero
+  constexpr double of_last = 0.5;    ///< a limit above this share of the last part is non-zero
+  constexpr double nothing = 0.05;   ///< a limit below this share of the last part counts as zero
   const auto [first, middle, last] = returns_by_thirds(rows, lag, period);
   if (!(last < shrinks * first)) return ReturnLimit::apart;
   const double slowing = (first - middle) - (middle - last);
@@ -56,7 +56,7 @@ ReturnLimit return_limit(std::span<const double> rows, std::size_t lag, std::siz
   return ReturnLimit::undecided;
 }
 
-/// Largest return error after `lag` numbers over the last of these returns.
+/// Largest return error at the distance `lag` over the last `lag` numbers.
 double last_return_error(std::span<const double> rows, std::size_t lag) {
   double largest = 0;
   for (std::size_t i = rows.size() - lag; i < rows.size(); ++i)

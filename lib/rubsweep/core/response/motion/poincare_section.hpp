@@ -8,10 +8,10 @@
 
 namespace rubsweep::response::motion {
 
-/// A section that returns within this, in units of (clearance, clearance x omega), is periodic.
+/// Largest return error of a periodic section, in units of (clearance, clearance x omega).
 inline constexpr double section_tolerance = 1e-5;
 
-/// Turns in the window of order n: n floor(turns / n), the whole periods that fit.
+/// Turns in the window of order n: n floor(turns / n), as many whole periods as fit.
 constexpr int window_turns(int turns, int order) { return order * (turns / order); }
 
 struct SectionPeriod {
@@ -20,32 +20,31 @@ struct SectionPeriod {
 };
 
 /// Period of the once-per-turn section. `rows` holds (turns + 1) x `states` numbers, row-major: row k is the
-/// state k turns after the start of the window, displacements divided by the clearance, velocities by
+/// state k turns after the start of the window, with displacements divided by the clearance and velocities by
 /// clearance x omega.
 ///
 /// Returns the smallest n <= `max_order` for which |row(k + n) - row(k)| <= section_tolerance in the maximum
-/// norm for all k with both rows in the last window_turns(turns, n) turns. Orders whose window holds fewer
-/// than two periods are not looked for. Empty when no n returns, when a number is not finite, and when a
-/// smaller order returns over the rows that decided for n: then the window began in a transient, which the
-/// shorter window of n just misses, and n says nothing about the motion behind it. SolverError when `rows`
-/// has no such shape.
+/// norm, for all k with both rows in the last window_turns(turns, n) turns. Orders whose window holds fewer
+/// than two periods are skipped. Empty when no n returns or a number is not finite. Also empty when a smaller
+/// order returns over the rows that decided for n: the window then began in a transient that the shorter
+/// window of n just misses, and n is not the period of the motion that follows. SolverError when `rows` has
+/// another shape.
 ///
-/// A slow approach to an orbit of fewer turns passes for n turns: where a multiplier m of an orbit of k turns
-/// is near -1, sections 2 k turns apart differ by 1 - m^2 of the distance from the orbit, those k turns apart
-/// by 1 - m, a hundred times more. A part of n (a divisor of it) whose return shrinks over the window is
-/// therefore asked where it shrinks to (`return_limit`): to a distance of its own, and n stands; to nothing,
-/// and the part is the order, its residual that of the end; anything between is decided by no window, and the
-/// answer is empty.
+/// A slow approach to an orbit of k turns can look like a period of 2 k: with a multiplier m near -1,
+/// sections 2 k turns apart differ by 1 - m^2 of the distance from the orbit, sections k turns apart by 1 -
+/// m, a hundred times more. Therefore each divisor of n whose return shrinks over the window is extrapolated
+/// (`return_limit`). If the limit is a distance of its own, n is the period. If it is zero, the divisor is
+/// the period, with the residual at the end. Otherwise no window decides, and the result is empty.
 std::optional<SectionPeriod> period_of_section(std::span<const double> rows, int states, int max_order);
 
-/// Sections of the last turns of a run that settles on a known order, to see when it has.
+/// Sections of the last turns of a run that settles on a known order, to detect when it has settled.
 class SectionReturns {
  public:
-  /// `order` >= 1 turns.
+  /// `order` >= 1, in turns.
   explicit SectionReturns(int order) : order_(static_cast<std::size_t>(order)) {}
 
-  /// Takes in the section of one more turn. Whether it is that of `order` turns ago within section_tolerance,
-  /// in the maximum norm.
+  /// Adds the section of one more turn. Returns whether it equals the section `order` turns ago within
+  /// section_tolerance in the maximum norm.
   bool returned(const std::vector<double>& section);
 
  private:

@@ -25,13 +25,13 @@ class Record {
  public:
   Record(const scene::Scene& scene, const ResponseOptions& options);
 
-  /// Forgets what was recorded; `section` is that at the start of the first turn that will be.
+  /// Starts a new record; `section` is that at the start of the first turn to be recorded.
   void begin(std::span<const double> section);
 
-  /// A turn with `samples_per_revolution` samples and peaks; two windows of them fill the record.
+  /// Adds a turn with `samples_per_revolution` samples and peaks; two windows of turns fill the record.
   void add(const integrate::run::TurnReport& turn);
 
-  /// 0: the older window, 1: the newer.
+  /// Window 0 is the older, 1 the newer.
   Window window(std::size_t which) const;
 
   /// Samples of the observed point over both windows, in metres.
@@ -39,7 +39,7 @@ class Record {
 
  private:
   ResponseOptions options_;
-  Eigen::Matrix<double, 2, Eigen::Dynamic> map_;  ///< scaled displacements to (x, y) in metres
+  Eigen::Matrix<double, 2, Eigen::Dynamic> map_;  ///< map from scaled displacements to (x, y) in metres
   double length_scale_m_;
   std::size_t states_;
   std::vector<std::complex<double>> displacement_m_;
@@ -47,18 +47,18 @@ class Record {
   std::vector<ContactFacts> facts_;
 };
 
-/// Turns that a run passes before its motion counts as settled.
+/// Number of turns that a run passes before its motion counts as settled.
 struct Settling {
   long most_turns = 0;
-  std::optional<int> order{};  ///< settled sooner, where its section is that of so many turns ago
+  std::optional<int> order{};  ///< settled earlier if the section returns after so many turns
   long fewest_turns = 0;       ///< turns before which such a return does not count
-  /// The run is given up after more turns in a row without contact: its motion has ended.
+  /// The run is abandoned after more successive turns without contact: its motion has ended.
   std::optional<int> longest_flight{};
-  double most_work = std::numeric_limits<double>::infinity();  ///< limit for the run, recording included
+  double most_work = std::numeric_limits<double>::infinity();  ///< limit of the run's work, with recording
 };
 
-/// Lets a run settle from `turn`, whose section is where it stands. Number of turns passed; empty where one
-/// fails, or where the run is given up.
+/// Lets a run settle from `turn`, whose section is the current state. Returns the number of turns passed;
+/// empty where a turn fails or the run is abandoned.
 std::optional<long> pass_until_settled(const integrate::run::Run& run, const Settling& settling,
                                        integrate::run::TurnReport& turn);
 
@@ -66,40 +66,40 @@ std::optional<long> pass_until_settled(const integrate::run::Run& run, const Set
 void add_samples(const scene::Scene& scene, const integrate::run::TurnReport& turn,
                  std::vector<std::complex<double>>& displacement_m);
 
-/// A recorded turn.
+/// A recorded turn with its start and the turns that follow.
 struct RecordedTurn {
   const integrate::run::TurnReport& report;
-  std::span<const double> begin;  ///< section at its start
-  long left = 0;                  ///< turns to come, this one included
+  std::span<const double> begin;  ///< section at the start of the turn
+  long left = 0;                  ///< turns to come, including this one
 };
 
-/// How a run settles, and what is recorded of it then.
+/// Settings for settling a run and for recording it afterwards.
 struct Wanted {
-  std::span<const double> start{};  ///< section to begin at, as TurnReport::section; empty: that of the scene
+  std::span<const double> start{};  ///< first section, as TurnReport::section; empty: that of the scene
   Settling settling{};
-  long turns = 0;                  ///< recorded ones
+  long turns = 0;                  ///< number of recorded turns
   int samples_per_revolution = 0;  ///< samples in a recorded turn
-  bool peaks = false;              ///< the contact facts hold these
-  /// Takes every recorded turn in the place of SettledRecord::displacement_m, which then stays empty.
+  bool peaks = false;              ///< true: the contact facts include peaks
+  /// If set, receives every recorded turn; SettledRecord::displacement_m then stays empty.
   std::function<void(const RecordedTurn&)> take{};
 };
 
 /// Recorded turns of a run.
 struct SettledRecord {
-  long passed = 0;                                   ///< turns before the first of them
+  long passed = 0;                                   ///< turns before the first recorded one
   std::vector<std::complex<double>> displacement_m;  ///< x + iy of the observed point
-  ContactFacts contact;                              ///< facts over all of them
+  ContactFacts contact;                              ///< facts over all recorded turns
   bool touched = false;
-  std::vector<double> end;  ///< section after the last
+  std::vector<double> end;  ///< section after the last turn
 };
 
-/// Starts a run of the scene, lets it settle and records it. Empty where a turn fails, or where the run is
-/// given up.
+/// Starts a run of the scene, lets it settle and records it. Empty where a turn fails or the run is
+/// abandoned.
 std::optional<SettledRecord> record_settled(const scene::Scene& scene,
                                             const integrate::run::SolverOptions& solver,
                                             integrate::exact::modes::ModeCache& modes, const Wanted& wanted);
 
-/// The quiet motion at so many equal angles of a turn, from its closed form: x + iy of the observed point in
+/// The quiet motion at `count` equal angles of a turn, in closed form: x + iy of the observed point in
 /// metres.
 std::vector<std::complex<double>> quiet_samples(const scene::Cell& cell, int count);
 

@@ -6,11 +6,11 @@
 
 namespace rubsweep::response::motion {
 
-/// Caches that one thread keeps from run to run. They change no result, only the work.
+/// Caches that one thread keeps from run to run. They save work and change no result.
 struct Workspace {
   spectrum::SpectrumWorkspace spectrum;
   integrate::exact::modes::ModeCache modes;
-  numerics::ModalFormCache forms;  ///< forms of rotors in flight
+  numerics::ModalFormCache forms;  ///< modal forms of rotors without contact
 };
 
 }  // namespace rubsweep::response::motion

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// sum of (A^k)^T Q A^k over all k >= 0, for A with multipliers inside the unit circle.
+/// Sum of (A^k)^T Q A^k over all k >= 0, for A with eigenvalues inside the unit circle.
 std::optional<MatrixXd> sum_of_powers(MatrixXd a, MatrixXd q) {
   constexpr int most_doublings = 40;
   for (int i = 0; i < most_doublings; ++i) {
@@ -26,12 +26,12 @@ std::optional<MatrixXd> sum_of_powers(MatrixXd a, MatrixXd q) {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Largest projection onto the contacts, as a share of the eigenvector's length, that counts as unseen. More
-/// than rounding would harm only the ball, whose tubes count everything.
+/// Largest projection onto the contacts, relative to the eigenvector's length, that counts as zero. An error
+/// above rounding would only make the ball smaller, because its tubes include everything.
 constexpr double unseen = 1e-8;
-constexpr double slow_from = 0.5;  ///< share of a disturbance left after a turn
+constexpr double slow_from = 0.5;  ///< least share of a slow disturbance left after a turn
 
-/// A basis of the eigenvectors that are slow and that no contact sees.
+/// Basis of the slow eigenvectors that no contact senses.
 MatrixXd slow_directions(const MatrixXd& monodromy, double turns, const MatrixXd& seen) {
   const numerics::dense::Eigenvectors all = numerics::dense::eigenvectors(monodromy);
   MatrixXd basis(monodromy.rows(), 0);
@@ -49,7 +49,7 @@ MatrixXd slow_directions(const MatrixXd& monodromy, double turns, const MatrixXd
   return basis;
 }
 
-/// Orthonormal columns: the first are across the columns of `basis`, the last ones span them.
+/// Orthonormal columns: the last ones span the columns of `basis`, the first ones its orthogonal complement.
 MatrixXd across_and_along(const MatrixXd& basis) {
   const Index along = basis.cols(), size = basis.rows();
   const MatrixXd whole = numerics::dense::orthonormal_columns(basis, size);
@@ -72,21 +72,22 @@ MatrixXd inverse_of_upper(const MatrixXd& norm) {
 constexpr double farther = 4;
 constexpr int predicted_periods = 3;
 
-VectorXd off(std::span<const double> section, const StableOrbit& orbit, std::size_t turn) {
+auto off(std::span<const double> section, const StableOrbit& orbit, std::size_t turn) {
   return Eigen::Map<const VectorXd>(section.data(), static_cast<Eigen::Index>(section.size())) -
          orbit.sections[turn];
 }
 
-/// Follows until `near(turn of the orbit, offset, size)`, with the size that `size_of(offset, turn of the
-/// orbit)` gives, for `most_turns(first size, size)` turns at most.
+/// Follows a transient until `near(turn of the orbit, offset, size)`, where size = `size_of(offset, turn of
+/// the orbit)`, for at most `most_turns(first size, size)` turns.
 template <class SizeOf, class Near, class MostTurns>
 bool follow(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
             const SizeOf& size_of, const Near& near, const MostTurns& most_turns) {
   std::vector<double> now(section.begin(), section.end());
-  const double first = size_of(off(now, orbit, 0), std::size_t{0});
+  VectorXd offset = off(now, orbit, 0);
+  const double first = size_of(offset, std::size_t{0});
   for (long k = 0;; ++k) {
     const auto at = static_cast<std::size_t>(k % orbit.order);
-    const VectorXd offset = off(now, orbit, at);
+    offset = off(now, orbit, at);
     const double size = size_of(offset, at);
     if (near(at, offset, size)) return true;
     if (!(size <= farther * first) || static_cast<double>(k) >= most_turns(first, size) ||
@@ -206,9 +207,10 @@ bool comes_near(const TurnMap& turn, std::span<const double> section, const Stab
 
 bool comes_inside(const TurnMap& turn, std::span<const double> section, const StableOrbit& orbit,
                   const SplitNorms& norms, const integrate::exact::tube::Parts& radii, double most_turns) {
+  VectorXd x(norms.norm.front().rows());
   const auto size_of = [&](const VectorXd& offset, std::size_t at) {
-    const integrate::exact::tube::Parts parts = parts_of(norms, at, offset);
-    return std::max(parts.fast / radii.fast, parts.slow / radii.slow);
+    x.noalias() = norms.norm[at].lazyProduct(offset);
+    return std::max(x.head(norms.fast).norm() / radii.fast, x.tail(norms.slow()).norm() / radii.slow);
   };
   const auto near = [](std::size_t, const VectorXd&, double size) { return size <= 1; };
   const auto turns = [most_turns](double, double) { return most_turns; };

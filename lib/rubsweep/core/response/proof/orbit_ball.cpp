@@ -15,27 +15,28 @@ using Eigen::VectorXd;
 using integrate::exact::tube::Parts;
 
 constexpr double largest_radius = 0.1;
-constexpr int most_halvings = 26;  ///< halvings down to 1.5e-9
+constexpr int most_halvings = 26;  ///< halvings of 0.1, down to 1.5e-9
 constexpr int unknown_halvings = most_halvings + 1;
-/// Shares of the contraction margin of the linear map that a turn's own deviation may take, and, against the
-/// radius, of the distance between the given sections and the orbit: the remaining 5 % cover its effect.
+/// Shares of the linear map's contraction margin: for a turn's nonlinear deviation, and (relative to the
+/// radius) for the distance between given sections and orbit. The remaining 5 % cover the effect of that
+/// distance.
 constexpr double deviation_share = 0.9, defect_share = 1e-3;
 
 VectorXd vector_of(const std::vector<double>& x) {
   return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 
-/// The tubes of an orbit's turns, in norms of one part or two.
+/// Tubes of an orbit's turns, in norms of one part or two.
 class OrbitTubes {
  public:
-  /// `defect`: distance of the orbit's last section from its first.
+  /// `defect`: distance between the orbit's last section and its first.
   OrbitTubes(std::vector<integrate::exact::tube::TurnTube> tubes, const Parts& defect)
       : tubes_(std::move(tubes)), defect_(defect) {}
 
   /// Largest of the radii 0.1 `shape`, 0.05 `shape`, ... at which the ball contracts. A tube that holds for
-  /// radii holds for smaller ones, but the orbit's own defect needs a large enough ball. `known`: number of
-  /// halvings of 0.1 that are known to suffice, updated on return; more than `most_halvings`: none is known
-  /// yet.
+  /// some radii also holds for smaller ones, but the orbit's own defect needs a large enough ball. `known`:
+  /// number of halvings of 0.1 that are known to suffice, updated on return; none is known if it exceeds
+  /// `most_halvings`.
   std::optional<Parts> largest(const Parts& shape, int& known) const {
     const auto halved = [&](int times) {
       const double size = std::ldexp(largest_radius, -times);
@@ -45,7 +46,7 @@ class OrbitTubes {
       if (!draws_together(halved(most_halvings))) return std::nullopt;
       known = most_halvings;
     }
-    // Searches from the known number in steps that double, which ends at once where nothing larger holds.
+    // Searches from the known number in doubling steps; ends at once where no larger ball contracts.
     int too_large = known - 1;
     for (int step = 1; too_large >= 0 && draws_together(halved(too_large)); step *= 2) {
       known = too_large;
@@ -61,9 +62,18 @@ class OrbitTubes {
     return closes ? std::optional(radii) : std::nullopt;
   }
 
+  /// Radii up to twice those of `largest` at which the ball contracts as well: a motion is inside sooner.
+  Parts between_halvings(const Parts& radii) const {
+    double times = 1, too_many = 2;
+    for (int i = 0; i < 3; ++i) {
+      const double middle = std::sqrt(times * too_many);
+      (draws_together({middle * radii.fast, middle * radii.slow}) ? times : too_many) = middle;
+    }
+    return {times * radii.fast, times * radii.slow};
+  }
+
  private:
-  /// Decrease of either part below its radius by the linear map, in the norms of the tubes, not as they were
-  /// made.
+  /// Decrease of each part below its radius by the linear map, in the norms of the tubes.
   Parts room_in(const Parts& radii) const {
     Parts room = radii;
     for (const integrate::exact::tube::TurnTube& tube : tubes_) {
@@ -121,15 +131,15 @@ std::optional<Parts> split_ball_radii(const scene::Scene& scene, integrate::exac
   if (!turns) return std::nullopt;
   const OrbitTubes tubes(std::move(*turns), parts_of(norms, 0, vector_of(end) - vector_of(section)));
   std::optional<Parts> best;
-  // The radius of the slow part falls from one to the next, so that enough halvings stay enough.
+  // The slow radius falls from one ratio to the next, so that enough halvings remain enough.
   int halvings = unknown_halvings;
   for (const double ratio : {1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0}) {
     const auto radii = tubes.largest({1, ratio}, halvings);
     if (radii && (!best || turns_to_enter(norms, distance, *radii) < turns_to_enter(norms, distance, *best)))
       best = radii;
-    if (best && turns_to_enter(norms, distance, *best) == 0) break;
+    if (best && turns_to_enter(norms, distance, *best) == 0) return best;
   }
-  return best;
+  return best ? std::optional(tubes.between_halvings(*best)) : std::nullopt;
 }
 
 }  // namespace rubsweep::response::proof

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "rubsweep/core/contact/wall.hpp"
+#include "rubsweep/core/integrate/run/impulses.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/response/motion/record.hpp"
 #include "rubsweep/core/response/proof/approach.hpp"
@@ -36,17 +37,18 @@ bool equal(const structure::LinearSystem& structure, const scene::Contact& a, co
          a.surface_speed_m_per_s == b.surface_speed_m_per_s && same_friction(a.friction, b.friction);
 }
 
-/// Tight enough for derivatives by differences.
+/// Tolerance that is tight enough for derivatives by finite differences.
 constexpr double tolerance_of_a_proof = 1e-11;
 
 /// Accuracy of derivatives for the first Newton steps to an orbit.
 constexpr double rough_accuracy = 1e-6;
 
-/// Where no ball about the orbit is known, the transient is followed until this share of its distance is
-/// left, unless its convergence is predicted.
+/// Share of its distance down to which a transient is followed where no ball about the orbit is known, unless
+/// its convergence is predicted earlier.
 constexpr double followed_down = 1e-4;
 
-/// Some periods at the start. Turns without closed forms cost a hundred times more.
+/// Limits for following a transient: 64 periods plus what its norm promises, up to a maximum. Turns without
+/// closed forms cost a hundred times more.
 Patience patience(const StableOrbit& orbit, bool closed_forms) {
   constexpr double periods = 64;
   return {.start = periods * orbit.order, .most = closed_forms ? 200'000.0 : 1'000.0};
@@ -68,13 +70,15 @@ OrbitProof::OrbitProof(const scene::Scene& scene, const integrate::run::SolverOp
       options_(options),
       workspace_(workspace),
       budget_(budget),
-      search_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 2 * options.max_order) {
+      search_(2 * static_cast<std::size_t>(scene.structure.coordinates()), 2 * options.max_order),
+      remembers_(integrate::run::remembers_impacts(scene_)) {
   solver_.relative_tolerance = std::min(solver.relative_tolerance, tolerance_of_a_proof);
 }
 
 std::optional<motion::ProvenMotion> OrbitProof::look(const integrate::run::TurnReport& turn) {
   if (budget_.used_up()) return std::nullopt;
   search_.add(turn.section, turn.touched);
+  if (remembers_ && turn.touching_at_end) return std::nullopt;
   const auto order = search_.candidate();
   if (!order) return std::nullopt;
   auto proven = prove(turn.section, *order);
@@ -82,7 +86,7 @@ std::optional<motion::ProvenMotion> OrbitProof::look(const integrate::run::TurnR
   return proven;
 }
 
-/// Turns at the run's own tolerance.
+/// Turns at the tolerance of the run.
 TurnMap OrbitProof::as_it_runs() {
   if (!run_map_) run_map_.emplace(scene_, run_solver_, workspace_.modes, &budget_);
   return [this](std::span<double> state, Eigen::MatrixXd*) { return (*run_map_)(state); };
@@ -106,7 +110,7 @@ std::optional<motion::ProvenMotion> OrbitProof::prove(std::span<const double> se
                               orbit->floquet_modulus, *proof};
 }
 
-/// Follows the transient until it is inside a ball where there is one, else until it is observed to converge.
+/// Follows the transient until it enters a ball, or, where there is none, until it is observed to converge.
 std::optional<motion::Proof> OrbitProof::converges(std::span<const double> section,
                                                    const StableOrbit& orbit) {
   if (map_->exact() && enters_split_ball(section, orbit)) return motion::Proof::floquet;
@@ -123,8 +127,8 @@ std::optional<motion::Proof> OrbitProof::converges(std::span<const double> secti
   return radius ? motion::Proof::floquet : motion::Proof::floquet_observed;
 }
 
-/// Tries the split ball, in which weakly damped wall-parallel modes may stay large, and whether the transient
-/// enters it. Most are inside at the first look.
+/// Tries the split ball, in which weakly damped modes parallel to the wall may stay large, and checks whether
+/// the transient enters it. Most transients are inside from the start.
 bool OrbitProof::enters_split_ball(std::span<const double> section, const StableOrbit& orbit) {
   const auto norms = split_norms(orbit.transitions, seen_by_contacts(distinct_));
   if (!norms) return false;
@@ -154,7 +158,7 @@ std::optional<motion::Measures> OrbitProof::measure(const std::vector<double>& s
 }
 
 scene::Scene with_equal_stops_as_one(scene::Scene scene) {
-  // The numbers of torsion go by contact.
+  // Members of Twist are indexed by contact, so that none may be removed.
   if (scene.twist) return scene;
   std::vector<scene::Contact> distinct;
   for (const scene::Contact& contact : scene.contacts) {

@@ -16,19 +16,19 @@
 
 namespace rubsweep::response::proof {
 
-/// Search for a stable orbit of up to twice max_order turns that a transient converges to: proven (`floquet`)
-/// once the transient, followed on, is inside a ball about the orbit from which every motion converges to it;
-/// where there is no such ball, observed (`floquet_observed`) once it has come down to a ten-thousandth of
-/// its distance in the adapted norm, or to 1e-6 clearances.
+/// Search for a stable orbit of up to twice max_order turns to which a transient converges. Proven
+/// (`floquet`): the followed transient enters a ball about the orbit from which every motion converges to it.
+/// If there is no such ball, observed (`floquet_observed`): its distance has fallen to a ten-thousandth in
+/// the adapted norm, or to 1e-6 clearances.
 class OrbitProof {
  public:
-  /// All looks together take no more work than `budget`, which as `options` and `workspace` must outlive the
-  /// proof.
+  /// All searches together take no more work than `budget`. `budget`, `options` and `workspace` must outlive
+  /// the proof.
   OrbitProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
              const motion::ResponseOptions& options, motion::Workspace& workspace,
              integrate::run::WorkBudget& budget);
 
-  /// Takes one more turn. Empty most of the time; an orbit that touches nothing is not reported.
+  /// Adds one turn. Returns a motion once it is proven; an orbit without contact is not reported.
   std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn);
 
  private:
@@ -40,20 +40,21 @@ class OrbitProof {
   std::optional<motion::Measures> measure(const std::vector<double>& section, int order);
 
   scene::Scene scene_;
-  scene::Scene distinct_;  ///< equal stops as one, so that no two guards are one and the same
+  scene::Scene distinct_;  ///< equal stops merged, so that no two guards are identical
   integrate::run::SolverOptions run_solver_, solver_;
   const motion::ResponseOptions& options_;
   motion::Workspace& workspace_;
   integrate::run::WorkBudget& budget_;
   PeriodSearch search_;
   std::optional<SceneMap> map_, run_map_;
+  bool remembers_;  ///< integrate::run::remembers_impacts: a section that touches starts no proof
 };
 
-/// The scene with equal stops made one: contacts of the same place of the rotor with the same wall at the
-/// same clearance on rigid casings, whose dampers are the same share of their stiffness and whose friction is
-/// the same. Their guards are one function of the state, so that they change mode together, and the sum of
-/// their forces is that of one stop with the sum of their stiffnesses and dampings: no motion differs but for
-/// rounding. Stops with a casing each are two bodies and stay two.
+/// The scene with equal stops merged: contacts of one point of the rotor with the same wall at the same
+/// clearance, on rigid casings, with the same ratio of damping to stiffness and the same friction. Their
+/// guards are one function of the state, so that they change mode together, and the sum of their forces is
+/// that of one stop with the sum of stiffnesses and dampings. Motions differ only by rounding. Stops with a
+/// casing each are two bodies and are not merged.
 scene::Scene with_equal_stops_as_one(scene::Scene scene);
 
 }  // namespace rubsweep::response::proof

@@ -12,11 +12,11 @@ namespace rubsweep::response::proof {
 namespace {
 
 constexpr double close_enough =
-    1e-2;  ///< return error, in (clearance, clearance omega), from which a proof is tried
-constexpr double much_closer = 0.1;  ///< than after any fewer turns, and than when last refused
-constexpr double much_later = 1.3;   ///< turns, in proportion
+    1e-2;  ///< return error, in (clearance, clearance omega), below which a proof is tried
+constexpr double much_closer = 0.1;  ///< relative to any fewer turns, and to the last refusal
+constexpr double much_later = 1.3;   ///< ratio of the run's turns to those at the last refusal
 
-/// Largest difference of `count` numbers, or the first above `worst`.
+/// Largest difference of `count` numbers; stops at the first above `worst` and returns it.
 double largest_difference(const double* a, const double* b, std::size_t count, double worst) {
   double largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -31,11 +31,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr numerics::NewtonLimits newton_limits{.iterations = 8, .free_iterations = 1, .growth = 0.5};
-constexpr double closed = 1e-11;        ///< return error of an orbit found, in (clearance, clearance omega)
-constexpr double nearly_closed = 1e-5;  ///< distance from which on rough derivatives would cost a step more
-constexpr double returns_early = 1e-7;  ///< return error that makes fewer turns the period
-/// Largest multiplier at the transient from which Newton's iteration is tried: no proven orbit had a larger
-/// one there, nor one above 1 at a later iterate; a refused orbit is tried again.
+constexpr double closed = 1e-11;        ///< return error of a found orbit, in (clearance, clearance omega)
+constexpr double nearly_closed = 1e-5;  ///< distance below which rough derivatives would cost a step more
+constexpr double returns_early = 1e-7;  ///< return error at which fewer turns are the period
+/// Largest multiplier at the transient for which Newton's iteration is tried. No proven orbit had a larger
+/// one there, nor one above 1 at a later iterate; a refused orbit is tried again later.
 constexpr double hopeless_from_afar = 1.2;
 
 double largest(const VectorXd& x) { return x.cwiseAbs().maxCoeff(); }
@@ -46,11 +46,11 @@ bool advance(const TurnMap& turn, VectorXd& x, MatrixXd* disturbances) {
 
 struct Return {
   int order = 0;
-  VectorXd defect;  ///< distance of the section from itself after so many turns
+  VectorXd defect;  ///< distance of the section from itself after `order` turns
   MatrixXd monodromy;
 };
 
-/// The return after `order` turns from x, or after fewer that divide them when it is as good as there.
+/// Return after `order` turns from x, or after a divisor of them if the return is as good there.
 std::optional<Return> return_of(const TurnMap& turn, const VectorXd& x, int order) {
   VectorXd now = x;
   MatrixXd monodromy = MatrixXd::Identity(x.size(), x.size());
@@ -84,7 +84,7 @@ struct OrbitNewton {
     return error;
   }
 
-  /// The last step takes the error to rounding.
+  /// The last Newton step reduces the error to rounding.
   bool converged(int, double error, double) {
     if (!(error < closed)) return false;
     if (next_step.allFinite()) x += next_step;
@@ -98,7 +98,7 @@ struct OrbitNewton {
   }
 };
 
-/// The orbit's own turns, one by one.
+/// Lists the sections and derivatives of the orbit turn by turn.
 bool list_turns(const TurnMap& turn, VectorXd x, StableOrbit& orbit) {
   for (int k = 0; k < orbit.order; ++k) {
     orbit.sections.push_back(x);
@@ -117,7 +117,7 @@ PeriodSearch::PeriodSearch(std::size_t states, int largest_order)
       rows_(states * static_cast<std::size_t>(kept_)),
       tried_(static_cast<std::size_t>(largest_order) + 1, Tried{close_enough, 0}) {}
 
-/// Section `ago` < kept_ turns before the last.
+/// The section `ago` turns before the latest, ago < kept_.
 const double* PeriodSearch::row(int ago) const {
   const int slot = newest_ >= ago ? newest_ - ago : newest_ - ago + kept_;
   return rows_.data() + static_cast<std::size_t>(slot) * states_;
@@ -135,26 +135,26 @@ void PeriodSearch::add(std::span<const double> section, bool touched) {
   ++turns_;
 }
 
-/// Return error after `order` turns that end `ago` turns ago. Errors above `worst` are not told apart.
+/// Error of the return after `order` turns that ended `ago` turns ago; only approximate above `worst`.
 double PeriodSearch::return_error(int order, double worst, int ago) const {
   return largest_difference(row(ago), row(ago + order), states_, worst);
 }
 
 std::optional<int> PeriodSearch::candidate() const {
   const int known = static_cast<int>(std::min<long>(largest_, turns_ - 1));
-  if (last_touch_ < turns_ - known) return std::nullopt;  // no order is due
+  if (last_touch_ < turns_ - known) return std::nullopt;  // too long without contact for any order
   const double* const last = row(0);
   const double* then = last;
   for (int n = 1; n <= known; ++n) {
     then = before(then);
-    // Most orders are refused by one number.
+    // The first number alone excludes most orders.
     const double error = largest_difference(last, then, states_, close_enough);
     if (error < close_enough && is_due(n, error) && closest(n, error) && contracts(n, error)) return n;
   }
   return std::nullopt;
 }
 
-/// Much closer than after any fewer turns.
+/// Whether this return is much closer than those after any fewer turns.
 bool PeriodSearch::closest(int order, double error) const {
   for (int n = 1; n < order; ++n) {
     if (!(error < much_closer * return_error(n, error / much_closer))) return false;
@@ -162,14 +162,14 @@ bool PeriodSearch::closest(int order, double error) const {
   return true;
 }
 
-/// Whether there is contact on the way, and it is closer than ever tried or not tried for long.
+/// Whether the return has contact in between, and is closer than at the last attempt or that was long ago.
 bool PeriodSearch::is_due(int order, double error) const {
   const Tried& tried = tried_[static_cast<std::size_t>(order)];
   return last_touch_ >= turns_ - order && (error < tried.below || (tried.again > 0 && turns_ >= tried.again));
 }
 
-/// The return before this one was farther: a transient that passes an unstable orbit comes back less and less
-/// close.
+/// Whether the return one period earlier was farther: near an unstable orbit a transient returns less and
+/// less closely.
 bool PeriodSearch::contracts(int order, double error) const {
   return turns_ > 2 * order && return_error(order, error, order) > error;
 }

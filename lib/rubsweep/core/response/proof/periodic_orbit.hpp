@@ -8,20 +8,20 @@
 
 namespace rubsweep::response::proof {
 
-/// Watches the section of a transient for signs of a period worth a proof. Cheap: a few comparisons a turn.
+/// Watches the section of a transient for a period worth a proof, by a few comparisons per turn.
 class PeriodSearch {
  public:
   /// `states` numbers per section, periods up to `largest_order` turns.
   PeriodSearch(std::size_t states, int largest_order);
 
-  /// Section after one more turn; `touched`: there was contact in it.
+  /// Adds the section after one more turn; `touched`: there was contact in this turn.
   void add(std::span<const double> section, bool touched);
 
-  /// A number of turns after which the section lately came back closer than after any fewer and than the last
-  /// time, with contact in between; empty most of the time.
+  /// A number of turns after which the section lately returned closer than after any smaller number and
+  /// closer than the time before, with contact in between; usually empty.
   std::optional<int> candidate() const;
 
-  /// `order` could not be proven: asks again when the return is much closer, or much later.
+  /// Marks `order` as not proven. It is proposed again when the return is much closer, or much later.
   void refuse(int order);
 
  private:
@@ -39,45 +39,45 @@ class PeriodSearch {
 
   std::size_t states_;
   int largest_, kept_;
-  int newest_ = -1;  ///< slot of the last section
+  int newest_ = -1;  ///< slot of the latest section
   long turns_ = 0, last_touch_ = -1;
   std::vector<double> rows_;  ///< the last kept_ sections, as a circular buffer
-  std::vector<Tried> tried_;  ///< attempts by their order
+  std::vector<Tried> tried_;  ///< attempts, by order
 };
 
-/// One revolution: replaces a scaled section by the next and, where given (not null), every column of
-/// `disturbances` by its image under the derivative of the new section by the old. False when the turn cannot
-/// be made.
+/// One revolution: replaces a scaled section by the next one. If `disturbances` is not null, each of its
+/// columns becomes its image under the derivative of the new section by the old one. False when the turn
+/// cannot be computed.
 using TurnMap = std::function<bool(std::span<double> section, Eigen::MatrixXd* disturbances)>;
 
-/// A motion that repeats after `order` turns, with every disturbance dying out.
+/// A motion that repeats after `order` turns and whose disturbances all die out.
 struct StableOrbit {
   int order = 0;
-  std::vector<Eigen::VectorXd> sections;     ///< scaled, where each of its turns starts
+  std::vector<Eigen::VectorXd> sections;     ///< scaled section at the start of each turn
   std::vector<Eigen::MatrixXd> transitions;  ///< derivative of each section by the one before
   double floquet_modulus = 0;                ///< largest modulus of the multipliers over `order` turns, < 1
 };
 
-/// All multipliers must lie inside this.
+/// Upper bound for the moduli of all multipliers of a stable orbit.
 inline constexpr double largest_floquet_modulus = 1 - 1e-6;
 
-/// An orbit is not looked for farther from the transient than this, in (clearance, clearance omega).
+/// Largest distance between an orbit that is sought and the transient, in (clearance, clearance omega).
 inline constexpr double farthest_orbit = 0.2;
 
-/// A transient of a run at ordinary tolerances that is this near is on the orbit: what it does next is noise.
+/// Distance within which a transient at ordinary tolerances is on the orbit: smaller changes are noise.
 inline constexpr double on_the_orbit = 1e-6;
 
 /// Newton's iteration on the section, from a transient now at `section`, for an orbit of `order` turns whose
-/// multipliers all lie inside `largest_floquet_modulus`. Empty where it finds none, and at once where the
-/// monodromy at the transient (above 1.2) or at an iterate (above 1) has a multiplier that no stable orbit is
-/// expected near. An orbit that returns after fewer turns is reported with those. That the transient is on
-/// its way to the orbit is another question, see `comes_near`.
+/// multipliers all lie inside `largest_floquet_modulus`. Empty where it finds none. It stops at once where a
+/// multiplier of the monodromy matrix is too large for a stable orbit nearby: above 1.2 at the transient,
+/// above 1 at an iterate. An orbit that returns after fewer turns is reported with these. Whether the
+/// transient converges to the orbit is tested separately, see `comes_near`.
 std::optional<StableOrbit> find_orbit(const TurnMap& turn, std::span<const double> section, int order);
-/// The same with first steps by `roughly`, the same turn with derivatives to about 1e-6.
+/// The same with first steps by `roughly`: the same turn with derivatives accurate to about 1e-6.
 std::optional<StableOrbit> find_orbit(const TurnMap& turn, const TurnMap& roughly,
                                       std::span<const double> section, int order);
 
-/// Derivative of `turn` at `section` by central differences of `step`, where the solver offers none.
+/// Derivative of `turn` at `section` by central differences of width `step`, for solvers without derivatives.
 bool differentiate(const std::function<bool(std::span<double>)>& turn, std::span<double> section, double step,
                    Eigen::MatrixXd& transition);
 

@@ -17,11 +17,11 @@ RestProof::RestProof(const scene::Cell& cell, numerics::ModalFormCache& forms) {
   const scene::Scene& scene = cell.scene;
   const auto system = integrate::run::scale<Eigen::Dynamic>(scene);
   const std::optional<numerics::ModalForm>& form = forms.form_of(system.stiffness, system.damping);
-  // The form's own growth may be rounding: of an undamped mode it has either sign.
+  // A growth of the modal form may be rounding: for an undamped mode its sign is random.
   grows_ = (!form || form->growth > 0) && structure::grows(scene.structure);
-  // At a whirl ratio of 1 rounding must not decide.
+  // At a whirl ratio of exactly 1, rounding must not decide.
   if (cell.start != scene::Start::quiet) return;
-  // With torsion no free vibration is linear.
+  // With torsion the free vibration is not linear.
   if (!form || grows_ || !scene.impulses.empty() || scene.twist) return;
   usable_ = true;
   to_modes_ = form->inverse;

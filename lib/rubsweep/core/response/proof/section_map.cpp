@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/core/integrate/run/impulses.hpp"
 #include "rubsweep/core/response/proof/periodic_orbit.hpp"
 
 namespace rubsweep::response::proof {
 namespace {
 
-/// Differences of this width: their own error (its square) and that of a solver at 1e-11 both stay near 1e-6.
+/// Width of differences: both their own error (its square) and that of a solver at 1e-11 are then near 1e-6.
 constexpr double difference_step = 1e-5;
 
 }  // namespace
@@ -26,7 +27,11 @@ SceneMap::SceneMap(const scene::Scene& scene, const integrate::run::SolverOption
     : states_(2 * static_cast<std::size_t>(scene.structure.coordinates())),
       exact_(integrate::solver_of(scene, solver) == integrate::Solver::exact),
       run_(integrate::start(after_the_kick(scene), solver, modes)),
-      budget_(budget) {}
+      budget_(budget),
+      // Steppers move tangent vectors beside contacts whose law is not linear.
+      moves_tangents_(exact_ ||
+                      std::ranges::any_of(scene.contacts, [](const auto& c) { return c.law != nullptr; })),
+      remembers_(integrate::run::remembers_impacts(scene)) {}
 
 bool SceneMap::advance(std::span<double> section) {
   if (section.size() != states_) {
@@ -34,18 +39,20 @@ bool SceneMap::advance(std::span<double> section) {
                                   section.size()));
   }
   if (budget_ && budget_->used_up()) return false;
-  run_.restart(section);
+  const bool goes_on = keeps_memory_ && std::ranges::equal(section, report_.section);
+  if (!goes_on) run_.restart(section);
   const integrate::run::Outcome outcome = run_.advance(request_, report_);
-  if (budget_) spend();
-  if (outcome != integrate::run::Outcome::ok) return false;
+  if (budget_) spend(exact_ || goes_on);
+  if (outcome != integrate::run::Outcome::ok || (remembers_ && !keeps_memory_ && report_.touching_at_end))
+    return false;
   std::ranges::copy(report_.section, section.begin());
   return true;
 }
 
 /// The exact solver goes on counting after a restart, a stepper begins anew.
-void SceneMap::spend() {
+void SceneMap::spend(bool counts_on) {
   const double before = std::exchange(work_, integrate::run::work(report_.effort));
-  budget_->spend(exact_ ? work_ - before : work_);
+  budget_->spend(counts_on ? work_ - before : work_);
 }
 
 bool SceneMap::operator()(std::span<double> section) {
@@ -65,7 +72,7 @@ bool SceneMap::carry_exactly(std::span<double> section, Eigen::MatrixXd& disturb
 }
 
 bool SceneMap::carry(std::span<double> section, Eigen::MatrixXd& disturbances, double accuracy) {
-  if (exact_) {
+  if (moves_tangents_) {
     before_.assign(section.begin(), section.end());
     bool moved = false;
     if (!carry_exactly(section, disturbances, moved, accuracy)) return false;

@@ -11,47 +11,57 @@
 
 namespace rubsweep::response::proof {
 
-/// One iteration of a map, in place. False: it could not be made, and the state means nothing any more.
+/// One iteration of a map, in place. False: it could not be computed, and the state is undefined.
 using SectionMap = std::function<bool(std::span<double> state)>;
 
 /// One revolution of a scene as a map of its scaled section (as TurnReport::section): from phase 0 to phase
 /// 0, the pulses left out. Every call starts afresh, so that the map has no memory: equal sections give equal
-/// sections to the last bit, near ones go through nearly the same steps.
+/// sections to the last bit, near ones go through nearly the same steps. Where a contact is damped by how it
+/// began to touch, a section that touches is not made: it would not decide the turn after it.
 class SceneMap {
  public:
-  /// Where there is a `budget`, revolutions are paid from it and fail once it is used up. It outlives the
+  /// If there is a `budget`, it pays for the revolutions, which fail once it is used up. It must outlive the
   /// map.
   SceneMap(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
            integrate::exact::modes::ModeCache& modes, integrate::run::WorkBudget* budget = nullptr);
 
-  /// `section`: 2n numbers. False when the solver fails.
+  /// Replaces `section`, 2n numbers, by the section one revolution later. False when the solver fails.
   bool operator()(std::span<double> section);
 
   /// The same, and every column of `disturbances` (2n rows, at most 2n columns) becomes its image under the
   /// derivative of the new section by the old: from the exact solver where the turn has closed forms, of
-  /// Taylor pieces to `accuracy`, else by central differences.
+  /// Taylor pieces and beside curved laws to `accuracy`, else by central differences.
   bool carry(std::span<double> section, Eigen::MatrixXd& disturbances,
              double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
 
-  /// The same only where the solver that makes the turn moves tangent vectors: `moved` says so, else
-  /// `disturbances` stays.
+  /// Moves `section` as `carry`, and `disturbances` only where the solver of the turn can move tangent
+  /// vectors. `moved` tells whether it could; otherwise `disturbances` stays unchanged.
   bool carry_exactly(std::span<double> section, Eigen::MatrixXd& disturbances, bool& moved,
                      double accuracy = integrate::run::TurnRequest{}.tangent_accuracy);
+
+  /// From here on a turn that begins where the one before it ended is its continuation. Then contacts that
+  /// are damped by how they began to touch go on, and sections may touch.
+  void keep_memory() { keeps_memory_ = remembers_; }
+  /// Whether a section that touches does not decide the turn after it.
+  bool remembers() const { return remembers_; }
+  /// Some contact was touching at the end of the revolution made last.
+  bool touching_at_end() const { return report_.touching_at_end; }
 
   /// The exact solver makes the turns, as far as they have closed forms.
   bool exact() const { return exact_; }
 
-  /// Every revolution made up to now had one.
+  /// Whether all revolutions so far had closed forms.
   bool closed_forms() const {
     return exact_ && report_.effort.taylor_turns == 0 && report_.effort.adaptive_turns == 0;
   }
 
-  /// Some contact was touching at some time in the revolution made last.
+  /// Whether there was contact at any time in the latest revolution.
   bool touched() const { return report_.touched; }
 
  private:
   bool advance(std::span<double> section);
-  void spend();
+  /// `counts_on`: the solver counts its work from before the turn.
+  void spend(bool counts_on);
 
   std::size_t states_;
   bool exact_;
@@ -61,6 +71,7 @@ class SceneMap {
   integrate::run::TurnRequest request_;
   integrate::run::TurnReport report_;
   std::vector<double> before_;
+  bool moves_tangents_, remembers_, keeps_memory_ = false;
 };
 
 /// The scene without its pulses.

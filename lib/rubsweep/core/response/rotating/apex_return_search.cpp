@@ -8,8 +8,8 @@ namespace rubsweep::response::rotating {
 namespace {
 
 constexpr int most_maxima = 32;
-/// Smallest radial speed, as a share of |z| |z'|: a distance from the centre that changes more slowly is
-/// constant, as on a circle, and its maxima are those of rounding.
+/// Smallest radial speed, as a share of |z| |z'|. A distance from the centre that changes more slowly counts
+/// as constant, as on a circle: its maxima are only rounding.
 constexpr double constant_rate = 1e-12;
 
 }  // namespace
@@ -22,7 +22,7 @@ ApexReturnSearch::ApexReturnSearch(const scene::Scene& scene)
 void ApexReturnSearch::add(const integrate::run::TurnReport& turn) {
   const double spacing = numerics::full_turn / turn.sample_count;
   const Eigen::Index n = states_ / 2;
-  // Half the rate of |z|^2, zero where it is constant.
+  // Half the rate of |z|^2; exactly zero where |z| is constant.
   const auto rate = [&](const double* state) {
     const Eigen::Vector2d z = map_ * Eigen::Map<const Eigen::VectorXd>(state, n),
                           v = map_ * Eigen::Map<const Eigen::VectorXd>(state + n, n);

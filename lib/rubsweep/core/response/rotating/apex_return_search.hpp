@@ -10,25 +10,26 @@
 
 namespace rubsweep::response::rotating {
 
-/// Watches a transient of a rotationally symmetric scene for signs of a closed orbit in the frame that turns
-/// with the shaft: states at successive maxima of |z| of the observed point, as seen there, that come back.
+/// Watches a transient of a rotationally symmetric scene for signs of a closed orbit in the rotating frame:
+/// states, in that frame, at maxima of |z| of the observed point that return.
 class ApexReturnSearch {
  public:
   explicit ApexReturnSearch(const scene::Scene& scene);
 
-  /// One more turn, with samples.
+  /// Adds one more turn, which must have samples.
   void add(const integrate::run::TurnReport& turn);
 
-  /// In that turn.
+  /// Number of maxima in the latest turn.
   int maxima_in_turn() const { return in_turn_; }
 
   struct Return {
-    int maxima = 0;                   ///< after so many maxima the last one came back
-    std::vector<double> periods_rad;  ///< ascending: its time, before it those fractions after which the
-                                      ///< transient is within `farthest_orbit`; by linear interpolation
+    int maxima = 0;                   ///< number of maxima after which the last one returned
+    std::vector<double> periods_rad;  ///< ascending; last: time of the return, before it: fractions of it
+                                      ///< after which the transient is within `farthest_orbit` (linear
+                                      ///< interpolation)
   };
 
-  /// Return in the last turn that is worth a proof; empty most of the time.
+  /// Return in the latest turn that is worth a proof; usually empty.
   std::optional<Return> candidate() const;
 
   /// Excludes a candidate that could not be proven.
@@ -36,7 +37,7 @@ class ApexReturnSearch {
 
  private:
   struct Maximum {
-    double phase_rad = 0;  ///< since the first turn
+    double phase_rad = 0;  ///< phase since the first turn
     Eigen::VectorXd state;
   };
 

@@ -47,9 +47,9 @@ Complex between(const Knot& a, const Knot& b, double phase_rad) {
   return y * y * ((1 + 2 * x) * a.w + x * h * a.rate) + x * x * ((1 + 2 * y) * b.w - y * h * b.rate);
 }
 
-/// Equidistant samples of w over the period, the end point left out: a power of two, which many cells share,
-/// because a plan for a transform of a new length takes longer than the transform. Twice as many change no
-/// line of figure 11 by 1e-10 of the clearance.
+/// Equidistant samples of w over the period, without the end point. Their number is a power of two shared by
+/// many cells, because planning a transform of a new length takes longer than the transform. Twice as many
+/// samples change no line of figure 11 by 1e-10 of the clearance.
 std::vector<Complex> one_period(const std::vector<Knot>& knots) {
   const double period = knots.back().phase_rad;
   const std::size_t count = std::bit_ceil(knots.size());
@@ -93,7 +93,7 @@ motion::Measures measure_cycle(const scene::Scene& scene, const RotatingArc& onc
                       .peak_displacement_m = once.peak_displacement_m,
                       .peak_contact_force_n = once.peak_contact_force_n,
                       .peak_casing_displacement_m = once.peak_casing_displacement_m};
-  // The mean of such a motion lies in the centre.
+  // The mean of such a motion is at the centre.
   measures.orbit = spectrum::is_circle(w, 0) ? spectrum::OrbitKind::circle : spectrum::OrbitKind::oval;
   measures.comb_spacing = spacing;
   measure_lines(spectrum::full_spectrum(w, 1, workspace.spectrum), spacing, 0.5 / options.window_revolutions,

@@ -9,9 +9,9 @@
 namespace rubsweep::response::rotating {
 
 /// Measures of a motion that is periodic in the rotating frame, z = w(phase) e^{i phase}, from exactly one
-/// period of it: the Fourier series of w has its line k at the order 1 + k `comb_spacing` of z, so that the
-/// amplitudes are those of an endless record. Lines within half a bin of a window (`window_revolutions`) of
-/// 0X or -1X count as these. Hits are those of a window, to the nearest whole number.
+/// period. Line k of the Fourier series of w is at the order 1 + k `comb_spacing` of z, so that amplitudes
+/// are those of an infinitely long record. Lines within half a bin of a window (`window_revolutions`) of 0X
+/// or -1X count as 0X or -1X. Hits are those of a window, rounded.
 motion::Measures measure_cycle(const scene::Scene& scene, const RotatingArc& once,
                                const motion::ResponseOptions& options, motion::Workspace& workspace);
 

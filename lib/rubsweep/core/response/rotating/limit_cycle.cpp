@@ -19,26 +19,26 @@ constexpr double first_tolerance = 1e-4, rough_tolerance = 1e-6, tolerance_of_a_
 using Eigen::MatrixXd;
 
 constexpr numerics::NewtonLimits cycle_newton{.iterations = 8, .free_iterations = 3, .growth = 0.5};
-/// Return error of a guess: none of the 40 that were farther off, of 715 in figure 11, led to the cycle that
-/// the transient came to.
+/// Largest return error of a guess. In figure 11, 40 of 715 guesses were farther off, and none of them led to
+/// the cycle that the transient reached.
 constexpr double farthest_guess = 0.08;
-constexpr double share_of_closed = 0.01;  ///< share that a kept derivative has to reach
-constexpr double period_changes = 0.2;    ///< share of its first guess by which the period may change
-constexpr int most_parts = 64;  ///< parts of the period found, after one of which the motion may return
-constexpr double returns_early = 1e-4;  ///< return error that makes a fraction the period
-constexpr double stands_still = 1e-5;   ///< rate below which a cycle is no cycle but a point
-constexpr double followed_down = 1e-3;  ///< share of its distance that a transient is followed down to
-constexpr double near_by = 1e-5;        ///< or this distance: what it does next is the rough flow's noise
-constexpr proof::Patience patience{.start = 64, .most = 3000};  ///< periods
+constexpr double share_of_closed = 0.01;  ///< share of `closed` to be reached with a kept derivative
+constexpr double period_changes = 0.2;    ///< largest change of the period, as a share of its first guess
+constexpr int most_parts = 64;          ///< parts of a found period after one of which it may already return
+constexpr double returns_early = 1e-4;  ///< return error at which a part is the period
+constexpr double stands_still = 1e-5;   ///< rate below which a cycle is only a point
+constexpr double followed_down = 1e-3;  ///< share of its distance down to which a transient is followed
+constexpr double near_by = 1e-5;        ///< or this distance: smaller changes are noise of the rough flow
+constexpr proof::Patience patience{.start = 64, .most = 3000};  ///< limits in periods
 
 /// Number of predicted returns in a row after which half of the distance is enough.
 constexpr int predicted_in_a_row = 3;
 
-/// In (clearance, clearance omega).
+/// Limits of Newton's iteration, in (clearance, clearance omega).
 struct Accuracy {
-  double closed = 0;        ///< return error of a cycle found
-  double trivial = 0;       ///< how far from 1 the trivial multiplier may be
-  double known_within = 0;  ///< return error below which the derivative is not taken again
+  double closed = 0;        ///< return error of a found cycle
+  double trivial = 0;       ///< largest deviation of the trivial multiplier from 1
+  double known_within = 0;  ///< return error below which the derivative is kept
 };
 constexpr Accuracy rough{.closed = 1e-5, .trivial = 1e-2, .known_within = 1e-3};
 constexpr Accuracy exact{.closed = 1e-9, .trivial = 1e-5, .known_within = 0};
@@ -46,13 +46,13 @@ constexpr Accuracy exact{.closed = 1e-9, .trivial = 1e-5, .known_within = 0};
 struct Closed {
   VectorXd x;
   double period_rad = 0;
-  RotatingArc once;  ///< arc from x, or from so near that its derivative is known well enough
-  /// State after Newton's next step, which an iteration that goes on to another accuracy need not repeat.
+  RotatingArc once;  ///< arc from x, or from so near that its derivative is accurate enough
+  /// State after Newton's next step, kept so that an iteration with another accuracy need not repeat it.
   VectorXd next_x;
   double next_period_rad = 0;
 };
 
-/// Newton's steps of (state, period), the state staying across `across`, by the derivative of one arc.
+/// Newton's steps in (state, period) by the derivative of one arc, on the plane normal to `across`.
 class NewtonSteps {
  public:
   NewtonSteps(const RotatingArc& arc, const VectorXd& rate_at_end, const VectorXd& across)
@@ -77,7 +77,7 @@ class NewtonSteps {
   numerics::dense::LuFactors factors_;
 };
 
-/// Flows, of which the rougher makes the first step: it gains as much from so far away.
+/// Flows for Newton's steps. The coarser flow makes the first step, which gains as much from far away.
 struct Flows {
   const RotatingMotion::Flow &at_first, &then;
 };
@@ -95,7 +95,7 @@ struct CycleNewton {
   std::optional<RotatingArc> arc{};
   std::optional<NewtonSteps> steps{};
   VectorXd next_step{};
-  bool known = false;  ///< the derivative, from an arc before
+  bool known = false;  ///< true: the derivative is kept from an earlier arc
 
   std::optional<VectorXd> end_of_arc(int i) {
     if (known) return motion.end(x, period);
@@ -115,7 +115,7 @@ struct CycleNewton {
     return error;
   }
 
-  /// The derivative is kept for as long as it gains much: the exact one then starts nearer.
+  /// The derivative is kept while it still gains much, so that the exact iteration starts nearer.
   bool converged(int, double error, double last) const {
     const bool goes_on = known && error > share_of_closed * wanted.closed && error < last / 10;
     return error < wanted.closed && !goes_on;
@@ -139,8 +139,8 @@ std::optional<Closed> close(const RotatingMotion& motion, const Flows& flows, co
   return Closed{x, found.period, *found.arc, x + step.head(x.size()), found.period + step(x.size())};
 }
 
-/// Largest modulus of all multipliers but the trivial one; empty when that is not where it must be or another
-/// is too large. How far the trivial one is off 1 shows how well they are known.
+/// Largest modulus of all multipliers except the trivial one. Empty when the trivial one differs too much
+/// from 1, which shows the accuracy of all, or when another is too large.
 std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_within) {
   const Eigen::VectorXcd multipliers = numerics::dense::eigenvalues(monodromy);
   Eigen::Index trivial = 0;
@@ -154,10 +154,9 @@ std::optional<double> stable_modulus(const MatrixXd& monodromy, double trivial_w
   return modulus;
 }
 
-/// Follows the transient period by period until a thousandth of its distance from the cycle is left, in the
-/// adapted norm of the return map across the cycle, or `near_by`, or half of it by LinearConvergenceTest. A
-/// phase shift is no distance: each period is shortened or prolonged by the offset of the one before along
-/// the motion.
+/// Follows the transient period by period until it is near the cycle: a thousandth of its distance in the
+/// adapted norm of the return map across the cycle, `near_by`, or half of it by LinearConvergenceTest. A
+/// phase shift is no distance: each period is shortened or extended by the previous offset along the motion.
 bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Closed& cycle) {
   const Eigen::Index n = start.size();
   const VectorXd rate = motion.rate(cycle.x), along = rate.normalized();
@@ -184,7 +183,7 @@ bool comes_near(const RotatingMotion& motion, const VectorXd& start, const Close
     predicted = across * (cycle.once.transition * off);
     last = distance;
     const double late_rad = along.dot(image - cycle.x) / rate.norm();
-    // A state that was thrown ahead by a period or more is on its way elsewhere, and no flow goes back.
+    // A state that is ahead by a period or more is on its way elsewhere, and no flow runs backwards.
     const double angle_rad = cycle.period_rad - late_rad;
     if (!(angle_rad > 0)) return false;
     const auto end = motion.end(image, angle_rad);
@@ -208,8 +207,8 @@ constexpr bool is_prime(int k) {
   return k > 1;
 }
 
-/// The largest prime k <= `most` for which the motion returns to `x` after a k-th of the period; 1 where
-/// there is none.
+/// The largest prime k <= `most` for which the motion returns to `x` after 1/k of the period; 1 if there is
+/// none.
 int parts_of(const RotatingMotion& motion, const VectorXd& x, double period_rad, int most) {
   VectorXd here = x;
   double passed_rad = 0;
@@ -224,8 +223,9 @@ int parts_of(const RotatingMotion& motion, const VectorXd& x, double period_rad,
   return 1;
 }
 
-/// Newton's iteration may have closed several periods at once, of a whip dozens: the smallest one that
-/// closes. Where the motion returns after some part of the period, it does so after a part by a prime.
+/// Newton's iteration may close several periods at once, dozens for a whip. Finds the smallest period that
+/// closes. If the motion returns after some fraction of the period, it also returns after one by a prime
+/// number.
 std::optional<LimitCycle> smallest_cycle(const RotatingMotion& motion, const Closed& cycle) {
   int parts = 1;
   for (int k = most_parts; k > 1; parts *= k)

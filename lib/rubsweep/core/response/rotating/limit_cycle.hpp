@@ -12,45 +12,45 @@
 
 namespace rubsweep::response::rotating {
 
-/// An autonomous system: its rate, and its flow from `state` over `angle_rad`: to about 1e-4 for the first of
-/// Newton's steps (`at_first`), to about 1e-6 for the next ones (`roughly`), and with the accuracy that the
-/// cycle is wanted with (`exactly`).
+/// An autonomous system: its rate, and its flow from `state` over `angle_rad` in three accuracies: about 1e-4
+/// for Newton's first step (`at_first`), about 1e-6 for the next ones (`roughly`), and the accuracy wanted of
+/// the cycle (`exactly`).
 struct RotatingMotion {
   using Flow = std::function<std::optional<RotatingArc>(const Eigen::VectorXd& state, double angle_rad)>;
   std::function<Eigen::VectorXd(const Eigen::VectorXd& state)> rate;
   Flow at_first, roughly, exactly;
-  /// Where the rough flow ends, without its derivative.
+  /// End of the rough flow, without its derivative.
   std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& state, double angle_rad)> end;
 };
 
 /// A stable closed orbit in the frame that turns with the shaft.
 struct LimitCycle {
-  Eigen::VectorXd state;       ///< a point of it
-  RotatingArc once;            ///< arc of exactly one period from there
-  double floquet_modulus = 0;  ///< largest multiplier over one period but the trivial one, < 1
+  Eigen::VectorXd state;       ///< a point of the orbit
+  RotatingArc once;            ///< arc of exactly one period from `state`
+  double floquet_modulus = 0;  ///< largest multiplier over one period, without the trivial one; < 1
 };
 
-/// Finds the closed orbit that a transient now at `start` settles on, of about one of `periods_rad`
-/// (ascending: where the transient alternates about an orbit, its double returns sooner). Newton's iteration
-/// on state and period, the state staying on the plane through `start` across the motion there, closes the
-/// orbit; one multiplier of its monodromy matrix is 1, as every shift along the orbit makes it, to how well
-/// it is known, and all others lie inside `largest_floquet_modulus`; and the transient, followed on, comes
-/// down to a thousandth of its distance from the orbit in the adapted norm of the return map, or to 1e-5, or
-/// to half of it by `proof::LinearConvergenceTest`, by three returns in a row.
-/// Observed, not proven: nothing is known of a ball about the orbit. Empty when none closes and is stable, or
-/// when the transient does not come near the first that is.
+/// Finds the closed orbit on which a transient now at `start` settles, with a period near one of
+/// `periods_rad` (ascending: where the transient alternates about an orbit, twice its period returns sooner).
+/// Newton's iteration on state and period closes the orbit; the state stays on the plane through `start` that
+/// is normal to the motion there. One multiplier of the monodromy matrix must be 1 (a shift along the orbit)
+/// within its accuracy, and all others inside `largest_floquet_modulus`. The transient must then approach the
+/// orbit: to a thousandth of its distance in the adapted norm of the return map, to 1e-5, or to half of it by
+/// `proof::LinearConvergenceTest` with three returns in a row.
+/// The result is observed, not proven: no ball about the orbit is known. Empty when no orbit closes and is
+/// stable, or when the transient does not approach the first one found.
 std::optional<LimitCycle> prove_limit_cycle(const RotatingMotion& motion, const Eigen::VectorXd& start,
                                             const std::vector<double>& periods_rad);
 
-/// A scene's flows as RotatingMotion names them.
+/// Flows of a scene for RotatingMotion.
 struct CycleFlows {
   RotatingFlow exactly, roughly, at_first;
 
-  /// `samples_per_revolution`: of the exact one; the others take none.
+  /// `samples_per_revolution`: number of samples of the exact flow; the others have none.
   CycleFlows(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
              int samples_per_revolution);
 
-  /// The motion with the rates of `field`; both are referred to.
+  /// The motion with the rates of `field`; it refers to `field` and to these flows.
   RotatingMotion motion(const RotatingField& field) const;
 };
 

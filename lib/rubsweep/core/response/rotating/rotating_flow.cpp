@@ -13,8 +13,8 @@
 namespace rubsweep::response::rotating {
 namespace {
 
-/// Accuracy above which a flow is rough: neither its derivative nor its motion need be much better, so that
-/// fewer terms and longer steps do. Newton's iteration still gains by a thousandth.
+/// Accuracy from which a flow counts as rough: neither its derivative nor its motion needs to be much better,
+/// so that fewer terms and longer steps suffice. Newton's iteration still gains a factor of a thousand.
 constexpr double rough_from = 1e-7, share_of_tolerance = 1e-3;
 
 double series_accuracy_for(double tolerance) {
@@ -30,8 +30,8 @@ void append_samples(const integrate::run::TurnReport& turn, Eigen::Index states,
       Eigen::Map<const Eigen::MatrixXd>(turn.samples.data(), whole, turn.sample_count).topRows(states);
 }
 
-/// Adds the measures of a turn, or of the part of one that ends an arc; `left_rad` of the arc when the turn
-/// began.
+/// Adds the measures of a turn, or of the part of a turn that ends an arc; `left_rad`: rest of the arc when
+/// the turn began.
 void add_measures(const integrate::run::TurnReport& turn, double left_rad, RotatingArc& arc) {
   for (integrate::run::ModeSwitch change : turn.switches) {
     change.phase_rad += arc.angle_rad - left_rad;
@@ -51,7 +51,7 @@ integrate::run::TurnRequest sampled(int samples_per_revolution) {
           .switches = true};
 }
 
-/// Follows by Taylor pieces, with the transition where it is asked for.
+/// Follows by Taylor pieces, with the transition matrix if requested.
 template <int N>
 HowFollowed follow_by_series(integrate::taylor::TaylorRun<N>& run, const Eigen::VectorXd& state,
                              double tolerance, int samples_per_revolution, bool transition,
@@ -75,14 +75,14 @@ HowFollowed follow_by_series(integrate::taylor::TaylorRun<N>& run, const Eigen::
   return HowFollowed::made;
 }
 
-/// A stepper that is asked for by name makes every turn.
+/// Whether Taylor series apply; a stepper chosen by name makes every turn instead.
 bool series_apply(const integrate::run::SolverOptions& options) {
   return options.method != integrate::run::Method::adaptive &&
          options.stepper == integrate::run::Stepper::automatic &&
          options.contact == integrate::run::ContactHandling::located;
 }
 
-/// One method for all arcs: the derivative has no Jacobian of its own, which an implicit step would ask for.
+/// One method for all arcs: the variational equations have no Jacobian, which an implicit step would need.
 integrate::run::SolverOptions by_dopri5(integrate::run::SolverOptions options) {
   options.stepper = integrate::run::Stepper::dopri5;
   return options;
@@ -124,7 +124,7 @@ std::optional<Eigen::VectorXd> end_of(const scene::Scene& scene, const integrate
 
 }  // namespace
 
-/// One run for all arcs of all tolerances: its data do not depend on where they start. It is made when first
+/// One run for all arcs of all tolerances, because its data do not depend on the start. It is made when first
 /// needed. The usual scene, a rotor and one casing, gets a fixed size.
 struct RotatingFlow::Common {
   using Usual = integrate::taylor::TaylorRun<4>;

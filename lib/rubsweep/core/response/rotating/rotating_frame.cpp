@@ -8,7 +8,7 @@
 namespace rubsweep::response::rotating {
 namespace {
 
-/// Exact: an anisotropy of any size ends the symmetry, and symmetric scenes are built from equal numbers.
+/// Compares exactly: any anisotropy destroys the symmetry, and symmetric scenes are built from equal numbers.
 bool isotropic(const Eigen::MatrixXd& matrix) {
   if (matrix.rows() % 2 != 0 || matrix.cols() % 2 != 0) return false;
   for (Eigen::Index r = 0; r < matrix.rows(); r += 2) {
@@ -19,8 +19,8 @@ bool isotropic(const Eigen::MatrixXd& matrix) {
   return true;
 }
 
-/// Re(f e^{i phase}) turns forward in every pair when f_y = -i f_x. The phase factor of the smallest gap
-/// rounds.
+/// Re(f e^{i phase}) turns forward in every pair when f_y = -i f_x, up to rounding of the phase factor of the
+/// smallest gap.
 bool turns_forward(const Eigen::VectorXcd& force) {
   constexpr double rounding = 1e-14;
   const std::complex<double> i(0, 1);
@@ -56,7 +56,7 @@ auto RotatingField::at(const VectorXd& state, const Visit& visit) const {
   if (smoothed_) return visit(smoothed_law_);
   for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
     const auto& c = system_.contacts[i];
-    // As touching, so that the penetration is that of the wall; values need no acceleration.
+    // Set to a touching mode, so that the penetration is that of the wall; its value needs no acceleration.
     located_law_.modes()[i] = contact::Mode::sprung;
     const contact::Kinematics k = located_law_.kinematics(i, state, state);
     located_law_.modes()[i] = contact::mode_of(c.stiffness, c.damping, k.penetration, k.closing_speed);
@@ -78,7 +78,7 @@ MatrixXd RotatingField::jacobian(const VectorXd& state) const {
   return at(state, [&](const auto& law) -> MatrixXd {
     const Eigen::Index n = system_.coordinates();
     MatrixXd by_u, by_v, all = MatrixXd::Zero(2 * n, 2 * n);
-    law.slopes(state, {}, by_u, by_v);  // slips, if there are any, go one way
+    law.slopes(state, {}, by_u, by_v);  // slips, if any, are in one direction
     all.topRightCorner(n, n).setIdentity();
     all.bottomLeftCorner(n, n) = by_u;
     all.bottomRightCorner(n, n) = by_v;
@@ -115,7 +115,7 @@ bool RotatingField::touches(const VectorXd& state) const {
 
 bool rotationally_symmetric(const scene::Scene& scene) {
   const auto& s = scene.structure;
-  // The equations of this frame know linear contacts alone.
+  // The equations of this frame cover only linear contacts.
   return std::ranges::all_of(scene.contacts,
                              [](const auto& c) { return contact::centred(c.wall) && !c.law; }) &&
          scene.constant_n.isZero(0) && scene.impulses.empty() && turns_forward(scene.harmonic_n) &&

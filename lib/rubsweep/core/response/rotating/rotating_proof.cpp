@@ -26,9 +26,9 @@ using Eigen::VectorXd;
 
 constexpr numerics::NewtonLimits equilibrium_newton{.iterations = 12,
                                                     .growth = std::numeric_limits<double>::infinity()};
-constexpr double closed = 1e-13;  ///< Newton step, in (clearance, clearance omega)
+constexpr double closed = 1e-13;  ///< size of a Newton step, in (clearance, clearance omega)
 
-/// Newton's iteration for a fixed point; see numerics::newton. Its error is the step just taken.
+/// Newton's iteration for a fixed point; see numerics::newton. Its error is the size of the latest step.
 struct EquilibriumNewton {
   const RotatingEquations& equations;
   const VectorXd& start;
@@ -44,23 +44,23 @@ struct EquilibriumNewton {
   bool step(int) const { return true; }
 };
 
-constexpr int free_for_long = 16;  ///< turns
+constexpr int free_for_long = 16;  ///< number of turns without contact
 
-/// Samples of a turn, as many as Newton's iteration needs to start well between two of them: the coarse ones
-/// where a turn with the fine ones, such as there is now and then, has few maxima.
+/// Samples per turn, enough for a good start of Newton's iteration between two of them. The coarse number is
+/// used where an occasional turn with the fine number has few maxima.
 constexpr int fine_samples = 64, coarse_samples = 32, fine_turn_every = 8, few_maxima = 4;
 
-/// Samples of a cycle against those of a turn: a cubic between those of a turn takes 1.5e-6 off the radius of
-/// a whirl four times as fast as the shaft, which a slip that is a small difference does notice.
+/// Ratio of the samples of a cycle to those of a turn. A cubic between the samples of a turn reduces the
+/// radius of a whirl at four times the speed by 1.5e-6, which matters for a slip that is a small difference.
 constexpr int finer = 4;
 
-/// A transient is followed until this share of its distance from a circle is left, for so many turns at most:
-/// a later look is nearer.
+/// Share of its distance from a circle down to which a transient is followed, and the largest number of
+/// turns: a later look starts nearer.
 constexpr double followed_to = 1e-4;
 constexpr proof::Patience patience_for_a_circle{.start = 200, .most = 200};
 
-/// Turns that Newton's iteration may follow while it proves nothing: each takes about twice the time of one
-/// of the transient.
+/// Turns that Newton's iteration may follow without a proof, each of which costs about two turns of the
+/// transient.
 constexpr double turns_for_cycles = 32, share_for_cycles = 0.15;
 
 }  // namespace
@@ -108,7 +108,7 @@ std::optional<motion::ProvenMotion> RotatingProof::look_for_circle(const VectorX
   return std::nullopt;
 }
 
-/// At phase 0 of every turn the rotating frame stands as the other: a section is a state there.
+/// At phase 0 of every turn the two frames coincide, so that a section is a state of the rotating frame.
 bool RotatingProof::comes_near_to(const RotatingEquilibrium& circle, std::span<const double> section) {
   const proof::StableOrbit orbit{1, {circle.state}, {circle.transition}, circle.floquet_modulus};
   const auto norms = proof::adapted_norms(orbit.transitions);
@@ -183,8 +183,8 @@ std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd
   return std::nullopt;
 }
 
-/// A period that fits a whole number of times into a few turns, to what a section can tell, makes a motion
-/// subharmonic (or synchronous) by name, which a record of it has to show.
+/// Whether a whole number of periods fits into a few turns as far as a section can tell. The motion is then
+/// called subharmonic (or synchronous), which only its recorded windows may decide.
 bool RotatingProof::returns_with_the_shaft(const LimitCycle& cycle) const {
   const double fastest = field_.rate(cycle.state).cwiseAbs().maxCoeff();
   for (int n = 1; n <= options_.max_order; ++n) {

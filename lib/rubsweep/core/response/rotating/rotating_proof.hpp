@@ -26,31 +26,31 @@ struct RotatingEquations {
 /// A synchronous circle: a stable fixed point in the frame that turns with the shaft.
 struct RotatingEquilibrium {
   Eigen::VectorXd state;
-  Eigen::MatrixXd transition;  ///< matrix over one turn
-  double floquet_modulus = 0;  ///< modulus over one turn: e^{2 pi Re lambda}, lambda the rightmost eigenvalue
+  Eigen::MatrixXd transition;  ///< transition matrix over one turn
+  double floquet_modulus = 0;  ///< modulus over one turn, e^{2 pi Re lambda}, lambda the rightmost eigenvalue
 };
 
 /// Newton's iteration from `start` (in the rotating frame) for a fixed point whose multipliers over one turn
-/// lie inside `largest_floquet_modulus`. Empty where it finds none within `farthest_orbit`.
+/// lie inside `largest_floquet_modulus`. Empty where there is none within `farthest_orbit`.
 std::optional<RotatingEquilibrium> find_rotating_equilibrium(const RotatingEquations& equations,
                                                              const Eigen::VectorXd& start);
 
-/// Search for the stable motion that a transient of a rotationally symmetric scene converges to, in the frame
-/// that turns with the shaft: a synchronous circle is a fixed point there, the quasi-periodic oval a closed
-/// orbit. (A section once per turn can prove no other: every shift along an orbit that moves in that frame is
-/// a multiplier of 1.)
+/// Search, in the rotating frame, for the stable motion to which a transient of a rotationally symmetric
+/// scene converges. There a synchronous circle is a fixed point, and a quasi-periodic oval a closed orbit. (A
+/// once-per-turn section can prove only a fixed point: an orbit that moves in that frame has a multiplier of
+/// 1 for each shift along it.)
 class RotatingProof {
  public:
-  /// Turns that a transient is followed for take no more work than `budget`, which as `options` and
-  /// `workspace` must outlive the proof.
+  /// Following a transient takes no more work than `budget`. `budget`, `options` and `workspace` must outlive
+  /// the proof.
   RotatingProof(const scene::Scene& scene, const integrate::run::SolverOptions& solver,
                 const motion::ResponseOptions& options, motion::Workspace& workspace,
                 integrate::run::WorkBudget& budget);
 
-  /// Samples that the next turn should have; 0 while the rotor has been free for long.
+  /// Number of samples wanted in the next turn; 0 while the rotor has been without contact for long.
   int samples_wanted() const;
 
-  /// Takes one more turn. Empty most of the time; a motion that touches nothing is not reported.
+  /// Adds one turn. Returns a motion once it is proven; a motion without contact is not reported.
   std::optional<motion::ProvenMotion> look(const integrate::run::TurnReport& turn);
 
  private:
@@ -72,10 +72,10 @@ class RotatingProof {
   proof::PeriodSearch turns_;
   std::optional<ApexReturnSearch> maxima_;  ///< empty after a turn without samples
   std::optional<proof::SceneMap> turn_map_;
-  bool many_maxima_ = true;  ///< true: many in the last turn with as many samples as can be asked for
+  bool many_maxima_ = true;  ///< true: many maxima in the last turn with the largest number of samples
   int free_turns_ = 0;
-  long looked_at_ = 0;              ///< turns
-  double spent_on_cycles_rad_ = 0;  ///< rotation that Newton's iteration followed
+  long looked_at_ = 0;              ///< number of turns examined so far
+  double spent_on_cycles_rad_ = 0;  ///< rotation followed by Newton's iteration
 };
 
 }  // namespace rubsweep::response::rotating

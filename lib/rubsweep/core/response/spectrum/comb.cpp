@@ -35,9 +35,9 @@ double amplitude_at(std::span<const Complex> z, int samples_per_revolution, doub
 constexpr int largest_multiple = 16;
 constexpr auto fewest_turns = static_cast<std::size_t>(fewest_comb_turns);
 
-/// Reads samples a fraction of a step later than they stand: Lagrange's polynomial through 6 of them.
+/// Interpolates samples a fraction of a step later, by Lagrange's polynomial through 6 of them.
 struct Delay {
-  std::size_t whole = 0;  ///< first of the 6
+  std::size_t whole = 0;  ///< index of the first of the 6
   std::array<double, 6> weights{};
 
   explicit Delay(double samples) {
@@ -60,7 +60,7 @@ struct Delay {
   }
 };
 
-/// The motion as seen in the frame that turns with the shaft.
+/// The motion in the rotating frame.
 class TurningOrbit {
  public:
   TurningOrbit(std::span<const Complex> displacement_m, int samples_per_revolution) {
@@ -76,9 +76,9 @@ class TurningOrbit {
 
   const std::vector<Complex>& samples() const { return w_; }
   Complex mean() const { return mean_; }
-  double mean_square() const { return mean_square_; }  ///< about the mean
+  double mean_square() const { return mean_square_; }  ///< mean square of w about its mean
 
-  /// Root mean square of w(t + lag) - w(t) over that of w about its mean. `lag` in samples, >= 4.
+  /// Root mean square of w(t + lag) - w(t), divided by that of w about its mean. `lag` in samples, >= 4.
   double return_error(double lag) const {
     const Delay delay(lag);
     double square = 0;
@@ -87,7 +87,7 @@ class TurningOrbit {
     return std::sqrt(square / static_cast<double>(visited(delay)) / mean_square_);
   }
 
-  /// Gauss-Newton step of the lag towards the least return error.
+  /// Gauss-Newton step of the lag towards the smallest return error.
   double lag_step(double lag) const {
     const Delay delay(lag), before(lag - 0.5), after(lag + 0.5);
     double moment = 0, square = 0;
@@ -100,7 +100,7 @@ class TurningOrbit {
   }
 
  private:
-  /// Every seventh sample is enough, and no power of two falls into step with it.
+  /// Every seventh sample is enough, and seven has no common factor with a power of two.
   static constexpr std::size_t stride = 7;
 
   static std::size_t last(const Delay& delay, std::size_t from) {
@@ -113,9 +113,9 @@ class TurningOrbit {
   double mean_square_ = 0;
 };
 
-/// Bin of the largest line, between bins: under a Hann window neighbours a and b of a line d bins off have
-/// b / a = (1 + d) / (2 - d) (R. Grandke, IEEE Trans. Instrum. Meas. 32 (1983) 350). Bin 0 is where the mean
-/// was.
+/// Position of the largest line between bins: under a Hann window, neighbours a and b of a line at a distance
+/// of d bins have b / a = (1 + d) / (2 - d) (R. Grandke, IEEE Trans. Instrum. Meas. 32 (1983) 350). Bin 0 is
+/// skipped, where the mean was.
 double largest_line(const FullSpectrum& spectrum) {
   int k = 0;
   for (int j = spectrum.first_line() + 1; j < spectrum.last_line(); ++j) {
@@ -139,7 +139,7 @@ std::optional<double> closing_period(const TurningOrbit& orbit, double first_gue
   return period;
 }
 
-/// The window makes 1.5 times the energy of every line.
+/// Factor by which the window increases the energy of a line.
 constexpr double energy_under_hann = 1.5;
 
 double energy_share(const TurningOrbit& orbit, const FullSpectrum& spectrum, double spacing_bins) {

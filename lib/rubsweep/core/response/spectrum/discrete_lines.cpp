@@ -37,7 +37,7 @@ constexpr double energy_of_the_lines = 0.99;
 constexpr int most_lines = 16;
 constexpr double most_moved = 0.01;
 
-/// Sums over the width of a line; bins count modulo their number.
+/// Sums over the width of a line; indices of bins wrap around.
 std::vector<double> smoothed(std::span<const double> shares) {
   const std::size_t count = shares.size();
   std::vector<double> sums(count);

@@ -14,7 +14,7 @@
 namespace rubsweep::response::spectrum {
 namespace {
 
-// FFTW documents std::complex<double> and fftw_complex as the same two doubles.
+// FFTW guarantees that std::complex<double> and fftw_complex have the same layout.
 fftw_complex* as_fftw(std::complex<double>* buffer) { return reinterpret_cast<fftw_complex*>(buffer); }
 
 // FFTW's planner is not thread-safe, executing a plan is. A plan fits every pair of distinct aligned buffers.
@@ -30,7 +30,7 @@ class PlanCache {
   fftw_plan plan(int length, fftw_complex* samples, fftw_complex* lines) {
     const std::scoped_lock lock(mutex_);
     if (const auto known = modes_.find(length); known != modes_.end()) return known->second;
-    // Wisdom from earlier plans may steer even an estimated one.
+    // Wisdom from earlier plans may influence even an estimated plan.
     fftw_forget_wisdom();
     fftw_plan made =
         fftw_plan_dft_1d(length, samples, lines, FFTW_FORWARD, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
@@ -114,7 +114,7 @@ FullSpectrum full_spectrum(std::span<const std::complex<double>> displacement_m,
   const auto lines = transform(displacement_m, workspace);
   FullSpectrum spectrum{.turns = turns, .samples_per_revolution = length / turns, .amplitude_m = {}};
   spectrum.amplitude_m.resize(count);
-  // FFTW lists k = 0, 1, ... and then the negative k; we list from the most negative k upwards.
+  // FFTW lists k = 0, 1, ... and then the negative k; this spectrum starts at the most negative k.
   const std::size_t negative = count / 2;
   for (std::size_t j = 0; j < count; ++j) {
     spectrum.amplitude_m[(j + negative) % count] =

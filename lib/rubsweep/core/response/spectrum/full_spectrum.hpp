@@ -9,8 +9,8 @@
 namespace rubsweep::response::spectrum {
 
 /// Two-sided amplitude spectrum of z = x + iy over a whole number of turns. Forward whirl (from +x to +y) has
-/// positive orders, backward whirl negative ones. No doubling: a forward circle of radius a is a line a at
-/// +1X, x = a cos(omega t) is a line a/2 at +1X and one at -1X.
+/// positive orders, backward whirl negative ones. Amplitudes are not doubled: a forward circle of radius a is
+/// a line a at +1X; x = a cos(omega t) gives a line a/2 at +1X and one at -1X.
 struct FullSpectrum {
   int turns = 0;
   int samples_per_revolution = 0;
@@ -23,8 +23,7 @@ struct FullSpectrum {
   /// Largest k: N/2 - 1 for even N.
   int last_line() const { return first_line() + static_cast<int>(amplitude_m.size()) - 1; }
 
-  /// Amplitude of line k in metres; the line stands at order k / turns. SolverError when there is no such
-  /// line.
+  /// Amplitude of line k in metres, which is at order k / turns. SolverError when there is no such line.
   double amplitude(int k) const {
     if (k < first_line() || k > last_line()) refuse(k);
     return amplitude_m[static_cast<std::size_t>(k - first_line())];
@@ -33,7 +32,8 @@ struct FullSpectrum {
   /// Order of line k in multiples of the shaft speed, negative for backward whirl.
   double order(int k) const { return static_cast<double>(k) / turns; }
 
-  /// Sum of the squared amplitudes of all lines but 0X, in m^2: the mean of |z - mean z|^2 (Parseval).
+  /// Energy of all lines except 0X: sum of their squared amplitudes in m^2, the mean of |z - mean z|^2
+  /// (Parseval).
   double energy_without_mean() const;
 
  private:
@@ -46,12 +46,12 @@ struct SpectralLine {
   double amplitude_m = 0;
 };
 
-/// k of the largest line, 0X excluded; 0 when there is no other line. Of a pair +-k that is equal to 1e-9 (a
-/// straight orbit) the forward one, so that rounding never picks the sign.
+/// Index k of the largest line except 0X; 0 when there is no other line. If lines +k and -k are equal to 1e-9
+/// (a straight orbit), the forward one is returned, so that rounding never decides the sign.
 int dominant_line(const FullSpectrum& spectrum);
 
-/// Buffers that one thread lends to `full_spectrum`, aligned for FFTW's vector code. They grow to the longest
-/// window seen.
+/// Buffers of one thread for `full_spectrum`, aligned for FFTW's vector code. They grow to the longest window
+/// so far.
 class SpectrumWorkspace {
   friend std::span<const std::complex<double>> transform(std::span<const std::complex<double>>,
                                                          SpectrumWorkspace&);
@@ -69,18 +69,18 @@ class SpectrumWorkspace {
 };
 
 /// Discrete Fourier transform sum_j z_j exp(-2 pi i k j / N), k = 0 .. N - 1, in the workspace. SolverError
-/// when N is zero. May run in many threads at once, as full_spectrum.
+/// when N is zero. Thread-safe in the same way as full_spectrum.
 std::span<const std::complex<double>> transform(std::span<const std::complex<double>> z,
                                                 SpectrumWorkspace& workspace);
 
-/// Full spectrum A_k = |1/N sum_j z_j exp(-2 pi i k j / N)| of `displacement_m`: N equidistant samples of
-/// x + iy in metres over `turns` turns, the end point left out. SolverError when N is zero or no multiple of
+/// Full spectrum A_k = |1/N sum_j z_j exp(-2 pi i k j / N)| of `displacement_m`: N equidistant samples of x +
+/// iy in metres over `turns` turns, without the end point. SolverError when N is zero or no multiple of
 /// `turns`.
 ///
-/// May run in many threads at once, each with its own workspace: FFTW plans are made once per length and
-/// shared, only looking one up takes a lock. The bits depend on samples, processor and FFTW build alone, not
-/// on history: plans are estimated, never measured. To that end any wisdom of the process is forgotten
-/// whenever a new length is planned.
+/// Several threads may call it at once, each with its own workspace: FFTW plans are made once per length and
+/// shared, and only the lookup takes a lock. The result depends bit by bit only on samples, processor and
+/// FFTW build, not on history, because plans are estimated, never measured. For this, FFTW's wisdom in this
+/// process is forgotten whenever a new length is planned.
 FullSpectrum full_spectrum(std::span<const std::complex<double>> displacement_m, int turns,
                            SpectrumWorkspace& workspace);
 

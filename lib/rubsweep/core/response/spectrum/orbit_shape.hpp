@@ -12,32 +12,32 @@ namespace rubsweep::response::spectrum {
 /// Shape of the orbit z = x + iy about its mean.
 enum class OrbitKind {
   circle,  ///< the distance from the mean varies by less than 5 %
-  oval,    ///< the two largest lines are an ellipse, +k and -k, with 95 % of the energy; also a straight line
-  complex,  ///< anything else
+  oval,    ///< the two largest lines are an ellipse (+k and -k) with 95 % of the energy; also a straight line
+  complex,  ///< any other shape
 };
 
-/// Side of the full spectrum that holds 80 % of the energy.
+/// Whirl direction: the side of the full spectrum that holds 80 % of the energy.
 enum class WhirlKind { forward, backward, mixed };
 
-inline constexpr double circle_ratio = 1.05;        ///< max |z - mean| / min |z - mean| stays below this
+inline constexpr double circle_ratio = 1.05;        ///< upper bound of max |z - mean| / min |z - mean|
 inline constexpr double oval_energy_share = 0.95;   ///< share of the energy without 0X
 inline constexpr double whirl_energy_share = 0.80;  ///< share of the energy without 0X
 
-/// Shape of the motion in `displacement_m`, the samples (metres, any unit serves) that `spectrum` was taken
-/// of. A motion without any line but 0X is `complex`: a point has no shape, ask only about motions.
+/// Shape of the motion in `displacement_m`, the samples (in any unit) from which `spectrum` was computed. A
+/// motion without any line except 0X gives `complex`: a point has no shape, so call it only for motions.
 OrbitKind orbit_kind(std::span<const std::complex<double>> displacement_m, const FullSpectrum& spectrum);
 
-/// The rule of `circle` alone, about a centre that is known: false for no samples.
+/// Whether a motion is a `circle` about a known centre; false without samples.
 bool is_circle(std::span<const std::complex<double>> displacement_m, std::complex<double> centre_m);
 
-/// Whirl direction of a motion whose lines hold so much energy (squared amplitudes) on either side of 0X;
-/// `mixed` when there is none.
+/// Whirl direction of a motion with the given energies (squared amplitudes) of its forward and backward
+/// lines; `mixed` when both are zero.
 WhirlKind whirl_kind(double forward, double backward);
 
-/// Whirl direction; `mixed` when no line but 0X exists.
+/// Whirl direction; `mixed` when there is no line except 0X.
 WhirlKind whirl_kind(const FullSpectrum& spectrum);
 
-/// Names as the tables write them.
+/// Names as in the tables.
 constexpr std::string_view to_string(OrbitKind kind) { return enumerator_word(kind); }
 constexpr std::string_view to_string(WhirlKind kind) { return enumerator_word(kind); }
 

@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-/// Weights of Hann's window, whose mean is 1.
+/// Weights of a Hann window with mean 1.
 std::vector<double> hann_window(std::size_t count) {
   std::vector<double> weights(count);
   for (std::size_t k = 0; k < count; ++k)
@@ -28,7 +28,7 @@ Complex component(std::span<const Complex> samples, std::span<const double> weig
   const Complex step = std::polar(1.0, -2 * pi * frequency);
   Complex sum = 0, turn = 1;
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    // The product of many steps drifts.
+    // A product of many steps would drift.
     if (k % 64 == 0) turn = std::polar(1.0, -2 * pi * frequency * static_cast<double>(k));
     sum += weights[k] * samples[k] * turn;
     turn *= step;
@@ -46,7 +46,7 @@ void add(std::span<Complex> samples, double frequency, Complex amplitude) {
   }
 }
 
-/// The frequency beside a guess at which the component is largest: parabolas through three logarithms.
+/// Frequency near a guess at which the component is largest, by parabolas through three logarithms.
 double peak_near(std::span<const Complex> samples, std::span<const double> weights, double frequency) {
   constexpr int rounds = 8;
   double step = 0.25 / static_cast<double>(samples.size());
@@ -64,7 +64,7 @@ double peak_near(std::span<const Complex> samples, std::span<const double> weigh
   return frequency;
 }
 
-/// Amplitudes of the bins of Hann's window.
+/// Amplitudes of the bins under a Hann window.
 struct Bins {
   std::vector<double> amplitude;
 
@@ -92,8 +92,8 @@ bool is_covered(double frequency, std::span<const ResolvedLine> known, std::size
   });
 }
 
-/// Root mean square, of each component, of the bins beside a frequency that no line covers: there the lines
-/// took some of the noise along.
+/// Root mean square, of each component, of the bins near a frequency that no line covers: where lines were
+/// subtracted, part of the noise is missing.
 double noise_near(const Bins& rest, double frequency, std::span<const ResolvedLine> known) {
   constexpr std::size_t enough = 16;
   const std::size_t count = rest.amplitude.size();
@@ -110,7 +110,7 @@ double noise_near(const Bins& rest, double frequency, std::span<const ResolvedLi
   return found > 0 ? std::sqrt(sum / (2 * static_cast<double>(found))) : 0;
 }
 
-/// The largest bin within the frequencies that are looked at, but for those that known lines cover.
+/// Frequency of the largest bin in the range of the search that no known line covers.
 std::optional<double> largest_frequency(const Bins& bins, const LineSearch& search,
                                         std::span<const ResolvedLine> known) {
   std::optional<std::size_t> largest;
@@ -124,7 +124,7 @@ std::optional<double> largest_frequency(const Bins& bins, const LineSearch& sear
   return bins.frequency(*largest);
 }
 
-/// Each line again, with all others taken away from `left`, until none of them moves.
+/// Estimates each line again, with all others removed from `left`, until none of them moves.
 void refine(std::vector<ResolvedLine>& lines, std::span<Complex> left, std::span<const double> weights,
             bool about_mean, int most_rounds) {
   constexpr double small_bins = 1e-4;
@@ -142,7 +142,7 @@ void refine(std::vector<ResolvedLine>& lines, std::span<Complex> left, std::span
   }
 }
 
-/// Noise of the lines, and what both halves make of them.
+/// Sets the uncertainties from the noise and from the difference between both halves of the samples.
 void add_uncertainties(std::vector<ResolvedLine>& lines, std::span<Complex> left, const Bins& rest) {
   const std::size_t half = left.size() / 2;
   const auto count = static_cast<double>(left.size());
@@ -151,7 +151,7 @@ void add_uncertainties(std::vector<ResolvedLine>& lines, std::span<Complex> left
     return std::max(0.0, difference * difference / 4 - noise * noise);
   };
   for (ResolvedLine& line : lines) {
-    // A window of Hann's knows a frequency to 0.6 noise / (amplitude length), half of the samples to 2.8
+    // A Hann window determines a frequency to 0.6 noise / (amplitude length), half of the samples to 2.8
     // times that.
     const double noise = noise_near(rest, line.frequency, lines), size = std::abs(line.amplitude);
     const double frequency_noise = 0.6 * noise / (size * count);
@@ -176,7 +176,7 @@ std::vector<ResolvedLine> resolve_lines(std::span<const Complex> samples, const 
   std::vector<Complex> left(samples.begin(), samples.end());
   const std::vector<double> weights = hann_window(left.size());
   std::vector<ResolvedLine> lines;
-  // The mean is a line that stands still.
+  // The mean is a line of frequency 0.
   if (search.about_mean) {
     lines.push_back({.amplitude = component(left, weights, 0)});
     add(left, 0, -lines.front().amplitude);

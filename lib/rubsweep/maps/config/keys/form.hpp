@@ -12,20 +12,21 @@ namespace rubsweep::config::keys {
 
 struct Key;
 
-/// Where a key may stand: beside the key `selector` with one of these words, or where that is left out and
-/// `fallback` says so.
+/// Condition for a key: the key `selector` of the same map has one of `words`, or it is left out and
+/// `without_selector` says that its default is one of them.
 struct Condition {
   std::string selector;
-  std::vector<std::string> words;  ///< empty: anywhere
-  bool without_selector = false;   ///< the selector has a default, which is one of the words
+  std::vector<std::string> words;  ///< words of the selector; empty: the key may stand anywhere
+  bool without_selector = false;   ///< true: the selector has a default, which is one of the words
 };
 
-/// Keys that exclude those of the other ways: `required` are given together, `optional` may be beside them.
+/// Keys that are given together: all of `required`, and any of `optional`. They exclude the keys of the other
+/// ways.
 struct Way {
   std::vector<std::string> required, optional;
 };
 
-/// Ways of which one is taken, or where `may_be_none`, none.
+/// Alternative ways to give a quantity. Exactly one is taken, or none where `may_be_none` holds.
 struct Choice {
   std::vector<Way> ways;
   bool may_be_none = false;
@@ -62,7 +63,7 @@ struct Form {
 struct Key {
   std::string name;
   Form form;
-  std::string meaning;     ///< a noun and what is needed besides, without unit and range
+  std::string meaning;     ///< noun phrase with what is needed besides, without unit and range
   std::string fallback{};  ///< default as it is written; empty: see `required`
   bool required = false;   ///< has no default, where its condition holds and no choice leaves it out
   Condition when{};
@@ -82,26 +83,26 @@ Form any_of(std::vector<Form> forms);
 
 /// A key that must be given.
 Key must(std::string name, Form form, std::string meaning);
-/// A key with this default, in words of the file or, in parentheses, of people; empty: nothing.
+/// A key with this default: as written in a file, or in words in parentheses; empty: no default.
 Key may(std::string name, Form form, std::string meaning, std::string fallback = "");
-/// The same key where its condition holds.
+/// Returns the key with the condition `when`.
 Key beside(Key key, Condition when);
-/// The same keys, known since the version after 0.1.0.
+/// Returns the keys, marked as known since the version after 0.1.0.
 std::vector<Key> newer(std::vector<Key> keys);
 Key newer_key(Key key);
 
 /// Ways of one key each.
 Choice either(std::span<const std::string_view> names);
-/// Ways of several keys each, of which those without a default are needed.
+/// Ways of several keys each. Keys with a default are optional in their way, the others required.
 Choice choice_of(const std::vector<std::vector<Key>>& ways);
 
-/// Whether a choice of a map says when a key of it is given.
+/// Whether a key of a map belongs to one of the map's choices.
 bool is_chosen(const Form& map, std::string_view name);
 
 /// Allowed values in words, as errors say them: "> 0 and <= 1", "one_side or annular", "a list of 1 to 16".
 std::string allowed(const Form& form);
 
-/// Unit that the end of a key says, as people write it: "N/m" of stiffness_n_per_m; empty without one.
+/// Unit in the ending of a key, as people write it: "N/m" for stiffness_n_per_m; empty without a unit.
 std::string_view unit_of(std::string_view key);
 
 }  // namespace rubsweep::config::keys

@@ -8,12 +8,13 @@
 namespace rubsweep::config::keys {
 namespace {
 
-/// A row, and what may stand there beside which kinds of the map that holds the key.
+/// One row of the list, with the values allowed for the key. They may depend on the kind of the map that
+/// holds it.
 struct Merged {
   KeyRow row;
   struct Case {
     Form form;
-    std::string kind;  ///< empty: none is named
+    std::string kind;  ///< kind of the map; empty: the map has no kind
   };
   std::vector<Case> cases;
 };
@@ -50,7 +51,7 @@ void add_row(std::vector<Merged>& rows, KeyRow row, const Form& form, const std:
   merged.cases.push_back({form, kind});
 }
 
-/// The word of a map that begins with its kind.
+/// Word of the key `kind`, where a map begins with that key; else empty.
 std::string kind_of(const Form& map) {
   const bool named = !map.keys.empty() && map.keys[0].name == "kind" && map.keys[0].form.words.size() == 1;
   return named ? map.keys[0].form.words[0] : "";
@@ -84,7 +85,7 @@ void add_keys(std::vector<Merged>& rows, const Form& form, const std::string& pa
   }
 }
 
-/// The path with N in place of every number.
+/// Path with N in place of every number.
 std::string general(std::string_view path) {
   std::string result;
   while (!path.empty()) {

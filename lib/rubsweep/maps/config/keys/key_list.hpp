@@ -8,7 +8,7 @@
 
 namespace rubsweep::config::keys {
 
-/// One key as a person asks for it; `N` in a path stands for any number of a list.
+/// One key of a configuration, as a person asks for it. `N` in a path stands for any index of a list.
 struct KeyRow {
   std::string path;
   std::string unit, allowed, fallback, meaning,
@@ -18,10 +18,11 @@ struct KeyRow {
 /// All keys of a configuration in the order of their sections, each path once.
 std::vector<KeyRow> key_list(const Form& root);
 
-/// Rows of this path and of all below it; numbers in it may be those of a list. Empty: all.
+/// Rows of the key `path` and of all keys below it. Indices of a list in `path` match `N`. All rows for an
+/// empty path.
 std::vector<KeyRow> below(const std::vector<KeyRow>& rows, std::string_view path);
 
-/// Rows as a terminal shows them: the path on a line of its own, what is said of it indented below.
+/// Rows as a terminal shows them: the path on a line of its own, and its description indented below.
 std::string text_of(const std::vector<KeyRow>& rows);
 
 }  // namespace rubsweep::config::keys

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Whole numbers without a point.
+/// JSON number, written without a decimal point where it is whole.
 Json number_json(double value) {
   constexpr double most_digits = 1e15;
   if (std::trunc(value) == value && std::abs(value) <= most_digits) return static_cast<long long>(value);
@@ -34,13 +34,13 @@ Json number_schema(const model::Range& range) {
   return schema;
 }
 
-/// A pattern of the numbers from 0 to count - 1 (10 to 99).
+/// Regular expression that matches the numbers from 0 to count - 1; `count` is between 11 and 20.
 std::string numbers_below(std::size_t count) { return fmt::format("^([0-9]|1[0-{}])$", count - 11); }
 
-/// A key that must not be there; over a base it may take that back.
+/// Schema of a key that must not be given. In a part written over a base, null may remove the base's key.
 Json nothing(bool part) { return part ? Json{{"type", "null"}} : Json(false); }
 
-/// The schema, without those words of it that would say nothing.
+/// Schema without its empty lists `required` and `allOf`.
 Json stripped(Json schema) {
   for (const char* name : {"required", "allOf"}) {
     if (schema.contains(name) && schema[name].empty()) schema.erase(name);
@@ -79,7 +79,8 @@ Json choice_schema(const Choice& choice, bool part) {
   return {{"anyOf", forms}};
 }
 
-/// Maps that stand at the same place are different definitions.
+/// Path of a definition. Several forms of a map at the same place get different paths, by their kind or
+/// number.
 std::string path_of_form(const Form& form, const std::string& path, int map) {
   if (form.kind != Kind::map) return path;
   const bool named = !form.keys.empty() && form.keys[0].name == "kind";
@@ -87,8 +88,8 @@ std::string path_of_form(const Form& form, const std::string& path, int map) {
   return map == 1 ? path : fmt::format("{}.form{}", path, map);
 }
 
-/// Writes the maps of a configuration as definitions, each as a whole and as a part of what is written over a
-/// base.
+/// Writes every map of a configuration as two definitions: as a whole map, and as a part that is written over
+/// a base.
 class Writer {
  public:
   Json value(const Form& form, const std::string& path, bool part) {
@@ -124,7 +125,7 @@ class Writer {
     return reference(path, part);
   }
 
-  /// One a line.
+  /// Definitions as JSON text, one a line.
   std::string definitions() const {
     std::string text;
     for (const auto& [name, schema] : definitions_)
@@ -193,7 +194,7 @@ class Writer {
     if (!key.fallback.empty()) said += ". Default: " + key.fallback;
     Json inner = value(key.form, path.empty() ? key.name : path + "." + key.name, part);
     if (part) inner = {{"anyOf", Json::array({std::move(inner), Json{{"type", "null"}}})}};
-    // Beside a reference draft 7 knows nothing.
+    // Draft 7 ignores the keys beside a reference, so that the reference stands in an `allOf`.
     return {{"description", said}, {"allOf", Json::array({std::move(inner)})}};
   }
 

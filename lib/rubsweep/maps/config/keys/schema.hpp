@@ -7,10 +7,10 @@
 
 namespace rubsweep::config::keys {
 
-/// A configuration of this form as a JSON Schema (draft 7): for an editor that completes, explains and
-/// checks. What it refuses, the reader refuses, too; rules over several numbers it cannot say. Of a map with
-/// a base, of a map below such a one outside lists, nothing need be given, and a key without a value is
-/// allowed.
+/// JSON Schema (draft 7) of a configuration of this form, for an editor that completes, explains and checks.
+/// The reader refuses everything that the schema refuses, and more: a schema cannot state rules over several
+/// numbers. A map that has a base may lack required keys, and its keys may be without a value. The same holds
+/// for maps inside it, except those in lists.
 std::string schema_of(const Form& root, std::string_view title);
 
 }  // namespace rubsweep::config::keys

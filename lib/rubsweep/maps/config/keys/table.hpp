@@ -16,7 +16,7 @@
 
 namespace rubsweep::config::keys {
 
-/// Values that may stand at a key, by what the struct's own list says of it.
+/// Form of the values that a key may have, from its entry in the struct's list of fields.
 inline Form form_of(const model::Range& range) { return number(range); }
 inline Form form_of(const model::IntegerRange& range) {
   return range.even ? even_integer(range.low, range.high) : integer(range.low, range.high);
@@ -32,7 +32,7 @@ Form form_of(const Words<Enum, count>& words) {
   return word({words.texts.begin(), words.texts.end()});
 }
 
-/// Default as it is written; empty: there is none.
+/// Default value as text; empty where there is no default.
 std::string written(double value, const model::Range& allowed);
 inline std::string written(const auto&, const auto&) { return ""; }
 inline std::string written(std::signed_integral auto value, const model::IntegerRange&) {
@@ -46,7 +46,7 @@ std::string written(Enum value, const Words<Enum, count>& words) {
   return "";
 }
 
-/// Keys of a map, gathered from the list that reader and printer go by. A double that is NaN has no default.
+/// Keys of a map, gathered from the list of fields that reader and printer use. A NaN double has no default.
 class Table {
  public:
   template <class Field, class Allowed>
@@ -58,7 +58,7 @@ class Table {
     if (!entry.required) entry.fallback = key.without.empty() ? written(member, allowed) : key.without;
   }
 
-  /// A map that must be given; `visit` is called with its table.
+  /// Adds a map that must be given; `visit` is called with the table of its keys.
   template <class Visit>
   void map(std::string_view name, std::string_view meaning, Visit&& visit) {
     Table inner;
@@ -66,8 +66,8 @@ class Table {
     add(name, map_of(inner.take()), meaning, "0.1.0").required = true;
   }
 
-  /// The keys that `visit` adds stand only where the key `selector`, which has a default and was added
-  /// before, has one of these words.
+  /// Adds keys by `visit` that are allowed only where the key `selector` has one of these words. `selector`
+  /// must have a default and must have been added before.
   template <class Visit>
   void beside(std::string_view selector, std::initializer_list<std::string> words, bool, Visit&& visit) {
     const std::size_t first = keys_.size();
@@ -116,7 +116,7 @@ struct KeysOf<std::variant<Structs...>> {
   std::vector<std::vector<Key>> ways{keys_of<Structs>()...};
 };
 
-/// The keys of several parts, one behind the other.
+/// Joins the lists of keys of several parts.
 std::vector<Key> joined(std::vector<std::vector<Key>> parts);
 
 }  // namespace rubsweep::config::keys

@@ -49,7 +49,8 @@ model::StribeckFriction read_curve(yaml::Section& section) {
   return {};
 }
 
-/// Refuses a curve that drives the slip somewhere, in either spelling.
+/// Refuses a friction law, in either spelling, that has a negative or too large coefficient at some slip: a
+/// negative one would drive the slip.
 void refuse_driving(const yaml::Section& section, std::string_view key, const model::Friction& friction) {
   const contact::FrictionBounds bounds = contact::friction_bounds(friction);
   if (contact::brakes(bounds)) return;
@@ -63,7 +64,7 @@ void refuse_driving(const yaml::Section& section, std::string_view key, const mo
                   model::ConstantFriction::coefficient_range.high));
 }
 
-/// Reads a friction that holds harder than it slides.
+/// Reads a friction law whose static coefficient is larger than its sliding one.
 template <class Law>
 Law read_holding(yaml::Section& section) {
   Law law;
@@ -119,7 +120,7 @@ keys::Form friction_form() {
       keys_of<model::StribeckCurve>(),
       keys_of<model::StaticFriction>(),
       keys_of<model::FallingFriction>()};
-  // Keys that several of them have are listed with the first.
+  // A key that several laws have is listed only once.
   std::vector<Key> listed;
   for (Key& key : joined(ways)) {
     if (std::ranges::find(listed, key.name, &Key::name) == listed.end()) listed.push_back(std::move(key));

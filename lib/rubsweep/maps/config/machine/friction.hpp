@@ -7,7 +7,7 @@
 
 namespace rubsweep::config::machine {
 
-/// `friction` of a stop: a map, or the word `none`.
+/// Reads `friction` of a stop: a map, or the word `none`.
 model::Friction read_friction(const yaml::Value& value);
 keys::Form friction_form();
 void print_friction(yaml::Printer& printer, const model::Friction& friction);

@@ -34,12 +34,12 @@ struct Problem {
   std::string wrong, allowed;
 };
 
-/// Lines of words, without comments and blank ones.
+/// Reads a text line by line into words, without comments and blank lines.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
 
-  /// False at the end.
+  /// Goes to the next line; false at the end of the text.
   bool next() {
     while (!rest_.empty()) {
       const std::size_t end = rest_.find('\n');
@@ -185,7 +185,7 @@ class MatrixReader {
     refuse_rest(fmt::format("the numbers of {} columns", size_));
   }
 
-  /// Array files hold one number a line, but many programs write more.
+  /// The format has one number a line in array files, but many programs write more.
   double next_number() {
     if (word_ == words_of_line_) {
       if (!lines_.next())

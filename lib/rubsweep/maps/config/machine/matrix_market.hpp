@@ -8,14 +8,15 @@
 
 namespace rubsweep::config::machine {
 
-/// Square matrix of a text in the Matrix Market format (Boisvert, Pozo, Remington, NISTIR 5935, 1996):
-/// coordinate or array, real or integer, general, symmetric (lower triangle) or skew-symmetric (strictly
-/// lower triangle). Each entry at most once. A problem has the line of the file, or in a text within the
-/// configuration the line in its words; the first one ends the reading, and the result is empty.
+/// Reads a square matrix from a text in the Matrix Market format (Boisvert, Pozo, Remington, NISTIR 5935,
+/// 1996): coordinate or array, real or integer, general, symmetric (lower triangle) or skew-symmetric
+/// (strictly lower triangle). An entry may stand at most once. Reading ends at the first problem, and the
+/// result is empty. The problem is reported with the line of the file, or with the line within the text of
+/// the configuration.
 std::optional<Eigen::MatrixXd> read_matrix_market(const yaml::Value& value);
 
-/// The text that reads back as the same numbers: symmetric or skew-symmetric where the matrix is, by
-/// coordinates or, where that is shorter, as an array.
+/// Text that reads back as the same matrix: symmetric or skew-symmetric where the matrix is, by coordinates
+/// or, where that is shorter, as an array.
 std::string matrix_market(const Eigen::MatrixXd& matrix);
 
 }  // namespace rubsweep::config::machine

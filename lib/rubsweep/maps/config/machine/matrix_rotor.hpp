@@ -1,4 +1,4 @@
-/// Keys of a rotor by matrices, for those that read and that print it.
+/// Keys of a rotor given by matrices, shared by the reader and the printer.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@ namespace rubsweep::config::machine {
 
 inline constexpr std::string_view freedoms_key = "degrees_of_freedom", unbalance_key = "unbalance";
 inline constexpr std::array<std::string_view, 4> directions{"x", "y", "rx", "ry"};
-/// A degree of freedom beside the shaft.
+/// Word in place of a position, for a degree of freedom that does not belong to the shaft.
 inline constexpr std::string_view no_place = "none";
 
-/// Keys of the place of an unbalance, one of which is given.
+/// Keys for the place of an unbalance; exactly one must be given.
 inline constexpr std::array<std::string_view, 2> node_or_place{"node", "position_m"};
 
 struct MatrixKey {
@@ -30,13 +30,13 @@ inline constexpr std::array<MatrixKey, 4> matrix_keys{
      {"damping", "damping matrix", &model::ShaftMatrices::damping, false},
      {"gyroscopic", "gyroscopic matrix per rad/s", &model::ShaftMatrices::gyroscopic, false}}};
 
-/// The keys of `rotor` beside kind: matrices: those of read_shaft_matrices, and those of a rotor kit that
-/// matrices do not exclude. Places along the shaft must be those of nodes.
+/// Reads the keys of `rotor` for kind: matrices: those of read_shaft_matrices, and those of a rotor kit that
+/// matrices do not exclude. Positions along the shaft must be positions of nodes.
 model::RotorKit read_matrix_rotor(yaml::Section& section);
 std::vector<keys::Key> matrix_rotor_keys();
 
-/// A problem of each position_m of a map, or of the maps of a list, at which no node of a kit's matrices
-/// stands. Without matrices there is none.
+/// Adds a problem for each position_m of a map, or of a list of maps, where the kit's matrices have no node.
+/// Does nothing for a kit without matrices.
 void refuse_between_nodes(const yaml::Value& value, const model::RotorKit& kit);
 
 }  // namespace rubsweep::config::machine

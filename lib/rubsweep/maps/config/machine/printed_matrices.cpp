@@ -14,13 +14,13 @@
 namespace rubsweep::config::machine {
 namespace {
 
-/// Row of a table of the unbalance.
+/// Row of the table of unbalances.
 struct UnbalanceRow {
   const model::DegreeOfFreedom* at;
   double real_kg, imaginary_kg;
 };
 
-/// Rows of what is known of the unbalance; one at least, as a table has.
+/// Rows of the degrees of freedom with a known unbalance. At least one row, since a table may not be empty.
 std::vector<UnbalanceRow> unbalance_rows(const model::ShaftMatrices& matrices) {
   std::vector<UnbalanceRow> rows;
   for (std::size_t i = 0; i < matrices.degrees_of_freedom.size(); ++i) {

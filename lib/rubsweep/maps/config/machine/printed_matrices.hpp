@@ -9,7 +9,7 @@
 
 namespace rubsweep::config::machine {
 
-/// How matrices are written: as texts within the configuration, or as names of the files of matrix_files.
+/// Form of printed matrices: texts within the configuration, or names of the files that matrix_files returns.
 enum class MatrixPrint { inside, as_files };
 void print_shaft_matrices(yaml::Printer& printer, const model::ShaftMatrices& matrices, MatrixPrint how);
 

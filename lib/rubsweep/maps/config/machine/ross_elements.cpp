@@ -18,7 +18,7 @@ constexpr Words<bool, 2> flags{{"false", "true"}, {false, true}};
 constexpr Words<model::ShearCoefficient, 2> shear_methods{
     {"cowper", "hutchinson"}, {model::ShearCoefficient::cowper, model::ShearCoefficient::hutchinson}};
 
-/// A key that says "not given" by null is as good as none.
+/// Value of a key; empty also where it is null, by which ROSS writes "not given".
 std::optional<yaml::Value> given(yaml::Section& section, std::string_view name) {
   const auto value = section.find(name);
   return value && value->node.kind != yaml::Node::Kind::null ? value : std::nullopt;
@@ -30,7 +30,7 @@ int read_node(yaml::Section& section) {
   return number ? static_cast<int>(*number) : 0;
 }
 
-/// Keys that only a picture needs.
+/// Marks keys as known that are needed only to draw the rotor.
 void ignore(yaml::Section& section, std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) section.find(name);
 }
@@ -75,7 +75,7 @@ void read_material(const yaml::Value& value, model::ShaftLayer& layer) {
   layer.shear_modulus_pa = shear;
 }
 
-/// The diameter at the other end, where it is another.
+/// Diameter at the other end of an element; empty where it equals `begin`.
 std::optional<double> read_end(yaml::Section& section, std::string_view name, double begin,
                                const model::Range& range) {
   if (!given(section, name)) return std::nullopt;
@@ -84,7 +84,7 @@ std::optional<double> read_end(yaml::Section& section, std::string_view name, do
   return end == begin ? std::nullopt : std::optional(end);
 }
 
-/// Numbers of a coefficient over the speed, or one for all speeds; empty where it is not given.
+/// Values of a coefficient at each speed, or a single value for all speeds; empty where it is not given.
 std::vector<double> read_numbers_or_one(yaml::Section& section, std::string_view name,
                                         const model::Range& range) {
   const auto value = given(section, name);
@@ -102,8 +102,9 @@ std::vector<double> read_numbers_or_one(yaml::Section& section, std::string_view
   return numbers;
 }
 
-/// Tables are made at whole revolutions per minute and saved in rad/s to some ten digits. A speed that is
-/// whole to nine is taken as that, so that a sweep may begin and end with the table.
+/// Speed in Hz. Tables are made at whole revolutions per minute, but saved in rad/s with some ten digits. A
+/// speed that is a whole number of rpm to nine digits is rounded to it, so that a sweep may begin and end
+/// where the table does.
 double speed_hz_of(double rad_per_s) {
   constexpr double nine_digits = 1e-9;
   const double hz = rad_per_s / (2 * std::numbers::pi), rpm = model::rpm_per_hz * hz, whole = std::round(rpm);
@@ -131,14 +132,14 @@ std::vector<double> read_speeds_hz(yaml::Section& section) {
   return speeds;
 }
 
-/// The columns of a table, in the order of model::support_coefficients.
+/// Columns of a table, in the order of model::support_coefficients.
 using Columns = decltype(model::SupportTable::columns);
 
 Columns read_columns(yaml::Section& section) {
   Columns columns;
   for (std::size_t c = 0; c < columns.size(); ++c)
     columns[c] = read_numbers_or_one(section, model::support_coefficients[c], model::range_of_column(c));
-  // A number left out of y is as in x, and there are no cross terms.
+  // A coefficient of y that is left out equals that of x, and cross terms that are left out are 0.
   for (const auto& [x, y] : {std::pair(0, 3), {4, 7}, {8, 9}}) {
     if (columns[static_cast<std::size_t>(y)].empty())
       columns[static_cast<std::size_t>(y)] = columns[static_cast<std::size_t>(x)];
@@ -156,7 +157,7 @@ Columns read_columns(yaml::Section& section) {
   return columns;
 }
 
-/// Columns of one length: a single number stands for all speeds.
+/// Makes all columns equally long: a single number is repeated for all speeds.
 void spread(yaml::Section& section, Columns& columns, std::size_t count) {
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c].size() == 1) columns[c].resize(count, columns[c].front());
@@ -168,8 +169,8 @@ void spread(yaml::Section& section, Columns& columns, std::size_t count) {
   }
 }
 
-/// Whether a table over the whirl frequency was refused: motions that are not synchronous feel it at another
-/// frequency than that of the shaft.
+/// Refuses a table over the whirl frequency, and returns whether it did. A motion that is not synchronous
+/// would need the coefficients at its own frequency, not at that of the shaft.
 bool refuse_whirl_table(yaml::Section& section) {
   const auto frequency = given(section, "frequency");
   if (!frequency || frequency->node.items.size() < 2) return false;
@@ -266,7 +267,7 @@ AtNode<RossMass> read_ross_mass(const RossElement& element) {
 AtNode<RossSupport> read_ross_support(const RossElement& element, bool whirl_tables) {
   yaml::Section section(element.value);
   AtNode<RossSupport> support{{}, read_node(section), &element};
-  // Along the axis and about it nothing couples with bending.
+  // Motion along the axis and about it does not couple with bending.
   ignore(section, {"tag", "color", "scale_factor", "kzz", "czz", "mzz", "seal_leakage"});
   if (whirl_tables && refuse_whirl_table(section)) return support;
   read_coefficients(section, support.part.support);
@@ -274,7 +275,7 @@ AtNode<RossSupport> read_ross_support(const RossElement& element, bool whirl_tab
     if (const auto node = yaml::read_integer(*link, node_numbers))
       support.part.linked_node = static_cast<int>(*node);
   }
-  // Classes that compute their coefficients save what they computed them from, too.
+  // These classes also save the data that their coefficients were computed from.
   const bool plain = element.type == "BearingElement" || element.type == "SealElement";
   if (plain) section.refuse_unknown_keys();
   return support;

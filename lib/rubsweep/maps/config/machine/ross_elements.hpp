@@ -7,16 +7,17 @@
 
 namespace rubsweep::config::machine {
 
-/// One element of a ROSS file: the map under "ShaftElement_Shaft Element 0", by its class and its tag.
+/// One element of a ROSS file: a map under a key such as "ShaftElement_Shaft Element 0", made of class and
+/// tag.
 struct RossElement {
-  std::string type;  ///< word before the first underscore, without 6DoF
-  std::string tag;   ///< text after it: may have blanks and underscores
-  std::string name;  ///< all of it
+  std::string type;  ///< part of the key before the first underscore, without 6DoF
+  std::string tag;   ///< rest of the key; may have blanks and underscores
+  std::string name;  ///< whole key
   yaml::Value value;
 };
 
-/// Parts of a rotor kit with the node that each stands on: those of the shaft count from 0, housings have
-/// numbers beyond them.
+/// Part of a rotor kit with the number of its node. Nodes of the shaft count from 0, housings have larger
+/// numbers.
 template <class Part>
 struct AtNode {
   Part part;
@@ -24,8 +25,8 @@ struct AtNode {
   const RossElement* element = nullptr;
 };
 
-/// A shaft element as a segment without layers. Problems go to the element's diagnostics; a part with a
-/// problem is not used.
+/// Reads a shaft element as a segment without layers. Problems go to the element's diagnostics, and the
+/// caller must not use the result if there is one.
 AtNode<model::ShaftSegment> read_ross_shaft(const RossElement& element);
 AtNode<model::Disc> read_ross_disc(const RossElement& element);
 
@@ -35,12 +36,13 @@ struct RossMass {
 };
 AtNode<RossMass> read_ross_mass(const RossElement& element);
 
-/// A bearing or seal: its coefficients, constant or over the speed, and what it stands on.
+/// Bearing or seal: its coefficients, constant or over the speed, and the part that it stands on.
 struct RossSupport {
   model::Support support;
   std::optional<int> linked_node;
 };
-/// `whirl_tables`: coefficients over `frequency` are those of a whirl frequency, not of a speed of the shaft.
+/// Reads a bearing or seal. `whirl_tables`: tables over `frequency` are over the whirl frequency, not the
+/// speed.
 AtNode<RossSupport> read_ross_support(const RossElement& element, bool whirl_tables);
 
 }  // namespace rubsweep::config::machine

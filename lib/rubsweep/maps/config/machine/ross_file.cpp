@@ -24,11 +24,11 @@ constexpr std::string_view allowed_ross_file = "a TOML or JSON file of ROSS, nam
 
 class KitOfElements {
  public:
-  /// `file`: where problems of the file as a whole stand.
+  /// `file`: place of problems that concern the file as a whole.
   KitOfElements(yaml::Value file, RossSettings settings) : file_(std::move(file)), settings_(settings) {}
 
-  /// `sound`: nothing of the file was refused yet. What elements are to each other is looked at where each is
-  /// sound by itself: an element that could not be read is missing for no other one.
+  /// Builds the kit. `sound`: no problem was found in the file yet. Relations between elements are checked
+  /// only if each element is valid by itself: otherwise a missing one would give misleading problems.
   model::RotorKit build(const RossSections& elements, bool sound) {
     const std::size_t problems = file_.diagnostics.count();
     std::vector<AtNode<model::ShaftSegment>> shaft;
@@ -56,7 +56,8 @@ class KitOfElements {
  private:
   int last_node() const { return static_cast<int>(node_m_.size()) - 1; }
 
-  /// Elements of one node are layers of one segment: that with the greatest bending stiffness is named first.
+  /// Elements at one node are layers of one segment, sorted by E D^4 (Young's modulus, outer diameter), the
+  /// largest first.
   void add_shaft(std::vector<AtNode<model::ShaftSegment>> elements) {
     std::map<int, std::vector<AtNode<model::ShaftSegment>>> by_node;
     for (auto& shaft : elements) by_node[shaft.node].push_back(std::move(shaft));
@@ -92,7 +93,8 @@ class KitOfElements {
     return segment;
   }
 
-  /// Damping of the whole rotor: of all masses, and of the stiffness of all shaft elements.
+  /// Adds damping to the whole rotor: in proportion to all masses, and to the stiffness of all shaft
+  /// elements.
   void add_damping() {
     kit_.mass_damping_per_s = settings_.mass_damping_per_s;
     for (model::ShaftSegment& segment : kit_.shaft) {
@@ -168,7 +170,7 @@ class KitOfElements {
     kit_.supports.push_back(std::move(support));
   }
 
-  /// A mass that nothing touches would be dropped silently.
+  /// Refuses a housing that no support touches: it would have no effect.
   void refuse_useless_housings() const {
     for (const auto& [node, housing] : housing_of_node_) {
       const int number = housing;
@@ -190,7 +192,7 @@ class KitOfElements {
   std::vector<const yaml::Value*> housing_elements_;
 };
 
-/// Keys of a disc's unbalance beside its tag.
+/// Keys of a disc's unbalance, without the tag.
 void visit_unbalance(auto& disc, auto&& visit) {
   using model::key, model::any_finite, model::physical::per_eccentricity;
   visit("eccentricity_ratio", disc.eccentricity_ratio,
@@ -201,7 +203,7 @@ void visit_unbalance(auto& disc, auto&& visit) {
   visit("skew_phase_deg", disc.skew_phase_deg, key(any_finite, "angle of that lean"));
 }
 
-/// Unbalance of single discs, by their tags; the others are balanced then.
+/// Reads the unbalance of discs that are named by their tags; all other discs become balanced.
 void read_unbalance(const yaml::Value& list, const RossSections& elements, model::RotorKit& kit) {
   const auto items = read_list(list, model::RotorKit::most_parts);
   if (!items || kit.discs.size() != elements.discs.size()) return;
@@ -267,7 +269,7 @@ model::RotorKit read_ross_rotor(yaml::Section& section) {
       if (unbalance) read_unbalance(*unbalance, elements, kit);
     }
   }
-  // The elements of the file as they are: none is cut but where a stop or a sensor stands between its ends.
+  // Elements of the file stay as they are, but a stop or a sensor between two nodes divides its element.
   kit.elements = 1;
   read_kit_rest(section, kit);
   if (name && section.is_sound()) refuse_loose_shaft(*name, kit);

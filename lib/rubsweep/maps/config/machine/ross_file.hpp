@@ -8,10 +8,10 @@
 
 namespace rubsweep::config::machine {
 
-/// The keys of `rotor` beside kind: ross: `file`, a TOML or JSON file of ROSS (github.com/petrobras/ross),
-/// its name relative to the file that names it; `unbalance`, a list of discs by their tags; and of those of a
-/// rotor kit what such a file does not say (read_kit_rest). The result is a rotor kit with the elements of
-/// the file.
+/// Reads the keys of `rotor` for kind: ross. `file` names a TOML or JSON file of ROSS
+/// (github.com/petrobras/ross), relative to the file of the configuration. `unbalance` is a list of discs by
+/// their tags. The remaining keys are those of a rotor kit that a ROSS file does not have (read_kit_rest).
+/// The result is a rotor kit with the elements of the file.
 model::RotorKit read_ross_rotor(yaml::Section& section);
 std::vector<keys::Key> ross_keys();
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int latest_version = 3, first_with_whirl_tables = 3;
 
-/// The first number of "3.0.0"; empty where there is none.
+/// First number of a version such as "3.0.0"; empty where there is none.
 std::optional<int> main_version(std::string_view text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -70,7 +70,7 @@ constexpr std::array<std::string_view, 19> known_classes{"ShaftElement",
                                                          "HolePatternSeal",
                                                          "HybridSeal",
                                                          "ThrustPad"};
-constexpr std::string_view with_axial_motion = "6DoF";  ///< end of the name of a class that has this, too
+constexpr std::string_view with_axial_motion = "6DoF";  ///< end of a class name with axial motion
 
 RossElement element_of(const yaml::Value& value, const std::string& name) {
   const std::size_t underscore = name.find('_');
@@ -79,13 +79,13 @@ RossElement element_of(const yaml::Value& value, const std::string& name) {
   return {std::move(type), underscore == std::string::npos ? "" : name.substr(underscore + 1), name, value};
 }
 
-/// Whether an element acts along the axis alone, where nothing couples with bending.
+/// Whether an element acts only along the axis. Motion along the axis does not couple with bending.
 bool is_thrust_bearing(const RossElement& element) {
   return yaml::entry(element.value.node, "kzz") != nullptr &&
          yaml::entry(element.value.node, "kxx") == nullptr;
 }
 
-/// Whether a key of a file is none of an element.
+/// Whether a key of a file is a setting, not an element.
 bool is_ross_setting(std::string_view key) {
   return key == "parameters" || key == "ross_version" || key == "_note";
 }
@@ -100,7 +100,8 @@ RossSettings read_ross_settings(const yaml::Value& file) {
     if (name == "ross_version") settings.whirl_tables = read_version(value) >= first_with_whirl_tables;
     if (name != "parameters") continue;
     yaml::Section parameters(value);
-    // Speeds of plots, and the ratio that goes on after those of modes, which are refused.
+    // Ignored are speeds that only plots use, and the default damping ratio of modes: damping ratios of modes
+    // are refused.
     for (const std::string_view ignored : {"min_w", "max_w", "rated_w", "tag", "default_damping_ratio"})
       parameters.find(ignored);
     read_damping(parameters, settings);

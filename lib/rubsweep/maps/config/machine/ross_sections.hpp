@@ -7,26 +7,25 @@
 
 namespace rubsweep::config::machine {
 
-/// Parts of a ROSS file that hold for the whole rotor.
+/// Settings of a ROSS file that hold for the whole rotor.
 struct RossSettings {
   double mass_damping_per_s = 0;   ///< alpha: damping of all masses, in the fixed frame
   double stiffness_damping_s = 0;  ///< beta: damping of the shaft by its stiffness
-  /// Whether coefficients over `frequency` are those of a whirl frequency: since version 3. Before that it
-  /// was the speed of the shaft.
+  /// true: tables over `frequency` are over the whirl frequency, which is so since version 3. Before that
+  /// they were over the speed of the shaft.
   bool whirl_tables = false;
 };
 
-/// Reads ross_version and parameters of a file, both optional. Versions beyond 3, unknown parameters and
-/// damping ratios of modes are problems.
+/// Reads `ross_version` and `parameters` of a file, both optional. Problems: versions above 3, unknown
+/// parameters, damping ratios of modes.
 RossSettings read_ross_settings(const yaml::Value& file);
 
-/// Sections of a ROSS file by what they are; thrust bearings, which act along the axis alone, are none of
-/// them.
+/// Elements of a ROSS file, sorted by kind, without thrust bearings, which act along the axis alone.
 struct RossSections {
   std::vector<RossElement> shaft, discs, masses, supports;
 };
 
-/// Sorts the sections of a file. Those of unknown classes are problems with their names.
+/// Sorts the elements of a file. An element of unknown class is reported with its name.
 RossSections read_ross_sections(const yaml::Value& root);
 
 }  // namespace rubsweep::config::machine

@@ -11,11 +11,11 @@
 
 namespace rubsweep::config::machine {
 
-/// Keys of a Jeffcott rotor by its constants k and c, in place of natural_frequency_hz and damping_ratio.
+/// Keys for the constants k and c of a Jeffcott rotor, in place of natural_frequency_hz and damping_ratio.
 inline constexpr std::string_view rotor_stiffness_key = "stiffness_n_per_m",
                                   rotor_damping_key = "damping_ns_per_m";
 
-/// `rotor` of any kind. Fills machine.rotor.
+/// Reads `rotor` of any kind into machine.rotor.
 void read_rotor(const yaml::Value& value, model::Machine& machine);
 keys::Form rotor_form();
 void print_rotor(yaml::Printer& printer, const model::Machine& machine,

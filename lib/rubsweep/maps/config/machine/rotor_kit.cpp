@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_parts = model::RotorKit::most_parts;
 
-/// Whether a table stands for the coefficients of a part, which it then has.
+/// Reads the table of coefficients of a support into `part`; false where no table is given.
 template <class Part>
 bool read_table(yaml::Section& section, Part& part) {
   if constexpr (std::is_same_v<Part, model::Support>) {
@@ -32,7 +32,7 @@ bool read_table(yaml::Section& section, Part& part) {
   return false;
 }
 
-/// Reads a part, its position within `range`. A support at a housing has none.
+/// Reads the numbers of a part; its position must be within `range`. A support at a housing has no position.
 template <class Part>
 void read_part(yaml::Section& section, Part& part, const model::Range& range) {
   bool on_shaft = true;
@@ -111,8 +111,8 @@ void print_inner(yaml::Printer& printer, std::string_view name, const std::optio
   if (part) print_map(printer, name, *part);
 }
 
-/// Whether a number of a part is printed: no place of a support at a housing, no numbers that a table stands
-/// for, and no fluid where there is none.
+/// Whether a number of a part is printed. Not printed are the position of a support at a housing,
+/// coefficients that a table replaces, and added masses that are all 0.
 template <class Part>
 bool shows(const Part& part, std::string_view key) {
   if constexpr (std::is_same_v<Part, model::Support>) {
@@ -149,7 +149,7 @@ model::Range places(const model::RotorKit& kit) {
 
 void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit) {
   const auto unknown = [](const model::Support& support) { return std::isnan(support.stiffness_x_n_per_m); };
-  if (std::ranges::any_of(kit.supports, unknown)) return;  // of a table that could not be had
+  if (std::ranges::any_of(kit.supports, unknown)) return;  // its table could not be read
   for (const int plane : {0, 1}) {
     if (model::supports_hold(kit, plane)) continue;
     refuse(supports,

@@ -11,25 +11,24 @@
 
 namespace rubsweep::config::machine {
 
-/// The keys of `rotor` beside kind: rotor_kit.
+/// Reads the keys of `rotor` for kind: rotor_kit.
 model::RotorKit read_rotor_kit(yaml::Section& section);
-/// Keys of a kit that no file of another tool has. To be called when the shaft is known.
+/// Reads the keys of a kit that no file of another tool has. Call it when the shaft is known.
 void read_kit_rest(yaml::Section& section, model::RotorKit& kit);
 std::vector<keys::Key> kit_rest_keys();
 
-/// Whether a table may stand for this number of a support.
+/// Whether this number of a support is a coefficient, which a table may replace.
 inline bool is_coefficient(std::string_view name) {
   return name != "position_m" && !name.starts_with("angular");
 }
 
-/// The list `supports`; shaft and housings must be known.
+/// Reads the list `supports`. Shaft and housings must be known.
 void read_supports(const yaml::Value& supports, model::RotorKit& kit);
 
-/// A problem of supports whose tables have no speed in common, or exclude what stands in `section` beside
-/// them.
+/// Adds a problem where tables of supports have no speed in common, or exclude a key of `section`.
 void refuse_tables(const yaml::Value& supports, yaml::Section& section, const model::RotorKit& kit);
 
-/// A problem of `supports` where they do not hold the shaft.
+/// Adds a problem to `supports` where they leave the shaft or a housing free to move.
 void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit);
 
 /// The keys that read_rotor_kit reads.

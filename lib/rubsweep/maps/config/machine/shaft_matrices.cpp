@@ -31,14 +31,14 @@ constexpr std::string_view unbalance_form =
     "a map with file, one with node, direction, real_kg and imaginary_kg, or a list of maps";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Key of a column of the tables beside matrices: its name as it is.
+/// Key of a column of these tables: the name of the column, if it is a known one.
 ColumnKey key_of_table(const table::Heading& heading) {
   constexpr std::array<std::string_view, 6> known{"node",      "direction", "position_m",
                                                   "weight_kg", "real_kg",   "imaginary_kg"};
   return {std::ranges::find(known, heading.name) == known.end() ? "" : heading.name};
 }
 
-/// Puts the text of the file that a matrix names in its place.
+/// Replaces a map that names a file by the text of that file.
 void resolve_matrix(yaml::Node& matrix, std::string_view key, yaml::Diagnostics& diagnostics) {
   yaml::Node* file = child(&matrix, "file");
   if (file == nullptr) return;
@@ -64,7 +64,7 @@ void resolve_matrix(yaml::Node& matrix, std::string_view key, yaml::Diagnostics&
   matrix = {yaml::Node::Kind::scalar, {-1, 1, 1, index}, bytes->text};
 }
 
-/// Whether a file could not be had, which was refused.
+/// Whether a value still names a file: the file could not be read, and that was reported.
 bool is_still_a_file(const yaml::Value& value) { return yaml::entry(value.node, "file") != nullptr; }
 
 /// Columns of a table, each as long as the first; empty after a problem.
@@ -84,7 +84,7 @@ std::optional<model::Direction> read_direction(const yaml::Value& value) {
   return index ? std::optional(static_cast<model::Direction>(*index)) : std::nullopt;
 }
 
-/// An empty cell of a file, or the word.
+/// Whether a cell holds no value: it is empty or holds the word `none`.
 bool says_nothing(const yaml::Node& node) {
   return node.kind == yaml::Node::Kind::scalar &&
          (node.text == no_place || (node.text.empty() && !node.quoted));
@@ -94,7 +94,7 @@ std::optional<double> read_or_nothing(const yaml::Value& value, const model::Ran
   return says_nothing(value.node) ? std::nullopt : read_number(value, range);
 }
 
-/// The degrees of freedom, and the value of each that its problems are told of.
+/// Degrees of freedom, and for each the value of the configuration at which its problems are reported.
 struct Freedoms {
   std::vector<model::DegreeOfFreedom> all;
   std::vector<yaml::Value> rows;
@@ -214,12 +214,12 @@ void read_unbalance(const yaml::Value& value, const Freedoms& freedoms, ShaftMat
   for (const yaml::Value& item : *items) read_node_unbalance(item, freedoms, matrices);
 }
 
-/// Placeholders where a matrix is left out or could not be had.
+/// Reads the matrices. A matrix that is left out or cannot be read becomes a placeholder.
 void read_matrices(yaml::Section& section, ShaftMatrices& matrices) {
   const auto n = static_cast<Eigen::Index>(matrices.degrees_of_freedom.size());
   for (const MatrixKey& key : matrix_keys) {
     Eigen::MatrixXd& matrix = matrices.*key.matrix;
-    // Numbers that nobody objects to, where the matrix cannot be had.
+    // Placeholder that passes all later checks, used where the matrix cannot be read.
     matrix = key.needed ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)) : Eigen::MatrixXd::Zero(n, n);
     const auto value = key.needed ? section.require(key.name, matrix_form) : section.find(key.name);
     if (!value || is_still_a_file(*value)) continue;

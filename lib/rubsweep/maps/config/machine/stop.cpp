@@ -22,8 +22,8 @@ namespace {
 constexpr std::string_view rigid = "rigid";
 constexpr std::string_view casing_forms = "rigid, or a map with mass_kg, stiffness_n_per_m, damping_ratio";
 
-/// `casing` of a stop: {mass_kg, stiffness_n_per_m, damping_ratio}, all required, or the word `rigid`
-/// (empty).
+/// Reads `casing` of a stop: {mass_kg, stiffness_n_per_m, damping_ratio}, all required, or the word `rigid`,
+/// for which the result is empty.
 std::optional<model::Casing> read_casing(const yaml::Value& value) {
   if (value.node.kind == yaml::Node::Kind::scalar) {
     read_word(value, {&rigid, 1}, casing_forms);
@@ -50,7 +50,7 @@ model::AnnularGeometry read_annular(yaml::Section& section) {
 model::StopGeometry read_geometry(yaml::Section& section) {
   const auto kind = section.require_kind("kind", stop_kinds);
   if (!kind) {
-    // Without a kind nobody knows which keys belong here: neither miss nor refuse any.
+    // Without a kind it is unknown which keys belong here: these are neither required nor refused.
     section.find("angle_deg");
     section.find("offset_m");
     return {};
@@ -84,7 +84,7 @@ model::ContactDamping read_damping(yaml::Section& section, std::variant<Dampings
   return damping;
 }
 
-/// `hertz`; empty after it added a problem.
+/// Reads `hertz`; empty after it added a problem.
 std::optional<model::HertzLine> read_hertz(const yaml::Value& value) {
   yaml::Section section(value);
   model::HertzLine contact;
@@ -107,7 +107,7 @@ std::optional<model::HertzLine> read_hertz(const yaml::Value& value) {
 constexpr std::string_view law_key = "law", linear = "linear";
 constexpr std::string_view law_forms = "linear, or a map with kind";
 
-/// `law`: a map, or the word `linear`.
+/// Reads `law`: a map, or the word `linear`.
 model::NormalLaw read_law(const yaml::Value& value) {
   model::NormalLaw law;
   if (value.node.kind == yaml::Node::Kind::scalar) {
@@ -123,7 +123,8 @@ model::NormalLaw read_law(const yaml::Value& value) {
   return law;
 }
 
-/// Keys of linear contacts beside a law of another kind, whose secant becomes the stiffness.
+/// Reads keys of a linear contact beside another force law, whose secant stiffness becomes the stiffness of
+/// the stop.
 void fit_to_law(yaml::Section& section, model::Stop& stop) {
   for (const std::string_view name :
        {stiffness_key, model::name_of<model::NominalRestitution>(),
@@ -149,7 +150,7 @@ void fit_to_law(yaml::Section& section, model::Stop& stop) {
         model::describe(model::positive, stop.stiffness_n_per_m));
 }
 
-/// The stiffness is given, or follows from hertz or another law.
+/// Reads the contact stiffness, which is given or follows from hertz or another law.
 void read_contact(yaml::Section& section, model::Stop& stop) {
   if (const auto law = section.find(law_key)) stop.law = read_law(*law);
   const auto hertz = section.find(hertz_key);

@@ -12,8 +12,8 @@ namespace rubsweep::config::machine {
 
 inline constexpr std::size_t max_stops = 16;
 
-/// `stops`, a list. `places`: allowed positions along the shaft of a rotor kit; position_m is then required,
-/// else it is unknown.
+/// Reads the list `stops`. `places`: allowed range of positions along the shaft of a rotor kit, in m. With it
+/// position_m is required, without it position_m is an unknown key.
 std::vector<model::Stop> read_stops(const yaml::Value& value, const std::optional<model::Range>& places);
 keys::Form stops_form();
 void print_stops(yaml::Printer& printer, const std::vector<model::Stop>& stops);

@@ -17,35 +17,34 @@
 #include "rubsweep/maps/config/machine/table_file.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
+#include "rubsweep/maps/table/unit.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
 
 constexpr std::string_view table_forms =
     "a map with file, or one with speed_hz, speed_rpm or speed_rad_per_s, kxx, kyy and others";
-constexpr double newtons_per_lbf = 4.4482216152605, metres_per_inch = 0.0254;
-constexpr double lbf_per_in = newtons_per_lbf / metres_per_inch;
-
 /// Ending of the name of a column, and how many SI units its numbers count in; the second one is printed.
-struct Unit {
+struct Ending {
   std::string_view ending;
   double in_si = 0;
 };
-constexpr std::array<Unit, 5> of_stiffness{
-    {{"", 1}, {"_n_per_m", 1}, {"_n_per_mm", 1e3}, {"_n_per_um", 1e6}, {"_lbf_per_in", lbf_per_in}}};
-constexpr std::array<Unit, 4> of_damping{
-    {{"", 1}, {"_ns_per_m", 1}, {"_ns_per_mm", 1e3}, {"_lbf_s_per_in", lbf_per_in}}};
-constexpr std::array<Unit, 2> of_mass{{{"", 1}, {"_kg", 1}}};
+constexpr std::array<Ending, 5> of_stiffness{
+    {{"", 1}, {"_n_per_m", 1}, {"_n_per_mm", 1e3}, {"_n_per_um", 1e6}, {"_lbf_per_in", table::lbf_per_in}}};
+constexpr std::array<Ending, 4> of_damping{
+    {{"", 1}, {"_ns_per_m", 1}, {"_ns_per_mm", 1e3}, {"_lbf_s_per_in", table::lbf_per_in}}};
+constexpr std::array<Ending, 2> of_mass{{{"", 1}, {"_kg", 1}}};
 
-/// Names of a column of model::support_coefficients with their units; they stay.
+/// Names that a column of model::support_coefficients may have, each with its unit in SI units. Built only
+/// once.
 const std::vector<std::pair<std::string, double>>& names_of(std::size_t column) {
   static const auto all = [] {
     std::array<std::vector<std::pair<std::string, double>>, model::support_coefficients.size()> names;
     for (std::size_t c = 0; c < names.size(); ++c) {
       const std::string coefficient(model::support_coefficients[c]);
-      const std::span<const Unit> units = coefficient[0] == 'k'   ? std::span<const Unit>(of_stiffness)
-                                          : coefficient[0] == 'c' ? std::span<const Unit>(of_damping)
-                                                                  : of_mass;
+      const std::span<const Ending> units = coefficient[0] == 'k'   ? std::span<const Ending>(of_stiffness)
+                                            : coefficient[0] == 'c' ? std::span<const Ending>(of_damping)
+                                                                    : of_mass;
       for (const auto& [ending, in_si] : units)
         names[c].emplace_back(coefficient + std::string(ending), in_si);
     }
@@ -73,7 +72,7 @@ std::vector<double> read_column(const yaml::Value& value, const model::Range& ra
   return numbers;
 }
 
-/// The column of speeds in whatever unit it is given.
+/// Column of speeds, in whichever unit it is given.
 std::optional<yaml::Value> find_speeds(yaml::Section& section) {
   section.require_exactly_one(speed_keys);
   std::optional<yaml::Value> found;
@@ -82,17 +81,17 @@ std::optional<yaml::Value> find_speeds(yaml::Section& section) {
   return found;
 }
 
-/// Speeds in Hz, as they stand.
+/// Speeds of the column in Hz, in the order given.
 std::vector<double> read_speeds(const yaml::Value& given) {
   std::vector<double> speeds = read_column(given, model::not_negative, 1);
   for (double& speed : speeds) {
-    if (given.path.ends_with("_rpm")) speed /= model::rpm_per_hz;  // as those of a sweep, to the last bit
+    if (given.path.ends_with("_rpm")) speed /= model::rpm_per_hz;  // rounded like the speeds of a sweep
     if (given.path.ends_with("_rad_per_s")) speed /= 2 * std::numbers::pi;
   }
   return speeds;
 }
 
-/// Takes rows out that repeat the one before them; the others must rise or fall in speed.
+/// Removes rows that repeat the row before them. Speeds of the other rows must all rise or all fall.
 void order_rows(model::SupportTable& table, const yaml::Value& speeds) {
   std::vector<double>& hz = table.speed_hz;
   const auto differ = std::ranges::adjacent_find(hz, std::not_equal_to<>{});
@@ -121,7 +120,8 @@ void order_rows(model::SupportTable& table, const yaml::Value& speeds) {
   for (auto& column : table.columns) std::ranges::reverse(column);
 }
 
-/// Column of a coefficient in whatever unit it is given; empty where it is not.
+/// Values of a coefficient's column in SI units, whichever unit it is given in; empty where the column is
+/// missing.
 std::optional<std::vector<double>> find_column(yaml::Section& section, std::size_t column,
                                                std::size_t points) {
   std::optional<std::vector<double>> found;
@@ -142,33 +142,35 @@ std::optional<std::vector<double>> find_column(yaml::Section& section, std::size
   return found;
 }
 
-/// Ending of a key, by the unit of a column; of those with M or k for millions and thousands as they are.
-std::string_view ending_of(std::string_view unit) {
-  // Each unit, and then its ending.
-  constexpr std::array<std::string_view, 50> endings{
-      "n/m",        "_n_per_m",    "n/mm",       "_n_per_mm", "n/um",          "_n_per_um",  "kN/m",
-      "_n_per_mm",  "kN/mm",       "_n_per_um",  "MN/m",      "_n_per_um",     "lbf/in",     "_lbf_per_in",
-      "lb/in",      "_lbf_per_in", "ns/m",       "_ns_per_m", "kg/s",          "_ns_per_m",  "ns/mm",
-      "_ns_per_mm", "kNs/m",       "_ns_per_mm", "lbfs/in",   "_lbf_s_per_in", "lbs/in",     "_lbf_s_per_in",
-      "kg",         "_kg",         "rpm",        "_rpm",      "1/min",         "_rpm",       "rev/min",
-      "_rpm",       "r/min",       "_rpm",       "min1",      "_rpm",          "u/min",      "_rpm",
-      "hz",         "_hz",         "rev/s",      "_hz",       "rad/s",         "_rad_per_s", "1/s",
-      "_hz"};
-  const std::string plain = table::plain_unit(unit), small = table::in_small_letters(plain);
-  for (std::size_t i = 0; i < endings.size(); i += 2) {
-    const std::string_view written = endings[i];
-    const bool as_it_is =
-        written.find_first_of("Mk") != std::string_view::npos && written.find('N') != std::string_view::npos;
-    const bool milli = plain.starts_with("mN");
-    if (as_it_is ? plain == written : small == written && !milli) return endings[i + 1];
+/// Ending of a key, by the unit of a column; empty where there is none.
+std::string_view ending_of(std::string_view words) {
+  const auto unit = table::unit_of(words);
+  if (!unit) return {};
+  const auto among = [&](std::span<const Ending> endings) -> std::string_view {
+    const auto of_size = std::ranges::find(endings.subspan(1), unit->in_si, &Ending::in_si);
+    return of_size == endings.end() ? std::string_view() : of_size->ending;
+  };
+  constexpr std::array<Ending, 4> of_turning{
+      {{"", 1}, {"_hz", 1}, {"_rpm", 1.0 / 60}, {"_rad_per_s", 0.5 / std::numbers::pi}}};
+  switch (unit->quantity) {
+    case table::Quantity::stiffness:
+      return among(of_stiffness);
+    case table::Quantity::damping:
+      return among(of_damping);
+    case table::Quantity::mass:
+      return among(of_mass);
+    case table::Quantity::turning:
+    case table::Quantity::rate:
+      return among(of_turning);
+    default:
+      return {};
   }
-  return {};
 }
 
 /// Key of a column of a table of supports: "Kxx [N/mm]" is kxx_n_per_mm, "Speed (rpm)" speed_rpm.
 ColumnKey key_of_support(const table::Heading& heading) {
   if (const std::size_t slash = heading.name.rfind('/'); slash != std::string::npos) {
-    // "Speed / rpm", "K_xx / (N/m)"
+    // Headings such as "Speed / rpm" or "K_xx / (N/m)".
     const std::size_t parted = heading.name.find('/');
     const std::string behind = heading.name.substr(parted + 1);
     if (heading.unit.empty() == (slash + 1 == heading.name.size())) return {};
@@ -193,7 +195,7 @@ ColumnKey key_of_support(const table::Heading& heading) {
   if (heading.unit.empty()) return {name};
   const bool stiffness = ending.starts_with("_n_per") || ending == "_lbf_per_in";
   const bool damping = ending.starts_with("_ns_per") || ending == "_lbf_s_per_in";
-  // 1/s of a frequency is radians, of turns turns.
+  // 1/s may mean rad/s for a frequency, but revolutions per second for a number of turns `n`.
   const bool unclear = !turns && ending == "_hz" && heading.unit.find('1') != std::string::npos;
   const bool fits = unclear          ? false
                     : speed          ? ending == "_rpm" || ending == "_hz" || ending == "_rad_per_s"
@@ -207,7 +209,7 @@ ColumnKey key_of_support(const table::Heading& heading) {
   return {stem + std::string(ending)};
 }
 
-/// Takes `speed_unit` out of a map with a file: the unit of speeds where the file says none.
+/// Takes `speed_unit` out of a map that names a file: the unit of speeds where the file gives none.
 void resolve_table(yaml::Node& table, const std::string& path, yaml::Diagnostics& diagnostics) {
   const yaml::Node* given = child(&table, "file") == nullptr ? nullptr : child(&table, "speed_unit");
   if (given == nullptr) return resolve_table_file(table, path, key_of_support, diagnostics);
@@ -248,7 +250,7 @@ void resolve_tables(yaml::Node& root, yaml::Diagnostics& diagnostics) {
 std::optional<model::SupportTable> read_support_table(const yaml::Value& value) {
   yaml::Section section(value, table_forms);
   if (!section.is_map() || section.find("file"))
-    return std::nullopt;  // a file that could not be had was refused
+    return std::nullopt;  // the file could not be read, which was reported
   model::SupportTable table;
   const auto speeds = find_speeds(section);
   if (speeds) table.speed_hz = read_speeds(*speeds);

@@ -66,7 +66,7 @@ AxisValues read_spaced(yaml::Section& section, const model::Range& range, double
   return axis;
 }
 
-/// The values of {from, to, step}.
+/// Reads the values of {from, to, step}.
 AxisValues read_stepped(yaml::Section& section, const model::Range& range, double units_per_si) {
   batch::Spacing spacing{.from = model::required, .to = model::required, .step = model::required};
   section.field("from", spacing.from, range);
@@ -136,7 +136,7 @@ void refuse_keys_of_two_axes(const yaml::Value& value, const sweep::KeyAxis& axi
   taken.insert(axis.keys.begin(), axis.keys.end());
 }
 
-/// Values of an axis (see read_axis) in a section that has keys of its own beside them.
+/// Reads the values of an axis (see read_axis) from a section that has other keys, too.
 AxisValues read_axis_values(yaml::Section& section, const model::Range& range, double units_per_si) {
   AxisValues result;
   if (const auto values = section.find("values")) {
@@ -192,7 +192,7 @@ keys::Form axis_form(const model::Range& range) {
 
 void print_axis_values(yaml::Printer& printer, const std::vector<double>& values,
                        const std::optional<batch::Spacing>& spacing, double units_per_si) {
-  // Whoever changed the values since may not have changed how they were written.
+  // Values that were changed after reading no longer match their spacing, and are printed as a list.
   if (!spacing || batch::spaced(*spacing, units_per_si) != values) {
     printer.numbers("values", values);
     return;

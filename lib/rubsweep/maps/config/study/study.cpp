@@ -30,7 +30,7 @@ constexpr std::string_view forms = "a map from the number of a stop to x_m, y_m,
 
 std::vector<std::optional<model::BodyState>> read_casings(const yaml::Value& value,
                                                           const std::vector<model::Stop>& stops) {
-  std::vector<std::string> names;  // the section keeps views of them
+  std::vector<std::string> names;  // owns the names, as the section keeps views of them
   for (std::size_t i = 0; i < stops.size(); ++i) names.push_back(std::to_string(i));
   std::vector<std::optional<model::BodyState>> casings(stops.size());
   yaml::Section section(value, forms);
@@ -51,7 +51,7 @@ bool is_empty(const model::BodyState& body) {
   return empty;
 }
 
-/// Keys that stand beside robustness: probability alone.
+/// Whether a key is allowed only beside robustness: probability.
 bool is_of_neighbours(std::string_view name) { return name.starts_with("robustness_"); }
 
 void refuse_contradictions(const yaml::Section& section, const response::motion::ResponseOptions& options) {
@@ -72,8 +72,8 @@ void refuse_contradictions(const yaml::Section& section, const response::motion:
   }
 }
 
-/// `response`: every key is optional, the defaults are those of the structs. Two windows must fit into the
-/// longest run, two turns of the largest order into a window, four samples into its shortest period.
+/// Reads `response`. Every key is optional, with the defaults of the structs. The longest run must hold two
+/// windows, a window two turns of the largest order, and the shortest period of a window four samples.
 void read_response(const yaml::Value& value, sweep::Study& study) {
   yaml::Section section(value);
   read_fields(section, study.response);
@@ -98,7 +98,7 @@ keys::Form response_form() {
 void print_response(yaml::Printer& printer, const sweep::Study& study) {
   printer.open("response");
   print_fields(printer, study.response);
-  // Only where they say something, so that the configurations of other maps stay as they are.
+  // Printed only where they have an effect, so that configurations of other maps stay unchanged.
   sweep::Study::visit_fields(study, [&](std::string_view name, const auto& field, const auto& key) {
     if (is_of_neighbours(name) && study.robustness != sweep::Robustness::probability) return;
     if (name != "hertz_iterations" || study.hertz_iterations > 0) printer.field(name, field, key);
@@ -106,7 +106,7 @@ void print_response(yaml::Printer& printer, const sweep::Study& study) {
   printer.close();
 }
 
-/// `solver`: the exact one is refused where there are more `stops` than it takes.
+/// Reads `solver`. The exact solver is refused where the machine has more stops than it can handle.
 SolverOptions read_solver(const yaml::Value& value, std::size_t stops) {
   yaml::Section section(value);
   SolverOptions solver;
@@ -127,7 +127,7 @@ SolverOptions read_solver(const yaml::Value& value, std::size_t stops) {
 
 keys::Form solver_form() { return keys::map_of(keys::keys_of<SolverOptions>()); }
 
-/// `kick`; with a position_m where there are `places` along the shaft of a rotor kit.
+/// Reads `kick`, which has a position_m for a rotor kit; `places` is its allowed range along the shaft, in m.
 model::Kick read_kick(const yaml::Value& value, const std::optional<model::Range>& places) {
   yaml::Section section(value);
   model::Kick kick;
@@ -144,7 +144,8 @@ keys::Form kick_form() {
                              "place along the shaft, of a rotor kit only", "(first stop)")}}));
 }
 
-/// A kick that no run outlasts leaves nothing to look at: `longest_run_s` is that of the slowest shaft.
+/// Refuses a kick that lasts as long as a run or longer. `longest_run_s` is the duration at the slowest
+/// speed.
 void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, double longest_run_s) {
   if (kick.force_n == 0 || kick.duration_s < longest_run_s) return;
   yaml::Section(value).refuse_together(
@@ -160,7 +161,7 @@ void print_kick(yaml::Printer& printer, const model::Kick& kick) {
   printer.close();
 }
 
-/// `start`: rest, or a map, of which `{}` starts on the quiet whirl, not kicked.
+/// Reads `start`: the word rest, or a map. An empty map `{}` starts on the quiet whirl without a kick.
 model::Start read_start(const yaml::Value& value, const std::vector<model::Stop>& stops) {
   model::Start start;
   if (value.node.kind == yaml::Node::Kind::scalar) {
@@ -203,7 +204,7 @@ void print_start(yaml::Printer& printer, const model::Start& start) {
   printer.close();
 }
 
-/// Friction that sticks would have to hold the twisting surface, which no solver does.
+/// Refuses friction that sticks beside torsion: no solver can let the stop hold a surface that twists.
 void refuse_dry_friction_beside_torsion(const yaml::Value& stops, const model::Machine& machine) {
   const model::RotorKit* kit = model::kit_of(machine);
   if (kit == nullptr || !kit->torsion) return;
@@ -215,7 +216,8 @@ void refuse_dry_friction_beside_torsion(const yaml::Value& stops, const model::M
   }
 }
 
-/// A smoothed law goes through slip zero on one curve and never holds.
+/// Refuses static friction with smoothed contact: a smoothed law is one smooth curve through slip 0 and never
+/// sticks.
 void refuse_static_friction_smoothed(const yaml::Value& solver, const sweep::Study& study) {
   if (study.solver.contact != integrate::run::ContactHandling::smoothed) return;
   const auto holds = [](const model::Stop& stop) { return model::holding_and_sliding(stop.friction)[0] > 0; };
@@ -226,7 +228,8 @@ void refuse_static_friction_smoothed(const yaml::Value& solver, const sweep::Stu
 
 void refuse_curved_laws(const yaml::Value& solver, const sweep::Study& study) {
   const auto is_linear = [](const model::Stop& stop) { return stop.law.linear(); };
-  if (!integrate::run::knows_curved_laws(study.solver) && !std::ranges::all_of(study.machine.stops, is_linear))
+  if (!integrate::run::knows_curved_laws(study.solver) &&
+      !std::ranges::all_of(study.machine.stops, is_linear))
     refuse(solver, "knows linear contacts alone by method exact or contact smoothed",
            "method auto or adaptive with contact located beside a law of another kind");
 }

@@ -8,7 +8,8 @@
 
 namespace rubsweep::config::study {
 
-/// Everything of a configuration but `output`, from the sections of its root. Study::with_keys is left empty.
+/// Reads everything of a configuration except `output` from the sections of its root. Leaves Study::with_keys
+/// empty.
 sweep::Study read_study(yaml::Section& root);
 std::vector<keys::Key> study_keys();
 keys::Choice kick_or_start();

@@ -7,12 +7,12 @@
 
 namespace rubsweep::config::study {
 
-/// `study`: a question to every cell beside its motion.
+/// Reads `study`: the quantity that is determined in every cell besides its motion.
 void read_study_kind(const yaml::Value& value, sweep::Study& study);
 
 keys::Form study_form();
 
-/// Nothing for a study that asks no more than a map.
+/// Prints `study`. Prints nothing for a plain map.
 void print_study_kind(yaml::Printer& printer, const sweep::Study& study, AxisPrint how);
 
 }  // namespace rubsweep::config::study

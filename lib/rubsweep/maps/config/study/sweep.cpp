@@ -17,9 +17,9 @@
 namespace rubsweep::config::study {
 namespace {
 
-/// How many of the key's units one metre of eccentricity is; 1 after a problem.
+/// Eccentricity of 1 m in units of the key; 1 after a problem.
 double per_metre(const yaml::Value& value, double units) {
-  if (std::isnan(units)) return 1;  // the mass is missing, which is said where it belongs
+  if (std::isnan(units)) return 1;  // the mass is missing, which is reported elsewhere
   if (units > 0 && std::isfinite(units)) return units;
   refuse(value, "has no eccentricity: no disc of the rotor stands off the axis",
          "a disc with a mass and an eccentricity_ratio, or whirl_ratio");
@@ -43,7 +43,7 @@ void refuse_rated_speed(yaml::Section& sweep) {
   }
 }
 
-/// A refined map looks between neighbours.
+/// Refuses unsorted values beside `refine`: a refined map compares neighbours.
 void refuse_disorder(const yaml::Section& section, const sweep::Grid& grid) {
   if (const auto axis = sweep::disordered_axis(grid)) {
     section.refuse_together("refine", {"refine"}, fmt::format("beside values of {} in no order", *axis),
@@ -51,7 +51,7 @@ void refuse_disorder(const yaml::Section& section, const sweep::Grid& grid) {
   }
 }
 
-/// No table of a support is continued beyond its ends.
+/// Refuses speeds outside a table of a support: tables are not extrapolated.
 void refuse_speeds_beyond_tables(const yaml::Section& section, const sweep::Grid& grid,
                                  const model::Machine& machine) {
   const model::RotorKit* kit = model::kit_of(machine);
@@ -71,8 +71,8 @@ void refuse_speeds_beyond_tables(const yaml::Section& section, const sweep::Grid
   }
 }
 
-/// Prints an axis of speeds or unbalances with its key, `si_key` where it was not written in another unit.
-/// Printed values read back as the same numbers: where digits of the other unit do not suffice, SI is used.
+/// Prints an axis of speeds or unbalances under the key in which it was written, or `si_key`. Printed values
+/// must read back as the same numbers: SI units are used where decimals of the other unit do not suffice.
 void print_place_axis(yaml::Printer& printer, std::string_view si_key, const sweep::WrittenAxis& written,
                       const std::vector<double>& values, AxisPrint how) {
   const bool as_written = how == AxisPrint::as_written;
@@ -160,7 +160,7 @@ sweep::Grid read_sweep(const yaml::Value& value, const model::Machine& machine) 
   if (grid.refinement) refuse_disorder(section, grid);
   section.refuse_unknown_keys();
   std::string product = fmt::format("{} x {}", grid.speed_hz.size(), grid.unbalance.size());
-  // The product of five long axes is more than an integer holds.
+  // As a double, since the product of five long axes may exceed an integer.
   auto cells = static_cast<double>(grid.speed_hz.size()) * static_cast<double>(grid.unbalance.size());
   for (const sweep::KeyAxis& axis : grid.axes) {
     product += fmt::format(" x {}", axis.values.size());

@@ -20,32 +20,32 @@ inline constexpr std::string_view speed_rpm_key = "speed_rpm", unbalance_key = "
                                   rated_rpm_key = "rated_speed_rpm";
 inline constexpr std::array speed_keys{std::string_view("speed_hz"), speed_rpm_key};
 
-/// `speed_hz` or `speed_rpm` of `sweep` into the speeds of `grid`, in Hz.
+/// Reads `speed_hz` or `speed_rpm` of `sweep` into the speeds of `grid`, in Hz.
 void read_speeds(yaml::Section& sweep, sweep::Grid& grid);
 
-/// One of `whirl_ratio`, `eccentricity_m`, `unbalance_g_mm` and `balance_grade_mm_per_s` of `sweep` into
-/// measure and values of `grid`. The latter two become eccentricities here and for good: an unbalance by the
-/// mass of the rotor (see model/balance.hpp), a grade at the speed that `rated_speed_hz` or `rated_speed_rpm`
-/// beside it names, wherever the cell is.
+/// Reads one of `whirl_ratio`, `eccentricity_m`, `unbalance_g_mm` and `balance_grade_mm_per_s` of `sweep`
+/// into measure and values of `grid`. The last two are converted to eccentricities that are the same in all
+/// cells. The mass of the rotor converts an unbalance (see model/balance.hpp). A grade is converted at the
+/// rated speed, `rated_speed_hz` or `rated_speed_rpm`.
 void read_unbalance(yaml::Section& sweep, const model::Machine& machine, sweep::Grid& grid);
 
-/// Axes written in revolutions per minute, or in g mm of which so many are a metre of eccentricity.
+/// Axes written in revolutions per minute, or in g mm, where `units_per_metre` g mm are 1 m of eccentricity.
 sweep::WrittenAxis in_rpm();
 sweep::WrittenAxis in_g_mm(double units_per_metre);
 
-/// The key of `sweep` whose values follow from the mass of the rotor; empty where none does.
+/// Key of `sweep` whose eccentricities depend on the mass of the rotor; empty where there is none.
 std::string_view key_by_mass(const yaml::Node& sweep, const model::Machine& machine);
 
 inline constexpr std::size_t max_cells = 4'000'000;
 
-/// `sweep`: speed and unbalance, each an axis (see axis.hpp) in one of several units
-/// for a machine that has been read, the axes over keys (see axis.hpp), and `refine`: {levels, probes}
-/// (see sweep/refinement.hpp).
+/// Reads `sweep` for a machine that has been read: speed and unbalance, each an axis (see axis.hpp) in one of
+/// several units, the axes over keys (see axis.hpp), and `refine`: {levels, probes} (see
+/// sweep/refinement.hpp).
 sweep::Grid read_sweep(const yaml::Value& value, const model::Machine& machine);
 
 keys::Form sweep_form();
 
-/// As it was written, or the values themselves in SI units.
+/// Prints `sweep` as it was written, or by its values in SI units.
 void print_sweep(yaml::Printer& printer, const sweep::Grid& grid, AxisPrint how);
 
 }  // namespace rubsweep::config::study

@@ -5,7 +5,7 @@
 namespace rubsweep::config::templates {
 namespace {
 
-/// In place of the first line, which says where the schema of the shipped files is.
+/// Replaces the first line of a template, which names the schema by its path in the repository.
 constexpr std::string_view head =
     "# yaml-language-server: $schema=rubsweep.schema.json\n"
     "# An editor completes and checks by that schema: rubsweep --schema > rubsweep.schema.json\n";

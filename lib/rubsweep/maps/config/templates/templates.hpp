@@ -19,12 +19,12 @@ inline constexpr std::size_t text_count = 5;
 /// The files of configs/init.
 extern const std::array<Text, text_count> texts;
 
-/// Kinds of machines that there is a configuration to begin with for: one_side, both_sides, annular,
-/// rotor_kit, ross.
+/// Kinds of machines that have a template: one_side, both_sides, annular, rotor_kit, ross.
 std::vector<std::string_view> template_names();
 
-/// Configuration of such a machine, complete and with comments that say where each number comes from; it
-/// names the schema beside it, rubsweep.schema.json. Empty where the name is none of template_names.
+/// Complete configuration for a template name, with comments that say where each number comes from. Its first
+/// line names the schema rubsweep.schema.json beside it. Empty for any name that template_names does not
+/// list.
 std::optional<std::string> template_text(std::string_view name);
 
 }  // namespace rubsweep::config::templates

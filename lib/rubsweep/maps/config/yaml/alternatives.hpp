@@ -38,10 +38,11 @@ class Alternatives {
 /// Removes one key of a map and its value.
 void drop_entry(Node& map, std::size_t index);
 
-/// Adds a problem for every key of the map at `path` that was given before in the same map.
+/// Adds a problem for every repeated key of the map at `path`.
 void refuse_repeated_keys(const Node& map, std::string_view path, Diagnostics& diagnostics);
 
-/// Leaves only the first of equal keys in a map: after the others were refused, so that they are not again.
+/// Leaves only the first of equal keys in a map. Called after they were reported, so that they are not
+/// reported twice.
 void drop_repeated_keys(Node& map);
 
 }  // namespace rubsweep::config::yaml

@@ -16,7 +16,7 @@
 namespace rubsweep::config::yaml {
 namespace {
 
-/// Index of a key, or how many there are.
+/// Index of a key in a map; the number of keys where it is missing.
 std::size_t index_of(const Node& map, std::string_view name) {
   const auto found =
       std::find_if(map.keys.begin(), map.keys.end(), [&](const Node::Key& key) { return key.text == name; });
@@ -42,7 +42,7 @@ void write_over(Node& base, Node::Key key, Node item, std::string_view path, con
   }
 }
 
-/// Lets a key without a value take back the base's own, before alternative keys do.
+/// A key of `over` without a value removes the same key of `base`. Done before alternative keys are removed.
 void take_back(Node& base, Node& over) {
   for (std::size_t i = over.keys.size(); i-- > 0;) {
     const std::size_t index = index_of(base, over.keys[i].text);
@@ -74,7 +74,7 @@ class Resolver {
   Resolver(const Alternatives& alternatives, Diagnostics& diagnostics)
       : alternatives_(alternatives), diagnostics_(diagnostics) {}
 
-  /// `chain`: the identities of the files that led here, that of `file` last.
+  /// `chain`: identities of the files from the root down to `file`, each named by the one before it.
   void resolve(Node& node, const std::string& path, const fs::path& file, std::vector<fs::path>& chain) {
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       const std::string name = node.kind == Node::Kind::map ? child_path(path, node.keys[i].text)
@@ -89,7 +89,7 @@ class Resolver {
     }
   }
 
-  /// False when a base could not be had.
+  /// False where a base could not be read.
   bool all_read() const { return all_read_; }
 
  private:
@@ -107,7 +107,7 @@ class Resolver {
     return name;
   }
 
-  /// The content of the file that `name` names, its own bases resolved; empty after a problem was added.
+  /// Content of the file that `name` names, with its own bases resolved; empty after a problem was added.
   std::optional<Node> read(const Value& name, const std::string& path, const fs::path& file,
                            std::vector<fs::path>& chain) {
     const auto text = read_text(name);
@@ -137,7 +137,7 @@ class Resolver {
     } else if (chain.size() > static_cast<std::size_t>(max_base_generations)) {
       refuse(name, "too many bases of bases", fmt::format("at most {}", max_base_generations));
     } else if (++files_ > max_base_files) {
-      // Reported for the first base too many, not for each.
+      // Reported only for the first base above the limit.
       if (files_ == max_base_files + 1)
         refuse(name, "too many bases", fmt::format("at most {} in all", max_base_files));
     } else {
@@ -150,7 +150,7 @@ class Resolver {
     if (node.kind == Node::Kind::map) return true;
     const std::string found = node.kind == Node::Kind::null ? "the file is empty" : describe(node);
     const SourcePosition top{
-        -1, 1, 1, node.place.file};  // where nothing stands, a place after the last line is of no use
+        -1, 1, 1, node.place.file};  // in an empty file a place after the last line would be of no use
     diagnostics_.add(node.kind == Node::Kind::null ? top : node.place, path, found + " and no base", "a map");
     return false;
   }

@@ -8,13 +8,13 @@
 
 namespace rubsweep::config::yaml {
 
-/// Where something was written. Ordered by what outranks what: a base before the files that name it, a file
-/// from top to bottom, then every --set. Of two places that contradict each other the greater one was written
-/// over the other.
+/// Place where something was written. Places are ordered by precedence: a base before the files that name it,
+/// a file from top to bottom, then every --set. If two places contradict each other, the greater one
+/// prevails.
 struct SourcePosition {
-  int override_index = -1;  ///< number of the --set, from 0; -1: a file
+  int override_index = -1;  ///< number of the --set, from 0; -1: written in a file
   int line = 1;             ///< line of the file, from 1
-  int column = 1;           ///< byte of the line, from 1
+  int column = 1;           ///< byte within the line, from 1
   int file = 0;  ///< number of the file: 0 is the configuration itself, others are its bases (Diagnostics)
 
   bool operator==(const SourcePosition&) const = default;
@@ -27,24 +27,24 @@ class Diagnostics {
   /// `file` and `overrides` are the names under which places are reported.
   Diagnostics(std::string file, std::vector<std::string> overrides);
 
-  /// Adds another file, such as a base, and returns what SourcePosition::file is in it. A base is added after
-  /// the file that names it.
+  /// Adds another file, such as a base, and returns its number for SourcePosition::file. A base is added
+  /// after the file that names it.
   int add_file(std::string name);
 
-  /// Name of the file in which something stands, which relative paths there count from; of an override that
-  /// of the configuration.
+  /// Name of the file in which something stands; relative paths there start from it. For an override it is
+  /// the configuration file.
   const std::string& file_of(const SourcePosition& place) const;
 
-  /// `path` may be empty (the whole configuration), `allowed` too (nothing could be advised).
+  /// Adds a problem. `path` may be empty (the whole configuration), and so may `allowed` (no advice).
   void add(const SourcePosition& place, std::string_view path, std::string_view wrong,
            std::string_view allowed);
 
   std::size_t count() const { return problems_.size(); }
 
-  /// `file:line:column`, or `--set key=value`.
+  /// Place as text: `file:line:column`, or `--set key=value`.
   std::string describe(const SourcePosition& place) const;
 
-  /// Throws ConfigError when there is a problem: one line for each, by place,
+  /// Throws ConfigError where there is a problem: one line for each, in the order of places,
   /// `file:line:column: path: what is wrong, allowed: what is allowed`, or `--set key=value: path: ...`.
   void throw_if_any() const;
 

@@ -48,14 +48,14 @@ Values values_of(std::string_view yaml) {
   return values;
 }
 
-/// Around the first difference: lists of speeds may be long and begin alike.
+/// Part of a text around the first difference, since long lists may begin alike.
 std::string excerpt(const std::string& text, std::size_t first_difference) {
   constexpr std::size_t lead = 20, longest = 50;
   const std::size_t begin = text.size() <= longest || first_difference <= lead ? 0 : first_difference - lead;
   return (begin > 0 ? "..." : "") + shown(std::string_view(text).substr(begin), longest);
 }
 
-/// Numbers of a list; empty where it is none, or a short one that is shown as it is.
+/// Numbers of a list of more than 8 numbers; empty for anything else. Shorter lists are shown as they are.
 std::vector<double> numbers_of_long_list(std::string_view text) {
   constexpr std::size_t short_list = 8;
   std::vector<double> numbers;
@@ -72,7 +72,7 @@ std::vector<double> numbers_of_long_list(std::string_view text) {
   return numbers;
 }
 
-/// "2000 values from 50 to 150" of a long list that says no more: one at equal distances.
+/// "2000 values from 50 to 150" for a long list of evenly spaced numbers; empty for any other text.
 std::string spacing_of(const std::string& text) {
   const std::vector<double> numbers = numbers_of_long_list(text);
   if (numbers.empty()) return "";

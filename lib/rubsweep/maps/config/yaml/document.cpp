@@ -24,7 +24,7 @@ struct Refusal {
 struct Extent {
   std::size_t nodes = 1;
   std::size_t depth = 1;  // depth of maps and lists, the node itself included
-  std::size_t bytes = 0;  // size of copies of scalars
+  std::size_t bytes = 0;  // size of copied scalars
 };
 
 Extent extent_of(const Node& node) {
@@ -50,8 +50,8 @@ SourcePosition place_of(const YAML::Mark& mark, const Source& source) {
              : SourcePosition{source.override_index, 1, 1};
 }
 
-/// Builder of the tree from yaml-cpp's events. YAML::Load does not serve: it shares aliased nodes, so that an
-/// override of one would change the other, hides a second document and has no limits.
+/// Builds the tree from yaml-cpp's events. YAML::Load does not suffice: it shares aliased nodes, so that an
+/// override of one would change the other. It also ignores a second document and has no limits.
 class YamlTreeBuilder : public YAML::EventHandler {
  public:
   explicit YamlTreeBuilder(const Source& source) : source_(source) {}
@@ -132,7 +132,7 @@ class YamlTreeBuilder : public YAML::EventHandler {
   void complete(Node node, YAML::anchor_t anchor, const Extent& extent) {
     count(node.place, extent);
     if (anchor != 0) {
-      const Extent copy = extent_of(node);  // kept for aliases
+      const Extent copy = extent_of(node);  // the anchor keeps a copy
       count(node.place, {copy.nodes, 0, copy.bytes});
       anchors_.insert_or_assign(anchor, node);
     }
@@ -154,13 +154,13 @@ class YamlTreeBuilder : public YAML::EventHandler {
       return;
     }
     if (is_map && node.kind == Node::Kind::null) refuse_decimal_comma(parent);
-    // yaml-cpp places a missing value at whatever follows it.
+    // yaml-cpp gives a missing value the place of the next token.
     if (is_map && node.kind == Node::Kind::null) node.place = parent.keys.back().place;
     parent.items.push_back(std::move(node));
   }
 
-  /// Refuses a number before a key that is a number without a value: `{mass_kg: 0,8}` is a map of mass_kg: 0
-  /// and of a key 8.
+  /// Refuses a key that is a number without a value behind a number, as in `{mass_kg: 0,8}`: YAML reads
+  /// mass_kg: 0 and a key 8.
   static void refuse_decimal_comma(const Node& map) {
     if (map.items.empty() || map.items.back().kind != Node::Kind::scalar || map.items.back().quoted) return;
     const std::string& whole = map.items.back().text;
@@ -188,7 +188,7 @@ void refuse_unreadable(std::string_view text, const Source& source) {
   if (!offset) return;
   YAML::Mark mark;
   mark.line = static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(*offset), '\n'));
-  // npos + 1 is 0: the first line starts at the first byte.
+  // Without a line end rfind gives npos, and npos + 1 is 0, the begin of the first line.
   mark.column = static_cast<int>(*offset - (text.substr(0, *offset).rfind('\n') + 1));
   const char byte = text[*offset];
   throw Refusal{place_of(mark, source),
@@ -199,7 +199,7 @@ void refuse_unreadable(std::string_view text, const Source& source) {
 
 Node parse(std::string_view text, const Source& source) {
   refuse_unreadable(text, source);
-  // Without an explicit end yaml-cpp takes a quote that is never closed.
+  // Without an explicit end of the document yaml-cpp accepts a quote that is never closed.
   std::istringstream stream(std::string(text) + (text.ends_with('\n') ? "...\n" : "\n...\n"));
   YAML::Parser parser(stream);
   YamlTreeBuilder builder(source);
@@ -208,22 +208,22 @@ Node parse(std::string_view text, const Source& source) {
   return builder.take_root();
 }
 
-/// Why YAML stumbles where nothing can be seen.
+/// Cause of a YAML error that the user cannot see, such as a tab or a no-break space.
 struct InvisibleCause {
   YAML::Mark mark;
   std::string wrong, allowed;
 };
 
-/// Whether YAML would want a blank, or nothing, where `before` ends: at the begin of a line or after a sign.
-/// In the middle of a text any character may stand.
+/// Whether YAML expects a blank or nothing after `before`: at the begin of a line, or after a sign such as a
+/// colon. Within a text any character may stand.
 bool wants_a_blank(std::string_view before) {
   const std::size_t last = before.find_last_not_of(" \t");
   return last == std::string_view::npos ||
          std::string_view(":-,[{").find(before[last]) != std::string_view::npos;
 }
 
-/// The first tab in an indentation, or blank that is none to YAML, up to the line in which the parser gave
-/// up.
+/// First tab in an indentation, or first character that looks like a blank but is none to YAML. Searches up
+/// to the line in which the parser gave up.
 std::optional<InvisibleCause> invisible_cause(std::string_view text, const YAML::Mark& error) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());

@@ -51,7 +51,7 @@ class TreeCopy {
     }
   }
 
-  /// Numbers in the shortest form that reads back the same.
+  /// Copies a scalar; numbers become the shortest text that reads back the same.
   static void copy_scalar(const toml::node& from, Node& node) {
     if (const auto* number = from.as_floating_point()) {
       node.text = fmt::format("{}", number->get());
@@ -68,9 +68,9 @@ class TreeCopy {
   int file_;
 };
 
-/// Where a key of more parts than levels are allowed, or a bracket that deep, stands. The parser makes a
-/// table of each part and takes them apart one inside another, which a long key would end with the stack.
-/// Strings and comments are passed over; in a text that is no TOML the parser stops before it is misled.
+/// Place of the first key with too many parts, or of the first bracket nested too deeply. For a long key,
+/// toml++ would make one table inside another for each part, and overflow the stack when it destroys them.
+/// Strings and comments are skipped.
 std::optional<SourcePosition> too_deep(std::string_view text, int file) {
   std::size_t parts = 1, brackets = 0, line_begin = 0;
   int line = 1;
@@ -108,9 +108,10 @@ std::size_t depth_of(const Node& node) {
   return depth;
 }
 
-/// Line and column of the last character that the parser took and that is no blank.
+/// Counts lines and columns of the characters that the parser takes, and keeps the place of the last
+/// non-blank one.
 struct Cursor {
-  int line = 1, column = 0;  ///< place of the character taken last
+  int line = 1, column = 0;  ///< place of the last character taken
   int seen_line = 1, seen_column = 1;
 
   void take(char c) {
@@ -125,7 +126,7 @@ struct Cursor {
   }
 };
 
-/// Input iterator that tells a cursor what is read.
+/// Input iterator that reports every character read to a cursor.
 class Reader {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -179,7 +180,7 @@ class JsonTreeBuilder {
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) {
-    // "[json.exception.parse_error.101] parse error at line 3, column 4: what": the place is said before it.
+    // Removes the place from "[json.exception.parse_error.101] parse error at line 3, column 4: what".
     const std::string text = error.what();
     const std::size_t colon = text.find(": ");
     problem =

@@ -8,14 +8,14 @@
 
 namespace rubsweep::config::yaml {
 
-/// Parses a TOML document into the tree that YAML gives, keys in the order of the file. Problems go to
-/// `diagnostics` under `path`, with their place in the file `file` (Diagnostics::add_file); then the result
-/// is empty. The limits of parse_document hold.
+/// Parses a TOML document into the same kind of tree as YAML, with keys in the order of the file. Problems go
+/// to `diagnostics` under `path`, with their place in the file number `file` (Diagnostics::add_file); the
+/// result is then empty. The limits of parse_document hold.
 std::optional<Node> parse_toml(std::string_view text, std::string_view path, Diagnostics& diagnostics,
                                int file);
 
-/// The same as parse_toml of a JSON document. The place of a value is where its last character stands, that
-/// of a map or a list where it opens.
+/// Parses a JSON document as parse_toml does a TOML document. The place of a scalar is its last character,
+/// the place of a map or a list its opening bracket.
 std::optional<Node> parse_json(std::string_view text, std::string_view path, Diagnostics& diagnostics,
                                int file);
 

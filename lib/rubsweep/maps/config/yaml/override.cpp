@@ -49,7 +49,7 @@ Node* entry_of(Node& map, std::string_view name, const SourcePosition& place) {
   return &map.items.back();
 }
 
-/// The node at the end of the path, created where maps lack a key; null after a problem was added.
+/// Node at the end of the path; missing keys on the way are created. Null after a problem was added.
 Node* node_at(Node& root, std::string_view path, const SourcePosition& place,
               const Alternatives& alternatives, Diagnostics& diagnostics) {
   const auto names = split_path(path);

@@ -14,29 +14,29 @@
 
 namespace rubsweep::config::yaml {
 
-/// Writes YAML in block style, two spaces a level, shortest doubles that read back the same. Not yaml-cpp's
-/// emitter: it lays out the same lines, but leaves the byte 0x7f bare, which no YAML file may hold, and puts
-/// U+FFFD for bytes that are not UTF-8 instead of an error.
+/// Writes YAML in block style, two spaces a level, with the shortest doubles that read back the same.
+/// yaml-cpp's emitter has the same layout, but it leaves the byte 0x7f bare, which no YAML file may hold. It
+/// also writes U+FFFD instead of an error for bytes that are not UTF-8.
 class Printer {
  public:
   void number(std::string_view name, double value);
   void numbers(std::string_view name, std::span<const double> values);  ///< list in flow style, on one line
-  void texts(std::string_view name, std::span<const std::string> values);  ///< such a list; throws as text
+  void texts(std::string_view name, std::span<const std::string> values);  ///< a list; throws as text() does
   void integer(std::string_view name, long value);
   void word(std::string_view name, std::string_view value);
 
-  /// Plain where that reads back, else in double quotes. Throws ConfigError when `value` is not UTF-8: no
-  /// YAML file can hold it.
+  /// Prints a text plain where it reads back so, else in double quotes. Throws ConfigError where `value` is
+  /// not UTF-8, as no YAML file can hold it.
   void text(std::string_view name, std::string_view value);
 
-  /// Lines of plain text as they are, the last one ended.
+  /// Prints lines of plain text as a block; the last line ends with a line end, too.
   void block(std::string_view name, std::string_view lines);
 
-  void open(std::string_view name);  ///< a map or a list; close() ends it
-  void open_item();                  ///< a map as the next item of a list; close() ends it
+  void open(std::string_view name);  ///< begins a map or a list; close() ends it
+  void open_item();                  ///< begins a map as the next item of a list; close() ends it
   void close();
 
-  /// The same names as in Section, so that one list of fields serves both.
+  /// Overloads have the same names as in Section, so that one list of fields serves reader and printer.
   void field(std::string_view name, double value, const model::Range&) { number(name, value); }
   void field(std::string_view name, const std::optional<double>& value, const model::Range& range);
   template <std::signed_integral Integer>
@@ -81,7 +81,7 @@ void print_fields(Printer& printer, const Struct& source) {
   Struct::visit_fields(source, model::fields_into(printer));
 }
 
-/// The same as a map of its own.
+/// Prints these fields as a map of its own.
 template <class Struct>
 void print_map(Printer& printer, std::string_view name, const Struct& source) {
   printer.open(name);

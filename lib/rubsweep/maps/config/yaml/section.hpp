@@ -14,33 +14,33 @@
 
 namespace rubsweep::config::yaml {
 
-/// A map of the file. Remembers which keys were looked for, so that the others can be refused.
+/// One map of a configuration. Remembers which keys were looked for, so that all others can be refused.
 class Section {
  public:
-  /// Refuses repeated keys, and a value that is not a map: such a section finds nothing and misses nothing.
-  /// `allowed` describes what may stand there.
+  /// Refuses repeated keys, and a value that is not a map: such a section finds no key and requires none.
+  /// `allowed` describes in words what may stand there.
   explicit Section(const Value& value, std::string_view allowed = "a map");
 
-  /// False when the value is not a map; then no problem of its contents need be reported.
+  /// False where the value is not a map; then no problem of its contents need be reported.
   bool is_map() const { return value_.node.kind == Node::Kind::map; }
 
-  /// The first value under this key, empty without one. Makes the key a known one.
+  /// First value under this key, or empty. Makes the key a known one.
   std::optional<Value> find(std::string_view name);
 
-  /// Whether it is given. Does not make the key a known one.
+  /// Whether the key is given. Does not make the key a known one.
   bool holds(std::string_view name) const { return lookup(name) != nullptr; }
 
-  /// As find, and a missing key is a problem.
+  /// Like find, but a missing key is a problem.
   std::optional<Value> require(std::string_view name, std::string_view allowed);
 
-  /// More or less than one of these keys is a problem; more of them with the place of each. Does not make
-  /// them known.
+  /// Adds a problem unless exactly one of these keys is given. If several are given, the problem names the
+  /// place of each. Does not make them known.
   void require_exactly_one(std::span<const std::string_view> names);
   void require_exactly_one(std::initializer_list<std::string_view> names) {
     require_exactly_one(std::span(names.begin(), names.size()));
   }
 
-  /// Reads a number; one whose present value is NaN (model::required) must be given.
+  /// Reads a number. It is required where `target` is NaN (model::required) before the call.
   void field(std::string_view name, double& target, const model::Range& range);
   void field(std::string_view name, std::optional<double>& target, const model::Range& range);
 
@@ -51,7 +51,7 @@ class Section {
     }
   }
 
-  /// The same, where it may have to be given.
+  /// Reads an integer that may be required by its key.
   template <std::signed_integral Integer>
   void field(std::string_view name, Integer& target, const model::Key<IntegerRange>& key) {
     const IntegerRange& range = key;
@@ -65,11 +65,11 @@ class Section {
     }
   }
 
-  /// An integer, or the word for none.
+  /// Reads an integer, or the word that stands for "none".
   void field(std::string_view name, std::optional<int>& target, const model::IntegerOr& range);
   void field(std::string_view name, std::vector<double>& target, const model::NumberOrList& range);
 
-  /// A map that must be given: `visit` reads its keys.
+  /// Reads a map that must be given; `visit` reads its keys.
   template <class Visit>
   void map(std::string_view name, std::string_view /*meaning*/, Visit&& visit) {
     const auto value = require(name, "a map");
@@ -79,24 +79,24 @@ class Section {
     inner.refuse_unknown_keys();
   }
 
-  /// Keys that stand only where `holds`, beside these words of another key.
+  /// Reads keys that are allowed only where `holds`, that is, beside certain words of another key.
   template <class Visit>
   void beside(std::string_view, std::initializer_list<std::string>, bool holds, Visit&& visit) {
     if (holds) visit();
   }
 
-  /// Index of the kind of something among those there are; the key must be given.
+  /// Index of the given word in `kinds`; the key must be given.
   std::optional<std::size_t> require_kind(std::string_view name, std::span<const std::string_view> kinds);
 
   /// Refuses every key that was never looked for. Call it last.
   void refuse_unknown_keys() const;
 
-  /// Problem of several keys together: reported under `name`, at the last of the places of `involved`.
+  /// Reports a problem of several keys together under `name`, at the last place of the keys `involved`.
   void refuse_together(std::string_view name, std::initializer_list<std::string_view> involved,
                        std::string_view wrong, std::string_view allowed) const;
 
-  /// True as long as the value is a map of which nothing has been refused: only then can its fields be judged
-  /// together.
+  /// True as long as the value is a map in which nothing has been refused. Only then can its fields be
+  /// checked together.
   bool is_sound() const { return is_map() && value_.diagnostics.count() == problems_before_; }
 
  private:
@@ -114,7 +114,7 @@ void read_fields(Section& section, Struct& target) {
   Struct::visit_fields(target, model::fields_into(section));
 }
 
-/// A map of the keys that the struct's own list names, and of no others.
+/// Reads a map that has the fields of the struct's own list and no other keys.
 template <class Struct>
 void read_map(const Value& value, Struct& target, std::string_view allowed = "a map") {
   Section section(value, allowed);

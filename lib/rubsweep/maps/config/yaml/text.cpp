@@ -27,14 +27,14 @@ bool is_foreign_blank(boost::locale::utf::code_point code) {
 
 constexpr std::size_t most_lines = 1000;
 
-std::mutex mutex;  // guards the lines
+std::mutex mutex;  // guards `lines`
 
 std::vector<std::string>& lines() {
   static std::vector<std::string> of_this_process;
   return of_this_process;
 }
 
-/// U+0080 to U+009F, of a whole character.
+/// Whether a whole UTF-8 character is one of the control characters U+0080 to U+009F.
 bool is_second_control(std::string_view character) {
   return character.size() == 2 && character[0] == '\xc2' && static_cast<unsigned char>(character[1]) < 0xa0;
 }
@@ -75,9 +75,9 @@ bool names_non_finite(std::string_view word) {
 
 enum class ControlCharacters { none, tabs_and_line_ends };
 
-/// Appends the first character or stray byte of `text`, in a form safe for a terminal, and returns its bytes.
-/// Control characters but the `kept` ones become `\xNN`, U+0080 to U+009F among them, which terminals obey as
-/// they do an escape sequence, and so do bytes that are no UTF-8. `text` is not empty.
+/// Appends the first character or stray byte of `text` in a form that is safe for a terminal, and returns its
+/// length in bytes. `\xNN` replaces control characters except the `kept` ones, and bytes that are not UTF-8.
+/// This includes U+0080 to U+009F, which terminals obey like escape sequences. `text` must not be empty.
 std::size_t append_shown(std::string& result, std::string_view text, ControlCharacters kept) {
   const std::size_t length = utf8_length(text);
   const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
@@ -210,7 +210,7 @@ std::optional<std::string_view> nearest(std::string_view word, std::span<const s
 
 ParsedNumber parse_number(std::string_view word) {
   const std::string_view digits = without_sign(word);
-  // from_chars would take "inf", "nan" and a second sign.
+  // from_chars alone would accept "inf", "nan" and a second sign.
   const bool starts_well = !digits.empty() && (digits[0] == '.' || (digits[0] >= '0' && digits[0] <= '9'));
   if (names_non_finite(word)) return {0, NumberError::not_finite};
   if (!starts_well) return {0, NumberError::not_a_number};

@@ -9,59 +9,62 @@
 
 namespace rubsweep::config::yaml {
 
-/// Bytes of the valid UTF-8 sequence that `text` starts with (1 to 4); 0 when there is none.
+/// Length in bytes, 1 to 4, of the valid UTF-8 sequence at the begin of `text`; 0 where there is none.
 std::size_t utf8_length(std::string_view text);
 
 /// True for the bytes 0x00 to 0x1f and 0x7f.
 bool is_control(char byte);
 
-/// Whether a UTF-8 character is one that a terminal or a page does not show as it is: a control character of
-/// ASCII or Latin-1, a separator of lines or paragraphs, or one that turns the direction of writing.
+/// Whether a terminal or a page does not show a UTF-8 character as it is. Such characters are control
+/// characters of ASCII or Latin-1, separators of lines or paragraphs, and those that turn the direction of
+/// writing.
 bool is_hidden(std::string_view character);
 
-/// Offset of the first character that looks like a blank, or is invisible, and is neither to YAML: a no-break
-/// space, those of a typesetter, a byte order mark inside. Empty when there is none.
+/// Offset of the first character that looks like a blank or is invisible, but is no blank to YAML: a no-break
+/// space, a typographic space, a byte order mark inside the text. Empty where there is none.
 std::optional<std::size_t> find_foreign_blank(std::string_view text);
 
-/// The character that a text begins with, in words: "a no-break space (U+00A0)".
+/// Name of the first character of a text: "a no-break space (U+00A0)".
 std::string describe_character(std::string_view text);
 
-/// Every byte as `\xNN`.
+/// Writes every byte as `\xNN`.
 std::string escaped(std::string_view bytes);
 
 /// Offset of the first byte that a configuration may not hold: not UTF-8, or a control character other than
 /// tab and line ends. Empty when there is none.
 std::optional<std::size_t> first_unreadable_byte(std::string_view text);
 
-/// `text` fit for one line of a message: control characters and stray bytes as `\xNN`, cut after about
-/// `longest` bytes.
+/// `text` made fit for one line of a message: control characters and stray bytes become `\xNN`, and the text
+/// is cut after about `longest` bytes.
 std::string shown(std::string_view text, std::size_t longest = 60);
 
 /// Dotted path of the child `name` of `path`, fit for a message.
 std::string child_path(std::string_view path, std::string_view name);
 
-/// Remembers lines of a message as it was shown; those behind the first 1000 are forgotten. For any thread.
+/// Remembers the lines of a message that was shown. Lines after the first 1000 are dropped. Any thread may
+/// call it.
 void remember_lines(std::string_view shown);
 
 /// Lines of all messages that this process showed on stderr, without empty ones.
 std::vector<std::string> said_lines();
 
-/// `text` of any number of lines fit for a terminal.
+/// `text` of any number of lines, made safe for a terminal.
 std::string printable(std::string_view text);
 
-/// Prints on stderr, control characters as `\xNN`: text from files and names moves no cursor. A message that
-/// cannot be delivered changes nothing else.
+/// Prints on stderr, with control characters as `\xNN`, so that text from files cannot move the cursor. A
+/// message that cannot be written is dropped silently.
 void say(const std::string& text);
 
-/// The one of `names` that `word` most probably means: the shortest one that only adds a unit to it ("mass"
-/// -> "mass_kg"), else the one with the smallest edit distance (insert, delete, replace: 1 each), the first
-/// listed of equals. Empty when none is within a third of its own length.
+/// Name out of `names` that `word` most probably means. This is the shortest name that only adds a unit to
+/// `word` ("mass" -> "mass_kg"), else the name with the smallest edit distance (insert, delete, replace: 1
+/// each). The first listed wins if several are equal. Empty where no name is within a third of its own
+/// length.
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> names);
 
 enum class NumberError {
   none,
   not_a_number,
-  not_finite,   ///< a word of YAML's or C's for infinity or NaN
+  not_finite,   ///< a word for infinity or NaN as in YAML or C
   does_not_fit  ///< a decimal number too large or too small for a double
 };
 
@@ -71,8 +74,8 @@ struct ParsedNumber {
 };
 
 /// Reads a whole word as a decimal number: optional sign, digits with an optional point, optional exponent.
-/// Knows no hexadecimal, octal, digit separators, decimal comma or surrounding blanks; leading zeros mean
-/// nothing.
+/// Does not accept hexadecimal, digit separators, a decimal comma or surrounding blanks. Leading zeros do not
+/// mean octal.
 ParsedNumber parse_number(std::string_view word);
 
 }  // namespace rubsweep::config::yaml

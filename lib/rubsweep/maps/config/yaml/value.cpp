@@ -12,7 +12,7 @@
 namespace rubsweep::config::yaml {
 namespace {
 
-/// "1,5" as "1.5"; empty where that makes no number of it.
+/// "1.5" for "1,5"; empty where the result is no number.
 std::optional<std::string> with_decimal_point(std::string text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) return std::nullopt;

@@ -13,7 +13,8 @@
 
 namespace rubsweep::config::yaml {
 
-/// One value of a configuration, its dotted path and where its problems go. Refers to both, owns neither.
+/// One value of a configuration, its dotted path and the diagnostics for its problems. Refers to node and
+/// diagnostics, and owns neither.
 struct Value {
   const Node& node;
   std::string path;
@@ -22,40 +23,41 @@ struct Value {
 
 using model::IntegerRange;
 
-/// Allowed values, in words that finish "allowed: ".
+/// Allowed values in words, as they follow "allowed: " in a message.
 std::string describe(const IntegerRange& range);
 std::string describe(std::span<const std::string_view> words);
 
-/// Adds a problem at the value's place. `wrong` finishes a sentence about the value.
+/// Adds a problem at the value's place. `wrong` is the rest of a sentence about the value.
 void refuse(const Value& value, std::string_view wrong, std::string_view allowed);
 
 /// Description of a node that is not what was wanted: "has no value", "is a list", "is a map" or "'text'".
 std::string describe(const Node& node);
 
-/// "'wrod' is unknown (did you mean 'word'?)".
+/// Text of a problem, such as "'wrod' is unknown (did you mean 'word'?)".
 std::string describe_unknown(std::string_view text, std::span<const std::string_view> names);
 
-/// The readers below return nothing after they added a problem.
+/// All readers below return an empty result after they added a problem.
 std::optional<double> read_number(const Value& value, const model::Range& range);
 std::optional<long> read_integer(const Value& value, const IntegerRange& range);
 
-/// Reads a list of exactly as many finite numbers as `target` has; false after it added a problem.
+/// Reads a list of as many finite numbers as `target` has; false after it added a problem.
 bool read_numbers(const Value& value, std::span<double> target);
 
-/// Index of the word in `words`. `allowed` describes more than the words where something else may stand there
-/// too.
+/// Index of the given word in `words`. `allowed` describes all that may stand there, if that is more than
+/// these words.
 std::optional<std::size_t> read_word(const Value& value, std::span<const std::string_view> words);
 std::optional<std::size_t> read_word(const Value& value, std::span<const std::string_view> words,
                                      std::string_view allowed);
 
-/// Any scalar, as it is written; not empty, without NUL, at most `max_text_bytes` long.
+/// Any scalar as it is written. It must not be empty or have a NUL, and is at most `max_text_bytes` long.
 std::optional<std::string> read_text(const Value& value);
 inline constexpr std::size_t max_text_bytes = 4096;
 
-/// Items of a list that holds at least one and at most `longest` of them, path "list.0", "list.1", ...
+/// Items of a list of 1 to `longest` values, with the paths "list.0", "list.1", ...
 std::optional<std::vector<Value>> read_list(const Value& value, std::size_t longest);
 
-/// Numbers of such a list, each within `range`, without those that added a problem.
+/// Numbers of a list of 1 to `longest` values, each within `range`. Numbers that added a problem are left
+/// out.
 std::vector<double> read_number_list(const Value& value, const model::Range& range, std::size_t longest);
 
 }  // namespace rubsweep::config::yaml

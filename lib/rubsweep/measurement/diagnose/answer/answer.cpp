@@ -36,7 +36,8 @@ std::vector<NumberInterval> numbers_of(const std::vector<inference::QuantityMarg
   return numbers;
 }
 
-/// Weights of the cases that speak for a candidate: all the same where few resemble the recording.
+/// Weights of a candidate's cases: their posterior weights, or equal weights where too few resemble the
+/// recording.
 Eigen::ArrayXd speaking_weights(const Diagnosis& diagnosis, std::size_t candidate) {
   constexpr double fewest = 10;
   Eigen::ArrayXd weight = weights_of(diagnosis, candidate).array();
@@ -46,7 +47,7 @@ Eigen::ArrayXd speaking_weights(const Diagnosis& diagnosis, std::size_t candidat
   return weight;
 }
 
-/// Features that tell the two likeliest candidates apart most, as normal distributions would have it.
+/// Features that separate the two likeliest candidates most, if each feature is normally distributed.
 std::vector<DecidingFeature> deciding_features(const Diagnosis& diagnosis,
                                                const features::DescribedMotion& seen, std::size_t first,
                                                std::size_t second) {
@@ -90,7 +91,7 @@ MotionLines shown(const DiagnosisProblem& problem, const Diagnosis& diagnosis, s
   return lines;
 }
 
-/// Cases that leave the least of the recording, among those that weigh most.
+/// Cases with the smallest unexplained share of the recording, among those with the largest weights.
 std::vector<BestMotion> best_motions(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
                                      const MotionLines& recorded) {
   constexpr std::size_t looked_at = 25, most = 3;

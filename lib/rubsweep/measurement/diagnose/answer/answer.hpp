@@ -9,40 +9,42 @@
 
 namespace rubsweep::diagnose::answer {
 
-/// A simulated motion laid over a recorded one.
+/// A simulated motion fitted onto a recorded one.
 struct Overlay {
-  MotionLines simulated{};  ///< scaled, turned and recorded from the same mark, m
-  double unexplained = 0;   ///< share of the recorded energy that it leaves, from 0 to 1
+  MotionLines simulated{};  ///< scaled, rotated, phases counted from the recording's mark, m
+  double unexplained = 0;   ///< share of the recorded energy that the simulated motion leaves, from 0 to 1
 };
 
-/// Scales a simulated motion to the size of the recorded one, begins it at the angle of the shaft where both
-/// agree best and, of two probes, turns it to where they agree best: largest correlation over 64 begins a
-/// turn. Both about their means, of the same number of turns.
+/// Fits a simulated motion onto the recorded one: scales it to the same size, shifts its start by the shaft
+/// angle of best agreement and, with two probes, rotates it to the best agreement. The best of 64 starting
+/// angles per turn has the largest correlation. Both motions are taken about their means and have equally
+/// many turns.
 Overlay lay_over(const MotionLines& recorded, const MotionLines& simulated, bool plane);
 
-/// A number of the machine in words of its posterior distribution.
+/// Median and 95 % interval of a machine parameter in its posterior distribution.
 struct NumberInterval {
-  std::string name;  ///< with its unit
+  std::string name;  ///< name with its unit
   double median = 0, low_95 = 0, high_95 = 0;
 };
 
 struct CandidateAnswer {
   std::string name;
   Cause cause = Cause::no_rub;
-  double probability = 0;  ///< "none of these" counted in
+  double probability = 0;  ///< probability, with "none of these" among the alternatives
   std::vector<NumberInterval>
-      numbers{};  ///< given that it is this one; none of no_rub, or where no case is like it
-  std::optional<double> standard_error{};  ///< given where more motions would still change the probability
+      numbers{};  ///< parameters if this is the cause; empty for no_rub, or if no case is similar
+  std::optional<double> standard_error{};  ///< given where more motions would change the probability
 };
 
-/// A feature of the recording beside those of the cases of the two likeliest candidates, weighted.
+/// A feature of the recording beside its weighted means and spreads in the cases of the two likeliest
+/// candidates.
 struct DecidingFeature {
   std::string name;
   double recorded = 0, first = 0, first_spread = 0, second = 0, second_spread = 0;
-  double nearer = 0;  ///< square of the distance to the second in spreads less that to the first
+  double nearer = 0;  ///< (distance to `second`)^2 - (distance to `first`)^2, in spreads
 };
 
-/// A simulated motion that explains the recording.
+/// A simulated motion that explains the recording well.
 struct BestMotion {
   std::string candidate;
   Overlay overlay{};
@@ -57,14 +59,14 @@ struct RecordingFacts {
   std::vector<std::string> findings{};
 };
 
-/// Everything that a reader is told.
+/// All results of a diagnosis that the reader sees.
 struct Answer {
   RecordingFacts recording{};
-  std::vector<CandidateAnswer> candidates{};  ///< the likeliest first
+  std::vector<CandidateAnswer> candidates{};  ///< sorted by probability, the likeliest first
   double none = 0, p_value = 1;
   std::optional<double> none_standard_error{};
-  bool size_fits = true;  ///< some simulated motion may be as large as the recording
-  bool clipped = false;   ///< a probe that clips shows what no rotor does: none is 1
+  bool size_fits = true;  ///< whether some simulated motion may have the size of the recording
+  bool clipped = false;   ///< a probe saturates, which no rotor does: `none` is then 1
   bool stands_still = false, interrupted = false;
   int rounds = 0;
   std::size_t cases = 0;

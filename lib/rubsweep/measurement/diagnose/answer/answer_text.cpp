@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
 
-/// "93 %", or how much below one percent.
+/// Rounded percentage, such as "93 %"; "under 1 %" for very small probabilities.
 std::string percent(double probability) {
   if (probability < 0.005) return "under 1 %";
   if (probability > 0.995) return "over 99 %";
@@ -50,7 +50,8 @@ std::string first_line(const Answer& answer) {
                      words_for(first.cause));
 }
 
-/// Whether the interval of an angle tells nothing: that of an even distribution is 342 degrees long.
+/// Whether the interval of an angle tells nothing: the 95 % interval of a uniform distribution is 342 degrees
+/// wide.
 bool is_any_direction(const NumberInterval& angle_deg) {
   constexpr double nearly_all_deg = 320;
   const double arc_deg = angle_deg.high_95 - angle_deg.low_95;

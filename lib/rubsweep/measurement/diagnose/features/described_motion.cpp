@@ -17,7 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::ArrayXd;
 
-/// Extent and moments of numbers in units of their root mean square.
+/// Adds the extent and the moments of a signal in units of its root mean square.
 void add_moments(const std::string& name, const ArrayXd& x, Features& features) {
   const double size = std::max(std::sqrt(x.square().mean()), 1e-300);
   const ArrayXd unit = x / size;
@@ -32,7 +32,7 @@ void add_moments(const std::string& name, const ArrayXd& x, Features& features) 
   add(features, "largest " + name, quantile(0.99));
 }
 
-/// The samples one step later and one step earlier; whole turns begin again where they end.
+/// Samples shifted by one step, cyclically: the first sample follows the last one.
 template <class Array>
 Array after(const Array& x) {
   Array shifted(x.size());
@@ -46,7 +46,7 @@ Array before(const Array& x) {
   return shifted;
 }
 
-/// Sharpest bend of a signal beside its usual one: what a contact leaves of its force.
+/// Kurtosis and skewness of the second difference: a contact force bends the signal sharply.
 void add_bends(const std::string& name, const ArrayXd& x, Features& features) {
   const ArrayXd bend = after(x) - 2 * x + before(x);
   const double size = std::max(std::sqrt(bend.square().mean()), 1e-300);
@@ -54,7 +54,7 @@ void add_bends(const std::string& name, const ArrayXd& x, Features& features) {
   add(features, "skewness of acceleration " + name, (bend / size).cube().mean());
 }
 
-/// A line's phase with a length below 1, which is less where the line is weak; nothing where none is seen.
+/// Phase of a line as a complex number with magnitude below 1: small for a weak line, 0 for an absent one.
 class Arrows {
  public:
   explicit Arrows(const MotionLines& lines) : lines_(lines), visible_(0.01 * size_of(lines)) {}
@@ -67,7 +67,7 @@ class Arrows {
 
  private:
   const MotionLines& lines_;
-  double visible_;  ///< amplitude of half the length
+  double visible_;  ///< amplitude at which the magnitude is 1/2
 };
 
 void add_phase(const std::string& name, Complex phase, Features& features) {
@@ -75,8 +75,8 @@ void add_phase(const std::string& name, Complex phase, Features& features) {
   add(features, name + ", sine", phase.imag());
 }
 
-/// Orders a + b = c + d (times 2): the phase of A_a A_b / (A_c A_d) does not change when the motion is turned
-/// or recorded from another mark.
+/// Orders (times 2) with a + b = c + d: the phase of A_a A_b / (A_c A_d) does not change when the motion is
+/// rotated or recorded from another mark.
 struct PhaseRelation {
   std::array<int, 2> gained, lost;
 };
@@ -85,7 +85,7 @@ constexpr std::array plane_relations{PhaseRelation{{6, -2}, {2, 2}},  PhaseRelat
                                      PhaseRelation{{1, 3}, {2, 2}},   PhaseRelation{{-1, 3}, {1, 1}},
                                      PhaseRelation{{1, -1}, {2, -2}}};
 
-/// Phases of forward and backward lines, which two probes tell.
+/// Adds phase relations of forward and backward lines, which need two probes.
 void add_phases(const Arrows& arrow, Features& features) {
   for (const PhaseRelation& r : plane_relations)
     add_phase(
@@ -93,7 +93,7 @@ void add_phases(const Arrows& arrow, Features& features) {
         arrow(r.gained[0]) * arrow(r.gained[1]) * std::conj(arrow(r.lost[0]) * arrow(r.lost[1])), features);
 }
 
-/// The same of one probe: A_b / A_a^m, where b = m a.
+/// Adds phase relations for one probe: A_b / A_a^m with b = m a.
 void add_phases_of_one_probe(const Arrows& arrow, Features& features) {
   struct Relation {
     int half_orders, times, of;
@@ -108,7 +108,8 @@ void add_direction(const std::string& name, double angle_rad, Features& features
   add(features, "sine of " + name, std::sin(angle_rad));
 }
 
-/// Along the lopsided direction and to its left, so that it stays the same when all is turned.
+/// Adds the mean, resolved along the lopsided direction and to its left; rotating the motion does not change
+/// it.
 void add_mean(const MotionLines& lines, const View& view, const DescribedMotion& motion, Features& features) {
   const Complex mean = lines.at(0) / motion.size_m * std::polar(1.0, -motion.direction_rad);
   add(features, view.plane ? "mean position along lopsided direction" : "mean position", mean.real());

@@ -10,8 +10,8 @@
 namespace rubsweep::diagnose::features {
 namespace {
 
-constexpr double smallest_energy = 1e-7;  ///< share below which energy counts as none
-constexpr int most_fraction = 5;          ///< 1/2 to 1/5
+constexpr double smallest_energy = 1e-7;  ///< share of the energy below which a line counts as absent
+constexpr int most_fraction = 5;          ///< fractions of the speed from 1/2 to 1/5
 
 double logarithm(double share) { return std::log10(std::max(share, smallest_energy)); }
 
@@ -31,7 +31,7 @@ void add_fractions(const HannEnergy& energy, Features& features) {
   }
 }
 
-/// Energy between the multiples of the shaft speed by where it is.
+/// Energy between the multiples of the shaft speed: all of it, the backward part, and the part below 1X.
 void add_rest(const HannEnergy& energy, Features& features) {
   double forward = 0, backward = 0, slow = 0;
   for (int k = energy.first(); k <= energy.last(); ++k) {
@@ -57,12 +57,12 @@ void add_strongest(const HannEnergy& energy, Features& features) {
   }
 }
 
-/// Distance of an order to the next whole one.
+/// Distance of an order to the nearest whole number.
 double off_whole(double order) { return std::abs(order - std::round(order)); }
 
-/// The strongest line between the multiples: the energy there that lies on none of its sidebands, at its
-/// order and whole ones, and its width. Both are small for a fraction or a torus, large for chaos and for
-/// several causes.
+/// Two measures of the strongest line between the multiples. One is the energy there that lies on none of its
+/// sidebands, at whole orders plus or minus its own order; the other is its width. Both are small for a
+/// fraction or a torus, large for chaos and for several causes.
 void add_sidebands(const HannEnergy& energy, Features& features) {
   const int best = strongest_between_multiples(energy, {});
   const double fraction = off_whole(order_of_line(energy, best));
@@ -83,7 +83,7 @@ void add_sidebands(const HannEnergy& energy, Features& features) {
   add(features, "width of line 1 between multiples", seen ? logarithm(1 - narrow / near) : 0);
 }
 
-/// Even multiples over odd ones: what two equal sides do alike has no even ones.
+/// Energy of even multiples over odd ones: two equal stops on opposite sides make no even multiples.
 void add_parity(const HannEnergy& energy, Features& features) {
   double even = 0, odd = 0;
   constexpr int most_multiple = 7;
@@ -92,7 +92,7 @@ void add_parity(const HannEnergy& energy, Features& features) {
   add(features, "even over odd multiples", logarithm(even) - logarithm(odd));
 }
 
-/// A fifth of all lines are weaker than this.
+/// Noise level: the energy below which a fifth of the lines between the multiples lie.
 void add_noise(const HannEnergy& energy, Features& features) {
   std::vector<double> between;
   for (int k = energy.first(); k <= energy.last(); ++k)
@@ -115,7 +115,7 @@ HannEnergy::HannEnergy(const MotionLines& lines, bool plane)
     const auto line = [&](int j) {
       return j == 0 || std::abs(j) > last_ ? std::complex<double>(0) : lines.at(j);
     };
-    // The window keeps 3/8 of the energy of a line amidst a bin.
+    // The Hann window keeps 3/8 of the energy of a line at the centre of a bin.
     share_[index(k)] = std::norm(line(k) / 2.0 - (line(k - 1) + line(k + 1)) / 4.0) * 8 / 3 / all;
   }
 }

@@ -8,8 +8,8 @@
 
 namespace rubsweep::diagnose::features {
 
-/// A number that describes a motion and stays the same when the motion is turned, scaled, or recorded from
-/// another mark on the shaft. Of one probe: when it is scaled, or recorded from another mark.
+/// A number that describes a motion. It does not change when the motion is scaled, recorded from another mark
+/// on the shaft or, with two probes, rotated.
 struct Feature {
   std::string name;
   double value = 0;
@@ -18,9 +18,9 @@ using Features = std::vector<Feature>;
 
 void add(Features& features, std::string name, double value);
 
-/// Energy of every line as a Hann window sees it, as a share of all: lines between two whole numbers of
-/// periods stay together. Line k is of order k / turns(). `plane`: two probes; else the motion is real, and
-/// only lines from order 0 on count.
+/// Energy of every line after a Hann window, as a share of the whole energy; the window keeps energy between
+/// two lines together. Line k has order k / turns(). `plane`: two probes; else the motion is real, and only
+/// lines from order 0 on count.
 class HannEnergy {
  public:
   HannEnergy(const MotionLines& lines, bool plane);
@@ -30,7 +30,7 @@ class HannEnergy {
   int turns() const { return turns_; }
   double operator[](int k) const { return k < first_ || k > last_ ? 0 : share_[index(k)]; }
 
-  /// Sum over the lines up to so many bins from an order.
+  /// Energy of the lines within `bins` bins of an order.
   double near(double order, int bins) const;
 
  private:
@@ -39,20 +39,21 @@ class HannEnergy {
   std::vector<double> share_;
 };
 
-/// Whether a line is more than so many bins apart from all multiples of the shaft speed, 0X included.
+/// Whether line k is more than `bins` bins away from every multiple of the shaft speed, including 0X.
 bool between_multiples(const HannEnergy& energy, int k, int bins);
 
-/// The strongest line more than two bins apart from the multiples of the shaft speed and from other lines; 0
-/// where there is none.
+/// Number of the strongest line more than two bins away from the multiples of the shaft speed and from
+/// `others`; 0 where there is none.
 int strongest_between_multiples(const HannEnergy& energy, const std::vector<int>& others);
 
-/// Order of a line by the parabola through the logarithms of its energy and those beside it.
+/// Order of a line, interpolated: maximum of the parabola through the logarithms of its energy and its
+/// neighbours'.
 double order_of_line(const HannEnergy& energy, int k);
 
-/// Features of the full spectrum: shares of the energy at multiples of the shaft speed, forward and backward,
-/// at fractions 1/2 to 1/5 of it and at its other orders, the strongest of these lines with its sidebands,
-/// and the noise between the lines. Shares are decimal logarithms. `plane`: two probes; else the motion is
-/// real.
+/// Features of the full spectrum. They are shares of the energy at multiples of the shaft speed, forward and
+/// backward, at its fractions 1/2 to 1/5 and at other orders, the strongest of these lines with its
+/// sidebands, and the noise between the lines. Shares are decimal logarithms. `plane`: two probes; else the
+/// motion is real.
 Features line_features(const MotionLines& lines, bool plane);
 
 }  // namespace rubsweep::diagnose::features

@@ -19,19 +19,19 @@ std::vector<double> edges_of(std::vector<double> values) {
   std::vector<double> edges;
   for (int b = 1; b < BinnedFeatures::most_bins; ++b) {
     const double edge = values[values.size() * static_cast<std::size_t>(b) / BinnedFeatures::most_bins];
-    // Nothing lies above the largest value.
+    // An edge at the largest value would have no samples above it.
     if (edge < values.back() && (edges.empty() || edge > edges.back())) edges.push_back(edge);
   }
   return edges;
 }
 
 struct Split {
-  int feature = -1, last_below = 0;  ///< bins up to this one go below
-  double purity = 0;  ///< sum over both sides of (sum of squares of the labels' weights) / weight
+  int feature = -1, last_below = 0;  ///< bins up to this one go to the lower node
+  double purity = 0;  ///< sum over both nodes of (sum of squared label weights) / weight; larger is purer
 };
 
-/// Weight and number of samples of every label in every bin of one feature, added up bin by bin to find the
-/// best split.
+/// Weight and number of samples of every label on both sides of a split of one feature. They are added up bin
+/// by bin to find the best split.
 class SplitSearch {
  public:
   SplitSearch(const LabelledSamples& samples, const std::vector<double>& weight, int least_leaf)
@@ -85,7 +85,7 @@ class SplitSearch {
 
 int drawn_below(int count, RandomStream& random) { return static_cast<int>(random.uniform() * count); }
 
-/// Weighted means of the rows of each label, a row for each; zero where none has it.
+/// Weighted mean of the features for each label, one row per label; zero for a label without samples.
 Eigen::MatrixXd means_of(const LabelledSamples& samples, const Eigen::MatrixXd& rows) {
   Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(samples.classes, rows.cols());
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(samples.classes);
@@ -99,7 +99,7 @@ Eigen::MatrixXd means_of(const LabelledSamples& samples, const Eigen::MatrixXd& 
   return mean;
 }
 
-/// Weighted covariance of the rows about the means of their labels.
+/// Weighted covariance of the features about the means of their labels.
 Eigen::MatrixXd covariance_within(const LabelledSamples& samples, const Eigen::MatrixXd& rows,
                                   const Eigen::MatrixXd& mean) {
   const double all = samples.weight.sum();
@@ -197,7 +197,7 @@ LinearDiscriminants::LinearDiscriminants(const LabelledSamples& samples) {
       (samples.features.rowwise() - middle_).array().square().colwise().mean().sqrt() + least_deviation;
   const Eigen::MatrixXd rows = standard(samples.features), mean = means_of(samples, rows);
   Eigen::MatrixXd covariance = covariance_within(samples, rows, mean);
-  // The covariance of features that depend on each other is singular.
+  // A ridge on the diagonal: the covariance of linearly dependent features is singular.
   constexpr double ridge = 0.01;
   covariance.diagonal().array() += ridge;
   axes_ = numerics::dense::CholeskyFactors(covariance).solve(Eigen::MatrixXd(mean.transpose()));

@@ -8,45 +8,45 @@
 
 namespace rubsweep::diagnose::forest {
 
-/// Features of many samples as numbers of bins, which trees are grown on: every feature has bins with about
-/// as many samples each.
+/// Features of many samples as bin numbers, on which trees are grown. The bins of a feature hold about
+/// equally many samples.
 struct BinnedFeatures {
   static constexpr int most_bins = 64;
   std::vector<std::vector<double>>
       edges{};  ///< edges of each feature, ascending; bin b is edges[b - 1] < x <= edges[b]
-  std::vector<std::vector<std::uint8_t>> bin{};  ///< bins of each feature, one of every sample
+  std::vector<std::vector<std::uint8_t>> bin{};  ///< bin numbers: a vector per feature, an entry per sample
 };
 
-/// `samples`: one row for each, one column for every feature; no NaN.
+/// `samples`: one row per sample, one column per feature; no NaN.
 BinnedFeatures binned(const Eigen::MatrixXd& samples);
 
-/// Samples that a forest is grown on.
+/// Labelled samples from which a forest is grown.
 struct LabelledSamples {
-  Eigen::MatrixXd features{};  ///< a row for each sample
-  std::vector<int> label{};    ///< label counted from 0
-  Eigen::VectorXd weight{};    ///< > 0
+  Eigen::MatrixXd features{};  ///< one row per sample
+  std::vector<int> label{};    ///< labels, counted from 0
+  Eigen::VectorXd weight{};    ///< weights, > 0
   int classes = 0;
 };
 
-/// How trees are grown.
+/// Limits for growing trees.
 struct TreeOptions {
-  int features_tried = 0;  ///< features tried at every split, drawn anew
+  int features_tried = 0;  ///< number of features tried at every split, drawn again for each
   int least_leaf = 1;      ///< fewest samples that a leaf keeps
 };
 
-/// Classification tree (Breiman, Friedman, Olshen, Stone 1984): every split is the one that leaves the least
-/// Gini impurity of the weighted labels.
+/// Classification tree (Breiman, Friedman, Olshen, Stone 1984): every split minimises the Gini impurity of
+/// the weighted labels.
 class Tree {
  public:
-  /// Grown on a bootstrap sample, which `random` draws.
+  /// Grows the tree on a bootstrap sample drawn by `random`.
   Tree(const LabelledSamples& samples, const BinnedFeatures& binned, const TreeOptions& options,
        RandomStream random);
 
   struct Member {
     int sample = 0;
-    double weight = 0;  ///< times it was drawn x its own weight
+    double weight = 0;  ///< number of times the sample was drawn x its own weight
   };
-  /// Drawn samples in the leaf that features lead to.
+  /// Drawn samples in the leaf that belongs to these features.
   const std::vector<Member>& leaf_of(const Eigen::VectorXd& features) const;
 
   bool drew(int sample) const { return weight_[static_cast<std::size_t>(sample)] > 0; }
@@ -55,64 +55,67 @@ class Tree {
   struct Node {
     int feature = -1;  ///< -1: a leaf
     double threshold = 0;
-    int below = 0, above = 0;  ///< nodes, or of a leaf its number
+    int below = 0, above = 0;  ///< child nodes; in a leaf, its number
   };
   int grow(const LabelledSamples& samples, const BinnedFeatures& binned, const TreeOptions& options,
            RandomStream& random, std::vector<int> members);
 
-  std::vector<double> weight_;  ///< weight of every sample: times it was drawn x its own
+  std::vector<double> weight_;  ///< weight of every sample: number of times drawn x its own weight
   std::vector<Node> nodes_;
   std::vector<std::vector<Member>> leaves_;
 };
 
-/// Linear discriminant functions of labelled samples (Fisher 1936): for every label the projection of the
-/// features on the inverse of the covariance within the labels times their mean under this label. Features
-/// count in units of their standard deviation, up to four of them. Where there are fewer than ten samples for
-/// each feature there are none: they would separate these samples and no others.
+/// Linear discriminant functions of labelled samples (Fisher 1936). The function of a label is x^T C^-1 m:
+/// features x, covariance C within the labels, mean m of the label. Features are in units of their standard
+/// deviation, limited to 4. With fewer than ten samples per feature there are no functions, because they
+/// would fit these samples only.
 class LinearDiscriminants {
  public:
   explicit LinearDiscriminants(const LabelledSamples& samples);
 
-  /// Features, a row for each observation, and beside them the functions, a column for each label.
+  /// The features, one row per observation, followed by the values of the discriminant functions, one column
+  /// per label.
   Eigen::MatrixXd beside(const Eigen::MatrixXd& features) const;
 
  private:
   Eigen::MatrixXd standard(const Eigen::MatrixXd& features) const;
 
   Eigen::RowVectorXd middle_, deviation_;
-  Eigen::MatrixXd axes_;  ///< a column for each label
+  Eigen::MatrixXd axes_;  ///< one column per label
 };
 
 struct ForestOptions {
   int trees = 200;
   int least_leaf = 3;
   std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: one for every processor; decides no result
+  int threads = 0;  ///< 0: one thread per processor; decides no result
 };
 
-/// Random forest (Breiman 2001) as the kernel of approximate Bayesian computation: samples are drawn from
-/// priors, and those that share leaves with an observation are draws from its posterior, the candidate (Pudlo
-/// et al. 2016) and the numbers of the machine (Raynal et al. 2019) alike. Linear discriminant functions of
-/// the labels stand beside the features, as Pudlo et al. advise.
+/// Random forest (Breiman 2001) as the kernel of approximate Bayesian computation. Samples come from the
+/// priors; those that share leaves with an observation represent its posterior, both of the candidate (Pudlo
+/// et al. 2016) and of the machine's parameters (Raynal et al. 2019). Linear discriminant functions of the
+/// labels are further features, as Pudlo et al. advise.
 class Forest {
  public:
   Forest(const LabelledSamples& samples, const ForestOptions& options);
 
-  /// Weight of every sample in the posterior of these features; they add up to 1 (Meinshausen 2006, eq. 4).
+  /// Weight of every sample in the posterior for these features; the weights add up to 1 (Meinshausen 2006,
+  /// eq. 4).
   Eigen::VectorXd posterior_weights(const Eigen::VectorXd& features) const;
 
-  /// The same for one of its own samples, by the trees that did not draw it; empty where all did.
+  /// Weights for one of the forest's own samples, from trees that did not draw it; empty where every tree
+  /// drew it.
   Eigen::VectorXd out_of_bag_weights(int sample) const;
 
-  /// Probabilities of the labels of every sample by the trees that did not draw it: a row for each.
+  /// Label probabilities of every sample from the trees that did not draw it: one row per sample.
   Eigen::MatrixXd out_of_bag_probabilities() const;
 
  private:
-  /// `features`: with the discriminants.
+  /// `features`: with the discriminant functions. Trees that drew the sample `without` are left out.
   Eigen::VectorXd weights(const Eigen::VectorXd& features, int without) const;
 
   LinearDiscriminants discriminants_;
-  Eigen::MatrixXd features_;  ///< features with the discriminants
+  Eigen::MatrixXd features_;  ///< features with the discriminant functions
   std::vector<int> label_;
   int classes_ = 0, threads_ = 0;
   std::vector<Tree> trees_;

@@ -8,31 +8,32 @@
 
 namespace rubsweep::diagnose::forest {
 
-/// Test whether an observation is one of a population that simulated cases are drawn from: its mean distance
-/// to the nearest of them, over the mean distance that those have to theirs (the local outlier factor of
-/// Breunig, Kriegel, Ng, Sander 2000 without its smoothing), is compared with that of each of them (conformal
-/// prediction; Vovk, Gammerman, Shafer 2005). Distances are those of features in units of their spread in the
-/// population.
+/// Test whether an observation belongs to the population of the simulated cases. Its apartness is its mean
+/// distance to its nearest neighbours divided by the neighbours' own mean distance to theirs, a local outlier
+/// factor (Breunig, Kriegel, Ng, Sander 2000) without smoothing. This is compared with the apartness of every
+/// case (conformal prediction; Vovk, Gammerman, Shafer 2005). Distances are those of the features in units of
+/// their spread.
 class Novelty {
  public:
-  /// A row for each case, a column for every feature.
+  /// `cases`: one row per case, one column per feature.
   explicit Novelty(const Eigen::MatrixXd& cases, int threads = 0);
 
-  /// Share of cases that stand as far apart from the others, in (0, 1]: evenly distributed for observations
-  /// of the population.
+  /// Share of the cases that are at least as far apart from the others, in (0, 1]; uniformly distributed for
+  /// observations of the population.
   double p_value(const Eigen::VectorXd& features) const;
 
  private:
   static constexpr std::size_t neighbours = 3;
-  /// The nearest cases and their distances, ascending; one more than count, as one may be left out.
+  /// The nearest cases and their distances, ascending; one more than `neighbours`, because one may be left
+  /// out.
   using Nearest = std::array<std::pair<double, Eigen::Index>, neighbours + 1>;
   Nearest nearest(const Eigen::VectorXd& scaled, Eigen::Index without) const;
-  /// `self`: the case itself, which its neighbours must not count; -1 for a new observation.
+  /// `self`: index of the case itself, which is not its own neighbour; -1 for a new observation.
   double apartness(const Nearest& nearest, Eigen::Index self) const;
   Eigen::VectorXd scaled(const Eigen::VectorXd& features) const;
 
   Eigen::VectorXd middle_, spread_;
-  Eigen::MatrixXd cases_;  ///< scaled, a column for each case
+  Eigen::MatrixXd cases_;  ///< scaled features, one column per case
   std::vector<Nearest> of_cases_;
   std::vector<double> apartness_;  ///< apartness of every case, ascending
 };

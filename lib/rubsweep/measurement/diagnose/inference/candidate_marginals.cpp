@@ -25,12 +25,12 @@ double mean_direction_deg(const Eigen::VectorXd& values, const Eigen::VectorXd& 
   return std::arg(sum) * 180 / pi;
 }
 
-/// All cases of one value, and their shares of the posterior and of the prior.
+/// Total shares of the cases with one value in the posterior and in the prior.
 struct ValueShare {
   double value = 0, posterior = 0, prior = 0;
 };
 
-/// In rising order, those that are equal together.
+/// Shares sorted by ascending value; cases of equal value are merged.
 std::vector<ValueShare> sorted_shares(std::vector<ValueShare> cases) {
   std::ranges::stable_sort(cases, {}, &ValueShare::value);
   std::vector<ValueShare> merged;
@@ -42,13 +42,13 @@ std::vector<ValueShare> sorted_shares(std::vector<ValueShare> cases) {
   return merged;
 }
 
-/// Point of the map from the probability of less in the prior to that in the posterior.
+/// Point of the map from the prior's cumulative probability to that of the posterior.
 struct Knot {
   double prior = 0, posterior = 0;
 };
 
-/// `count` equal cases at even steps of the posterior, at their plotting positions; those of one value are
-/// spread evenly over its share of the prior.
+/// `count` equal cases at even steps of the posterior, at their plotting positions. Cases with the same value
+/// are spread evenly over the prior share of that value.
 std::vector<Knot> knots_of(const std::vector<ValueShare>& shares, int count) {
   std::vector<Knot> knots{{0, 0}};
   double prior = 0, posterior = 0;
@@ -67,7 +67,7 @@ std::vector<Knot> knots_of(const std::vector<ValueShare>& shares, int count) {
   return knots;
 }
 
-/// Cases of a candidate with one quantity.
+/// Values of one quantity in the cases of a candidate.
 struct QuantityCases {
   Quantity quantity;
   Eigen::VectorXd values{};
@@ -77,14 +77,14 @@ struct QuantityCases {
   }
 };
 
-/// Rank of a value among others. Equal ones, as of a contact that never ends, share a stretch of ranks, and
-/// `fraction` says where in it.
+/// Rank of a value among others, from 0 to 1. Equal values, such as the time share of a contact that never
+/// ends, cover an interval of ranks; `fraction` gives the place inside this interval.
 double rank_in(const Marginal& marginal, double value, double fraction) {
   const double below = marginal.probability_below(value);
   return below + fraction * (marginal.probability_up_to(value) - below);
 }
 
-/// The cases that weigh most, and anything.
+/// Indices of the cases with the largest weights; cases without weight are left out.
 std::vector<std::size_t> heaviest(const Eigen::VectorXd& weight, std::size_t most) {
   std::vector<std::size_t> cases;
   for (Eigen::Index i = 0; i < weight.size(); ++i)
@@ -95,8 +95,8 @@ std::vector<std::size_t> heaviest(const Eigen::VectorXd& weight, std::size_t mos
   return cases;
 }
 
-/// Ranks of the quantities, a row for each case of the candidate; NaN where it is not ranked, or no tree
-/// tells.
+/// Ranks of the quantities, one row per case of the candidate. NaN where a case is not ranked, or where every
+/// tree drew it.
 Eigen::MatrixXd out_of_bag_ranks(const std::vector<QuantityCases>& quantities,
                                  const std::vector<Eigen::Index>& rows, const Posterior& posterior,
                                  const Eigen::VectorXd& prior, int threads) {

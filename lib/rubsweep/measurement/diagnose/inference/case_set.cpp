@@ -13,13 +13,13 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-/// Kernels narrower than this find nothing new.
+/// Smallest kernel width in the unit cube: narrower kernels would only repeat their cases.
 constexpr double least_deviation = 0.02;
 
 /// Share of the prior's density that a kernel may leave out.
 constexpr double negligible = 1e-6;
 
-/// A number folded back into [0, 1] at both ends.
+/// Reflects a number at 0 and 1 until it lies in [0, 1].
 double folded(double x) {
   const double twice = x - 2 * std::floor(x / 2);
   return twice > 1 ? 2 - twice : twice;
@@ -29,7 +29,7 @@ double gaussian(double x, double deviation) {
   return std::exp(-x * x / (2 * deviation * deviation)) / (deviation * std::sqrt(2 * std::numbers::pi));
 }
 
-/// Density of the folded kernel: both faces are mirrors, and a kernel reaches their next images.
+/// Density of the folded kernel: both ends act as mirrors, and only the nearest mirror images matter.
 double folded_density(double x, double centre, double deviation) {
   double sum = 0;
   for (const double image : {centre, -centre, 2 - centre, centre - 2, centre + 2})
@@ -37,10 +37,10 @@ double folded_density(double x, double centre, double deviation) {
   return sum;
 }
 
-/// Draws that are simulated together: how many, not how many threads, decides where drawing ends.
+/// Draws simulated as one batch. Drawing ends after a whole batch, so the number of threads decides nothing.
 constexpr int draws_together = 128;
 
-/// Simulates draws and keeps those that give a case, in the order of the draws.
+/// Simulates draws and keeps the successful ones as cases, in the order of the draws.
 template <class Point_of>
 void simulate_draws(const DiagnosisProblem& problem, std::size_t candidate, int count,
                     const Point_of& point_of, const CaseOptions& options, std::vector<SimulatedCase>& cases) {
@@ -57,7 +57,7 @@ void simulate_draws(const DiagnosisProblem& problem, std::size_t candidate, int 
     if (one) cases.push_back(*std::move(one));
 }
 
-/// Index of a random stream: draw number `draw` of a candidate in a round.
+/// Index of the random stream of draw number `draw` of a candidate in a round.
 std::uint64_t stream_index(int round, std::size_t candidate, long draw) {
   constexpr std::uint64_t most_draws = 1U << 24, most_candidates = 64;
   return (static_cast<std::uint64_t>(round) * most_candidates + candidate) * most_draws +
@@ -123,7 +123,7 @@ CaseSet prior_cases(const DiagnosisProblem& problem, const CaseOptions& options)
   std::vector<std::vector<SimulatedCase>> cases(candidates);
   std::vector<long> drawn(candidates, 0);
   const auto unfinished = [&](std::size_t c) { return cases[c].size() < wanted && drawn[c] < most; };
-  // In turns, so that an interrupted set is one of all candidates.
+  // Candidates get their batches in turn, so that an interrupted set has cases of all of them.
   for (bool any = true; any && !stopped(options);) {
     any = false;
     for (std::size_t c = 0; c < candidates; ++c) {

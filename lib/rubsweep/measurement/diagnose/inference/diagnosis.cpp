@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t halves = 8;
 
-/// Every second one of these numbers, drawn.
+/// A random half of these numbers, rounded up.
 std::vector<Eigen::Index> half_of(std::vector<Eigen::Index> numbers, RandomStream& random) {
   const std::size_t wanted = (numbers.size() + 1) / 2;
   for (std::size_t k = 0; k < wanted; ++k) {
@@ -23,7 +23,7 @@ std::vector<Eigen::Index> half_of(std::vector<Eigen::Index> numbers, RandomStrea
   return numbers;
 }
 
-/// Rows of half of the cases of each candidate.
+/// Rows of a random half of each candidate's cases.
 std::vector<Eigen::Index> half_of_cases(const DiagnosisProblem& problem, const CaseSet& set,
                                         RandomStream& random) {
   std::vector<std::vector<Eigen::Index>> rows(problem.candidates.size());
@@ -50,7 +50,7 @@ Eigen::ArrayXd log_odds(const Posterior& posterior) {
 
 bool stopped(const DiagnosisOptions& options) { return options.cases.stop && *options.cases.stop; }
 
-/// Cases of a candidate that weigh most, as centres of a proposal; empty where none weighs anything.
+/// Proposal around the cases of a candidate with the largest weights; empty where all its weights are zero.
 std::optional<Proposal> proposal_of(const DiagnosisProblem& problem, std::size_t candidate,
                                     const CaseSet& set, const Eigen::VectorXd& weight) {
   constexpr std::size_t most_centres = 60;
@@ -70,7 +70,7 @@ std::optional<Proposal> proposal_of(const DiagnosisProblem& problem, std::size_t
   return Proposal(problem.candidates[candidate], std::move(centres), std::move(shares));
 }
 
-/// Draws of a round: more for the candidates that are likely, some for every one that is possible.
+/// Number of draws in a round: most for likely candidates, some for every candidate that is still possible.
 int draws_of(double probability, int all) {
   constexpr double possible = 0.01;
   if (probability < possible) return 0;

@@ -10,10 +10,10 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Standard errors of the probabilities of the candidates, "none of these" counted in, and of that one at
-/// last, which come from the number of cases: standard deviation of the answers by halves of the cases
-/// (delete-half jackknife; Shao, Wu 1989), of their log odds times p (1 - p) of the answer by all. Halves are
-/// less sure, and near 0 and 1 what is left scatters as it is large. `posterior`: that answer.
+/// Standard errors of the candidates' probabilities, then of "none of these", due to the limited number of
+/// cases. They are standard deviations of the log odds between answers from halves of the cases (delete-half
+/// jackknife; Shao, Wu 1989), times p (1 - p) of the answer from all cases. Halves give less certain answers,
+/// and the scatter near 0 and 1 depends on p; log odds avoid both. `posterior`: the answer from all cases.
 Eigen::VectorXd sampling_errors(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
                                 const Posterior& posterior, int threads);
@@ -21,27 +21,27 @@ Eigen::VectorXd sampling_errors(const DiagnosisProblem& problem, const CaseSet& 
 struct DiagnosisOptions {
   CaseOptions cases{};
   int most_rounds = 3;              ///< rounds of draws near cases that resemble the recording
-  int draws_per_round = 800;        ///< draws of all candidates together
-  bool with_standard_error = true;  ///< errors where the probabilities do not stand still
-  double least_change = 0.03;  ///< change of a probability between two rounds, below which they stand still
+  int draws_per_round = 800;        ///< draws per round, for all candidates together
+  bool with_standard_error = true;  ///< computes standard errors where the probabilities still change
+  double least_change = 0.03;       ///< change of a probability that calls for another round
 };
 
-/// Answer of a diagnosis with all that it rests on.
+/// Result of a diagnosis with everything it is based on.
 struct Diagnosis {
   CaseSet set{};
   ObservedCases observed{};
-  Posterior posterior{};                                   ///< posterior without its forest
-  std::vector<std::vector<QuantityMarginal>> marginals{};  ///< marginals_of every candidate
+  Posterior posterior{};                                   ///< posterior; its forest is dropped at the end
+  std::vector<std::vector<QuantityMarginal>> marginals{};  ///< marginals_of for every candidate
   std::vector<Eigen::VectorXd> history{};  ///< probabilities of the candidates after each round
-  double p_value = 1;                      ///< p_value_of
-  bool stands_still = false;               ///< the last round changed them by less than least_change
-  Eigen::VectorXd standard_error{};        ///< sampling_errors where they do not stand still; else empty
+  double p_value = 1;                      ///< result of p_value_of
+  bool stands_still = false;               ///< no probability changed by least_change in the last round
+  Eigen::VectorXd standard_error{};        ///< sampling_errors if the probabilities still change, or empty
 };
 
-/// Compares a recording with simulated cases of all candidates, which are drawn from the priors at first
-/// (`set`: those already at hand, else prior_cases) and then where they resemble it, until the probabilities
-/// stand still (population Monte Carlo; Cappé et al. 2004). Interrupted, the answer is that of the cases
-/// drawn by then.
+/// Compares a recording with simulated cases of all candidates. The cases are first drawn from the priors
+/// (`set`: cases already at hand, else prior_cases) and then near those that resemble the recording, until
+/// the probabilities settle (population Monte Carlo; Cappé et al. 2004). When interrupted, it answers from
+/// the cases drawn by then.
 Diagnosis diagnose(const DiagnosisProblem& problem, const features::DescribedMotion& seen,
                    const DiagnosisOptions& options, std::optional<CaseSet> set = {});
 

@@ -29,7 +29,7 @@ void put(std::string& bytes, Number number) {
   bytes.append(raw, sizeof number);
 }
 
-/// Numbers one after the other; `whole` turns false where they end too early.
+/// Reads binary numbers one after the other; `whole` becomes false where the bytes end too early.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : left_(bytes) {}
@@ -56,7 +56,7 @@ std::filesystem::path file_of(const std::filesystem::path& directory, const std:
   return directory / (digest.substr(0, 16) + ".cases");
 }
 
-/// First line of a file: digest of the study, and of the bytes that follow.
+/// First line of a file: digest of the problem, then digest of the bytes that follow.
 std::string head_of(const std::string& digest, std::string_view body) {
   return fmt::format("rubdiagnose cases {} {}\n", digest, batch::sha256_of(body));
 }

@@ -16,10 +16,10 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-constexpr int cases_together = 240;  ///< number of cases that are run again
-constexpr double possible = 0.02;    ///< probability from which a candidate counts
+constexpr int cases_together = 240;  ///< number of cases that are simulated again
+constexpr double possible = 0.02;    ///< smallest probability with which a candidate counts
 
-/// Entropy in bits.
+/// Entropy of a discrete distribution, in bits.
 double entropy(const Eigen::VectorXd& probability) {
   double sum = 0;
   for (const double p : probability)
@@ -27,7 +27,7 @@ double entropy(const Eigen::VectorXd& probability) {
   return sum;
 }
 
-/// Cases drawn by their weights at even steps of the sum, of possible candidates alone.
+/// Systematic sampling of cases in proportion to their weights, from the possible candidates only.
 std::vector<std::size_t> draw_cases(const Diagnosis& diagnosis) {
   const auto counts = [&](std::size_t i) {
     const auto c = static_cast<Eigen::Index>(diagnosis.set.cases[i].candidate);
@@ -47,7 +47,7 @@ std::vector<std::size_t> draw_cases(const Diagnosis& diagnosis) {
   return drawn;
 }
 
-/// The machine of a case under another measurement: it rubs there, or whirls quietly.
+/// Motion of a case's machine under another measurement: a rub or, where it does not rub, the quiet whirl.
 std::optional<LastingMotion> run_again(const DiagnosisProblem& problem, const SimulatedCase& one,
                                        response::spectrum::SpectrumWorkspace& workspace) {
   const Candidate& candidate = problem.candidates[one.candidate];
@@ -102,7 +102,7 @@ double information_of(const DiagnosisProblem& changed, const Diagnosis& diagnosi
   double left = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     now(samples.label[k]) += 1.0 / static_cast<double>(rows.size());
-    // A forest of so few cases is never surer than this.
+    // With so few cases the forest's probabilities are limited from below.
     constexpr double least = 0.01;
     left -= std::log2(std::max(least, told(static_cast<Eigen::Index>(k), samples.label[k])));
   }

@@ -7,17 +7,17 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Another measurement, and how much it would tell of the candidates.
+/// A possible further measurement, and its expected information about the cause.
 struct NextMeasurement {
   std::string name;
-  double information_bits = 0;  ///< expected, on average over what the candidates let expect
+  double information_bits = 0;  ///< expected information about the cause, bits
 };
 
-/// Measurements that could follow, the most telling first: another speed, a longer record, a second probe
-/// where there was one. Cases that resemble the recording are run again under them; a forest that is grown on
-/// what they would show is asked about those that it did not draw: the entropy of the probabilities now less
-/// that which it leaves (expected information; Lindley 1956). At another speed the unbalance stays and the
-/// kick comes again. Empty where nothing is left to be told.
+/// Possible further measurements, the most informative first: another speed, a longer record, a second probe
+/// where there was one. Cases that resemble the recording are simulated under the new measurement, and a
+/// forest grown on their features classifies those that its trees did not draw. The result is the entropy of
+/// the probabilities now minus the remaining one (expected information; Lindley 1956). At another speed the
+/// unbalance stays the same and the kick happens again. Empty where nothing can be learned.
 std::vector<NextMeasurement> next_measurements(const DiagnosisProblem& problem, const Diagnosis& diagnosis,
                                                int threads);
 

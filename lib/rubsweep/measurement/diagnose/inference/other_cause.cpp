@@ -20,24 +20,24 @@ double between_logarithms(double low, double high, RandomStream& random) {
   return low * std::pow(high / low, random.uniform());
 }
 
-/// Shares of a component that turn forward and backward. Their squares add up to 1.
+/// Amplitude shares of the forward and the backward part of a component; their squares add up to 1.
 struct Whirl {
   double forward = 1, backward = 0;
 };
 
-/// A forced vibration: any ellipse.
+/// Whirl of a forced vibration: any ellipse.
 Whirl any_ellipse(RandomStream& random) {
   const double share = 2 * pi * random.uniform();
   return {std::cos(share), std::sin(share)};
 }
 
-/// A self-excited whirl: nearly a circle.
+/// Whirl of a self-excited vibration: nearly a circle.
 Whirl near_circle(bool forward, RandomStream& random) {
   const double rest = between_logarithms(1e-3, 0.3, random), most = std::sqrt(1 - rest * rest);
   return forward ? Whirl{most, rest} : Whirl{rest, most};
 }
 
-/// Adds a component of an order, whose angle is that of the shaft times the order and what it wandered.
+/// Sum of components. The phase of each is the shaft angle times its order, plus a random walk.
 class Vibration {
  public:
   explicit Vibration(int turns) : z_(static_cast<std::size_t>(turns * samples_of_a_turn)) {}
@@ -53,7 +53,7 @@ class Vibration {
     }
   }
 
-  /// Along one line across the shaft, in place of an ellipse. `direction` is that of the line from x.
+  /// Adds a component along one line across the shaft, `direction` radians from +x, in place of an ellipse.
   void add_along(double order, double amplitude, double direction, RandomStream& random) {
     const double phase = 2 * pi * random.uniform();
     for (std::size_t k = 0; k < z_.size(); ++k) {
@@ -85,7 +85,7 @@ std::vector<double> wandering(std::size_t samples, RandomStream& random) {
   return angle;
 }
 
-/// Whole multiples of the shaft speed: one, or a series that grows weaker.
+/// Adds whole multiples of the shaft speed: a single one, or a series of decreasing amplitude.
 void add_multiples(Vibration& vibration, double amplitude, RandomStream& random) {
   if (random.uniform() < 0.5) {
     const double order = 2 + std::floor(4 * random.uniform());
@@ -99,7 +99,7 @@ void add_multiples(Vibration& vibration, double amplitude, RandomStream& random)
   }
 }
 
-/// Any order, forced or self-excited, with its harmonic and with sidebands, each or not.
+/// Adds a component of any order, forced or self-excited; harmonic and sidebands are each present or not.
 void add_free_order(Vibration& vibration, double amplitude, RandomStream& random) {
   const double order = random.uniform() < 0.5 ? 0.2 + 0.8 * random.uniform() : 1 + 4 * random.uniform();
   const Whirl whirl =
@@ -118,7 +118,7 @@ void add_free_order(Vibration& vibration, double amplitude, RandomStream& random
                     wandered, random);
 }
 
-/// The whirl of an oil film: forward at somewhat less than half the speed of the shaft (Muszynska,
+/// Adds the whirl of an oil film: forward at slightly less than half the shaft speed (Muszynska,
 /// Rotordynamics, 2005, chapter 4).
 void add_oil_whirl(Vibration& vibration, double amplitude, RandomStream& random) {
   const double order = 0.38 + 0.12 * random.uniform();
@@ -126,9 +126,9 @@ void add_oil_whirl(Vibration& vibration, double amplitude, RandomStream& random)
   vibration.add(order, amplitude, near_circle(true, random), wandered, random);
 }
 
-/// A support that is loose, or stiff to one side: its stiffness changes along one direction, and the shaft
-/// vibrates along it at the multiples of its speed, now and then at those of half of it, which grow weaker
-/// (Muszynska and Goldman, Chaos, Solitons and Fractals 5, 1995).
+/// Adds the vibration of a loose support, or of one that is stiffer to one side. Its stiffness changes along
+/// one direction, in which the shaft vibrates at multiples of its speed, sometimes of half its speed, with
+/// decreasing amplitudes (Muszynska and Goldman, Chaos, Solitons and Fractals 5, 1995).
 void add_directional_series(Vibration& vibration, RandomStream& random) {
   const double direction = 2 * pi * random.uniform();
   const double decay = between_logarithms(0.05, 0.7, random);

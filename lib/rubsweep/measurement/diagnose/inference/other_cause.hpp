@@ -5,13 +5,13 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Probability of "none of these" before a recording is looked at.
+/// Prior probability of "none of these".
 inline constexpr double prior_of_none = 1.0 / 6;
 
-/// Vibration of a cause that no candidate stands for: unbalance, and one to four further components at any
-/// order, each forward or backward in any share, nearly a circle, or along one line with its harmonics. They
-/// may have sidebands at the shaft speed and a phase that wanders. Its lines up to most_order, in units of
-/// that at 1X; all numbers are drawn.
+/// Random vibration of a cause that is none of the candidates: unbalance plus one to four components of any
+/// order. Each component is elliptic, nearly circular, or along one line with harmonics; it may have
+/// sidebands at the shaft speed and a wandering phase. Returns the lines up to most_order in units of the
+/// amplitude at 1X.
 MotionLines vibration_of_another_cause(int turns, RandomStream& random,
                                        response::spectrum::SpectrumWorkspace& workspace);
 

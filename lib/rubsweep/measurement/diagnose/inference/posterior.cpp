@@ -17,7 +17,8 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-/// Least width of an interval in which a length may lie: cases have any size, and must find place in it.
+/// Least width of a size interval, in decades: cases have discrete sizes, and some must fall into the
+/// interval.
 constexpr double least_decades = 0.08;
 
 bool inside(const Spread& spread, double value) { return value >= spread.low && value <= spread.high; }
@@ -29,26 +30,26 @@ Spread widened(const Spread& spread) {
   return {spread.low / factor, spread.high * factor, true};
 }
 
-/// Share of the whirl ratios at which a quiet whirl of this radius is one in a clearance of the range. Its
-/// shape is the same at all of them.
+/// Share of the range of whirl ratios at which a quiet whirl of this radius lies within the range of
+/// clearances. The shape of a quiet whirl is the same at all whirl ratios.
 double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, double radius_m) {
   const double low = std::max(ratios.low, radius_m / clearances.high),
                high = std::min(ratios.high, radius_m / clearances.low);
   return low < high ? decades({low, high}) / decades(ratios) : 0;
 }
 
-/// Share of each candidate that a forest of so many cases cannot tell from none.
+/// Smallest probability of a candidate: with this number of cases a forest cannot tell less from zero.
 constexpr double least_probability = 1e-3;
 
-/// Probabilities to a power.
+/// Raises probabilities to a power and normalises them.
 Eigen::RowVectorXd sharpened(const Eigen::RowVectorXd& probability, double power) {
   const Eigen::RowVectorXd raised = (probability.array() + least_probability).pow(power);
   return raised / raised.sum();
 }
 
-/// Power up to 1 that makes the true candidates of cases that a tree did not draw most likely. Above 1 it
-/// would make the whole forest too sure: few trees have not drawn a case, and these are less sure than all
-/// (temperature scaling; Guo et al. 2017).
+/// Power, at most 1, that maximises the likelihood of the true candidates of cases, judged by trees that did
+/// not draw them (temperature scaling; Guo et al. 2017). Few trees judge a case that way, so they are less
+/// certain than the whole forest. A power above 1 would therefore make the whole forest too certain.
 double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>& label,
                       const Eigen::VectorXd& weight) {
   const auto loss = [&](double power) {
@@ -58,7 +59,7 @@ double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>&
         sum -= weight(i) * std::log(sharpened(out_of_bag.row(i), power)(label[static_cast<std::size_t>(i)]));
     return sum;
   };
-  // Golden section of a convex function.
+  // Golden-section search of the minimum of a convex function.
   constexpr double golden = 0.6180339887498949;
   double low = 0.2, high = 1;
   for (int k = 0; k < 30; ++k) {
@@ -72,14 +73,15 @@ double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>&
   return (low + high) / 2;
 }
 
-/// Mean position of a vibration of another cause, in units of its 1X: a load may push the shaft aside.
+/// Mean position of a vibration of another cause, in units of its 1X amplitude: a load may displace the
+/// shaft.
 std::complex<double> mean_of_another_cause(std::uint64_t seed, std::uint64_t index) {
   RandomStream random(seed, index, DrawPurpose::of_mean);
   const double distance = std::pow(10, -3 * random.uniform());
   return std::polar(distance, 2 * std::numbers::pi * random.uniform());
 }
 
-/// Vibrations of other causes as the instrument shows them.
+/// Features of vibrations of other causes as the instrument measures them, one row each.
 Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::size_t count, int threads) {
   std::vector<Eigen::VectorXd> rows(count);
   batch::parallel_run(
@@ -101,7 +103,8 @@ Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::s
   return features;
 }
 
-/// Cases, each of the class of its candidate, and vibrations of other causes as the last class.
+/// Training samples: each case has the label of its candidate; vibrations of other causes form the last
+/// class.
 forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSet& set,
                                    const ObservedCases& observed) {
   const Eigen::Index cases = observed.features.rows(), others = observed.of_other_causes.rows();
@@ -118,7 +121,7 @@ forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSe
   return samples;
 }
 
-/// Rows that were drawn from the priors.
+/// Feature rows of the cases that were drawn from the priors.
 Eigen::MatrixXd rows_of_priors(const CaseSet& set, const Eigen::MatrixXd& features) {
   std::vector<Eigen::Index> rows;
   for (std::size_t i = 0; i < set.cases.size(); ++i)
@@ -191,7 +194,7 @@ Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, cons
   Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(samples.classes);
   for (Eigen::Index i = 0; i < weight.size(); ++i)
     share(samples.label[static_cast<std::size_t>(i)]) += weight(i);
-  // No case and no other vibration is like it.
+  // The recording resembles no case and no vibration of another cause: it counts as "none of these".
   if (share.sum() == 0) share(samples.classes - 1) = 1;
   posterior.sharpness =
       best_sharpness(posterior.forest->out_of_bag_probabilities(), samples.label, samples.weight);

@@ -9,41 +9,41 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Density of the logarithm of a case's size at that of the recording, over that of a size which goes by the
-/// candidate's clearances alone. These are drawn evenly in their logarithm: those that the size asks for
-/// count alike, others not at all. A quiet whirl counts by its whirl ratios. A known unbalance says the size
-/// of a case as well.
+/// Weight of a case by its size: density of the logarithm of the size at the recording's size, relative to a
+/// density by the candidate's clearances alone. The clearances are uniform in their logarithm: those that
+/// give the recording's size count alike, others not at all. A quiet whirl counts by its whirl ratios
+/// instead. A known unbalance restricts the size of a case as well.
 double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
                        double seen_size_m);
 
-/// Probabilities after a recording.
+/// Probabilities after a recording was compared with the cases.
 struct Posterior {
-  Eigen::VectorXd probability{};   ///< probability of every candidate, given that it is one of them
+  Eigen::VectorXd probability{};   ///< probability of every candidate, provided that one of them is the cause
   Eigen::VectorXd weight{};        ///< weight of every case; those of a candidate add up to its probability
-  Eigen::VectorXd importance{};    ///< weight of every case in proportion to importance_weights
+  Eigen::VectorXd importance{};    ///< weight of every case, proportional to importance_weights
   Eigen::VectorXd size_density{};  ///< density_of_size of every case
   std::shared_ptr<const forest::Forest> forest{};  ///< forest that gave the weights
-  double none = 0;                                 ///< probability that it is none of them
-  double sharpness = 1;  ///< power that makes the probabilities of cases not drawn by a tree fit best
+  double none = 0;                                 ///< probability that none of the candidates is the cause
+  double sharpness = 1;  ///< power that calibrates the probabilities of cases which a tree did not draw
 };
 
-/// Cases as the instrument shows them, one row of features each.
+/// Cases as the instrument measures them, one row of features per case.
 struct ObservedCases {
   Eigen::MatrixXd features{};
   Eigen::VectorXd size_m{}, direction_rad{}, probe_angle_rad{};
-  Eigen::MatrixXd of_other_causes{};  ///< features of vibrations of other causes, a row each
+  Eigen::MatrixXd of_other_causes{};  ///< features of vibrations of other causes, one row each
 };
 
-/// Observes the cases that are not yet in `observed`, and at first as many vibrations of other causes as a
-/// candidate has cases.
+/// Observes the cases that are not yet in `observed`. The first call also observes vibrations of other
+/// causes, as many as a candidate has cases.
 void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int threads, ObservedCases& observed);
 
-/// Posterior by a forest in which vibrations of other causes are one more class.
+/// Posterior from a forest in which vibrations of other causes form one more class.
 Posterior posterior_of(const DiagnosisProblem& problem, const CaseSet& set, const ObservedCases& observed,
                        const features::DescribedMotion& seen, int threads);
 
-/// Share of the simulated cases that are at least as far from all others as the recording is
-/// (forest::Novelty): a check that does not use the posterior.
+/// Share of the simulated cases that are at least as far apart from the others as the recording is
+/// (forest::Novelty). This check does not depend on the posterior.
 double p_value_of(const CaseSet& set, const ObservedCases& observed, const features::DescribedMotion& seen,
                   int threads);
 

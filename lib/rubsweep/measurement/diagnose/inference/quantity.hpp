@@ -9,16 +9,16 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Numbers of a machine that a diagnosis answers with.
+/// Parameters of the machine for which a diagnosis gives intervals.
 enum class Quantity {
   clearance,         ///< clearance at the first stop, m
-  stop_angle,        ///< direction of the first stop, or of an offset, degrees from +x to +y
+  stop_angle,        ///< direction of the first stop or of the offset, degrees from +x to +y
   position,          ///< place of the stops along the shaft of a rotor kit, m
   contact_fraction,  ///< share of time in contact
   peak_force,        ///< largest normal force, N
-  eccentricity,      ///< unbalance, m
+  eccentricity,      ///< eccentricity of the unbalance, m
   whirl_ratio,
-  stiffness,  ///< N/m
+  stiffness,  ///< stiffness of the contact, N/m
   restitution,
   friction
 };
@@ -27,19 +27,19 @@ inline constexpr std::array all_quantities{
     Quantity::peak_force,  Quantity::eccentricity, Quantity::whirl_ratio, Quantity::stiffness,
     Quantity::restitution, Quantity::friction};
 
-/// Name with its unit: clearance_m, stop_angle_deg.
+/// Name with its unit, such as clearance_m or stop_angle_deg.
 std::string_view to_string(Quantity quantity);
 
-/// Whether a candidate has such a number: no rub has none, a round stop about the rest position stands in no
-/// direction, and a Jeffcott rotor has no places.
+/// Whether a candidate has this quantity: without a rub there is none, a round stop about the rest position
+/// has no direction, and a Jeffcott rotor has no positions along the shaft.
 bool has_quantity(const DiagnosisProblem& problem, std::size_t candidate, Quantity quantity);
 
-/// The same angle in [-180, 180].
+/// Equivalent angle in [-180, 180].
 double wrapped_deg(double angle_deg);
 
-/// Value in every case, scaled and turned to the recording. Stop angles: of two probes, or of a machine that
-/// is not the same in all directions, from +x, in [-180, 180]; else from the direction in which the one probe
-/// looks.
+/// Value of the quantity in every case, after the case was scaled and rotated to the recording. With two
+/// probes, or on an anisotropic machine, stop angles count from +x, in [-180, 180]. Else they count from the
+/// direction of the single probe.
 Eigen::VectorXd values_in_cases(const DiagnosisProblem& problem, const CaseSet& set,
                                 const ObservedCases& observed, const features::DescribedMotion& seen,
                                 Quantity quantity);

@@ -14,13 +14,13 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Everything that decides which motions a recording is compared with.
+/// Everything that decides with which motions a recording is compared.
 struct DiagnosisProblem {
-  std::vector<Candidate> candidates{};  ///< their natural frequency and damping are those of the machine
-  std::vector<double> prior{};  ///< probability of each, given that it is one of them; they add up to 1
+  std::vector<Candidate> candidates{};  ///< candidates; their natural frequency and damping are the machine's
+  std::vector<double> prior{};  ///< probability of each candidate if one of them is the cause; the sum is 1
   FixedNumbers fixed{};
   std::optional<Spread>
-      eccentricity_m{};  ///< eccentricity of the unbalance, > 0, logarithmic; empty: anything
+      eccentricity_m{};  ///< eccentricity of the unbalance, > 0, logarithmic; empty: not known
   double speed_hz = 0;   ///< speed of the shaft
   int turns = 0;         ///< turns of the shaft in the recording
   Measuring measuring{};
@@ -31,31 +31,32 @@ inline features::View view_of(const Measuring& measuring) {
   return {measuring.probes == 2, measuring.directions, measuring.from_rest};
 }
 
-/// Largest order that the readings of a turn show as it is.
+/// Largest order that the readings of a turn show without aliasing.
 inline double seen_order(const Measuring& measuring) {
   constexpr double clean_share = 0.4;  // share as in scope::most_order_looked_at
   return std::min(most_order, clean_share * measuring.readings_per_turn);
 }
 
-/// One motion of one candidate. Without gravity everything grows with the clearance, so that it is simulated
-/// at one clearance for all, and scaled to a recording.
+/// One motion of one candidate. Without gravity all lengths are proportional to the clearance. The motion is
+/// therefore simulated at one clearance and then scaled to a recording.
 struct SimulatedCase {
   std::size_t candidate = 0;
-  Point unit{};  ///< places of its unknowns in the unit cube
+  Point unit{};  ///< place of its unknowns in the unit cube
   LastingMotion motion{};
   bool proposed = false;  ///< drawn near cases that resemble a recording, not from the priors
 };
 
-/// Clearance that cases are simulated at: the geometric mean of the candidate's bounds, m.
+/// Clearance at which cases are simulated: geometric mean of the candidate's bounds, m.
 double simulated_clearance_m(const Candidate& candidate);
 
-/// Simulates a candidate with these numbers; empty where it does not rub (no_rub: where it does), cannot be
-/// run, or touches deeper than usual_penetration_ratio: no machine survives that.
+/// Simulates a candidate at a point of the unit cube. Empty where it does not rub (for no_rub: where it
+/// rubs), where it cannot be simulated, or where the penetration exceeds usual_penetration_ratio, which no
+/// machine survives.
 std::optional<SimulatedCase> simulate_case(const DiagnosisProblem& problem, std::size_t candidate,
                                            const Point& unit,
                                            response::spectrum::SpectrumWorkspace& workspace);
 
-/// A case as the instrument shows it. Depends on problem, case and index alone.
+/// A case as the instrument measures it. It depends on the problem, the case and its index alone.
 struct ObservedCase {
   features::DescribedMotion seen{};
   double probe_angle_rad = 0;  ///< angle of a single probe from the stop's direction

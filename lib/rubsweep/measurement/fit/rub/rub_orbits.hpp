@@ -13,34 +13,34 @@
 
 namespace rubsweep::fit::rub {
 
-/// Lines of a rub that are asked for.
+/// Lines of a rub that a caller asks for.
 struct AskedLines {
   double speed_hz = 0;
   double eccentricity_m = 0;
-  int turns = 1;              ///< after which the motion repeats
+  int turns = 1;              ///< period of the motion in turns
   std::vector<double> order;  ///< multiples of 1 / turns, negative for backward whirl
 };
 
-/// Rubs that repeat after whole turns, of machines whose numbers differ little. One settles from its kick,
-/// or, where another of its speed and period has been followed, the orbit of that one is corrected by
-/// Newton's iteration on the section, with the derivatives that the solver has, so that lines are smooth in
-/// the numbers of the machine. Lines depend on the machines that were followed and not on who else asked, in
-/// which order or from which thread.
+/// Periodic rubs of machines with slightly different parameters. The first one settles from its kick. Where a
+/// rub of the same speed and period was followed, its orbit is corrected by Newton's method on the section,
+/// with the solver's derivatives, so that the lines are smooth in the parameters. The lines depend on the
+/// followed machines only, not on other calls, their order or their threads.
 class RubOrbits {
  public:
   RubOrbits(integrate::run::SolverOptions solver, response::motion::ResponseOptions options);
 
-  /// A of A e^{i order phi}, in metres, of the displacement x + iy at the observed point, phi = 0 where the
-  /// mark of the shaft points along +x. Hertz' contacts have the secants of the configuration. Throws
-  /// ConfigError where the machine settles on another motion than one in contact that repeats after so many
-  /// turns and not sooner.
+  /// Lines A of A e^{i order phi}, in metres, of the displacement x + iy at the observed point, phi = 0 where
+  /// the mark of the shaft points along +x. Hertzian contacts use the secants of the configuration. Throws
+  /// ConfigError where the machine does not settle on a motion in contact that repeats after exactly `turns`
+  /// turns.
   Eigen::VectorXcd lines_m(const scene::PreparedMachine& machine, const AskedLines& asked) const;
 
-  /// From now on orbits of this speed and period are looked for near that of this machine. Throws as lines_m.
+  /// Makes this machine's orbit the starting point for later orbits of this speed and period. Throws like
+  /// lines_m.
   void follow(const scene::PreparedMachine& machine, const AskedLines& asked);
 
  private:
-  /// Section times the length scale, samples, and the shaft's angle where they begin.
+  /// Section times the length scale, samples, and the shaft angle at their beginning.
   struct Orbit;
   using SpeedAndTurns = std::pair<double, int>;
 

@@ -26,7 +26,7 @@ State forced(const HarmonicResponse<4>& response, double time_s) {
   return state;
 }
 
-/// Central differences of the forced motion obey the equation of motion.
+/// Central differences of the forced motion satisfy the equation of motion.
 TEST(HarmonicResponse, ForcedMotionSolvesTheEquation) {
   OpenMode open;
   HarmonicResponse<4> response;

@@ -13,7 +13,7 @@ namespace {
 
 using contact::Mode;
 
-/// One mass between walls at x = 1 and x = -0.5, K = 1e4 N/m, d = 100 Ns/m.
+/// One mass between walls at x = 1 and x = -0.5, with K = 1e4 N/m and d = 100 N s/m.
 struct BetweenWalls {
   scene::Scene scene = test::one_mass_scene(1, 400, 0, 1, 1);
   BetweenWalls() {

@@ -22,7 +22,7 @@ TEST(ModalTermsPairSize, BoundsTheLengthByAtMostAnEighthMore) {
 TEST(ModalTerms, SlowOnesFirstAndNoneThatIsNotSeen) {
   Eigen::Matrix<double, 4, Eigen::Dynamic> rows = Eigen::MatrixXd::Zero(4, 8);
   rows.col(0) << 1, 2, 3, 4;
-  rows.col(7) << 5, 6, 7, 8;  // the rate of the fourth pair
+  rows.col(7) << 5, 6, 7, 8;  // rate of the fourth pair
   rows.col(2) << 9, 10, 11, 12;
   const ModalTerms terms = modal_terms(rows, {true, false, false, true});
   ASSERT_EQ(terms.list.size(), 3u);
@@ -50,7 +50,7 @@ TEST(ModalTerms, WhereNothingIsSeenOnePairAddsNothing) {
 
 using State = ExactTypes<4>::State;
 
-/// All four modes of one stop.
+/// Tests that run in each of the four modes of one stop.
 class ModalTermsEveryModeSeen : public testing::TestWithParam<std::size_t> {
  protected:
   MachineModes<4> plan_{test::cell_of({}).scene};
@@ -101,7 +101,7 @@ TEST_P(ModalTermsEveryModeSeen, BoundsHoldOverTheLongestStep) {
 
 INSTANTIATE_TEST_SUITE_P(OneStop, ModalTermsEveryModeSeen, testing::Range<std::size_t>(0, 4));
 
-/// A flight with its casing ringing: the guard is the penetration, and what stands for it is never below.
+/// During flight with a ringing casing, the slow bound of the penetration is never below the penetration.
 TEST(ModalTermsSlowGuard, IsNeverBelowTheWhole) {
   auto scene = test::cell_of({}).scene;
   scene.pulses.clear();

@@ -15,7 +15,7 @@ scene::Scene scene_with(double stiffness_n_per_m, double whirl_ratio = 0.4) {
   return test::cell_of(rotor).scene;
 }
 
-/// A map goes through its speeds row by row: what belongs to each of them is still there in the next row.
+/// A map goes through its speeds row by row: modes of each speed must still be cached in the next row.
 TEST(ModeCache, KeepsSeveralMachines) {
   ModeCache cache;
   const auto first = cache.modes_of<4>(scene_with(1e5)), second = cache.modes_of<4>(scene_with(2e5));
@@ -46,7 +46,7 @@ TEST(ModeCache, DropsWhatWasNotUsedForLongest) {
   EXPECT_NE(filled(2e5), second);
 }
 
-/// The size that a footprint counts: every mode of the machine, made.
+/// Size used for memory estimates, with all modes of the machine computed.
 TEST(ModeCache, HoldsNoMoreThanTheModesOfItsMachinesTakeAtMost) {
   ModeCache cache;
   const auto modes = cache.modes_of<4>(scene_with(1e5));

@@ -16,7 +16,7 @@ namespace {
 using contact::Mode;
 using State = Eigen::Matrix<double, 8, 1>;
 
-/// Set A with a stop of this stiffness, without the kick.
+/// A rotor of parameter set A without a kick, with a stop of this stiffness.
 scene::Scene against(double stiffness_n_per_m) {
   test::OneSideRotor rotor;
   rotor.stiffness_n_per_m = stiffness_n_per_m;
@@ -25,7 +25,7 @@ scene::Scene against(double stiffness_n_per_m) {
   return scene;
 }
 
-/// Rotor and casing a thousandth of a clearance inside each other.
+/// A state in which the rotor penetrates the casing by a thousandth of the clearance.
 State pressed() {
   State state;
   state << 0.3, 1.051, 0.02, 0.05, 40, 70, 3, 60;
@@ -34,7 +34,8 @@ State pressed() {
 
 std::size_t joint_of(Mode mode) { return in_joint_mode(mode, 0); }
 
-/// Between all modes, open and without a modal form among them, the state stays.
+/// The state stays the same when changing between any two modes, including open and modes without a modal
+/// form.
 TEST(ModeChange, LeavesTheStateWhereItIs) {
   const scene::Scene scene = against(2e6);
   auto machine = std::make_shared<MachineModes<4>>(scene);
@@ -52,7 +53,7 @@ TEST(ModeChange, LeavesTheStateWhereItIs) {
   }
 }
 
-/// Tangent vectors go over by the same matrix as through displacements.
+/// Tangent vectors are transformed by the same matrix as through displacements.
 TEST(ModeChange, TakesTangentVectorsAlong) {
   const scene::Scene scene = against(2e6);
   auto machine = std::make_shared<MachineModes<4>>(scene);
@@ -67,8 +68,9 @@ TEST(ModeChange, TakesTangentVectorsAlong) {
   EXPECT_LT((now - vectors).cwiseAbs().maxCoeff(), 1e-13);
 }
 
-/// A contact a thousand times as stiff as usual, between two of its modes and back: through displacements the
-/// fast pair loses their rounding, a thousand times its own, and here no more than its own.
+/// Changes between two modes of a contact a thousand times stiffer than usual, and back. Going through
+/// displacements would lose a thousand times the rounding of the fast pair; this change loses no more than
+/// its rounding.
 TEST(ModeChange, KeepsTheDigitsOfAStiffContact) {
   const scene::Scene scene = against(2e9);
   auto machine = std::make_shared<MachineModes<4>>(scene);
@@ -79,7 +81,7 @@ TEST(ModeChange, KeepsTheDigitsOfAStiffContact) {
     ASSERT_TRUE(motion->enter(sprung, pressed()));
   }
   const State start = there.free();
-  // The contact sees the pair that is fastest by far.
+  // The guard depends mainly on the fastest pair.
   const auto& guard = there.mode().guards.front();
   const auto penetration = [&](const ExactMotion<4>& motion) {
     return (guard.physical * (motion.mode().basis * (motion.free() - start)).eval()).value();

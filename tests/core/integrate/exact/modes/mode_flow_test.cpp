@@ -21,13 +21,13 @@ State some_vibration() {
   return z;
 }
 
-/// All four modes of one stop: three are made of pairs, the released one moves by full matrices.
+/// Tests in each of the four modes of one stop: three consist of pairs, `released` uses full matrices.
 class ModeFlowEvery : public testing::TestWithParam<std::size_t> {
  protected:
   MachineModes<4> plan_{test::cell_of({}).scene};
   const LinearMode<4>& mode_ = *plan_.mode(GetParam());
 
-  /// In physical coordinates, by the exponential of the generator.
+  /// Moves a state in physical coordinates by the matrix exponential of the generator.
   State moved(const State& z, double duration_s) const {
     return mode_.inverse * (numerics::matrix_flow(mode_.generator, duration_s) * (mode_.basis * z));
   }
@@ -39,7 +39,7 @@ TEST_P(ModeFlowEvery, SeriesIsTheFlow) {
     State z = some_vibration();
     move_by_series(mode_, duration_s, z);
     const State expected = moved(some_vibration(), duration_s);
-    // The change of basis to the reference and back costs two digits.
+    // The change of basis for the reference and back costs two digits.
     EXPECT_LT((z - expected).cwiseAbs().maxCoeff(), 5e-14 * expected.cwiseAbs().maxCoeff()) << size;
   }
 }

@@ -22,8 +22,8 @@ State after(const LinearMode<4>& mode, double time_s) {
   return free;
 }
 
-/// The free vibration's part of every guard and force, over a step: the value is that of the row on (u, u'),
-/// the rate its derivative, and the second derivative stays within the bound.
+/// Checks guards and forces of the free vibration over a step: the value equals the row times (u, u'), the
+/// rate is its derivative, and the second derivative stays within the bound.
 void expect_sum_of(const LinearMode<4>& mode, const ModalTerms& terms, const Eigen::RowVectorXd& physical) {
   const double step = mode.longest_step_s, small = 1e-4 * step;
   const auto value = [&](double time_s) {
@@ -64,7 +64,7 @@ TEST(ModeViews, GuardsAndForcesAreThoseOfTheState) {
   EXPECT_GE(touches, 2);
 }
 
-/// At rest a guard is what its constant says: the clearance's part and the rest's.
+/// At rest a guard equals its constant: the parts of the clearance and of the rest position.
 TEST(ModeViews, ConstantsAreThoseOfTheRest) {
   const scene::Scene scene = test::cell_of({}).scene;
   Modes modes(scene);

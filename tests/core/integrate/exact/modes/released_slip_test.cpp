@@ -12,9 +12,10 @@
 namespace rubsweep::integrate::exact::modes {
 namespace {
 
-constexpr std::size_t released = 3;  // joint mode of one contact
+constexpr std::size_t released = 3;  // joint mode of a single contact
 
-/// The sliding rate over a longest step of the released mode, sampled, against the bound at its start.
+/// Samples the sliding rate over the longest step of the released mode and compares it with the bound at its
+/// start.
 TEST(ReleasedSlip, IsNeverExceededByTheMotion) {
   MachineModes<4> plan(test::cell_of({}).scene);
   const LinearMode<4>& mode = *plan.mode(released);
@@ -24,7 +25,7 @@ TEST(ReleasedSlip, IsNeverExceededByTheMotion) {
   const auto slip = released_slip({system, plan.friction(), form}, mode.modes, 0, mode.longest_step_s);
   ASSERT_TRUE(slip);
   Eigen::VectorXd start(8);
-  // In contact by 0.01, and on its way out.
+  // In contact by 0.01 clearances, moving away.
   start << 0.2, 1.01, 0, 0, 30, -50, 1, -2;
   const auto& c = system.contacts[0];
   const double penetration = c.first_row * start.head(4) - c.clearance;

@@ -14,7 +14,7 @@ Eigen::MatrixXd some_generator() {
   return numerics::generator_of(stiffness, damping);
 }
 
-/// Steps that were made with others, from either end of the table.
+/// The flow of a step is the same whichever steps were requested before, short or long ones first.
 TEST(StepFlows, DoNotDependOnWhatWasAskedForBefore) {
   StepFlows<Eigen::Matrix4d> up(some_generator(), 2), down(some_generator(), 2);
   ASSERT_EQ(up.size(), static_cast<std::size_t>(numerics::exact_step_count));

@@ -27,7 +27,7 @@ VectorXd vector_of(const std::vector<double>& x) {
   return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 
-/// Follows a turn from places in a ball about its start.
+/// Follows a turn from random states in a ball around its start.
 void expect_deviations_below_their_bound(RubbingTurn turn) {
   const MatrixXd identity = MatrixXd::Identity(8, 8);
   std::vector<double> section = turn.start;
@@ -53,7 +53,7 @@ void expect_deviations_below_their_bound(RubbingTurn turn) {
     EXPECT_LE(deviation, tube->deviation({radius}).fast * share * share + 1e-12);
     largest_share = std::max(largest_share, deviation / tube->deviation({radius}).fast);
   }
-  // The bound is no more than some orders of magnitude too large.
+  // The bound is too large by a few orders of magnitude at most.
   EXPECT_GT(largest_share, 1e-4);
 }
 
@@ -94,7 +94,7 @@ TEST(ExactTube, ContractionIsThatOfTheLinearMap) {
               1e-9 * tube->to_fast.fast);
 }
 
-/// A viscous part, however small, is not what the closed forms move by.
+/// Closed forms do not include viscous friction, however small it is.
 TEST(ExactTube, NoneWhereFrictionNeverSaturates) {
   RubbingTurn turn;
   std::vector<double> section = turn.start;
@@ -104,7 +104,7 @@ TEST(ExactTube, NoneWhereFrictionNeverSaturates) {
   EXPECT_FALSE(tube_of(turn.scene, modes, section, identity, identity));
 }
 
-/// The motion does not depend on how fast the surface slides as long as friction is saturated; the tube does.
+/// With saturated friction the motion does not depend on the surface speed, but the tube does.
 TEST(ExactTube, SlipsMustStaySaturated) {
   RubbingTurn turn;
   const MatrixXd identity = MatrixXd::Identity(8, 8);

@@ -7,7 +7,8 @@
 namespace rubsweep::integrate::exact::tube {
 namespace {
 
-/// A guard sees of each disturbance the product with its row; its rate is that of the row's motion.
+/// A guard depends on each disturbance through the product with its row; its rate uses the row's time
+/// derivative.
 TEST(TubeReference, AGuardSeesItsRowOnEveryDisturbance) {
   RubbingTurn turn;
   TubeReference<4> reference(turn.scene, turn.modes.modes_of<4>(turn.scene));
@@ -19,12 +20,12 @@ TEST(TubeReference, AGuardSeesItsRowOnEveryDisturbance) {
     ASSERT_EQ(seen.value.size(), 8u);
     const Eigen::RowVectorXd row = mode.guards[e].physical, rate = row * mode.generator;
     for (Eigen::Index j = 0; j < 8; ++j) {
-      const double unit = j < 4 ? 1 : turn.scene.speed_rad_per_s;  // unit of a section, with time in seconds
+      const double unit = j < 4 ? 1 : turn.scene.speed_rad_per_s;  // units of a section, with time in seconds
       EXPECT_NEAR(seen.value[static_cast<std::size_t>(j)], unit * row(j), 1e-12 * unit);
       EXPECT_NEAR(seen.rate[static_cast<std::size_t>(j)], unit * rate(j), 1e-9 * unit * rate.norm());
       EXPECT_GE(seen.curvature[static_cast<std::size_t>(j)], 0);
     }
-    // For one Euclidean length: the norm of the values.
+    // With a single Euclidean norm, the width is the norm of the values.
     const auto spread = reference.spread_of(seen.value);
     EXPECT_NEAR(spread.width.fast, Eigen::Map<const Eigen::VectorXd>(seen.value.data(), 8).norm(), 1e-12);
     EXPECT_TRUE(spread.deflections.empty());
@@ -43,7 +44,7 @@ TEST(TubeReference, AClampedContactKeepsItsPenetration) {
   RubbingTurn turn;
   std::vector<double> inside = turn.start;
   inside[0] = inside[2] = 0;
-  inside[1] = 1.01, inside[3] = 0;  // a hundredth of the clearance into the wall, and closing fast
+  inside[1] = 1.01, inside[3] = 0;  // a hundredth of the clearance inside the wall, closing fast
   inside[5] = 5, inside[7] = 0;
   TubeReference<4> reference(turn.scene, turn.modes.modes_of<4>(turn.scene));
   ASSERT_TRUE(reference.start(inside, Eigen::MatrixXd::Identity(8, 8)));

@@ -13,7 +13,7 @@ TEST(TubeSpreadOf, UnitDisturbancesAreOneLengthDeflectionsAreAlone) {
   EXPECT_EQ(spread.deflections, (std::vector<double>{5, 6}));
 }
 
-/// sin and cos of t, whose second derivatives are at most 1: the length is 1 all along.
+/// sin t and cos t, whose second derivatives are at most 1; the length of the vector is always 1.
 TEST(TubeSpreadOver, BoundsWhatTheValuesDoInTheStep) {
   for (const double duration : {0.01, 0.1, 0.5}) {
     const auto spread = spread_over({{0, 1, 0}, {1, 0, 1}, {1, 1, 1}}, {2, 0}, duration);

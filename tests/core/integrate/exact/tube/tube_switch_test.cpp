@@ -7,7 +7,7 @@
 namespace rubsweep::integrate::exact::tube {
 namespace {
 
-/// A reference that flies and lands on its wall.
+/// A reference motion that flies and then touches its wall.
 struct Landing {
   RubbingTurn turn;
   TubeReference<4> reference{turn.scene, turn.modes.modes_of<4>(turn.scene)};
@@ -16,7 +16,7 @@ struct Landing {
 
   Landing() {
     std::vector<double> near(8, 0.0);
-    near[1] = 0.999;  // a thousandth of the clearance away from the wall, on the way to it
+    near[1] = 0.999;  // a thousandth of the clearance before the wall, approaching
     near[5] = 3;
     EXPECT_TRUE(reference.start(near, Eigen::MatrixXd::Identity(8, 8)));
     EXPECT_EQ(reference.motion().joint(), 0u);
@@ -38,7 +38,7 @@ TEST(TubeSwitch, TheLawsDifferByAVectorTimesTheGuard) {
   const Eigen::VectorXd b = difference * row.transpose() / row.squaredNorm();
   EXPECT_LE((difference - b * row).norm(), 1e-9 * difference.norm());
   EXPECT_NEAR(made->own_deflection, std::abs(row.dot(b.transpose())), 1e-9 * made->own_deflection);
-  // The run carries b, and what the new law makes of b, from here on.
+  // From here on the run carries b and its image under the new law.
   EXPECT_EQ(motion.tangents().size(), 10u);
 }
 
@@ -56,7 +56,7 @@ TEST(TubeSwitch, SaysHowFastTheGuardRises) {
   for (const TurnTube::Other& other : made->others) EXPECT_LT(other.value, 0);
 }
 
-/// The guard of open is p and that of clamped is K p - d v: neither is the other backwards.
+/// The guard of open is p, that of clamped is K p - d v: neither is the negative of the other.
 TEST(TubeSwitch, NoGuardStandsBehindATouch) {
   Landing landing;
   TubeSwitch<4> change(landing.reference);

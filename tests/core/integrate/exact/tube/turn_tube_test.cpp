@@ -7,7 +7,8 @@
 namespace rubsweep::integrate::exact::tube {
 namespace {
 
-/// One change of mode at half time, its guard rising at rate 2 where the tube has width 1: D = r / 0.9.
+/// One mode change at half time, whose guard rises at rate s = 2 where the tube has width 1. With the radius
+/// r, the guard differs by at most D = r / 0.9.
 TurnTube one_change() {
   TurnTube tube;
   tube.period_s = 1;
@@ -37,7 +38,7 @@ TEST(TurnTube, ATurnWithoutChangesHoldsByItsMargins) {
   EXPECT_EQ(tube.deviation({0.251}).fast, std::numeric_limits<double>::infinity());
 }
 
-/// 1.05 D^2 / s, three times over; of second order in the radius.
+/// The deviation is 3 x 1.05 D^2 / s, quadratic in the radius.
 TEST(TurnTube, DeviationIsTheIntegralOfTheGuardWhileModesDiffer) {
   const TurnTube tube = one_change();
   const double distance = 1e-3 / 0.9;
@@ -47,7 +48,7 @@ TEST(TurnTube, DeviationIsTheIntegralOfTheGuardWhileModesDiffer) {
 
 TEST(TurnTube, AWindowMustNotReachTheEndsOfTheTurn) {
   TurnTube tube = one_change();
-  // 4 D / s = 0.5.
+  // The window 4 D / s reaches its limit 0.5.
   EXPECT_NEAR(largest_radius(tube), 0.225, 1e-3);
   tube.switches[0].time_s = 0.1;
   EXPECT_NEAR(largest_radius(tube), 0.045, 1e-3);
@@ -63,7 +64,7 @@ TEST(TurnTube, WindowsMustNotOverlap) {
   EXPECT_NEAR(largest_radius(tube), 0.02 / 2 * 0.45, 1e-4);
 }
 
-/// Each of these alone takes the rate of the guard below half of s, or its bounds out of where they hold.
+/// Each change alone makes the guard's rate fall below half of s, or makes its bounds invalid.
 TEST(TurnTube, TheGuardMustRiseForTheWholeTube) {
   const double free = largest_radius(one_change());
   const auto with = [](auto change) {
@@ -98,7 +99,7 @@ TEST(TurnTube, NoOtherGuardComesToZeroInTheWindow) {
   EXPECT_LT(with([](auto& other) { other.own_deflection = 100; }), 0.1 * free);
 }
 
-/// A deflection of the first change to the disturbance counts at the second, and in margins behind it.
+/// A disturbance deflected at the first change counts at the second change and in later margins.
 TEST(TurnTube, DeflectionsWidenTheTubeBehindThem) {
   TurnTube tube = one_change();
   tube.switches[0].margins_before = 0;
@@ -115,7 +116,7 @@ TEST(TurnTube, DeflectionsWidenTheTubeBehindThem) {
   EXPECT_NEAR(tube.deviation({radius}).fast, 3 * deflection + 1.05 * second * second / 2, 1e-15);
 }
 
-/// A tube that holds for a radius holds for every smaller one.
+/// A tube that is valid for one radius is valid for every smaller one.
 TEST(TurnTube, SmallerTubesHoldToo) {
   TurnTube tube = one_change();
   tube.switches[0].curvature = 5;

@@ -9,13 +9,13 @@
 namespace rubsweep::integrate::exact::modes {
 namespace {
 
-/// Largest forced amplitude, in clearances: a larger one comes from an undamped resonance, where the
-/// cancellation against the free part would cost digits.
+/// Largest forced amplitude, in clearances. A larger one means an undamped resonance, where the cancellation
+/// against the free part would lose digits.
 constexpr double largest_amplitude = 1e4;
 
 using Complex = std::complex<double>;
 
-/// Length of (Re(a e^{it}), Re(b e^{it})) at its largest.
+/// Largest length of the vector (Re(a e^{it}), Re(b e^{it})).
 double longest(const Complex& a, const Complex& b) {
   const Complex i(0, 1);
   return (std::abs(a + i * b) + std::abs(a - i * b)) / 2;
@@ -29,7 +29,7 @@ Complex row_on(const Row& row, const Eigen::VectorXcd& amplitude, double rate) {
   return sum;
 }
 
-/// Re(amplitude e^{i rate t} phasor) by the parts of the phasor.
+/// Taylor coefficients of Re(amplitude e^{i rate t} phasor) for both parts of the phasor.
 numerics::SeriesTable<2> taylor_of(Complex amplitude, double rate) {
   numerics::SeriesTable<2> terms = numerics::SeriesTable<2>::Zero();
   for (std::size_t k = 0; k < numerics::most_series_terms; ++k) {
@@ -40,7 +40,7 @@ numerics::SeriesTable<2> taylor_of(Complex amplitude, double rate) {
   return terms;
 }
 
-/// stiffness - rate^2 + i rate damping.
+/// Dynamic stiffness: stiffness - rate^2 + i rate damping.
 template <int N, class Number, class Matrix>
 Eigen::Matrix<std::complex<Number>, N, N> dynamic_stiffness(const Matrix& stiffness, const Matrix& damping,
                                                             Number rate) {

@@ -14,15 +14,15 @@ inline double real_product(const std::complex<double>& a, const std::complex<dou
   return a.real() * b.real() - a.imag() * b.imag();
 }
 
-/// std::complex's own operator looks for infinities.
+/// Complex product without the checks for infinities in std::complex.
 inline std::complex<double> product(const std::complex<double>& a, const std::complex<double>& b) {
   return {real_product(a, b), a.real() * b.imag() + a.imag() * b.real()};
 }
 
 /// Response of one contact mode to one harmonic force (unbalance, or the half-sine of a kick): u =
-/// Re(amplitude e^{i rate t}), with the phasor e^{i rate t} kept by the caller. The other members are its
-/// contributions to the guards, forces and sliding speeds of the mode, so that none of these is computed from
-/// u in the time loop.
+/// Re(amplitude e^{i rate t}); the caller keeps the phasor e^{i rate t}. The other members are the
+/// contributions to guards, forces and sliding speeds of the mode, so that the time loop computes none of
+/// these from u.
 template <int N>
 struct HarmonicResponse {
   using Complex = std::complex<double>;
@@ -30,22 +30,22 @@ struct HarmonicResponse {
 
   double rate = 0;  ///< rad/s
   Eigen::Matrix<Complex, N, 1> amplitude;
-  Eigen::Matrix<std::complex<long double>, N, 1> unrounded_amplitude;  ///< only where the compiler knows N
+  Eigen::Matrix<std::complex<long double>, N, 1> unrounded_amplitude;  ///< only for compile-time N
   std::vector<Complex> at_guard;
   std::vector<double> curvature;  ///< bound for each guard: |at_guard| rate^2
-  /// Per guard: Taylor coefficients as of Guard, of the real and of the imaginary part of the phasor.
+  /// Per guard: Taylor coefficients as in LinearGuard, for real and imaginary part of the phasor.
   std::vector<numerics::SeriesTable<2>> taylor;
   std::vector<std::array<Complex, 2>> at_annular_guard;
   std::vector<double> annular_length;     ///< bound for each annular stop on |at_annular_guard e^{i rate t}|
-  std::vector<Complex> at_force;          ///< response of each touch
+  std::vector<Complex> at_force;          ///< normal force at each touch
   std::vector<double> force_curvature;    ///< bound for each touch: |at_force| rate^2
-  std::vector<Complex> at_sliding;        ///< response of each touch
+  std::vector<Complex> at_sliding;        ///< sliding speed at each touch
   std::vector<double> sliding_curvature;  ///< bound for each touch: |at_sliding| rate^2
   std::vector<std::array<Complex, 2>> at_casing;
   std::array<Complex, numerics::exact_step_count>
-      steps{};  ///< e^{i rate h} of the table's steps, 0: not yet asked
+      steps{};  ///< e^{i rate h} of the table's steps; 0: not yet computed
 
-  /// Adds the forced (u, u').
+  /// Adds the forced part of (u, u').
   void add_to(State& state, const Complex& phasor) const {
     const Eigen::Index n = amplitude.size();
     for (Eigen::Index j = 0; j < n; ++j) {
@@ -55,7 +55,7 @@ struct HarmonicResponse {
     }
   }
 
-  /// e^{i rate h} of a step of the mode's table.
+  /// Factor e^{i rate h} of a step of the mode's table.
   Complex turned_by(std::size_t table_step, double longest_step_s) {
     Complex& turn = steps[table_step];
     if (turn == Complex{})
@@ -63,15 +63,15 @@ struct HarmonicResponse {
     return turn;
   }
 
-  /// Adds an even number of Taylor coefficients of its part of guard `e`, time in units of
-  /// 1 / fastest_rad_per_s of the mode.
+  /// Adds an even number of Taylor coefficients of its part of guard `e`; time is in units of 1 /
+  /// fastest_rad_per_s of the mode.
   void expand(std::size_t e, const Complex& phasor, std::span<double> terms) const {
     numerics::add_terms(terms, numerics::SeriesColumn{taylor[e].col(0).data(), phasor.real()},
                         numerics::SeriesColumn{taylor[e].col(1).data(), phasor.imag()});
   }
 };
 
-/// HarmonicResponse of u'' = -K u - C u' + Re(force e^{i rate t}) in the mode. False at an undamped
+/// Computes the response of u'' = -K u - C u' + Re(force e^{i rate t}) in the mode. False at an undamped
 /// resonance.
 template <int N>
 bool make_harmonic_response(const LinearMode<N>& mode, const Eigen::VectorXcd& force, double rate_rad_per_s,

@@ -9,25 +9,25 @@
 
 namespace rubsweep::integrate::exact::modes {
 
-/// Share of contact `i` in the number of a joint mode: the modes of all contacts, two bits each, and above
-/// them one bit for each of the contacts, whose slip goes backward.
+/// Contribution of contact `i` to the number of a joint mode. This number holds the mode of each contact, two
+/// bits each, and above them one bit per contact for a backward slip.
 constexpr std::size_t in_joint_mode(contact::Mode mode, std::size_t i) {
   return static_cast<std::size_t>(mode) << (2 * i);
 }
 
-/// Bit of contact `i` of `contacts` for a backward slip.
+/// Bit for a backward slip of contact `i` out of `contacts`.
 constexpr std::size_t backward_in_joint_mode(std::size_t i, std::size_t contacts) {
   return std::size_t{1} << (2 * contacts + i);
 }
 
-/// Number of the joint mode of these contact modes, every slip forward.
+/// Number of the joint mode of these contact modes with all slips forward.
 inline std::size_t joint_mode_of(const std::vector<contact::Mode>& modes) {
   std::size_t joint = 0;
   for (std::size_t i = 0; i < modes.size(); ++i) joint += in_joint_mode(modes[i], i);
   return joint;
 }
 
-/// The modes without the directions of slips.
+/// Number of a joint mode without the directions of slips.
 constexpr std::size_t modes_of_joint_mode(std::size_t joint, std::size_t contacts) {
   return joint & ((std::size_t{1} << 2 * contacts) - 1);
 }
@@ -46,8 +46,8 @@ contact::Kinematics kinematics_of(const Contact& contact, const State& physical,
           contact.first_row.dot(physical.tail(n).transpose()), closing_acceleration};
 }
 
-/// Joint mode from the state alone, annular stops open, `rate` being that of flight: a start exactly at a
-/// wall and moving into it is in contact from the first instant.
+/// Joint mode of a state, with annular stops open. `rate` is the rate without contact: a contact exactly at a
+/// wall that moves into it is in contact from the first instant.
 template <class Contact, class State>
 std::size_t joint_mode_of(const std::vector<Contact>& contacts, const State& physical, const State& rate) {
   std::size_t joint = 0;

@@ -19,13 +19,13 @@
 
 namespace rubsweep::integrate::exact::modes {
 
-/// Coordinates of the largest scene that an exact run takes: a kit of 40 modes in each plane and one of
-/// torsion, with six stops that have an attachment mode in each plane and a casing each.
+/// Largest number of coordinates in an exact run: a kit with 40 modes in each plane and one of torsion, and
+/// six stops, each with an attachment mode in each plane and a casing.
 inline constexpr int most_exact_coordinates = 2 * (40 + 6) + 1 + 2 * 6;
 
-/// Sizes of an exact run over N coordinates; its state is (u, u'), 2N numbers, lengths in units of the
-/// scene's length scale, time in seconds. Where N is known only at run time it is bounded: what the time loop
-/// makes on its way needs no allocation.
+/// Matrix types of an exact run with N coordinates. Its state is (u, u'), 2N numbers, with lengths in units
+/// of the scene's length scale and time in seconds. If N is known only at run time, it is bounded, so that
+/// temporaries of the time loop need no allocation.
 template <int N>
 struct ExactTypes {
   static constexpr int states = N == Eigen::Dynamic ? Eigen::Dynamic : 2 * N;
@@ -36,34 +36,34 @@ struct ExactTypes {
   using State = Eigen::Matrix<double, states, 1, Eigen::ColMajor, 2 * most, 1>;
   using Row = Eigen::Matrix<double, 1, states, Eigen::RowMajor, 1, 2 * most>;
   using Flow = Eigen::Matrix<double, states, states>;
-  /// Matrix that the time loop multiplies a state by.
+  /// Matrix by which the time loop multiplies a state.
   template <int rows>
   using RowsOfState =
       std::conditional_t<N == Eigen::Dynamic, numerics::AlignedMatrix, Eigen::Matrix<double, rows, states>>;
   using Factor = RowsOfState<states>;
 };
 
-/// One armed guard of a mode, divided by the contact stiffness so that it is a length. Negative inside the
-/// mode.
+/// One armed guard of a mode, divided by the contact stiffness so that it is a length. It is negative inside
+/// the mode.
 template <int N>
 struct LinearGuard {
   std::size_t contact = 0;
   contact::Mode next = contact::Mode::open;
-  typename ExactTypes<N>::Row physical;  ///< value = physical . (u, u') - clearance's part
-  /// Fast pairs (a ringing casing) may be bounded by their envelope, which lets the step go by the slow ones.
-  /// Where none is split off, all count as fast.
+  typename ExactTypes<N>::Row physical;  ///< value = physical . (u, u') - part of the clearance
+  /// Fast pairs (a ringing casing) may be replaced by their envelope, so that the slow pairs determine the
+  /// step. If no pairs are separated, all count as fast.
   ModalTerms terms;
   double constant = 0;  ///< value = sum of the `terms` + constant + forced part
-  /// Taylor coefficients in time of the sum of the terms, time in units of 1 / fastest_rad_per_s of the mode:
-  /// column j is what a unit of z_j adds to them.
+  /// Taylor coefficients of the sum of the terms, with time in units of 1 / fastest_rad_per_s of the mode:
+  /// column j is the contribution of a unit of z_j.
   numerics::SeriesTable<ExactTypes<N>::states> taylor;
-  std::vector<Eigen::Index> columns;  ///< the nonzero ones
+  std::vector<Eigen::Index> columns;  ///< indices of the non-zero columns
 };
 
-/// An annular stop that is not touched: the guard is reached when the offset d = row . z + centre + forced
-/// part of the rotor against the stop, a vector of two components, becomes as long as the clearance. `rate`
-/// gives d' from z. Multiplied by ExactMotion::sizes(), `speed_bound` and `curvature_bound` bound the lengths
-/// of the free vibration's parts of d' and d'' over the mode's longest step.
+/// An annular stop without contact. The offset of the rotor, d = row . z + centre + forced part, is a vector
+/// of two components; the guard is reached when its length equals the clearance. `rate` gives d' from z.
+/// Multiplied by ExactMotion::sizes(), `speed_bound` and `curvature_bound` bound the lengths of the free
+/// vibration's parts of d' and d'' over the mode's longest step.
 template <int N>
 struct AnnularGuard {
   std::size_t contact = 0;
@@ -73,75 +73,74 @@ struct AnnularGuard {
 };
 
 /// A touching contact: its normal force, for the peak, and its sliding speed, which must stay where friction
-/// is saturated. "Bound" is over the mode's longest step and is to be multiplied by ExactMotion::sizes().
+/// is saturated. Bounds hold over the mode's longest step and are to be multiplied by ExactMotion::sizes().
 template <int N>
 struct TouchWatch {
   std::size_t contact = 0;
   typename ExactTypes<N>::Row force;  ///< normal force = force . (state - rest) + constant, newtons
   double force_constant = 0;
-  ModalTerms force_of_free;                        ///< the free vibration's part of it
+  ModalTerms force_of_free;                        ///< the free vibration's part of the force
   bool pushes = false;                             ///< false: released, the normal force is zero
-  double way = 1;                                  ///< -1: the slip, and friction with it, goes backward
+  double way = 1;                                  ///< -1: slip and friction are backward
   typename ExactTypes<N>::Row sliding;             ///< d' . tangent of (u, u'), scaled length per second
-  ModalTerms sliding_of_free;                      ///< the free vibration's part of it
+  ModalTerms sliding_of_free;                      ///< the free vibration's part of the sliding speed
   typename ExactTypes<N>::Row sliding_rate_bound;  ///< bound on the free vibration's part of d sliding / dt
-  /// Empty in most modes. Where every touching contact is released there is nothing but friction, mu K p at
-  /// contact k, between rotor and casings, and the penetrations p only fall. `sliding_rate_bound` is then on
-  /// the free vibration of the structure without any contact, and friction is added as a force from outside:
-  /// per penetration of contact k at the start, `friction_rate[k]` is what it adds to d sliding / dt at once
-  /// and `friction_swing[k]` what it adds per second through the vibration that it has excited by then.
+  /// Empty in most modes. Where every touching contact is released, only friction, mu K p at contact k, acts
+  /// between rotor and casings, and the penetrations p decrease. `sliding_rate_bound` then refers to the free
+  /// vibration of the structure without any contact, and friction is added as an external force. Per initial
+  /// penetration of contact k, `friction_rate[k]` is its immediate contribution to d sliding / dt, and
+  /// `friction_swing[k]` the contribution per second by the vibration that it has excited so far.
   std::vector<double> friction_rate, friction_swing;
 };
 
 /// Displacement of a casing as a linear function of the free vibration, so that no whole state is needed.
 template <int N>
 struct CasingView {
-  Eigen::Matrix<double, 2, N> map;  ///< map as of run::ScaledCasing
+  Eigen::Matrix<double, 2, N> map;  ///< map as in run::ScaledCasing
   Eigen::Vector2d rest;             ///< displacement of the constant particular solution
-  typename ExactTypes<N>::template RowsOfState<4> of_free;  ///< (x, y, x', y') of z
+  typename ExactTypes<N>::template RowsOfState<4> of_free;  ///< maps z to (x, y, x', y')
 };
 
-/// Matrices of a mode before they are rounded.
+/// Matrices of a mode before rounding to double.
 struct UnroundedMode {
   numerics::LongMatrix stiffness, damping;
   numerics::LongVector rest;
   numerics::LongMatrix basis, inverse;
 };
 
-/// Precomputed data of one joint contact mode, inside which the law is linear: (u, u') = particular
-/// solution + basis z with the free vibration z. Where the mode has a modal form (`paired`), z consists of
-/// pairs (z_j, z_{n+j}) that do not influence each other, and bounds go by the length of each pair. Else
-/// the basis is the identity, z moves by full matrix exponentials, and bounds go by the size of each
-/// component.
+/// Precomputed data of one joint contact mode, inside which the law is linear: (u, u') = particular solution
+/// + basis z, with the free vibration z. With a modal form (`paired`), z consists of independent pairs (z_j,
+/// z_{n+j}), and bounds use the length of each pair. Otherwise the basis is the identity, z moves by full
+/// matrix exponentials, and bounds use the magnitude of each component.
 template <int N>
 struct LinearMode {
   using Types = ExactTypes<N>;
-  std::size_t index = 0;             ///< the modes of one MachineModes are numbered as they are made
-  std::vector<contact::Mode> modes;  ///< mode of each contact
-  Eigen::Matrix<double, N, N> stiffness, damping;  ///< contacts included
+  std::size_t index = 0;                           ///< index in one MachineModes, in the order of making
+  std::vector<contact::Mode> modes;                ///< mode of each contact
+  Eigen::Matrix<double, N, N> stiffness, damping;  ///< matrices that include the contacts
   typename Types::Flow generator;                  ///< generator of (u, u')
   typename Types::Vector rest;                     ///< u of the constant particular solution
   bool paired = false;
   bool diagonal_basis = false;
   typename Types::Factor basis, inverse;
-  typename Types::Pairs pairs;  ///< generators
-  /// As of PairSeries.
+  typename Types::Pairs pairs;  ///< generators of the pairs
+  /// Taylor coefficients of the pairs as in PairSeries.
   Eigen::Array<double, N, numerics::most_series_terms> unit_terms, generator_terms;
   double longest_step_s = 0;
   double longest_steps_per_s = 0;                   ///< 1 / longest_step_s
-  std::vector<typename Types::Row> closing;         ///< row of each flat contact: p'' of (u, u') - rest
-  double fastest_rad_per_s = 0;                     ///< largest |eigenvalue|
-  std::vector<typename Types::Pairs> pair_steps;    ///< e^{A h}, of pairs or
-  mutable StepFlows<typename Types::Factor> steps;  ///< flows of whole steps
+  std::vector<typename Types::Row> closing;         ///< row of each flat contact: p'' from (u, u') - rest
+  double fastest_rad_per_s = 0;                     ///< largest |eigenvalue| of the generator
+  std::vector<typename Types::Pairs> pair_steps;    ///< e^{A h} of table steps, for pairs
+  mutable StepFlows<typename Types::Factor> steps;  ///< e^{A h} of table steps, full matrices
   std::vector<LinearGuard<N>> guards;
   std::vector<AnnularGuard<N>> annular_guards;
   std::vector<TouchWatch<N>> touches;
   std::vector<CasingView<N>> casings;
-  bool pushes = false;      ///< true: one of the touches pushes
-  UnroundedMode unrounded;  ///< only where the compiler knows N
+  bool pushes = false;      ///< true: some touch pushes
+  UnroundedMode unrounded;  ///< only where N is a compile-time constant
 
   using State = typename Types::State;
-  /// The state (u, u') but for its particular solution, from z; and the way back.
+  /// State (u, u') minus the particular solution, computed from z; and the inverse transformation.
   void put_from_free(const State& z, State& vibration) const { put_changed(basis, z, vibration); }
   void put_to_free(const State& vibration, State& z) const { put_changed(inverse, vibration, z); }
   State from_free(const State& z) const {
@@ -167,12 +166,12 @@ struct LinearMode {
 
 /// Data that all contact modes of a machine share.
 struct CommonToModes {
-  run::ScaledSystem<Eigen::Dynamic> system;          ///< system with time in seconds
+  run::ScaledSystem<Eigen::Dynamic> system;          ///< the system with time in seconds
   std::vector<contact::SaturatedFriction> friction;  ///< friction of each contact
-  std::optional<numerics::ModalForm> open_form;      ///< form of the system without contact
+  std::optional<numerics::ModalForm> open_form;      ///< modal form of the system without contact
 };
 
-/// Linear mode of one joint contact mode: `modes` and whether the slip goes `backward`, per contact. Null
+/// Linear mode of one joint contact mode; `modes` and `backward` (slip direction) are given per contact. Null
 /// where the mode has no equilibrium, as in a structure without springs.
 template <int N>
 std::unique_ptr<LinearMode<N>> make_linear_mode(const CommonToModes& common,

@@ -11,7 +11,7 @@
 namespace rubsweep::integrate::exact::modes {
 namespace {
 
-/// As many as there are modes of six stops whose slips all go forward.
+/// Limit equal to the number of modes of six stops whose slips are all forward.
 constexpr std::size_t most_backward_modes = 4096;
 
 bool same(const scene::Contact& a, const scene::Contact& b) {
@@ -45,7 +45,7 @@ MachineModes<N>::MachineModes(const scene::Scene& scene)
   if (scene.contacts.size() > most_exact_contacts) throw SolverError("MachineModes: too many contacts");
   inverse_mass_ = scene.structure.mass.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
   for (const scene::Contact& c : scene.contacts) {
-    // Friction without a limit is only ever planned for an open contact.
+    // Friction without a saturated value occurs only while the contact is open.
     common_.friction.push_back(
         contact::saturated_friction(c.friction).value_or(contact::SaturatedFriction{}));
   }
@@ -120,7 +120,7 @@ std::size_t most_bytes_of_modes(Eigen::Index coordinates, std::size_t contacts) 
   const auto states = static_cast<std::size_t>(2 * coordinates);
   const std::size_t guards = 2 * contacts, matrices = 3 + numerics::exact_step_count;
   const std::size_t numbers = 1 + states * (states * matrices + numerics::series_rows * guards);
-  std::size_t forward = 1, both = 1;  // where friction pushes one way alone, or either way
+  std::size_t forward = 1, both = 1;  // friction in one direction only, or in both
   for (std::size_t i = 0; i < contacts; ++i) {
     forward *= contact::mode_count;
     both *= 2 * contact::mode_count - 1;

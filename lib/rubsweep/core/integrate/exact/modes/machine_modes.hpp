@@ -13,29 +13,29 @@
 
 namespace rubsweep::integrate::exact::modes {
 
-/// Quantities of a structure and its stops that no speed, unbalance or kick changes: the exact flows of
-/// its contact modes, with friction saturated. Modes are made when first met; one thread uses them at a
+/// The exact flows of the contact modes of a structure with its stops, with saturated friction. They do not
+/// depend on speed, unbalance or kick. Modes are made when first needed; only one thread may use them at a
 /// time.
 template <int N>
 class MachineModes {
  public:
   explicit MachineModes(const scene::Scene& scene);
 
-  /// Whether these were made for the same structure, stops and constant forces.
+  /// Whether they were made for the same structure, stops and constant forces.
   bool fits(const scene::Scene& scene) const;
 
-  /// Approximate size of the flows of all modes made so far.
+  /// Approximate memory of the flows of all modes made so far.
   std::size_t bytes() const;
 
   /// Linear mode of a joint contact mode, numbered as by `in_joint_mode`. Null where the mode has no
-  /// equilibrium, as in a structure without springs, and once the largest number of modes with a backward
-  /// slip are kept.
+  /// equilibrium, as in a structure without springs, or when the maximum number of modes with a backward slip
+  /// is reached.
   const LinearMode<N>* mode(std::size_t joint);
 
-  /// The change between two of its modes.
+  /// Change between two of these modes.
   const ModeChange<N>& change(const LinearMode<N>& from, const LinearMode<N>& to);
 
-  /// Scaled with time in seconds.
+  /// Scaled system with time in seconds.
   const run::ScaledSystem<Eigen::Dynamic>& system() const { return common_.system; }
   const Eigen::MatrixXd& inverse_mass() const { return inverse_mass_; }
   const std::vector<contact::SaturatedFriction>& friction() const { return common_.friction; }
@@ -46,7 +46,7 @@ class MachineModes {
   scene::Scene scene_;
   CommonToModes common_;
   Eigen::MatrixXd inverse_mass_;
-  std::vector<std::unique_ptr<LinearMode<N>>> modes_;  ///< modes without a slip that goes backward
+  std::vector<std::unique_ptr<LinearMode<N>>> modes_;  ///< modes whose slips are all forward
   std::vector<bool> made_;
   std::unordered_map<std::size_t, std::unique_ptr<LinearMode<N>>> backward_modes_;
   std::size_t count_ = 0;

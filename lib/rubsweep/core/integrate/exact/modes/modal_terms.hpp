@@ -11,30 +11,29 @@
 
 namespace rubsweep::integrate::exact::modes {
 
-/// Upper bound of the length of (u, v), at most 12 % above it. Twice.
+/// Upper bound of the length of (u, v), at most 12 % above it, in both places.
 inline numerics::Twin pair_size(numerics::Twin pair) {
   const numerics::Twin one = numerics::magnitudes(pair), other = numerics::swapped(one);
   return numerics::larger(one, other) + 0.5 * numerics::smaller(one, other);
 }
 inline double pair_size(double u, double v) { return pair_size(numerics::Twin{u, v})[0]; }
 
-/// One term of a linear function of the free vibration z: a penetration, for example, is a fixed combination
+/// One term of a linear function of the free vibration z. For example, a penetration is a fixed combination
 /// of all modal coordinates, and the contribution of one mode of vibration is a term. It depends on the pair
-/// (z_u, z_v) of that mode; in a contact mode without a modal form, on a displacement and its velocity.
+/// (z_u, z_v) of that mode, or without a modal form on a displacement and its velocity.
 struct ModalTerm {
   Eigen::Index u = 0, v = 0;
-  // Factors of z_u and of z_v.
+  // Factors for z_u and z_v.
   numerics::Twin value{};  ///< the term is value . (z_u, z_v)
   numerics::Twin rate{};   ///< time derivative: rate . (z_u, z_v)
-  /// Bound of its second derivative over the mode's longest step from now: bound[0] |(z_u, z_v)| with a modal
-  /// form, where bound[1] is zero, bound . (|z_u|, |z_v|) without one.
+  /// Bound of its second derivative over the mode's longest step from now. With a modal form it is bound[0]
+  /// |(z_u, z_v)|, where bound[1] is zero; without one, bound . (|z_u|, |z_v|).
   numerics::Twin bound{};
-  double envelope = 0;  ///< the term itself stays below envelope |(z_u, z_v)|; with a modal form only
+  double envelope = 0;  ///< the term is at most envelope |(z_u, z_v)|; only with a modal form
 };
 
-/// A linear function of z as the list of its terms, those that are zero left out. Slow pairs stand before
-/// fast ones. A function that depends on nothing has one term of zeros, so that there is always one to begin
-/// a sum with.
+/// A linear function of z as the list of its non-zero terms, slow pairs before fast ones. A constant function
+/// has one term of zeros, so that every sum can start with a term.
 struct ModalTerms {
   std::vector<ModalTerm> list;
   std::size_t slow_count = 0;
@@ -48,11 +47,11 @@ struct ModalTerms {
   }
 };
 
-/// A sum of such terms: their value, their time derivative, and a bound of their second derivative. Parts
-/// from z_u and from z_v are summed separately: the processor adds both at once.
+/// A sum of such terms: value, time derivative, and a bound of the second derivative. Parts from z_u and from
+/// z_v are summed separately, because the processor adds both at once.
 class ModalSum {
  public:
-  /// `paired`: z has a modal form.
+  /// `paired`: whether z has a modal form.
   ModalSum(const ModalTerm& term, const double* z, bool paired) {
     const numerics::Twin pair{z[term.u], z[term.v]};
     value_ = term.value * pair;
@@ -74,14 +73,14 @@ class ModalSum {
   numerics::Twin value_, rate_, bound_;
 };
 
-/// Sum of one term or more at the state `z`.
+/// Sum of at least one term at the state `z`.
 inline ModalSum sum_of(std::span<const ModalTerm> pairs, const double* z, bool paired) {
   ModalSum sum(pairs.front(), z, paired);
   for (const ModalTerm& pair : pairs.subspan(1)) sum += ModalSum(pair, z, paired);
   return sum;
 }
 
-/// Such sums of many states, one number per state.
+/// Such sums for many states, one number per state.
 struct ModalSums {
   std::vector<double> value, rate, curvature;
 
@@ -92,8 +91,8 @@ struct ModalSums {
   }
 };
 
-/// The terms of a function that is given by four rows of 2n numbers on z: its value, its time derivative, the
-/// bound of its second derivative and the bound of itself. `fast` says which of the n pairs count as fast.
+/// Terms of a function given by four rows of 2n numbers on z: its value, its time derivative, the bound of
+/// its second derivative, and the bound of its value. `fast` tells which of the n pairs are fast.
 ModalTerms modal_terms(const Eigen::Matrix<double, 4, Eigen::Dynamic>& rows, const std::vector<bool>& fast);
 
 }  // namespace rubsweep::integrate::exact::modes

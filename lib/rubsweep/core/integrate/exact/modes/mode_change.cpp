@@ -18,7 +18,7 @@ template <int N>
 HarmonicChange<N> make_harmonic_change(const LinearMode<N>& to, const HarmonicResponse<N>& in_from,
                                        const HarmonicResponse<N>& in_to) {
   const Eigen::Index n = to.rest.size();
-  // Re(d phasor) of displacements, and Re(i rate d phasor) of velocities, by the parts of the phasor.
+  // Re(d phasor) of displacements and Re(i rate d phasor) of velocities, for both parts of the phasor.
   LongMatrix apart(2 * n, 2);
   const long double rate = in_to.rate;
   for (Eigen::Index j = 0; j < n; ++j) {

@@ -5,18 +5,18 @@
 
 namespace rubsweep::integrate::exact::modes {
 
-/// Transformation of the free vibration from one contact mode to another where the state does not change: z'
-/// = by z + constant, plus contributions of harmonic forces. A contact is as stiff as thousands of shafts, so
-/// that the rounding of a displacement of one clearance is a considerable force; a contact sees little of z
-/// but its own fast pair, which is small. So the transformation avoids displacements: the difference of the
-/// two modes is taken in long double, and rounded only then.
+/// Transformation of the free vibration from one contact mode to another at an unchanged state: z' = by z +
+/// constant, plus contributions of harmonic forces. A contact is as stiff as thousands of shafts, so that the
+/// rounding of a displacement of one clearance is a considerable force. But the contact depends almost only
+/// on its own fast pair of z, which is small. The transformation therefore avoids displacements: the
+/// difference of the two modes is computed in long double and only then rounded.
 template <int N>
 struct ModeChange {
   typename ExactTypes<N>::Factor by;
   typename ExactTypes<N>::State constant;
 };
 
-/// For modes that have kept their unrounded matrices (LinearMode::unrounded).
+/// Computes the change between modes that have kept their unrounded matrices (LinearMode::unrounded).
 template <int N>
 ModeChange<N> make_mode_change(const LinearMode<N>& from, const LinearMode<N>& to);
 
@@ -26,7 +26,7 @@ struct HarmonicChange {
   typename ExactTypes<N>::State real, imaginary;
 };
 
-/// From the responses of both modes to the force.
+/// Computes it from the responses of both modes to the force.
 template <int N>
 HarmonicChange<N> make_harmonic_change(const LinearMode<N>& to, const HarmonicResponse<N>& in_from,
                                        const HarmonicResponse<N>& in_to);

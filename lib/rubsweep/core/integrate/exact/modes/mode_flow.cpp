@@ -8,7 +8,7 @@
 namespace rubsweep::integrate::exact::modes {
 namespace {
 
-/// The state goes on by `terms` terms of its series, each from the one before by the full matrices.
+/// Moves the state by `terms` terms of its series; the full matrices give each term from the one before.
 template <int N>
 void add_terms(const LinearMode<N>& mode, double duration_s, int terms, typename ExactTypes<N>::State& z) {
   const Eigen::Index n = mode.rest.size();
@@ -33,7 +33,7 @@ typename ExactTypes<N>::Pairs flow_of_pairs(const LinearMode<N>& mode, double du
   typename ExactTypes<N>::Pairs flow(mode.pairs.rows(), 4);
   for (Eigen::Index j = 0; j < flow.rows(); ++j) {
     const auto g = mode.pairs.row(j);
-    // The two directions of an isotropic body share one flow.
+    // Both directions of an isotropic body share one flow.
     if (j > 0 && (g == mode.pairs.row(j - 1)).all()) {
       flow.row(j) = flow.row(j - 1);
     } else {

@@ -8,12 +8,12 @@
 
 namespace rubsweep::integrate::exact::modes {
 
-/// Moves every pair of z, a state or a tangent vector, by its flow.
+/// Moves each pair of z (a state or a tangent vector) by its flow.
 template <class Pairs, class Column>
 void move_pairs(const Pairs& flow, Column&& z) {
   constexpr int N = Pairs::RowsAtCompileTime;
   const Eigen::Index n = flow.rows();
-  if constexpr (N == Eigen::Dynamic) {  // no copies of what the compiler cannot keep in registers
+  if constexpr (N == Eigen::Dynamic) {  // without copies, which would not fit into registers
     double* const u = z.data();
     double* const v = u + n;
     const double *const uu = flow.data(), *const uv = uu + n, *const vu = uv + n, *const vv = vu + n;
@@ -30,17 +30,17 @@ void move_pairs(const Pairs& flow, Column&& z) {
   }
 }
 
-/// Flow of a mode of pairs over any duration, in closed form.
+/// Flow of a mode with pairs over any duration, in closed form.
 template <int N>
 typename ExactTypes<N>::Pairs flow_of_pairs(const LinearMode<N>& mode, double duration_s);
 
-/// Moves the free vibration by the series of its flow, |duration| up to longest_series over the mode's
-/// fastest rate.
+/// Moves the free vibration by the series of its flow; |duration| may be up to longest_series divided by the
+/// mode's fastest rate.
 template <int N>
 void move_by_series(const LinearMode<N>& mode, double duration_s, typename ExactTypes<N>::State& z);
 
-/// Calls `step(k)` for steps of the mode's table as far as they fit into `duration_s` and pay: until the rest
-/// is short for whatever goes at `fastest_rad_per_s`. Returns the rest.
+/// Calls `step(k)` for table steps as long as they fit into `duration_s` and pay off: until the rest is short
+/// for a series at `fastest_rad_per_s`. Returns the rest.
 template <int N, class TakeStep>
 double table_steps(const LinearMode<N>& mode, double fastest_rad_per_s, double duration_s,
                    const TakeStep& step) {
@@ -53,12 +53,12 @@ double table_steps(const LinearMode<N>& mode, double fastest_rad_per_s, double d
   return duration_s;
 }
 
-/// Step of the mode's table with exactly the length `duration_s`; exact_step_count where there is none.
+/// Index of the table step of exactly `duration_s`; exact_step_count where there is none.
 template <int N>
 int table_step_of(const LinearMode<N>& mode, double duration_s) {
-  if (!(duration_s > 0)) return numerics::exact_step_count;  // a landing may go back by rounding
+  if (!(duration_s > 0)) return numerics::exact_step_count;  // a landing may be slightly negative by rounding
   const int below = numerics::exact_step_below(duration_s * mode.longest_steps_per_s);
-  for (const int k : {below, below - 1}) {  // where the product was rounded, the one above
+  for (const int k : {below, below - 1}) {  // the step above, in case the product was rounded
     if (k >= 0 && k < numerics::exact_step_count &&
         duration_s == mode.longest_step_s * numerics::exact_step_size(k))
       return k;
@@ -66,8 +66,8 @@ int table_step_of(const LinearMode<N>& mode, double duration_s) {
   return numerics::exact_step_count;
 }
 
-/// An even number of Taylor coefficients of a guard but for its forced part, time in units of
-/// 1 / fastest_rad_per_s.
+/// An even number of Taylor coefficients of a guard without its forced part; time is in units of 1 /
+/// fastest_rad_per_s.
 template <int N>
 void expand_guard(const LinearGuard<N>& guard, const typename ExactTypes<N>::State& z,
                   std::span<double> terms) {

@@ -14,7 +14,7 @@ using contact::Mode;
 using Matrix = Eigen::MatrixXd;
 using Row = Eigen::RowVectorXd;
 
-constexpr double fast_over_slow = 3;  ///< frequency ratio from which a pair counts as fast
+constexpr double fast_over_slow = 3;  ///< smallest frequency ratio of a fast pair
 
 Row over_state(const Row& by_u, const Row& by_v) {
   Row row(by_u.size() + by_v.size());
@@ -46,13 +46,13 @@ class ViewBuilder {
   }
 
  private:
-  /// Bound of |row . z(t)| over the longest step per size of z, for a row on z.
+  /// Bound of |row . z(t)| over the longest step, per size of z.
   Row bound(const Row& row) const {
     return vibration_.form ? numerics::bound_of_row(*vibration_.form, row, mode_.longest_step_s)
                            : vibration_.flow_bound->of(row);
   }
 
-  /// Rate of a row on z, again as a row on z.
+  /// Row on z that gives the time derivative of row . z.
   Row rate(const Row& row) const {
     return vibration_.form ? numerics::rate_of_row(*vibration_.form, row) : Row(row * mode_.generator);
   }
@@ -104,7 +104,7 @@ class ViewBuilder {
     }
   }
 
-  /// Pairs much faster than the slowest that the row sees; all, unless it sees some that are.
+  /// Whether each pair is much faster than the slowest pair in the row; all true if none is.
   std::vector<bool> fast_pairs(const Row& row) const {
     const Eigen::Index n = mode_.rest.size();
     if (!mode_.paired) return all_pairs();
@@ -192,7 +192,7 @@ class ViewBuilder {
   const std::vector<bool>& backward_;
   const FreeVibration<N>& vibration_;
   LinearMode<N>& mode_;
-  Eigen::ArrayXd determinant_;  ///< determinants of the pairs
+  Eigen::ArrayXd determinant_;  ///< determinant of each pair
 };
 
 }  // namespace

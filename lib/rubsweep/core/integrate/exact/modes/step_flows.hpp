@@ -11,9 +11,9 @@
 
 namespace rubsweep::integrate::exact::modes {
 
-/// Flows e^{A h} of a contact mode without pairs over the steps h of its table, as matrices that a state is
-/// multiplied by. Made when first met, since most of a table is never used: in long double they are the most
-/// expensive part of a mode. One thread uses them at a time.
+/// Flows e^{A h} of a contact mode without pairs over the steps h of its table, as matrices. They are made
+/// when first needed, because most of a table is never used: in long double they are the most expensive part
+/// of a mode. Only one thread may use them at a time.
 template <class Factor>
 class StepFlows {
  public:
@@ -29,7 +29,7 @@ class StepFlows {
     return *flow;
   }
 
-  /// How many there may be.
+  /// Number of steps in the table.
   std::size_t size() const { return flows_.size(); }
 
  private:

@@ -71,7 +71,7 @@ class TubeBuilder {
 
   void keep_margin(double margin, Spread spread) { tube_.margins.push_back({margin, std::move(spread)}); }
 
-  /// The margin of a guard over a step of `duration_s`; false where the reference itself has none.
+  /// Adds the margin of a guard over a step of `duration_s`; false where the reference itself has no margin.
   bool keep_below_zero(const GuardValue& guard, const modes::ModalSums& seen, double duration_s) {
     const double end = guard.value + duration_s * (guard.rate + duration_s / 2 * guard.curvature);
     keep_margin(-std::max(guard.value, end), reference_.spread_over(seen, duration_s));
@@ -83,8 +83,8 @@ class TubeBuilder {
     std::size_t crossing = none;
   };
 
-  /// A step that leaves every guard at half its distance from zero, or the landing on the guard that crosses
-  /// first. Empty where a guard stands at zero.
+  /// A step that keeps every guard at least half its distance away from zero, or the landing on the guard
+  /// that crosses first. Empty where a guard is at zero.
   std::optional<Choice> choose(const std::vector<GuardValue>& guards) const {
     const modes::LinearMode<N>& mode = motion().mode();
     Choice choice{std::min({mode.longest_step_s, 1 / mode.fastest_rad_per_s, tube_.period_s - time_s_})};
@@ -155,7 +155,7 @@ class TubeBuilder {
     return true;
   }
 
-  /// Along the present mode; returns how far.
+  /// Moves along the present mode; returns the duration.
   double move(std::size_t crossing, double step_s) {
     double duration_s = step_s;
     if (crossing != none) {
@@ -204,10 +204,10 @@ class TubeBuilder {
 
   TubeReference<N> reference_;
   double period_s_ = 0;
-  std::size_t behind_ = none;  ///< the guard of the present mode that has just left zero
+  std::size_t behind_ = none;  ///< index of the present mode's guard that has just left zero
   double time_s_ = 0;
   std::vector<GuardValue> guards_;      ///< guards of the present mode, at the start of a step
-  std::vector<modes::ModalSums> seen_;  ///< projections of the disturbances onto these
+  std::vector<modes::ModalSums> seen_;  ///< projections of the disturbances onto these guards
   TurnTube tube_;
 };
 

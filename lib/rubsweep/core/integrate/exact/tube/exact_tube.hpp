@@ -10,13 +10,13 @@
 
 namespace rubsweep::integrate::exact::tube {
 
-/// The tubes of the turns of an orbit, the first of which starts at `section` (as TurnReport::section), of a
-/// scene without pulse and impulses. `disturbances[i]` is W of turn i, 2n x 2n, in the units of a section,
-/// and `norms[i]` 2n x 2n on its first section: at its end counts the next one, behind the last the first.
-/// The last `slow` columns of the one and rows of the other are the slow part. Replaces `section` by the one
-/// at the end. Empty where the scene has annular stops or friction that never saturates, where a turn has no
-/// closed form, where two changes of mode happen at one instant, or where a guard is at zero without crossing
-/// it.
+/// The tubes of the turns of an orbit in a scene without pulse and impulses; the first turn starts at
+/// `section` (as TurnReport::section). `disturbances[i]` is the matrix W of turn i, 2n x 2n, in the units of
+/// a section. `norms[i]`, 2n x 2n, applies to its first section, the norm of the next turn (after the last:
+/// of the first) to its end. The last `slow` columns of W, and rows of the norm, are the slow part. `section`
+/// is replaced by the section at the end. Empty where the scene has annular stops or friction that never
+/// saturates, where a turn has no closed form, where two changes of mode coincide, or where a guard touches
+/// zero without crossing it.
 std::optional<std::vector<TurnTube>> turn_tubes(const scene::Scene& scene, modes::ModeCache& modes,
                                                 std::vector<double>& section,
                                                 const std::vector<Eigen::MatrixXd>& disturbances,

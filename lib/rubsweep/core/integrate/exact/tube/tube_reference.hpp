@@ -13,8 +13,8 @@
 
 namespace rubsweep::integrate::exact::tube {
 
-/// Reference motion of a tube, with the disturbances that it carries and their projections onto its guards
-/// and slips.
+/// Reference motion of a tube, with the disturbances that it carries and their projections onto guards and
+/// slips.
 template <int N>
 class TubeReference {
  public:
@@ -25,8 +25,8 @@ class TubeReference {
   TubeReference(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes)
       : motion_(scene, modes), slip_(scene, modes->friction()), scale_(run::state_scale(scene)) {}
 
-  /// Begins a turn at `section` with the disturbances that span the tube, one per column, the last `slow` of
-  /// them its slow part. False where the motion has no closed form, or an annular stop is armed.
+  /// Begins a turn at `section` with the disturbances that span the tube, one per column; the last `slow`
+  /// columns are the slow part. False where the motion has no closed form, or an annular stop is armed.
   bool start(const std::vector<double>& section, const Eigen::MatrixXd& disturbances, std::size_t slow = 0) {
     base_ = {static_cast<std::size_t>(disturbances.cols()) - slow, slow};
     State physical =
@@ -46,26 +46,26 @@ class TubeReference {
 
   ExactMotion<N>& motion() { return motion_; }
   const ExactMotion<N>& motion() const { return motion_; }
-  const run::StateScale& scale() const { return scale_; }  ///< of sections
-  const PartSizes& base() const { return base_; }          ///< disturbances that are not deflections
+  const run::StateScale& scale() const { return scale_; }  ///< scale of sections
+  const PartSizes& base() const { return base_; }          ///< disturbances without the deflections
 
-  /// Disturbances projected onto guard `e` of the present mode.
+  /// Projections of the disturbances onto guard `e` of the present mode.
   Seen seen(std::size_t e) {
     Seen seen;
     see(e, seen);
     return seen;
   }
-  /// The same, written into an object that is used again.
+  /// Writes these projections into an existing object.
   void see(std::size_t e, Seen& seen) { see_by(motion_.mode().guards[e].terms, 1, seen); }
 
-  /// Slip margin of a touching contact, m/s, as a guard that rises through zero where friction leaves
-  /// saturation, and the disturbances projected onto it; `row` is its own on the state.
+  /// Slip margin of a touching contact in m/s, as a guard that rises through zero where friction leaves
+  /// saturation; projections of the disturbances onto it; and its row on the state.
   struct SlipGuard {
     typename ExactMotion<N>::GuardValue value;
     Seen seen;
     typename modes::ExactTypes<N>::Row row;
   };
-  /// Slip guards of all contacts whose friction is saturated only above a slip; valid until the next call.
+  /// Slip guards of all contacts whose friction is saturated only above some slip; valid until the next call.
   std::span<const SlipGuard> slip_guards() {
     std::size_t count = 0;
     for (std::size_t t = 0; t < motion_.mode().touches.size(); ++t) {
@@ -86,8 +86,8 @@ class TubeReference {
     return exact::tube::spread_over(seen, base_, duration_s);
   }
 
-  /// Margins of the clamped contacts from p = 0, which their guards do not watch and only entering the mode
-  /// makes positive: a turn that starts in it must be told.
+  /// Distances of the clamped contacts from p = 0. Their guards do not watch p, which is positive only
+  /// because the mode was entered from outside; a turn that starts in the mode therefore needs these margins.
   std::vector<TurnTube::LimitMargin> clamped_margins() {
     const auto& contacts = motion_.machine().system().contacts;
     const State here = motion_.physical();
@@ -106,7 +106,7 @@ class TubeReference {
 
   const SlipWatch<N>& slip() const { return slip_; }
 
-  /// Norm of the generator in units of (1, fastest rate).
+  /// Norm of the generator with time in units of 1 / fastest rate.
   static double norm_of(const modes::LinearMode<N>& mode) {
     const Eigen::Index n = mode.rest.size();
     typename modes::ExactTypes<N>::Flow generator = mode.generator / mode.fastest_rad_per_s;
@@ -116,7 +116,7 @@ class TubeReference {
   }
 
  private:
-  /// Disturbances projected onto a linear function of the free vibration times `unit`.
+  /// Projections of the disturbances onto a linear function of the free vibration, times `unit`.
   void see_by(const modes::ModalTerms& terms, double unit, Seen& seen) {
     motion_.put_tangent_sums(terms, unit, seen);
   }

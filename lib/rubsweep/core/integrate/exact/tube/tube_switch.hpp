@@ -11,8 +11,8 @@
 
 namespace rubsweep::integrate::exact::tube {
 
-/// Takes a tube's reference through a change of contact mode and records the quantities that the lemma of
-/// TurnTube needs there.
+/// Takes a tube's reference through a change of contact mode and records the quantities for the lemma of
+/// TurnTube.
 template <int N>
 class TubeSwitch {
  public:
@@ -22,8 +22,9 @@ class TubeSwitch {
 
   explicit TubeSwitch(TubeReference<N>& reference) : reference_(reference), motion_(reference.motion()) {}
 
-  /// Passes a change: the reference is where guard `e` is zero, after a landing of `landing_s` from its value
-  /// `before`, over which the disturbances spread it by `spread`. Empty where the lemma does not hold.
+  /// Passes a change of mode. The reference is where guard `e` is zero, after a landing of `landing_s` from
+  /// the value `before`; `spread` is the spread by the disturbances over the landing. Empty where the lemma
+  /// does not hold.
   std::optional<TurnTube::Switch> through(std::size_t e, const GuardValue& before,
                                           const TurnTube::Spread& spread, double landing_s) {
     const modes::LinearMode<N>& from = motion_.mode();
@@ -65,12 +66,12 @@ class TubeSwitch {
     return change;
   }
 
-  /// Guard of the present mode that has just left zero; none where no guard is the old one reversed.
+  /// Index of the present mode's guard that has just left zero; `none` unless it is the old guard reversed.
   std::size_t behind() const { return behind_; }
 
  private:
-  /// Adds the slip guards of a change of mode, for contacts that touch in its window: those of the old mode
-  /// until the guard is crossed, those of the new one from then on.
+  /// Adds the slip guards of contacts that touch in the window of a change of mode: those of the old mode
+  /// until the guard is crossed, then those of the new mode.
   bool add_slip(TurnTube::Switch& change) {
     for (const auto& slip : reference_.slip_guards()) {
       if (!add_other(change, slip.value, slip.seen)) return false;
@@ -79,7 +80,7 @@ class TubeSwitch {
     return true;
   }
 
-  /// Adds the guards of the present mode but one, with their values at a change of mode.
+  /// Adds all guards of the present mode except `but`, with their values at a change of mode.
   bool add_others(TurnTube::Switch& change, std::size_t but) {
     for (std::size_t k = 0; k < motion_.mode().guards.size(); ++k) {
       if (k == but) continue;
@@ -96,7 +97,7 @@ class TubeSwitch {
     return true;
   }
 
-  /// Vector b of the lemma, from the two generators, whose difference is b times the guard's row.
+  /// Adds the vector b of the lemma: the difference of both generators is b times the guard's row.
   bool add_deflection(const modes::LinearMode<N>& from, const modes::LinearMode<N>& to,
                       const modes::LinearGuard<N>& guard, TurnTube::Switch& change) {
     const typename modes::ExactTypes<N>::Flow difference = to.generator - from.generator;
@@ -111,14 +112,14 @@ class TubeSwitch {
     return true;
   }
 
-  /// A window is this short against the norm of the generator, so that the flow over it is the identity to
-  /// 5 %.
+  /// Length of a window relative to the norm of the generator: so short that the flow over it is the identity
+  /// within 5 %.
   static constexpr double window_by_rate = 0.05;
 
   TubeReference<N>& reference_;
   ExactMotion<N>& motion_;
   std::size_t behind_ = none;
-  std::vector<typename modes::ExactTypes<N>::Row> other_rows_;  ///< rows of the change's other contacts
+  std::vector<typename modes::ExactTypes<N>::Row> other_rows_;  ///< rows of the change's other guards
 };
 
 }  // namespace rubsweep::integrate::exact::tube

@@ -6,10 +6,10 @@
 namespace rubsweep::integrate::exact::tube {
 namespace {
 
-// Windows in units of D / s, see the lemma; D leaves a tenth for what the change's own deflection does to the
-// guard.
+// Length of windows in units of D / s, see the lemma. D leaves a tenth for the effect of the change's own
+// deflection on the guard.
 constexpr double window_in_distances = 4, share_of_distance = 0.9;
-// The window is so short (Switch::longest_window_s) that the flow over it is the identity to 5 %.
+// The window is so short (Switch::longest_window_s) that the flow over it is the identity within 5 %.
 constexpr double flow_over_window = 1.05, rate_over_window = 1.1, backwards_over_window = 1.2;
 constexpr double largest_own_deflection = 0.2;
 

@@ -1,3 +1,5 @@
+#include "rubsweep/maps/sweep/run_cells.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,10 +17,10 @@
 namespace rubsweep::sweep {
 namespace {
 
-/// Rows as map.csv would hold them, by cell.
+/// Lines of map.csv by cell.
 using Lines = std::map<std::size_t, std::string>;
 
-/// Nine cells of several classes: rest, contact, initial contact.
+/// A study of nine cells with several classes: rest, contact, initial contact.
 Study mixed_study() { return one_side_study({50, 75, 105}, {0, 0.4, 1.2}); }
 
 std::vector<std::size_t> all_cells(const Study& study) {
@@ -27,7 +29,7 @@ std::vector<std::size_t> all_cells(const Study& study) {
   return cells;
 }
 
-/// Each cell alone.
+/// Lines from evaluating each cell alone.
 Lines expected_lines(const Study& study, const std::vector<std::size_t>& cells) {
   Lines lines;
   for (const std::size_t cell : cells) {
@@ -37,7 +39,7 @@ Lines expected_lines(const Study& study, const std::vector<std::size_t>& cells) 
   return lines;
 }
 
-/// Lines that run_cells hands on; a cell that comes twice is a failure.
+/// Lines that run_cells returns; a cell returned twice is a failure.
 Lines run(const Study& study, const std::vector<std::size_t>& cells, int threads) {
   Lines lines;
   const std::size_t finished = run_cells(
@@ -50,14 +52,14 @@ Lines run(const Study& study, const std::vector<std::size_t>& cells, int threads
   return lines;
 }
 
-TEST(EvaluateCellRunCells, AnyNumberOfThreadsGivesTheRowOfEachCellOnce) {
+TEST(RunCells, AnyNumberOfThreadsGivesTheRowOfEachCellOnce) {
   const Study study = mixed_study();
   const auto cells = all_cells(study);
   const Lines expected = expected_lines(study, cells);
   for (const int threads : {1, 2, 5, 0}) EXPECT_EQ(run(study, cells, threads), expected) << threads;
 }
 
-TEST(EvaluateCellRunCells, OrderAndCompanyOfACellDoNotChangeItsRow) {
+TEST(RunCells, OrderAndCompanyOfACellDoNotChangeItsRow) {
   const Study study = mixed_study();
   auto cells = all_cells(study);
   const Lines expected = expected_lines(study, cells);
@@ -68,7 +70,21 @@ TEST(EvaluateCellRunCells, OrderAndCompanyOfACellDoNotChangeItsRow) {
   EXPECT_EQ(run(study, {}, 2), Lines());
 }
 
-TEST(EvaluateCellRunCells, AfterStopNoCellStarts) {
+/// A part of the cells at a time, as a rank of MPI computes them, by one prepared machine.
+TEST(RunCells, AMachinePreparedBeforeGivesTheSameRows) {
+  const Study study = mixed_study();
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  const auto cells = all_cells(study);
+  Lines lines;
+  for (std::size_t first = 0; first < cells.size(); first += 3) {
+    run_cells(
+        study, prepared, std::span(cells).subspan(first, 3), 2,
+        [&](std::size_t cell, const Row& row) { lines[cell] = report::map_line(row); }, false);
+  }
+  EXPECT_EQ(lines, expected_lines(study, cells));
+}
+
+TEST(RunCells, AfterStopNoCellStarts) {
   const Study study = mixed_study();
   const auto cells = all_cells(study);
   std::atomic<bool> stop = false;
@@ -84,7 +100,7 @@ TEST(EvaluateCellRunCells, AfterStopNoCellStarts) {
   EXPECT_EQ(seen.size(), 2u);
 }
 
-TEST(EvaluateCellRunCells, StoppedBeforeItBeganRunsNothing) {
+TEST(RunCells, StoppedBeforeItBeganRunsNothing) {
   const Study study = mixed_study();
   EXPECT_EQ(run_cells(
                 study, all_cells(study), 2,
@@ -92,7 +108,7 @@ TEST(EvaluateCellRunCells, StoppedBeforeItBeganRunsNothing) {
             0u);
 }
 
-TEST(EvaluateCellRunCells, AMachineThatIsNotValidIsTheUsersToMend) {
+TEST(RunCells, AMachineThatIsNotValidIsTheUsersToMend) {
   Study study = one_side_study({50, 60}, {0.1});
   study.machine.stops[0].clearance_m = -1;
   EXPECT_EQ(message_of<ConfigError>([&] {

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rubsweep/analysis/design/damped_stability.hpp"
+#include "rubsweep/analysis/design/unbalance_cases.hpp"
+#include "rubsweep/analysis/design/unbalance_response.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
+
+namespace rubsweep::design {
+
+/// One line of a design check.
+struct Term {
+  std::string check;  ///< word of the column `check`
+  std::string place;  ///< empty: of the whole rotor
+  std::optional<double> position_m = {}, speed_hz = {}, value = {}, limit = {};
+  std::string unit = {};
+  std::optional<double> margin =
+      {};  ///< what is left, as a share of the limit; of a separation that of the speed
+  std::optional<bool> met = {};
+  std::string not_told = {};  ///< why nothing is known of a term with a limit; else empty
+};
+
+/// Questions of the lateral analysis of API 617.
+struct LateralQuestions {
+  SpeedRange operating;
+  SpeedRange whole;           ///< up to the maximum continuous speed
+  double eccentricity_m = 0;  ///< of the case `configured`
+  double scale = 1;           ///< of the unbalance for the bearing forces
+  double vibration_limit_m = 0;
+  std::vector<linear::CriticalSpeed> critical_speeds = {};  ///< within `whole`
+  bool grows = false;                        ///< true: a response does not last, so that it keeps no limit
+  std::optional<std::vector<Stage>> stages;  ///< empty: not said; none: the rotor does no work
+};
+
+/// Speeds up to which API 617 looks at the response and at clearances, as shares of the maximum continuous
+/// speed.
+inline constexpr double response_up_to = 1.25, trip_speed = 1.05;
+inline constexpr double least_decrement = 0.1, least_threshold_ratio = 2;
+
+/// Response to the unbalances of API 617 from the full matrices: vibration, amplification factors and
+/// separation margins of each case at each probe, forces of the bearings; logarithmic decrements of Level I
+/// and II.
+std::vector<Term> lateral_terms(const scene::PreparedMachine& prepared, const LateralQuestions& questions);
+
+/// The speed up to which tables of the supports go, at most `up_to_hz`.
+double within_tables_hz(const model::Machine& machine, double up_to_hz);
+
+}  // namespace rubsweep::design

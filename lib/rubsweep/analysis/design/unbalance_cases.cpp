@@ -1,0 +1,192 @@
+#include "rubsweep/analysis/design/unbalance_cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "rubsweep/analysis/design/unbalance_response.hpp"
+#include "rubsweep/core/model/balance.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
+#include "rubsweep/core/model/support_path.hpp"
+#include "rubsweep/core/numerics/banded_system.hpp"
+#include "rubsweep/core/numerics/dense/factors.hpp"
+#include "rubsweep/core/structure/beam_shaft.hpp"
+#include "rubsweep/core/structure/tabled_support.hpp"
+
+namespace rubsweep::design {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+constexpr double standard_gravity_m_per_s2 = 9.80665;
+
+double held_by(const model::Support& support) {
+  return std::min(support.stiffness_x_n_per_m, support.stiffness_y_n_per_m);
+}
+
+/// A vector of one plane among the coordinates of both.
+Eigen::VectorXd in_plane(const Eigen::VectorXd& of_plane, Index plane) {
+  Eigen::VectorXd both = Eigen::VectorXd::Zero(2 * of_plane.size());
+  both(Eigen::seqN(plane, of_plane.size(), 2)) = of_plane;
+  return both;
+}
+
+/// Static loads of the bearings: by the shaft on its bearings alone, since seals run where the rotor stands.
+void load_bearings(const structure::BeamShaft& shaft, const model::RotorKit& kit,
+                   std::vector<Bearing>& bearings) {
+  Eigen::MatrixXd stiffness = shaft.plane_stiffness(1);
+  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
+    if (!is_seal(kit, i)) continue;
+    const Eigen::VectorXd gap = structure::support_gap(shaft, kit, i);
+    stiffness -= kit.supports[i].stiffness_y_n_per_m * gap * gap.transpose();
+  }
+  const Eigen::VectorXd sag =
+      numerics::dense::solve(stiffness, Eigen::VectorXd(standard_gravity_m_per_s2 * shaft.weight_kg));
+  for (Bearing& bearing : bearings)
+    bearing.static_load_n = kit.supports[bearing.support].stiffness_y_n_per_m *
+                            structure::support_gap(shaft, kit, bearing.support).dot(sag);
+}
+
+Index band_of(const Eigen::MatrixXd& matrix) {
+  Index band = 0;
+  for (Index k = 0; k < matrix.cols(); ++k)
+    for (Index i = 0; i < matrix.rows(); ++i)
+      if (matrix(i, k) != 0) band = std::max(band, std::abs(i - k));
+  return band;
+}
+
+double residual_kg_m(double mass_kg, double max_continuous_hz) {
+  constexpr double times_residual = 4, kg_m_rpm_per_kg = 6350e-6;
+  return times_residual * kg_m_rpm_per_kg * mass_kg / (model::rpm_per_hz * max_continuous_hz);
+}
+
+}  // namespace
+
+bool is_seal(const model::RotorKit& kit, std::size_t support) {
+  constexpr double holds_nothing = 0.01;
+  if (kit.supports[support].name.find("Seal") != std::string::npos) return true;
+  double stiffest = 0;
+  for (const model::Support& one : kit.supports)
+    if (!one.at_housing) stiffest = std::max(stiffest, held_by(one));
+  return held_by(kit.supports[support]) < holds_nothing * stiffest;
+}
+
+WholeRotor::WholeRotor(const model::Machine& machine)
+    : machine_(machine), rotor_(linear::free_rotor(machine)) {
+  const structure::LateralSystem& system = rotor_.full.system;
+  if (const model::RotorKit* kit = model::kit_of(machine_)) {
+    add_shaft(*kit);
+  } else {
+    const double mass_kg = model::rotor_mass_kg(machine_);
+    configured_kg_ = in_one_place(0, mass_kg);
+    mass_kg_ = Eigen::VectorXd::Constant(1, mass_kg);
+  }
+  whole_mass_kg_ = mass_kg_.sum();
+  const structure::SpeedMatrices some = structure::matrices_at(rotor_.full, 1);
+  band_ = std::max({band_of(some.mass), band_of(some.damping), band_of(some.stiffness)});
+  for (const structure::TabledSupport& table : rotor_.full.tables)
+    band_ = std::max(band_, band_of(table.map.transpose() * Eigen::Matrix2d::Ones() * table.map));
+  band_ = std::min(band_, system.coordinates() - 1);
+}
+
+void WholeRotor::add_shaft(const model::RotorKit& kit) {
+  std::vector<double> stations_m;
+  for (const model::Stop& stop : machine_.stops) stations_m.push_back(*stop.position_m);
+  const structure::BeamShaft shaft = structure::assemble_beam_shaft(kit, stations_m);
+  configured_kg_ = in_plane(shaft.unbalance_kg.real(), 0).cast<Complex>() +
+                   Complex(0, 1) * in_plane(shaft.unbalance_kg.imag(), 0).cast<Complex>();
+  for (Index i = 0; i + 1 < configured_kg_.size(); i += 2)
+    configured_kg_(i + 1) = -Complex(0, 1) * configured_kg_(i);
+  const auto places = static_cast<Index>(shaft.node_position_m.size());
+  mass_kg_ = shaft.weight_kg(Eigen::seqN(0, places, 2));
+  const structure::PlaneModes modes =
+      structure::plane_modes(shaft.plane_mass(0), shaft.plane_stiffness(0), 2);
+  first_ = modes.shape.col(0)(Eigen::seqN(0, places, 2));
+  if (modes.shape.cols() > 1) second_ = modes.shape.col(1)(Eigen::seqN(0, places, 2));
+  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
+    const model::Support& support = kit.supports[i];
+    if (support.at_housing || is_seal(kit, i)) continue;
+    const Eigen::VectorXd gap = structure::support_gap(shaft, kit, i);
+    bearings_.push_back({i, support.position_m, 0, in_plane(gap, 0), in_plane(gap, 1)});
+  }
+  std::ranges::sort(bearings_, {}, &Bearing::position_m);
+  if (!bearings_.empty()) load_bearings(shaft, kit, bearings_);
+}
+
+Index WholeRotor::place(std::optional<double> position_m) const {
+  if (!position_m) return 0;
+  const auto next = std::ranges::min_element(rotor_.position_m, {},
+                                             [&](double at_m) { return std::abs(at_m - *position_m); });
+  return next - rotor_.position_m.begin();
+}
+
+Index WholeRotor::midspan() const {
+  if (bearings_.empty()) return place((rotor_.position_m.front() + rotor_.position_m.back()) / 2);
+  return place((bearings_.front().position_m + bearings_.back().position_m) / 2);
+}
+
+Eigen::VectorXcd WholeRotor::in_one_place(Index place, double kg_m) const {
+  return kg_m * (rotor_.x.row(place).transpose().cast<Complex>() -
+                 Complex(0, 1) * rotor_.y.row(place).transpose().cast<Complex>());
+}
+
+std::vector<UnbalanceCase> WholeRotor::cases(double eccentricity_m, double max_continuous_hz) const {
+  std::vector<UnbalanceCase> cases{{"configured", eccentricity_m * configured_kg_}};
+  if (first_.size() == 0) return cases;
+  Index at = 0, other = 0;
+  first_.cwiseAbs().maxCoeff(&at);
+  cases.push_back({"mode 1", in_one_place(at, residual_kg_m(whole_mass_kg_, max_continuous_hz))});
+  if (second_.size() > 0 && second_.maxCoeff(&at) > 0 && second_.minCoeff(&other) < 0) {
+    const auto share_kg = [&](Index place) {
+      if (bearings_.empty()) return whole_mass_kg_ / 2;
+      const double here_m = rotor_.position_m[static_cast<std::size_t>(place)];
+      const auto next = std::ranges::min_element(
+          bearings_, {}, [&](const Bearing& one) { return std::abs(one.position_m - here_m); });
+      return std::abs(next->static_load_n) / standard_gravity_m_per_s2;
+    };
+    cases.push_back({"mode 2", in_one_place(at, residual_kg_m(share_kg(at), max_continuous_hz)) -
+                                   in_one_place(other, residual_kg_m(share_kg(other), max_continuous_hz))});
+  }
+  if (bearings_.empty()) return cases;
+  double left_kg = 0, right_kg = 0;
+  for (Index k = 0; k < mass_kg_.size(); ++k) {
+    const double at_m = rotor_.position_m[static_cast<std::size_t>(k)];
+    if (at_m < bearings_.front().position_m) left_kg += mass_kg_(k);
+    if (at_m > bearings_.back().position_m) right_kg += mass_kg_(k);
+  }
+  if (left_kg > 0) cases.push_back({"left end", in_one_place(0, residual_kg_m(left_kg, max_continuous_hz))});
+  if (right_kg > 0)
+    cases.push_back(
+        {"right end", in_one_place(mass_kg_.size() - 1, residual_kg_m(right_kg, max_continuous_hz))});
+  return cases;
+}
+
+Eigen::MatrixXcd WholeRotor::response(const Eigen::MatrixXcd& unbalance_kg_m, double speed_hz) const {
+  const double w = 2 * std::numbers::pi * speed_hz;
+  const auto tables = rotor_.full.tables.empty() ? std::nullopt : std::optional(w);
+  const structure::SpeedMatrices at = structure::matrices_at(rotor_.full, w, tables);
+  Eigen::MatrixXcd dynamic(at.mass.rows(), at.mass.cols());
+  dynamic.real() = at.stiffness - w * w * at.mass;
+  dynamic.imag() = w * at.damping;
+  return numerics::solve_banded(std::move(dynamic), w * w * unbalance_kg_m, band_);
+}
+
+double WholeRotor::bearing_force_n(const Bearing& bearing, const Eigen::VectorXcd& response,
+                                   double speed_hz) const {
+  const double w = 2 * std::numbers::pi * speed_hz;
+  const model::RotorKit& kit = *model::kit_of(machine_);
+  const model::Support at = structure::support_at(kit.supports[bearing.support], speed_hz,
+                                                  model::support_path(kit, bearing.support) + ".");
+  const Complex i(0, 1), x = (bearing.x.transpose() * response).value(),
+                         y = (bearing.y.transpose() * response).value();
+  const Eigen::Vector2cd force{
+      (at.stiffness_x_n_per_m + i * w * at.damping_x_ns_per_m - w * w * at.mass_x_kg) * x +
+          (at.stiffness_xy_n_per_m + i * w * at.damping_xy_ns_per_m) * y,
+      (at.stiffness_yx_n_per_m + i * w * at.damping_yx_ns_per_m) * x +
+          (at.stiffness_y_n_per_m + i * w * at.damping_y_ns_per_m - w * w * at.mass_y_kg) * y};
+  return major_axis(force) / 2;
+}
+
+}  // namespace rubsweep::design

@@ -1,0 +1,241 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/core/integrate/adaptive/step_method.hpp"
+#include "rubsweep/core/integrate/law/dynamics.hpp"
+#include "rubsweep/core/integrate/law/settle_slips.hpp"
+#include "rubsweep/core/integrate/run/turn.hpp"
+
+namespace rubsweep::integrate::adaptive {
+
+/// Tangent vectors of an adaptive run beside contacts whose law is not linear. They obey the variational
+/// equation of the law in force, which takes steps of its own by dopri5 over each step of the motion: whether
+/// they are asked for does not change the motion. Its matrix near the touching, where the slope of a power of
+/// the penetration is not smooth, shortens these steps. Behind the state a vector has the change of the
+/// damping of every contact whose damping goes by its own impact.
+/// `Law`: that of a scene, without further numbers behind its state, which have other derivatives.
+template <class Law>
+class StepTangents final : public RightHandSide {
+ public:
+  /// `law` must outlive this.
+  explicit StepTangents(Law& law) : law_(law) {
+    const auto& contacts = law.system().contacts;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      if (!contacts[i].law) continue;
+      moves_ = true;
+      if (contacts[i].law->remembers()) remembering_.push_back(i);
+    }
+  }
+
+  /// Whether there are any at present.
+  bool any() const { return count_ > 0; }
+  /// The changes of the state, one a column.
+  auto changes() { return vectors().topRows(states()); }
+  /// Evaluations of the right-hand side that took as long since the start of the run.
+  long work() const { return work_; }
+
+  /// A turn begins at `state`. Where a contact still touches that is damped by its own impact, a vector is
+  /// moved alone that goes on from the turn before, at any length: the change of that damping goes with it.
+  void begin(const run::TurnRequest& request, double tolerance, const State& state) {
+    const double length = any_remembers() ? length_of_last(request.tangent_vectors) : 0;
+    count_ = moves_ && (length > 0 || !any_remembers()) ? request.tangent_vectors.cols() : 0;
+    if (count_ == 0) return;
+    const double wanted = std::max(request.tangent_accuracy, tolerance);
+    if (!method_ || tolerance_ != wanted) {
+      tolerance_ = wanted;
+      method_ = make_step_method({.stepper = run::Stepper::dopri5, .relative_tolerance = wanted});
+    }
+    const auto size = static_cast<std::size_t>(rows() * count_);
+    for (State* numbers : {&inner_.start, &inner_.start_rate, &inner_.end, &inner_.end_rate})
+      numbers->assign(size, 0.0);
+    at_ = at_rate_ = state;
+    changes() = request.tangent_vectors;
+    if (length > 0) vectors().bottomRows(rows() - states()) = length * last_.tail(rows() - states());
+    keep_sticking(state);
+  }
+
+  /// Takes them over the step of the motion up to `end_phase`.
+  void follow(StepMethod& motion, RightHandSide& of_motion, const Step& step, double end_phase) {
+    motion_ = &motion, of_motion_ = &of_motion, step_ = &step;
+    inner_.start_phase = step.start_phase;
+    (*this)(inner_.start, inner_.start_rate, inner_.start_phase);
+    double size = size_;
+    for (int attempts = 0; inner_.start_phase < end_phase; ++attempts) {
+      const double left = end_phase - inner_.start_phase;
+      const bool last = 1.000001 * size >= left;
+      double next = last ? left : size;
+      if (!method_->try_step(*this, inner_, next)) {
+        size = next;
+        if (size < smallest_size || attempts > most_attempts) return give_up();
+        continue;
+      }
+      size_ = size = last ? std::max(size, next) : next;
+      std::swap(inner_.start, inner_.end);
+      std::swap(inner_.start_rate, inner_.end_rate);
+      inner_.start_phase = last ? end_phase : inner_.end_phase;
+    }
+  }
+
+  /// Contact `i` begins to touch, in its new mode, and its damping is that of this closing speed.
+  void begin_impact(std::size_t i, const State& state, const State& rate) {
+    const auto place = std::ranges::find(remembering_, i);
+    if (place == remembering_.end()) return;
+    const contact::Kinematics k = law_.kinematics(i, state, rate);
+    const auto [penetration, speed] = approach_gradients(i, state);
+    const bool own =
+        k.closing_speed > contact::CurvedLaw::slowest_approach * law_.system().contacts[i].clearance;
+    // The touching comes later by -(change of the penetration) / speed.
+    const Eigen::RowVectorXd change = speed - k.closing_acceleration / k.closing_speed * penetration;
+    const double by_speed = own ? -law_.impact_damping(i) / k.closing_speed : 0;
+    vectors().row(states() + (place - remembering_.begin())) = by_speed * (change * changes());
+  }
+
+  /// The slip of contact `i` has come to zero; both rates of the state.
+  void cross_stop(std::size_t i, const State& state, const State& before, const State& after) {
+    law::cross_slip(law_, i, state, before, after, changes());
+  }
+
+  /// The distance from its bound of the friction that holds contact `i`, before it is let go: its gradient
+  /// and its rate. `before` is the rate of the state.
+  void see_release(std::size_t i, contact::Slip slip, const State& state, const State& before, double phase) {
+    release_gradient_ = law_.reserve_gradient(i, slip, state, at_rate_, phase);
+    const auto held_n = [&](double at) {
+      law_.loose(state, at_rate_, at);
+      return law_.hold(state, at_rate_).force_n(i);
+    };
+    constexpr double nudge = 1e-4;  // forces are sines of the phase: an error of its square
+    const double by_phase = (held_n(phase + nudge) - held_n(phase - nudge)) / (2 * nudge);
+    const Eigen::Map<const Eigen::VectorXd> rate(before.data(), states());
+    release_rate_ = release_gradient_.dot(rate) - contact::sign_of(slip) * by_phase;
+  }
+  /// It was let go; both rates of the state.
+  void cross_release(const State& before, const State& after) {
+    law::cross(release_gradient_, release_rate_, before, after, changes());
+  }
+
+  /// After an impulse: neighbours of a motion that sticks stick, too.
+  void keep_sticking(const State& state) { law_.keep_sticking(state, changes()); }
+
+  /// The turn is over.
+  void finish(run::TurnReport& report) {
+    last_.resize(0);
+    if (!any()) return;
+    report.tangent_vectors.fill(states(), count_) = changes();
+    if (count_ == 1) last_ = vectors().col(0);
+  }
+
+  void operator()(const State& x, State& rate, double phase) override {
+    motion_->state_at(*of_motion_, *step_, phase, at_);
+    typename Law::Holding holding;
+    if (law_.any_dry()) {
+      law_.loose(at_, at_rate_, phase);
+      holding = law_.hold(at_, at_rate_);
+    }
+    law_.slopes(at_, holding, by_u_, by_v_);
+    work_ += work_of_slopes;
+    const Eigen::Index n = law_.system().coordinates();
+    const ConstVectors from(x.data(), rows(), count_);
+    Vectors to(rate.data(), rows(), count_);
+    to.topRows(n) = from.middleRows(n, n);
+    to.middleRows(n, n).noalias() = by_u_ * from.topRows(n);
+    to.middleRows(n, n).noalias() += by_v_ * from.middleRows(n, n);
+    for (std::size_t k = 0; k < remembering_.size(); ++k) {
+      const auto row = states() + static_cast<Eigen::Index>(k);
+      find_push_by_damping(remembering_[k]);
+      to.middleRows(n, n).noalias() += push_.tail(n) * from.row(row);
+      to.row(row).setZero();
+    }
+  }
+  /// No implicit method takes them.
+  void jacobian(const State&, double*, double, State&) override {}
+  double friction_ratio(const State&) override { return 0; }
+
+ private:
+  using Vectors = Eigen::Map<Eigen::MatrixXd>;
+  using ConstVectors = Eigen::Map<const Eigen::MatrixXd>;
+  static constexpr double smallest_size = 1e-14;
+  static constexpr int most_attempts = 100'000;  ///< over one step of the motion
+  static constexpr long work_of_slopes = 3;
+
+  Eigen::Index states() const { return 2 * law_.system().coordinates(); }
+  Eigen::Index rows() const { return states() + static_cast<Eigen::Index>(remembering_.size()); }
+  Vectors vectors() { return {inner_.start.data(), rows(), count_}; }
+
+  /// Whether some contact has a damping that the state does not say.
+  bool any_remembers() const {
+    return std::ranges::any_of(remembering_,
+                               [&](std::size_t i) { return law_.modes()[i] != contact::Mode::open; });
+  }
+  /// The multiple of the vector at the end of the turn before that this is; 0 where it is another one.
+  double length_of_last(const Eigen::MatrixXd& asked) const {
+    constexpr double rounding = 1e-12;
+    if (asked.cols() != 1 || last_.size() == 0) return 0;
+    const auto before = last_.head(states());
+    const double length = asked.norm() / before.norm();
+    return (asked - length * before).norm() <= rounding * asked.norm() ? length : 0;
+  }
+
+  /// No vectors are better than wrong ones.
+  void give_up() { count_ = 0; }
+
+  contact::ContactFrame frame_at(std::size_t i, const State& state) const {
+    const Eigen::Index n = law_.system().coordinates();
+    using Map = typename Law::ConstMap;
+    return law::contact_frame(law_.system().contacts[i], Map(&state[0], n), Map(&state[0] + n, n));
+  }
+
+  /// Derivatives by the state of the penetration of contact `i` and of its closing speed.
+  std::pair<Eigen::RowVectorXd, Eigen::RowVectorXd> approach_gradients(std::size_t i,
+                                                                       const State& state) const {
+    const auto& c = law_.system().contacts[i];
+    const contact::ContactFrame f = frame_at(i, state);
+    const Eigen::RowVectorXd across = f.cosine * c.first_row + f.sine * c.second_row;
+    Eigen::RowVectorXd penetration = Eigen::RowVectorXd::Zero(states()), speed(states());
+    penetration.head(across.size()) = across;
+    speed << f.sliding_speed * f.curvature * law::tangential_row(c, f), across;
+    return {penetration, speed};
+  }
+
+  /// Derivative of the scaled acceleration by the damping of contact `i`, with the friction that holds
+  /// sticking contacts, behind as many zeros.
+  void find_push_by_damping(std::size_t i) {
+    push_.setZero(states());
+    if (law_.modes()[i] != contact::Mode::sprung) return;
+    const auto& c = law_.system().contacts[i];
+    const contact::ContactFrame f = frame_at(i, at_);
+    push_.tail(c.first_push.size()) = law_.normal_force(i, f.penetration, f.closing_speed).spring_n *
+                                      f.closing_speed * (f.cosine * c.first_push + f.sine * c.second_push);
+    law_.keep_sticking(at_, push_);
+  }
+
+  Law& law_;
+  bool moves_ = false;
+  std::vector<std::size_t> remembering_;  ///< contacts whose damping goes by their own impact
+  Eigen::Index count_ = 0;
+  std::unique_ptr<StepMethod> method_;
+  double tolerance_ = 0;
+  double size_ = 1e-3;  ///< next step to try
+  Step inner_;
+  StepMethod* motion_ = nullptr;
+  RightHandSide* of_motion_ = nullptr;
+  const Step* step_ = nullptr;
+  State at_, at_rate_;  ///< of the motion
+  typename Law::Matrix by_u_, by_v_;
+  Eigen::VectorXd push_, last_;  ///< last_: the only vector at the end of the turn before; else empty
+  Eigen::RowVectorXd release_gradient_;
+  double release_rate_ = 0;
+  long work_ = 0;
+};
+
+/// Whether a run by this law may have them.
+template <class Law>
+inline constexpr bool has_step_tangents = std::is_same_v<Law, law::Dynamics<Law::coordinates, false>>;
+
+}  // namespace rubsweep::integrate::adaptive

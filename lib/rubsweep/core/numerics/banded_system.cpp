@@ -1,0 +1,125 @@
+#include "rubsweep/core/numerics/banded_system.hpp"
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "rubsweep/core/numerics/dense/factors.hpp"
+#include "rubsweep/core/numerics/lanes.hpp"
+
+namespace rubsweep::numerics {
+
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+
+namespace {
+
+/// Complex numbers column by column, real and imaginary parts apart: a register holds as many of them as it
+/// holds real numbers.
+struct SplitColumns {
+  explicit SplitColumns(const MatrixXcd& matrix) : real(matrix.real()), imag(matrix.imag()) {}
+  MatrixXd real, imag;
+};
+
+/// Part of a column.
+struct SplitPart {
+  double *real, *imag;
+
+  SplitPart from(Eigen::Index row) const { return {real + row, imag + row}; }
+  std::complex<double> at(Eigen::Index row) const { return {real[row], imag[row]}; }
+  void put(Eigen::Index row, std::complex<double> value) const {
+    real[row] = value.real();
+    imag[row] = value.imag();
+  }
+  void swap(Eigen::Index i, Eigen::Index k) const {
+    std::swap(real[i], real[k]);
+    std::swap(imag[i], imag[k]);
+  }
+};
+
+SplitPart column(SplitColumns& of, Eigen::Index k) { return {of.real.col(k).data(), of.imag.col(k).data()}; }
+
+/// x -= factor y for the first `count` numbers.
+template <std::size_t bytes>
+[[gnu::always_inline]] inline void subtract(Eigen::Index count, std::complex<double> factor,
+                                            const SplitPart& y, const SplitPart& x) {
+  using Lane = typename Lanes<bytes>::Type;
+  constexpr auto width = static_cast<Eigen::Index>(bytes / sizeof(double));
+  const double real = factor.real(), imag = factor.imag();
+  Eigen::Index i = 0;
+  for (; i + width <= count; i += width) {
+    Lane y_real, y_imag, x_real, x_imag;
+    std::memcpy(&y_real, y.real + i, bytes);
+    std::memcpy(&y_imag, y.imag + i, bytes);
+    std::memcpy(&x_real, x.real + i, bytes);
+    std::memcpy(&x_imag, x.imag + i, bytes);
+    x_real -= y_real * real - y_imag * imag;
+    x_imag -= y_real * imag + y_imag * real;
+    std::memcpy(x.real + i, &x_real, bytes);
+    std::memcpy(x.imag + i, &x_imag, bytes);
+  }
+  for (; i < count; ++i) {
+    x.real[i] -= y.real[i] * real - y.imag[i] * imag;
+    x.imag[i] -= y.real[i] * imag + y.imag[i] * real;
+  }
+}
+
+/// Elimination within a band, column after column: each is swapped and reduced by all before it that reach
+/// it.
+template <std::size_t bytes>
+[[gnu::always_inline]] inline void eliminate(SplitColumns& a, SplitColumns& b, Eigen::Index band) {
+  using Eigen::Index;
+  const Index n = a.real.rows();
+  std::vector<Index> pivots(static_cast<std::size_t>(n));
+  const auto below = [&](Index k) { return std::min(band, n - 1 - k); };
+  const auto reduce = [&](const SplitPart& x, Index first, Index last) __attribute__((always_inline)) {
+    for (Index k = first; k < last; ++k) {
+      x.swap(k, pivots[static_cast<std::size_t>(k)]);
+      if (x.at(k) != 0.0) subtract<bytes>(below(k), x.at(k), column(a, k).from(k + 1), x.from(k + 1));
+    }
+  };
+  for (Index k = 0; k < n; ++k) {
+    const SplitPart x = column(a, k);
+    reduce(x, std::max(Index{0}, k - 2 * band), k);
+    Index pivot = k;
+    for (Index i = k + 1; i <= k + below(k); ++i)
+      if (std::norm(x.at(i)) > std::norm(x.at(pivot))) pivot = i;
+    pivots[static_cast<std::size_t>(k)] = pivot;
+    x.swap(k, pivot);
+    const std::complex<double> inverse = 1.0 / x.at(k);
+    for (Index i = k + 1; i <= k + below(k); ++i) {
+      const double real = x.real[i], imag = x.imag[i];
+      x.put(i,
+            {real * inverse.real() - imag * inverse.imag(), real * inverse.imag() + imag * inverse.real()});
+    }
+  }
+  for (Index j = 0; j < b.real.cols(); ++j) {
+    const SplitPart x = column(b, j);
+    reduce(x, 0, n);
+    for (Index k = n - 1; k >= 0; --k) {
+      x.put(k, x.at(k) / column(a, k).at(k));
+      const Index first = std::max(Index{0}, k - 2 * band);
+      subtract<bytes>(k - first, x.at(k), column(a, k).from(first), x.from(first));
+    }
+  }
+}
+
+}  // namespace
+
+MatrixXcd solve_banded(MatrixXcd a, MatrixXcd b, Eigen::Index band) {
+  // Beyond this Eigen's blocks, which stay in the processor's cache, are faster.
+  constexpr Eigen::Index narrow = 6, small = 512;
+  if (a.rows() > small && narrow * band > a.rows()) return dense::solve(a, b);
+  SplitColumns factors(a), x(b);
+  a.resize(0, 0);
+  in_widest_lanes(
+      4, [&]<std::size_t bytes>() __attribute__((always_inline)) { eliminate<bytes>(factors, x, band); });
+  b.real() = x.real;
+  b.imag() = x.imag;
+  return b;
+}
+
+}  // namespace rubsweep::numerics

@@ -1,0 +1,179 @@
+// The equations of machines with contacts whose law is not linear, written out again in long double, without
+// anything of the library but the numbers of a scene.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "rubsweep/core/model/stop.hpp"
+#include "rubsweep/core/scene/scene.hpp"
+
+namespace rubsweep::integrate::test_curved {
+
+using model::ForceCurve;
+using model::ImpactDamping;
+using Real = long double;
+
+/// Elastic force of a stop, written again.
+inline Real spring(const model::Stop& stop, Real p) {
+  const model::NormalLaw& law = stop.law;
+  if (p <= 0) return 0;
+  if (law.kind == ForceCurve::power) return law.stiffness_n_per_m_n * std::pow(p, Real(law.exponent));
+  if (law.kind == ForceCurve::hertz_line) {
+    const model::HertzLine& h = *stop.hertz;
+    const auto soft = [](const model::HertzBody& body) {
+      return (1 - Real(body.poisson_ratio) * body.poisson_ratio) / body.youngs_modulus_pa;
+    };
+    const Real both = soft(h.rotor) + soft(h.casing), pi = std::numbers::pi_v<Real>, L = h.length_m;
+    Real force = p / both;
+    for (int k = 0; k < 40; ++k) {
+      const Real b = std::sqrt(4 * force * both * h.rotor.radius_m / (pi * L));
+      force = p * pi * L / (2 * both * (2 * std::log(2.0L) + 0.5L + std::log(L / (2 * b))));
+    }
+    return force;
+  }
+  // Hermite's cubics with slopes by Fritsch and Butland; three points.
+  const auto& x = law.penetration_m;
+  const auto& y = law.force_n;
+  const Real h0 = Real(x[1]) - x[0], h1 = Real(x[2]) - x[1], d0 = (Real(y[1]) - y[0]) / h0,
+             d1 = (Real(y[2]) - y[1]) / h1;
+  const Real w0 = 2 * h1 + h0, w1 = h1 + 2 * h0;
+  const auto end = [](Real h, Real next, Real d, Real other) {
+    const Real slope = ((2 * h + next) * d - h * other) / (h + next);
+    return slope <= 0 ? 0 : slope;
+  };
+  const Real slopes[] = {end(h0, h1, d0, d1), (w0 + w1) / (w0 / d0 + w1 / d1), end(h1, h0, d1, d0)};
+  if (p >= x[2]) return y[2] + slopes[2] * (p - x[2]);
+  const int k = p < x[1] ? 0 : 1;
+  const Real h = k == 0 ? h0 : h1, t = (p - x[std::size_t(k)]) / h, u = 1 - t;
+  return u * u * (1 + 2 * t) * y[std::size_t(k)] + t * t * (3 - 2 * t) * y[std::size_t(k) + 1] +
+         h * t * u * (u * slopes[k] - t * slopes[k + 1]);
+}
+
+using Numbers = std::array<Real, 8>;
+
+/// The scene of `rotor_and_casing` again, in SI units and long double, by the classical Runge-Kutta method in
+/// steps that shorten where a contact begins or ends.
+struct Reference {
+  const scene::Scene& scene;
+  std::vector<model::Stop> stops;
+  std::vector<Real> x{};      ///< c v0 of each stop
+  std::vector<Real> speed{};  ///< speed of the present approach
+  Numbers state{};
+  Real longest = 1;
+
+  struct Seen {
+    Real p, v, s, nx, ny;
+  };
+  Seen seen(std::size_t i, const Numbers& z) const {
+    const scene::Contact& c = scene.contacts[i];
+    const Real moves = c.casing_point ? 1 : 0;
+    const Real dx = z[0] - moves * z[2], dy = z[1] - moves * z[3], vx = z[4] - moves * z[6],
+               vy = z[5] - moves * z[7];
+    Real nx = 0, ny = 0;
+    if (const auto* flat = std::get_if<contact::FlatWall>(&c.wall)) {
+      nx = flat->normal.x(), ny = flat->normal.y();
+    } else {
+      const Real r = std::hypot(dx, dy);
+      nx = r > 0 ? dx / r : 1, ny = r > 0 ? dy / r : 0;
+    }
+    return {dx * nx + dy * ny - c.clearance_m, vx * nx + vy * ny, vy * nx - vx * ny, nx, ny};
+  }
+
+  Numbers rate(const Numbers& z, Real t) const {
+    const Real w = scene.speed_rad_per_s;
+    std::array<Real, 4> force{};
+    for (int i = 0; i < 4; ++i)
+      force[std::size_t(i)] = Real(scene.constant_n(i)) + Real(scene.harmonic_n(i).real()) * std::cos(w * t) -
+                              Real(scene.harmonic_n(i).imag()) * std::sin(w * t) -
+                              Real(scene.structure.stiffness(i, i)) * z[std::size_t(i)] -
+                              Real(scene.structure.damping(i, i)) * z[std::size_t(i) + 4];
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      const Seen m = seen(i, z);
+      const Real elastic = spring(stops[i], m.p);
+      const Real normal = elastic * std::max<Real>(0, 1 + x[i] * m.v / speed[i]);
+      Real mu = 0;
+      const Real slip = m.s + scene.contacts[i].surface_speed_m_per_s;
+      if (const auto* dry = std::get_if<model::ConstantFriction>(&scene.contacts[i].friction))
+        mu = dry->coefficient * (slip > 0 ? 1 : -1);
+      if (const auto* curve = std::get_if<model::StribeckFriction>(&scene.contacts[i].friction))
+        mu = curve->gamma[3] * std::tanh(curve->gamma[4] * slip);
+      const Real fx = normal * m.nx - mu * elastic * m.ny, fy = normal * m.ny + mu * elastic * m.nx;
+      force[0] -= fx, force[1] -= fy;
+      if (scene.contacts[i].casing_point) force[2] += fx, force[3] += fy;
+    }
+    Numbers out{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      out[i] = z[i + 4];
+      out[i + 4] = force[i] / Real(scene.structure.mass(Eigen::Index(i), Eigen::Index(i)));
+    }
+    return out;
+  }
+
+  Numbers step(Real t, Real h) const {
+    const auto at = [&](const Numbers& k, Real f) {
+      Numbers z = state;
+      for (std::size_t i = 0; i < 8; ++i) z[i] += f * k[i];
+      return z;
+    };
+    const auto a = rate(state, t), b = rate(at(a, h / 2), t + h / 2), c = rate(at(b, h / 2), t + h / 2),
+               d = rate(at(c, h), t + h);
+    Numbers z = state;
+    for (std::size_t i = 0; i < 8; ++i) z[i] += h / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+    return z;
+  }
+
+  /// One step, shortened to the first instant at which a contact begins, ends or no longer presses.
+  Real advance(Real t, Real most) {
+    const Real w = scene.speed_rad_per_s;
+    Real h = most;
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      const Seen m = seen(i, state);
+      if (m.p <= 0) continue;
+      h = std::min(h, std::clamp(m.p / (100 * std::abs(m.v)), 1e-7L / w, longest / (4 * w)));
+      // A damper that was set by a graze is stiff.
+      h = std::min(h, speed[i] * Real(0.03L) / (20 * x[i] * spring(stops[i], m.p) + 1e-9L));
+    }
+    h = std::min(h, longest / w);
+    Numbers next = step(t, h);
+    const auto region = [&](std::size_t i, const Numbers& z) {
+      const Seen m = seen(i, z);
+      return m.p <= 0 ? 0 : 1 + x[i] * m.v / speed[i] > 0 ? 1 : 2;
+    };
+    const auto changed = [&](const Numbers& z) {
+      for (std::size_t i = 0; i < stops.size(); ++i)
+        if (region(i, z) != region(i, state)) return true;
+      return false;
+    };
+    if (changed(next)) {
+      Real low = 0, high = h;
+      for (int k = 0; k < 70; ++k) {
+        const Real middle = (low + high) / 2;
+        (changed(step(t, middle)) ? high : low) = middle;
+      }
+      h = high;
+      next = step(t, h);
+      for (std::size_t i = 0; i < stops.size(); ++i)
+        if (seen(i, state).p <= 0 && seen(i, next).p > 0 && !stops[i].law.approach_speed_m_per_s)
+          speed[i] = std::max(seen(i, next).v, Real(1e-3) * scene.contacts[i].clearance_m * w);
+    }
+    state = next;
+    return t + h;
+  }
+
+  std::vector<double> after_turns(int turns) {
+    const Real period = 2 * std::numbers::pi_v<Real> / scene.speed_rad_per_s, end = turns * period;
+    for (Real t = 0; t < end;) t = advance(t, end - t);
+    std::vector<double> section(8);
+    for (std::size_t i = 0; i < 8; ++i)
+      section[i] = double(state[i] / (1e-3L * (i < 4 ? 1 : Real(scene.speed_rad_per_s))));
+    return section;
+  }
+};
+
+}  // namespace rubsweep::integrate::test_curved
