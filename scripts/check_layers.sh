@@ -136,7 +136,7 @@ declare -A below=(
   # Loads rubbing on an elastic ring: matrices, eigenvalues, onsets, closed forms, stability charts.
   [ring]='config numerics'
   # Documents, values, sections and the printer, the only folder that knows yaml-cpp; the readers of JSON and TOML.
-  [config/yaml]='batch model'
+  [config/yaml]='batch config/keys'
   # Forms of keys; the list of keys and the JSON Schema made of them.
   [config/keys]='model'
   # Readers of rotors, stops, files of ROSS, matrices and tables.

@@ -12,7 +12,6 @@
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/map/map_files.hpp"

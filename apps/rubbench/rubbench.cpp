@@ -17,7 +17,7 @@
 #include "rubbench_arguments.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"

@@ -21,7 +21,6 @@
 #include "rubsweep/analysis/branch/orbits/settled_start.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"

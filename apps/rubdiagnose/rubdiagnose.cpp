@@ -11,7 +11,7 @@
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/measurement/diagnose/answer/answer_text.hpp"
 #include "rubsweep/measurement/diagnosis/diagnose_recording.hpp"

@@ -14,7 +14,6 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/numerics/recently_used.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/measurement/fit/modelled_data.hpp"
 #include "rubsweep/measurement/fit/rub/rub_orbits.hpp"

@@ -18,7 +18,6 @@
 #include "rubfit_arguments.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/measurement/fit/fit_tables.hpp"
 #include "rubsweep/measurement/fit/modelled_data.hpp"

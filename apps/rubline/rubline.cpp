@@ -25,7 +25,6 @@
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "shared/exit_code.hpp"

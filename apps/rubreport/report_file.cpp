@@ -12,7 +12,7 @@
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/map_of_study.hpp"

@@ -12,7 +12,7 @@
 #include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/measurement/recording/column_list.hpp"
 #include "rubsweep/measurement/recording/recording_file.hpp"
 #include "rubsweep/measurement/scope/comparison.hpp"

@@ -17,7 +17,6 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"

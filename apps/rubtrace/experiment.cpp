@@ -21,7 +21,7 @@
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/premises.hpp"

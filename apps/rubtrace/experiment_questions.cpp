@@ -12,7 +12,7 @@
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/report/explain_machine.hpp"
 #include "rubsweep/maps/report/explain_rotor.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"

@@ -25,7 +25,7 @@
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/report/study_columns.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rubsweep/analysis/linear/experiment.hpp"
-#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 #include "shared/shown_lengths.hpp"

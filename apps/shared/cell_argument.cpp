@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/config/study/sweep.hpp"
 #include "shared/program.hpp"
 

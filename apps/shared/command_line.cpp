@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "rubsweep/core/model/magnitude.hpp"
+#include "rubsweep/core/model/range.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 #include "shared/program.hpp"
 #include "shared/run_summary.hpp"

@@ -7,7 +7,6 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 

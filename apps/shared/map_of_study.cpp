@@ -6,7 +6,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/earlier_results.hpp"
 #include "rubsweep/maps/report/map_cells.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/physical_range.hpp"
-#include "rubsweep/core/model/rpm.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/config/slip_of.hpp"

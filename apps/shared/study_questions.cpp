@@ -6,7 +6,7 @@
 
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/report/explain_study.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"

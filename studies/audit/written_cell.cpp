@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::audit {
 

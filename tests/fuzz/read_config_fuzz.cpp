@@ -1,6 +1,5 @@
 // libFuzzer target for the configuration reader of rubsweep.
 #include "fuzz/reader_fuzz.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

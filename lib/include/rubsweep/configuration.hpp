@@ -19,5 +19,4 @@
 /// ```
 
 #include "rubsweep/maps/config/line_keys.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"

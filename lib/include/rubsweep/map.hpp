@@ -21,4 +21,4 @@
 /// std::filesystem::remove_all(directory);
 /// ```
 
-#include "rubsweep/maps/map/compute_map.hpp"
+#include "rubsweep/maps/map/missing_cells.hpp"

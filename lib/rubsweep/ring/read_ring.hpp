@@ -15,9 +15,7 @@ namespace rubsweep::config::ring {
 inline constexpr std::size_t max_ring_loads = 64;
 inline constexpr model::Range inclinations{.low = -90, .high = 90};
 inline constexpr std::array<std::string_view, 2> kinds{"spring_mass", "beam"};
-inline constexpr Words<rubsweep::ring::Motion, 3> motions{
-    {"both", "radial", "tangential"},
-    {rubsweep::ring::Motion::both, rubsweep::ring::Motion::radial, rubsweep::ring::Motion::tangential}};
+inline constexpr auto motions = words_of<rubsweep::ring::Motion>();
 inline constexpr yaml::IntegerRange nodal_diameters{2, 100};
 inline constexpr model::Range thickness_ratios{.low = 0, .high = 1, .high_open = true};
 inline constexpr std::array<std::string_view, 3> stiffness_keys{

@@ -8,7 +8,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/config/file.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/study/sweep.hpp"
 #include "rubsweep/maps/config/unit_slips.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
@@ -219,7 +219,8 @@ RingConfig read_ring_config(const std::filesystem::path& file, const std::vector
 RingConfig read_ring_config_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides) {
   yaml::Diagnostics diagnostics(name, overrides);
-  const yaml::Node root = parse_config(text, name, root_form, overrides, diagnostics);
+  static const yaml::Alternatives alternatives(ring_form());
+  const yaml::Node root = parse_config(text, name, root_form, overrides, diagnostics, alternatives);
   refuse_foreign(root, {"rotor", "stops"}, {"ring", "loads"}, "rubsweep", diagnostics);
   RingConfig config = read_sections({root, "", diagnostics});
   if (diagnostics.count() == 0) refuse_unit_slips({root, "", diagnostics}, nullptr);

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rubsweep/core/enumerator_word.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/ring/analysis.hpp"
 #include "rubsweep/ring/system.hpp"

@@ -10,7 +10,7 @@
 #include "analysis/page/decoded.hpp"
 #include "maps/batch/temporary_directory.hpp"
 #include "maps/sweep/one_side_study.hpp"
-#include "rubsweep/analysis/page/assets.hpp"
+#include "rubsweep/analysis/page/page.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"

@@ -63,11 +63,18 @@ TEST(MapTable, ItsRowsAreInTheOrderOfTheCellsWhateverThatOfTheFile) {
     EXPECT_EQ(map.number("revolutions", cell), static_cast<double>(cell + 1));
   EXPECT_EQ(map.word("class", 0), "non_contact");
   EXPECT_EQ(map.word("class", 3), "chaotic");
+  EXPECT_EQ(map.cells, (std::vector<std::size_t>{0, 1, 2, 3}));
 
   std::ofstream(path) << header << "60,0.4,chaotic,4\n50,0.4,unsettled,3\n50,0.2,non_contact,1\n";
   EXPECT_TRUE(message_of<IoError>([&] {
                 read_map_table(path, grid);
               }).ends_with("map.csv: holds 3 cells of 4, there is no row of speed_hz 60, whirl_ratio 0.2"));
+
+  sweep::Grid refined = grid;
+  refined.refinement = sweep::Refinement{1, 0};
+  EXPECT_EQ(read_map_table(path, refined).cells, (std::vector<std::size_t>{0, 2, 3}));
+  std::ofstream(path) << header << "61,0.4,chaotic,4\n";
+  EXPECT_THROW(read_map_table(path, refined), IoError);
 }
 
 TEST(MapTable, ADamagedCellHasItsPlace) {

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/model/infinity.hpp"
-#include "rubsweep/core/model/magnitude.hpp"
 
 namespace rubsweep::model {
 namespace {

@@ -5,7 +5,6 @@
 #include "maps/batch/message_of.hpp"
 #include "maps/config/support.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config {

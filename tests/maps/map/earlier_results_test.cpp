@@ -9,7 +9,7 @@
 #include "maps/map/small_map.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::map {
 namespace {

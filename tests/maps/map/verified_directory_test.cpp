@@ -12,7 +12,7 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/map_files.hpp"
 #include "rubsweep/maps/map/written_file.hpp"
 

@@ -12,7 +12,6 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/balance.hpp"
-#include "rubsweep/core/model/rpm.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"

@@ -7,7 +7,7 @@
 
 #include "rubsweep/analysis/design/unbalance_response.hpp"
 #include "rubsweep/core/model/balance.hpp"
-#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/model/support_path.hpp"
 #include "rubsweep/core/numerics/banded_system.hpp"
 #include "rubsweep/core/numerics/dense/factors.hpp"

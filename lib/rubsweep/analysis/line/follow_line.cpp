@@ -13,7 +13,7 @@
 #include "rubsweep/core/integrate/run/turn.hpp"
 #include "rubsweep/core/response/motion/poincare_section.hpp"
 #include "rubsweep/core/response/motion/record.hpp"
-#include "rubsweep/core/scene/observed.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 

@@ -15,6 +15,7 @@
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/sweep/row.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
@@ -47,9 +48,7 @@ enum class Pass {
   down,  ///< like up, but from the last cell to the first
 };
 
-constexpr std::string_view to_string(Pass pass) {
-  return pass == Pass::kick ? "kick" : pass == Pass::up ? "up" : "down";
-}
+constexpr std::string_view to_string(Pass pass) { return enumerator_word(pass); }
 
 /// One cell of a line. Neighbours share what they have in common.
 struct LineCell {

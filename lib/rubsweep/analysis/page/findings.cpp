@@ -17,53 +17,6 @@
 namespace rubsweep::page {
 namespace {
 
-/// One column of an axis of the grid, with its number in the table at each value of the axis.
-struct AxisColumn {
-  std::string name;
-  std::vector<double> values;
-  std::size_t stride = 1;  ///< distance in cell numbers between neighbouring values
-
-  std::size_t place_in(std::size_t cell) const { return cell / stride % values.size(); }
-};
-
-/// Columns of each axis: speed, unbalance, and the axes over keys. The first column of an axis identifies its
-/// value.
-std::vector<std::vector<AxisColumn>> axes_of(const sweep::Grid& grid) {
-  std::vector<std::vector<AxisColumn>> axes{{{"speed_hz", grid.speed_hz, 1}}};
-  std::size_t stride = grid.speed_hz.size();
-  axes.push_back({{std::string(to_string(grid.measure)), grid.unbalance, stride}});
-  stride *= grid.unbalance.size();
-  for (const sweep::KeyAxis& axis : grid.axes) {
-    std::vector<AxisColumn> columns;
-    for (std::size_t key = 0; key < axis.keys.size(); ++key) {
-      columns.push_back({axis.keys[key], {}, stride});
-      for (const double value : axis.values)
-        columns.back().values.push_back(sweep::keys_at(axis, value)[key].value);
-    }
-    axes.push_back(std::move(columns));
-    stride *= axis.values.size();
-  }
-  return axes;
-}
-
-std::size_t cell_of(const MapTable& map, std::size_t row, const std::vector<std::vector<AxisColumn>>& axes) {
-  std::size_t cell = 0;
-  for (const auto& columns : axes) {
-    // A column whose factor is 0 is constant and does not identify the value.
-    const auto telling = std::ranges::find_if(columns, [](const AxisColumn& column) {
-      return column.values.size() == 1 || column.values[0] != column.values[1];
-    });
-    const AxisColumn& column = telling == columns.end() ? columns.front() : *telling;
-    const auto value = map.number(column.name, row);
-    const auto found = std::ranges::find(column.values, value.value_or(std::nan("")));
-    if (found == column.values.end())
-      throw IoError(
-          fmt::format("map.csv: its row {} is no cell of its configuration by {}", row + 1, column.name));
-    cell += static_cast<std::size_t>(found - column.values.begin()) * column.stride;
-  }
-  return cell;
-}
-
 using response::motion::MotionClass;
 
 using Rows = std::vector<std::size_t>;
@@ -209,13 +162,12 @@ void add_evidence(const MapTable& map, const Words& words, std::vector<std::stri
 }  // namespace
 
 PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid) {
-  const auto axes = axes_of(grid);
   const std::size_t cells = sweep::cell_count(grid);
   PaintedTable table{{map.version, map.digest, cells, {}}, {}, std::vector<int>(cells, sweep::unknown_label)};
   std::vector<std::size_t> row_of(cells, map.rows);
   std::map<std::pair<std::string_view, double>, int> numbers;
   for (std::size_t row = 0; row < map.rows; ++row) {
-    const std::size_t cell = cell_of(map, row, axes);
+    const std::size_t cell = map.cells[row];
     const std::pair name(map.word("class", row), map.number("order", row).value_or(0));
     table.labels[cell] = numbers.try_emplace(name, static_cast<int>(numbers.size())).first->second;
     row_of[cell] = row;
@@ -227,21 +179,21 @@ PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid) {
   const std::vector<std::size_t> shown = sweep::shown_cells(grid, table.labels);
 
   constexpr std::array<std::string_view, 5> of_the_block{"class", "order", "orbit", "whirl", "comb_spacing"};
+  const std::vector<sweep::KeyValue> place = sweep::columns_of_place(grid, 0);
   for (const MapColumn& column : map.columns) {
     const bool of_block = std::ranges::find(of_the_block, column.name) != of_the_block.end();
-    const AxisColumn* axis = nullptr;
-    for (const auto& columns : axes) {
-      for (const AxisColumn& own : columns) axis = own.name == column.name ? &own : axis;
-    }
+    const auto axis = std::ranges::find(place, column.name, &sweep::KeyValue::key);
     MapColumn& whole = table.map.columns.emplace_back(MapColumn{column.name, {}, {}});
     for (std::size_t cell = 0; cell < cells; ++cell) {
       const bool known = row_of[cell] < map.rows;
       const std::size_t row = row_of[shown[cell]];
       if (!column.numbers.empty()) {
         const double empty = std::numeric_limits<double>::quiet_NaN();
-        whole.numbers.push_back(axis != nullptr     ? axis->values[axis->place_in(cell)]
-                                : known || of_block ? column.numbers[row]
-                                                    : empty);
+        whole.numbers.push_back(
+            axis != place.end()
+                ? sweep::columns_of_place(grid, cell).at(static_cast<std::size_t>(axis - place.begin())).value
+            : known || of_block ? column.numbers[row]
+                                : empty);
       } else {
         whole.words.push_back(known || of_block         ? column.words[row]
                               : column.name == "status" ? std::string(not_computed)

@@ -20,10 +20,10 @@ struct PaintedTable {
   std::vector<int> labels;            ///< labels of the computed cells; sweep::unknown_label for all others
 };
 
-/// Adds a row for every cell of `grid` that `map` does not have. Such a row has its place, class and order of
-/// its block (see sweep/refinement.hpp), and the status not_computed. Orbit, whirl and comb are those of the
-/// nearest computed cell before it with the same label. Throws IoError where a row of the map is no cell of
-/// the grid, or where a cell that the refinement needs has no row.
+/// Adds a row for every cell of `grid` that `map`, which was read with it, does not have. Such a row has its
+/// place, class and order of its block (see sweep/refinement.hpp), and the status not_computed. Orbit, whirl
+/// and comb are those of the nearest computed cell before it with the same label. Throws IoError where a cell
+/// that the refinement needs has no row.
 PaintedTable painted_table(const MapTable& map, const sweep::Grid& grid);
 
 /// Findings of a map for people, one sentence each: extent and share of lasting rub, its most frequent

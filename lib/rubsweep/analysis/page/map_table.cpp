@@ -128,8 +128,10 @@ MapTable read_map_table(const std::filesystem::path& path, const sweep::Grid& gr
   while (file.next()) cells.emplace_back(cells_of_rows.take(file), cells.size());
   if (!grid.refinement) cells_of_rows.require_all();
   MapTable map = read_map_table(path);
-  if (std::ranges::is_sorted(cells)) return map;
+  const bool in_place = std::ranges::is_sorted(cells);
   std::ranges::sort(cells);
+  for (const auto& [cell, row] : cells) map.cells.push_back(cell);
+  if (in_place) return map;
   for (MapColumn& column : map.columns) {
     if (!column.numbers.empty()) column.numbers = in_order(column.numbers, cells);
     if (!column.words.empty()) column.words = in_order(column.words, cells);

@@ -26,6 +26,7 @@ struct MapTable {
   std::string digest;   ///< digest of its study; empty: unknown
   std::size_t rows = 0;
   std::vector<MapColumn> columns;
+  std::vector<std::size_t> cells{};  ///< cells of the rows, ascending, where it was read with their grid
 
   const MapColumn* find(std::string_view name) const;  ///< null where there is none
 

@@ -9,10 +9,8 @@
 #include <boost/json/value.hpp>
 #include <cstdint>
 #include <map>
-#include <string_view>
 #include <unordered_map>
 
-#include "rubsweep/analysis/page/assets.hpp"
 #include "rubsweep/analysis/page/compressed.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
 

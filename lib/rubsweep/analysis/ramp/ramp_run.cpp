@@ -8,7 +8,7 @@
 #include "rubsweep/core/integrate/adaptive/adaptive_run.hpp"
 #include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
-#include "rubsweep/core/scene/observed.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::ramp {
 namespace {

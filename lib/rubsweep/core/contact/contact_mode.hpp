@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "rubsweep/core/contact/force_law.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::contact {
 
@@ -17,10 +18,7 @@ enum class Mode : unsigned char {
 };
 inline constexpr int mode_count = 4;
 
-constexpr std::string_view to_string(Mode mode) {
-  constexpr std::array<std::string_view, mode_count> names{"open", "clamped", "sprung", "released"};
-  return names[static_cast<std::size_t>(mode)];
-}
+constexpr std::string_view to_string(Mode mode) { return enumerator_word(mode); }
 
 /// Penetration and its first two rates, in one consistent set of units.
 struct Kinematics {

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "rubsweep/core/vocabulary.hpp"
+
 namespace rubsweep::contact {
 
 /// Slip direction of a touching surface with dry friction, a set-valued law (Filippov): +mu S while it slips
@@ -14,9 +16,7 @@ enum class Slip : unsigned char { forward, sticking, backward };
 /// Sign of the slip: +1, 0 or -1.
 constexpr double sign_of(Slip slip) { return slip == Slip::forward ? 1 : slip == Slip::backward ? -1 : 0; }
 
-constexpr std::string_view to_string(Slip slip) {
-  return slip == Slip::forward ? "forward" : slip == Slip::backward ? "backward" : "sticking";
-}
+constexpr std::string_view to_string(Slip slip) { return enumerator_word(slip); }
 
 /// Zero band of a slip, as a share of the surface's own speed (or of one clearance per radian). Rounding
 /// stays below it; friction would stop a smaller slip within about 1e-12 radians of rotation.

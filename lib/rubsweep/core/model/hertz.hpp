@@ -22,10 +22,8 @@ struct HertzBody {
 
 enum class HertzShape { cylinder, flat, hole };  ///< shape of the casing: convex, plane, or around the rotor
 enum class HertzHalfWidth { textbook, paper };   ///< formula for the width of the contact
-inline constexpr Words<HertzShape, 3> hertz_shapes{
-    {"cylinder", "flat", "hole"}, {HertzShape::cylinder, HertzShape::flat, HertzShape::hole}};
-inline constexpr Words<HertzHalfWidth, 2> hertz_half_widths{
-    {"textbook", "paper"}, {HertzHalfWidth::textbook, HertzHalfWidth::paper}};
+inline constexpr auto hertz_shapes = words_of<HertzShape>();
+inline constexpr auto hertz_half_widths = words_of<HertzHalfWidth>();
 
 /// Contact of two parallel cylinders along a line, from which the contact stiffness is computed.
 struct HertzLine {

@@ -14,16 +14,11 @@ namespace rubsweep::model {
 /// Elastic force S(p) of a contact over its penetration p: K p with the stiffness of the stop and a clamped
 /// damper; K p^n; the line contact of Hertz that the stop describes; or a measured curve.
 enum class ForceCurve { linear, power, hertz_line, table };
-inline constexpr Words<ForceCurve, 4> force_curves{
-    {"linear", "power", "hertz_line", "table"},
-    {ForceCurve::linear, ForceCurve::power, ForceCurve::hertz_line, ForceCurve::table}};
+inline constexpr auto force_curves = words_of<ForceCurve>();
 
 /// Formulas for c in the force S(p) (1 + c p'), from a restitution and the approach speed.
 enum class ImpactDamping { none, hunt_crossley, lankarani_nikravesh, flores, delivered };
-inline constexpr Words<ImpactDamping, 5> impact_dampings{
-    {"none", "hunt_crossley", "lankarani_nikravesh", "flores", "delivered"},
-    {ImpactDamping::none, ImpactDamping::hunt_crossley, ImpactDamping::lankarani_nikravesh,
-     ImpactDamping::flores, ImpactDamping::delivered}};
+inline constexpr auto impact_dampings = words_of<ImpactDamping>();
 
 /// Law of the normal force of a stop.
 struct NormalLaw {

@@ -5,10 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "rubsweep/core/model/magnitude.hpp"
-
 namespace rubsweep::model {
-
 namespace {
 
 bool inside(const Range& range, double value) {
@@ -48,7 +45,8 @@ std::string describe(const Range& range) {
   if (std::isfinite(range.high)) {
     const char* sign = range.high_open ? "<" : "<=";
     const std::string high = short_text(range.high);
-    text = has_low ? fmt::format("{} and {} {}", text, sign, high) : fmt::format("a number {} {}", sign, high);
+    text =
+        has_low ? fmt::format("{} and {} {}", text, sign, high) : fmt::format("a number {} {}", sign, high);
   }
   return text;
 }

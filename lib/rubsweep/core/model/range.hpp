@@ -26,4 +26,13 @@ std::string describe(const Range& range);
 /// Marks a number that has no default and must be given. A signalling NaN, so that using it raises an error.
 inline constexpr double required = std::numeric_limits<double>::signaling_NaN();
 
+/// Bounds of the magnitude of every number of a machine that is not 0. They are far wider than anything ever
+/// built, yet narrow enough that products of several numbers stay finite and keep their digits. Used by
+/// `contains`.
+inline constexpr double smallest_magnitude = 1e-30, largest_magnitude = 1e30;
+
+/// Allowed values as text for a message about `value`, which lies outside the range: describe(range), or the
+/// bounds of magnitude where these are the reason.
+std::string describe(const Range& range, double value);
+
 }  // namespace rubsweep::model

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/model/magnitude.hpp"
+#include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
 

@@ -11,6 +11,7 @@
 #include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/physical_range.hpp"
 #include "rubsweep/core/model/range.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::model {
 
@@ -19,10 +20,7 @@ namespace rubsweep::model {
 /// y(z) turns it by -dy/dz about x.
 enum class Direction { x, y, rx, ry };
 
-constexpr std::string_view to_string(Direction direction) {
-  constexpr std::array<std::string_view, 4> words{"x", "y", "rx", "ry"};
-  return words[static_cast<std::size_t>(direction)];
-}
+constexpr std::string_view to_string(Direction direction) { return enumerator_word(direction); }
 
 /// One row and column of a rotor's matrices.
 struct DegreeOfFreedom {

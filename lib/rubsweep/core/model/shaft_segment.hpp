@@ -17,17 +17,7 @@ enum class ShearCoefficient {
   hutchinson,  ///< Hutchinson, J. Appl. Mech. 68, 2001
   none         ///< no shear: cross-sections stay normal to the axis
 };
-constexpr std::string_view to_string(ShearCoefficient coefficient) {
-  switch (coefficient) {
-    case ShearCoefficient::cowper:
-      return "cowper";
-    case ShearCoefficient::hutchinson:
-      return "hutchinson";
-    case ShearCoefficient::none:
-      return "none";
-  }
-  return "";
-}
+constexpr std::string_view to_string(ShearCoefficient coefficient) { return enumerator_word(coefficient); }
 
 /// Round section and material of a segment of shaft, or of a further layer around or inside it. The ends of a
 /// layer are tied to those of its segment.

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-
-#include "rubsweep/core/model/rpm.hpp"
-
 namespace rubsweep::model {
 namespace {
 

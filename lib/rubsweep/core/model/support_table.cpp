@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/model/magnitude.hpp"
 #include "rubsweep/core/model/physical_range.hpp"
+#include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
 

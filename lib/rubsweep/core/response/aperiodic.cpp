@@ -6,7 +6,7 @@
 #include <span>
 
 #include "rubsweep/core/response/motion/poincare_section.hpp"
-#include "rubsweep/core/scene/observed.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -74,5 +75,10 @@ struct Scene {
 
   double period_s() const { return 2 * std::numbers::pi / speed_rad_per_s; }
 };
+
+/// Displacement (x, y) of the observed point per unit of each coordinate; it also maps the velocities.
+inline const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed(const Scene& scene) {
+  return scene.structure.points[static_cast<std::size_t>(scene.observed_point)].map;
+}
 
 }  // namespace rubsweep::scene

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "rubsweep/core/model/casing.hpp"
-#include "rubsweep/core/model/rotor.hpp"
+#include "rubsweep/core/model/machine.hpp"
+#include "rubsweep/core/model/stop.hpp"
 #include "rubsweep/core/structure/linear_system.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 
 namespace rubsweep::batch {
@@ -117,9 +115,9 @@ double number_of(const std::filesystem::path& path, std::size_t line, const std:
 }
 
 /// Refuses a table whose checksum is wrong before any number is taken from it.
-void require_as_written(std::FILE* stream, const std::filesystem::path& path) {
+void require_as_written(InputLines& lines, const std::filesystem::path& path) {
   try {
-    check_table(stream, path);
+    check_table(lines, path);
   } catch (const DamagedTable& damage) {
     throw DamagedTable(
         fmt::format("{}\nallowed: a copy of it that is whole; of one that was changed on purpose, "
@@ -155,8 +153,8 @@ std::string csv_row(std::span<const std::string> cells) {
   return row;
 }
 
-CsvReader::CsvReader(std::filesystem::path path) : path_(std::move(path)), file_(open_input_stream(path_)) {
-  require_as_written(file_.get(), path_);
+CsvReader::CsvReader(std::filesystem::path path) : path_(std::move(path)), lines_(path_) {
+  require_as_written(lines_, path_);
   if (!read_record()) fail(path_, next_.line, "no header line");
   header_ = parse_record();
   require_distinct(header_, path_, place_.line);
@@ -167,7 +165,7 @@ bool CsvReader::read_record() {
   record_.clear();
   std::ptrdiff_t quotes = 0;
   while (true) {
-    const std::string_view line = read_line(file_.get(), path_, line_.text, line_.capacity);
+    const std::string_view line = lines_.next();
     if (line.empty()) return !record_.empty();
     if (record_.empty()) place_ = next_;
     next_.offset += line.size();
@@ -198,8 +196,7 @@ bool CsvReader::next() {
 
 void CsvReader::read_at(const RowPosition& place) {
   // Maps are mostly read in order, and without a seek the buffered bytes stay valid.
-  if (place.offset != next_.offset && ::fseeko(file_.get(), static_cast<off_t>(place.offset), SEEK_SET) != 0)
-    throw_io_error("read", path_, errno);
+  if (place.offset != next_.offset) lines_.go_to(place.offset);
   next_ = place;
   if (!next()) fail(path_, place.line, "the file has become shorter");
 }

@@ -2,14 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "rubsweep/maps/batch/opened_file.hpp"
 
 namespace rubsweep::batch {
 
@@ -61,15 +60,7 @@ class CsvReader {
   std::vector<std::string> parse_record() const;
 
   std::filesystem::path path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  struct Line {  ///< line buffer as getline(3) needs it
-    char* text = nullptr;
-    std::size_t capacity = 0;
-    Line() = default;
-    Line(const Line&) = delete;
-    Line& operator=(const Line&) = delete;
-    ~Line() { std::free(text); }
-  } line_;
+  InputLines lines_;
   RowPosition next_{0, 1};  ///< where the next line starts
   RowPosition place_;
   std::string record_;  ///< text of the row: one line, or more where a quoted cell continues

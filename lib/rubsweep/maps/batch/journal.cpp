@@ -43,7 +43,7 @@ std::optional<std::size_t> read_size(std::string_view text) {
 /// Reads the lines of a file of any size, one at a time.
 class LineReader {
  public:
-  explicit LineReader(const std::filesystem::path& path) : path_(path), file_(open_input_stream(path)) {}
+  explicit LineReader(const std::filesystem::path& path) : lines_(path) {}
 
   /// Takes the next line without its end; false at the end. A last line without an end was torn and is
   /// ignored.
@@ -53,7 +53,7 @@ class LineReader {
       offset = offset_;
       return true;
     }
-    const std::string_view read = read_line(file_.get(), path_, buffer_.text, buffer_.capacity);
+    const std::string_view read = lines_.next();
     if (!read.ends_with('\n')) return false;
     offset = offset_ = position_;
     position_ += read.size();
@@ -65,9 +65,7 @@ class LineReader {
   void again() { again_ = true; }
 
  private:
-  std::filesystem::path path_;
-  InputStream file_;
-  LineBuffer buffer_;
+  InputLines lines_;
   std::uint64_t position_ = 0;
   std::string_view line_;  ///< line returned last
   std::uint64_t offset_ = 0;

@@ -127,23 +127,27 @@ Descriptor open_input(const fs::path& path) {
   return std::move(input.descriptor);
 }
 
-InputStream open_input_stream(const fs::path& path) {
-  Descriptor descriptor = open_input(path);
-  InputStream stream(::fdopen(descriptor.get(), "rb"), &std::fclose);
-  if (!stream) throw_io_error("read", path, errno);
+InputLines::InputLines(fs::path path) : path_(std::move(path)), stream_(nullptr, &std::fclose) {
+  Descriptor descriptor = open_input(path_);
+  stream_.reset(::fdopen(descriptor.get(), "rb"));
+  if (!stream_) throw_io_error("read", path_, errno);
   descriptor.release();
-  return stream;
 }
 
-LineBuffer::~LineBuffer() { std::free(text); }
+InputLines::~InputLines() { std::free(text_); }
 
-std::string_view read_line(std::FILE* stream, const fs::path& path, char*& text, std::size_t& capacity) {
+std::string_view InputLines::next() {
   errno = 0;
-  const ssize_t length = ::getline(&text, &capacity, stream);
-  if (length >= 0) return {text, static_cast<std::size_t>(length)};
+  const ssize_t length = ::getline(&text_, &capacity_, stream_.get());
+  if (length >= 0) return {text_, static_cast<std::size_t>(length)};
   if (errno == ENOMEM) throw std::bad_alloc();
-  if (std::ferror(stream)) throw_io_error("read", path, errno);
+  if (std::ferror(stream_.get())) throw_io_error("read", path_, errno);
   return {};
+}
+
+void InputLines::go_to(std::uint64_t offset) {
+  if (::fseeko(stream_.get(), static_cast<off_t>(offset), SEEK_SET) != 0)
+    throw_io_error("read", path_, errno);
 }
 
 int read_bytes(int descriptor, std::size_t most, std::string& text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -75,26 +76,29 @@ Input find_input(const std::filesystem::path& path, InputKind kind = InputKind::
 /// Opens a file for reading, as find_input does. Throws IoError "cannot read PATH: ...".
 Descriptor open_input(const std::filesystem::path& path);
 
-using InputStream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+/// Lines of a file of any size, one at a time.
+class InputLines {
+ public:
+  /// Throws IoError "cannot read PATH: ...".
+  explicit InputLines(std::filesystem::path path);
+  ~InputLines();
+  InputLines(const InputLines&) = delete;
+  InputLines& operator=(const InputLines&) = delete;
 
-/// Opens a file for reading as a stream. Throws IoError.
-InputStream open_input_stream(const std::filesystem::path& path);
+  /// The next line with its end, which the last one may lack; an empty view where nothing follows. It is good
+  /// until the next call. Throws IoError with the name of the file; bad_alloc for a line that does not fit
+  /// into memory, which must not pass for the end of the file.
+  std::string_view next();
 
-/// Buffer for read_line.
-struct LineBuffer {
-  char* text = nullptr;
-  std::size_t capacity = 0;
-  LineBuffer() = default;
-  ~LineBuffer();
-  LineBuffer(const LineBuffer&) = delete;
-  LineBuffer& operator=(const LineBuffer&) = delete;
+  /// Goes on with the line that begins at this offset. Throws IoError.
+  void go_to(std::uint64_t offset);
+
+ private:
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream_;
+  char* text_ = nullptr;  ///< as getline(3) wants it
+  std::size_t capacity_ = 0;
 };
-
-/// Next line of a stream, with its line end, which the last line may lack; empty at the end. The view is
-/// valid until the next call. `text` and `capacity` are as in getline(3). Throws IoError with the name of the
-/// file, and bad_alloc for a line that does not fit into memory: it must not look like the end of the file.
-std::string_view read_line(std::FILE* stream, const std::filesystem::path& path, char*& text,
-                           std::size_t& capacity);
 
 /// Reads all bytes of a file. Throws IoError.
 std::string read_input(const std::filesystem::path& path);

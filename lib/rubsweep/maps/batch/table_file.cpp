@@ -5,12 +5,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <variant>
-
-#include "rubsweep/maps/batch/opened_file.hpp"
 
 namespace rubsweep::batch {
 namespace {
@@ -111,17 +108,15 @@ void TableFile::rename() {
   file_.rename();
 }
 
-TableSum check_table(const fs::path& path) { return check_table(open_input_stream(path).get(), path); }
+TableSum check_table(const fs::path& path) {
+  InputLines lines(path);
+  return check_table(lines, path);
+}
 
-TableSum check_table(std::FILE* stream, const fs::path& path) {
-  LineBuffer buffer;
+TableSum check_table(InputLines& lines, const fs::path& path) {
   TableCheck check;
-  while (true) {
-    const std::string_view line = read_line(stream, path, buffer.text, buffer.capacity);
-    if (line.empty()) break;
-    check.add(line);
-  }
-  std::rewind(stream);
+  for (std::string_view line = lines.next(); !line.empty(); line = lines.next()) check.add(line);
+  lines.go_to(0);
   return check.verdict(path);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 
@@ -70,7 +70,7 @@ enum class TableSum {
 TableSum check_table(const std::filesystem::path& path);
 
 /// Checks the table in an open file, which must be at its begin and is there again afterwards.
-TableSum check_table(std::FILE* stream, const std::filesystem::path& path);
+TableSum check_table(InputLines& lines, const std::filesystem::path& path);
 
 /// Checks the table with these bytes; `path` is only for messages.
 TableSum check_table_text(std::string_view text, const std::filesystem::path& path);

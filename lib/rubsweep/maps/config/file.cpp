@@ -77,15 +77,16 @@ void refuse_foreign(const yaml::Node& root, std::initializer_list<std::string_vi
 }
 
 yaml::Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
-                        const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics) {
+                        const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics,
+                        const yaml::Alternatives& alternatives) {
   auto root = parse_document(text, -1, "", diagnostics);
   diagnostics.throw_if_any();
   if (root->kind == yaml::Node::Kind::null) {
     diagnostics.add(yaml::SourcePosition{}, "", "the configuration is empty", form);
     diagnostics.throw_if_any();
   }
-  if (!resolve_bases(*root, file, diagnostics)) diagnostics.throw_if_any();
-  apply_overrides(*root, overrides, diagnostics);
+  if (!resolve_bases(*root, file, alternatives, diagnostics)) diagnostics.throw_if_any();
+  apply_overrides(*root, overrides, alternatives, diagnostics);
   refuse_base_of_override(*root, diagnostics);
   machine::resolve_tables(*root, diagnostics);
   machine::resolve_matrices(*root, diagnostics);

@@ -9,6 +9,7 @@
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
+#include "rubsweep/maps/config/yaml/alternatives.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
@@ -20,17 +21,19 @@ namespace rubsweep::config {
 /// Parses a configuration, merges it with its bases (see base.hpp; their paths are relative to `file`), and
 /// applies the overrides (see override.hpp). Problems go to `diagnostics`. Throws ConfigError where the text
 /// is empty or no YAML document, and where a base cannot be read. `form` says in words what may stand in the
-/// configuration.
+/// configuration. `alternatives` of its keys are taken back where one of them is written over another.
 yaml::Node parse_config(std::string_view text, const std::filesystem::path& file, std::string_view form,
-                        const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics);
+                        const std::vector<std::string>& overrides, yaml::Diagnostics& diagnostics,
+                        const yaml::Alternatives& alternatives = {});
 
 /// Value that `read` makes from the root of a configuration. Throws ConfigError as parse_config does, and
 /// also with every problem that `read` added.
 template <class Read>
 auto read_parsed(std::string_view text, const std::filesystem::path& file, std::string_view form,
-                 const std::vector<std::string>& overrides, Read read) {
+                 const std::vector<std::string>& overrides, Read read,
+                 const yaml::Alternatives& alternatives = {}) {
   yaml::Diagnostics diagnostics(file.string(), overrides);
-  const yaml::Node root = parse_config(text, file, form, overrides, diagnostics);
+  const yaml::Node root = parse_config(text, file, form, overrides, diagnostics, alternatives);
   auto value = read(yaml::Value{root, "", diagnostics});
   diagnostics.throw_if_any();
   return value;

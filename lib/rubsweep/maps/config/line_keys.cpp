@@ -8,7 +8,7 @@
 
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/config/file.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/study/axis.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
@@ -45,7 +45,8 @@ LineKeys line_keys(const sweep::Grid& grid, std::string_view along, const std::f
   LineKeys keys;
   if (grid.axes.empty()) return keys;
   yaml::Diagnostics diagnostics(file.string(), overrides);
-  const yaml::Node root = parse_config(yaml::read_config_bytes(file), file, "", overrides, diagnostics);
+  const yaml::Node root =
+      parse_config(yaml::read_config_bytes(file), file, "", overrides, diagnostics, run_alternatives());
   std::vector<std::string> named = overrides;
   named.insert(named.end(), said_elsewhere.begin(), said_elsewhere.end());
   std::size_t next = 0;
@@ -93,7 +94,8 @@ RunConfig read_cell_config(const std::filesystem::path& file, const std::vector<
 std::string place_of_key(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                          std::string_view path) {
   yaml::Diagnostics diagnostics(file.string(), overrides);
-  const yaml::Node root = parse_config(yaml::read_config_bytes(file), file, "a map", overrides, diagnostics);
+  const yaml::Node root =
+      parse_config(yaml::read_config_bytes(file), file, "a map", overrides, diagnostics, run_alternatives());
   const yaml::Node* node = find_node(root, path);
   return node == nullptr ? file.string() : diagnostics.describe(node->place);
 }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -11,8 +13,9 @@
 
 #include "rubsweep/core/contact/restitution.hpp"
 #include "rubsweep/core/contact/wall.hpp"
-#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
+#include "rubsweep/core/structure/matrix_shaft.hpp"
 #include "rubsweep/maps/config/file.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/study/study.hpp"
@@ -22,6 +25,7 @@
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
+#include "rubsweep/maps/config/yaml/printer.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
 namespace rubsweep::config {
@@ -142,6 +146,16 @@ std::vector<std::string> plan_questions(const yaml::Value& root, const sweep::St
   return questions;
 }
 
+std::vector<std::string> varied_keys(const sweep::Study& study) {
+  std::vector<std::string> keys = sweep::key_names(study.grid);
+  if (study.threshold)
+    keys.insert(keys.end(), study.threshold->axis.keys.begin(), study.threshold->axis.keys.end());
+  if (study.basin) {
+    for (const sweep::DrawnKey& drawn : study.basin->over) keys.push_back(drawn.key);
+  }
+  return keys;
+}
+
 }  // namespace
 
 keys::Form run_form() {
@@ -152,10 +166,16 @@ keys::Form run_form() {
                       {study::kick_or_start()});
 }
 
+const yaml::Alternatives& run_alternatives() {
+  static const yaml::Alternatives all(run_form());
+  return all;
+}
+
 model::Machine read_machine_text(std::string_view text, const std::string& name,
                                  const std::vector<std::string>& overrides) {
-  return read_parsed(text, name, root_form, overrides,
-                     [](const yaml::Value& root) { return read_sections(root).study.machine; });
+  return read_parsed(
+      text, name, root_form, overrides,
+      [](const yaml::Value& root) { return read_sections(root).study.machine; }, run_alternatives());
 }
 
 RunConfig read_run_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
@@ -165,7 +185,7 @@ RunConfig read_run_config(const std::filesystem::path& file, const std::vector<s
 RunConfig read_run_config_text(std::string_view text, const std::string& name,
                                const std::vector<std::string>& overrides) {
   yaml::Diagnostics diagnostics(name, overrides);
-  const yaml::Node root = parse_config(text, name, root_form, overrides, diagnostics);
+  const yaml::Node root = parse_config(text, name, root_form, overrides, diagnostics, run_alternatives());
   refuse_foreign(root, {"ring", "loads"}, {"rotor", "stops"}, "ringstab", diagnostics);
   RunConfig config = read_sections({root, "", diagnostics});
   if (diagnostics.count() == 0) refuse_unit_slips({root, "", diagnostics}, &config.study.machine);
@@ -176,5 +196,40 @@ RunConfig read_run_config_text(std::string_view text, const std::string& name,
   if (config.questions.empty()) config.questions = plan_questions({root, "", diagnostics}, config.study);
   return config;
 }
+
+std::string print_config(const RunConfig& config, machine::MatrixPrint matrices) {
+  yaml::Printer printer;
+  print_captions(printer, config.captions);
+  study::print_study(printer, config.study, study::AxisPrint::as_written, matrices);
+  print_run_output(printer, config);
+  return printer.yaml();
+}
+
+std::string print_study(const sweep::Study& study) {
+  yaml::Printer printer;
+  study::print_study(printer, study, study::AxisPrint::by_value);
+  return printer.yaml();
+}
+
+std::map<std::string_view, std::string> exported_matrices(const RunConfig& config) {
+  RunConfig exported = config;
+  exported.study.machine = structure::machine_by_matrices(config.study.machine);
+  for (const std::string& key : varied_keys(config.study)) {
+    if (key.starts_with("rotor."))
+      throw ConfigError(fmt::format(
+          "{}: is varied, and matrices are of one rotor, allowed: keys of other parts of the machine", key));
+  }
+  exported.output_directory = batch::directory_beside(config.output_directory, "_matrices");
+  auto files = machine::matrix_files(*model::kit_of(exported.study.machine)->matrices);
+  files["rotor.yaml"] = print_config(exported, machine::MatrixPrint::as_files);
+  return files;
+}
+
+std::string digest_of(std::string_view text) {
+  const boost::uuids::name_generator_sha1 generator(boost::uuids::ns::oid());
+  return boost::uuids::to_string(generator(std::string(text)));
+}
+
+std::string study_digest(const sweep::Study& study) { return digest_of(print_study(study)); }
 
 }  // namespace rubsweep::config

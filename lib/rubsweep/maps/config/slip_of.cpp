@@ -13,7 +13,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/balance.hpp"
-#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/config/study/sweep.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rubsweep/maps/config/machine/rotor.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/study/axis.hpp"
 #include "rubsweep/maps/config/study/study.hpp"
 #include "rubsweep/maps/config/study/sweep.hpp"
@@ -46,7 +46,8 @@ yaml::Node document_of(const sweep::Study& study) {
 sweep::Study read_varied(yaml::Node document, std::span<const sweep::KeyValue> keys,
                          const yaml::SourcePosition& place, yaml::Diagnostics& diagnostics) {
   const std::size_t problems = diagnostics.count();
-  for (const auto& [key, value] : keys) yaml::write_number(document, key, value, place, diagnostics);
+  for (const auto& [key, value] : keys)
+    yaml::write_number(document, key, value, place, run_alternatives(), diagnostics);
   if (diagnostics.count() != problems) return {};
   const yaml::Value root{document, "", diagnostics};
   yaml::Section section(root);

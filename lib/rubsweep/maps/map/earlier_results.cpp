@@ -6,7 +6,6 @@
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/yaml/differing_keys.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
@@ -52,15 +51,13 @@ std::string keys_that_differ(const fs::path& config_file, const std::string& dig
 
 /// Digest in the comments above the header of a table; empty where there is none.
 std::string digest_in(const fs::path& table) {
-  const batch::InputStream stream = batch::open_input_stream(table);
+  batch::InputLines lines(table);
   constexpr std::string_view mark = "# digest ";
-  batch::LineBuffer buffer;
-  while (true) {
-    const std::string_view line = batch::read_line(stream.get(), table, buffer.text, buffer.capacity);
-    if (!line.starts_with('#')) return "";
+  for (std::string_view line = lines.next(); line.starts_with('#'); line = lines.next()) {
     if (line.starts_with(mark))
       return std::string(line.substr(mark.size(), line.find_first_of("\r\n") - mark.size()));
   }
+  return "";
 }
 
 }  // namespace

@@ -183,4 +183,15 @@ std::string MissingCells::interrupted() {
   return interrupted_map(program_, directory_, log_.finished());
 }
 
+std::optional<report::MapSummary> compute(const config::RunConfig& config,
+                                          const std::filesystem::path& directory,
+                                          const ComputeOptions& options) {
+  MapDirectory map(directory, config, std::nullopt, false, options.program);
+  if (map.finished_map()) return map.finished_map()->summary;
+  if (MissingCells missing(options, config.study, map); !missing.run()) return std::nullopt;
+  const report::MapSummary summary = map.write_map();
+  map.paint(config.study.grid);
+  return summary;
+}
+
 }  // namespace rubsweep::map

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -13,8 +14,9 @@
 #include "rubsweep/maps/batch/journal.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
-#include "rubsweep/maps/map/compute_map.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
+#include "rubsweep/maps/report/map_summary.hpp"
 #include "rubsweep/maps/sweep/row.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
@@ -57,6 +59,14 @@ class CellLog {
 
 /// Message of `program` after a signal: number of finished cells, of which this run computed `finished`.
 std::string interrupted_map(std::string_view program, const MapDirectory& directory, std::size_t finished);
+
+/// Options for computing the cells of a map.
+struct ComputeOptions {
+  int threads = 0;                                            ///< 0: as many as the machine has cores
+  const std::atomic<bool>* stop = nullptr;                    ///< once it is true, no further cell begins
+  batch::ProgressMode progress = batch::ProgressMode::never;  ///< progress on stderr
+  std::string program = "rubsweep";                           ///< name in locks and messages
+};
 
 /// Computes the missing cells of a directory and writes each as it is finished. `run` uses the calling thread
 /// and threads of its own. One other thread may call `refresh` and `give_up` during that time.
@@ -110,5 +120,13 @@ class MissingCells {
   std::size_t left_to_others_ = 0;
   std::string description_;
 };
+
+/// Computes the map of a configuration in `directory`, or continues what an earlier call left there. Writes
+/// map.csv and the configuration, and returns the summary of the whole map. Empty where the run was stopped;
+/// a later call then computes the rest. Throws LockedError where another process is at work there,
+/// ConfigError where the cells there belong to another configuration, and IoError.
+std::optional<report::MapSummary> compute(const config::RunConfig& config,
+                                          const std::filesystem::path& directory,
+                                          const ComputeOptions& options = {});
 
 }  // namespace rubsweep::map

@@ -37,17 +37,15 @@ ComputedMotions read_motions(const std::filesystem::path& map, const sweep::Grid
 }
 
 std::string header(const sweep::Grid& grid) {
-  std::vector<std::string> names{"speed_hz", std::string(to_string(grid.measure))};
-  for (std::string& key : sweep::key_names(grid)) names.push_back(std::move(key));
+  std::vector<std::string> names;
+  for (const sweep::KeyValue& column : sweep::columns_of_place(grid, 0)) names.push_back(column.key);
   return batch::csv_row(names) + ",class,order,kind,computed\n";
 }
 
 std::string axes_of(const sweep::Grid& grid, std::size_t cell) {
-  const std::size_t speeds = grid.speed_hz.size();
-  std::vector<std::string> values{batch::csv_number(grid.speed_hz[cell % speeds]),
-                                  batch::csv_number(grid.unbalance[cell / speeds % grid.unbalance.size()])};
-  for (const sweep::KeyValue& held : sweep::key_values(grid, cell))
-    values.push_back(batch::csv_number(held.value));
+  std::vector<std::string> values;
+  for (const sweep::KeyValue& column : sweep::columns_of_place(grid, cell))
+    values.push_back(batch::csv_number(column.value));
   return batch::csv_row(values);
 }
 

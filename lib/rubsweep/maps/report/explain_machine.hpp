@@ -1,10 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "rubsweep/core/model/machine.hpp"
+#include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
 
 namespace rubsweep::report {
+
+/// Lines for `--explain` on one stop: geometry, force law, friction and casing. Slip and saturation of
+/// friction are stated at the speed of `cell`.
+std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Cell& cell, std::size_t stop);
 
 /// Explanation of `machine` for a terminal: the model, and what it leaves out and why. Slip and saturation of
 /// friction are stated at `speed_hz`, the lowest speed of a sweep.

@@ -9,7 +9,7 @@
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/core/integrate/start.hpp"
-#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"

@@ -102,12 +102,9 @@ std::optional<std::size_t> find_cell(const std::vector<CellPlace>& places, const
 }
 
 std::string name_of_cell(const sweep::Grid& grid, std::size_t cell) {
-  const std::size_t speeds = grid.speed_hz.size();
-  std::string name =
-      fmt::format("speed_hz {}, {} {}", csv_number(grid.speed_hz[cell % speeds]), to_string(grid.measure),
-                  csv_number(grid.unbalance[cell / speeds % grid.unbalance.size()]));
-  for (const sweep::KeyValue& held : sweep::key_values(grid, cell))
-    name += fmt::format(", {} {}", held.key, csv_number(held.value));
+  std::string name;
+  for (const auto& [column, value] : sweep::columns_of_place(grid, cell))
+    name += fmt::format("{}{} {}", name.empty() ? "" : ", ", column, csv_number(value));
   return name;
 }
 

@@ -189,7 +189,6 @@ Probe probe_of(const Row& row) {
           row.motion_class == response::motion::MotionClass::failed, class_and_order(row)};
 }
 
-
 }  // namespace
 
 Row row_of(const scene::Cell& cell, double speed_hz, const model::Machine& machine,

@@ -61,6 +61,15 @@ std::vector<KeyValue> key_values(const Grid& grid, std::size_t cell) {
   return values;
 }
 
+std::vector<KeyValue> columns_of_place(const Grid& grid, std::size_t cell) {
+  const std::size_t speeds = grid.speed_hz.size();
+  std::vector<KeyValue> columns{
+      {"speed_hz", grid.speed_hz[cell % speeds]},
+      {std::string(to_string(grid.measure)), grid.unbalance[cell / speeds % grid.unbalance.size()]}};
+  for (KeyValue& key : key_values(grid, cell)) columns.push_back(std::move(key));
+  return columns;
+}
+
 std::vector<SweptAxis> swept_axes(const Grid& grid) {
   std::vector<SweptAxis> swept;
   if (grid.speed_hz.size() > 1) swept.push_back({"speed_hz", grid.speed_hz});

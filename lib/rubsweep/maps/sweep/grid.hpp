@@ -8,6 +8,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 #include "rubsweep/maps/sweep/refinement.hpp"
 
@@ -56,15 +57,7 @@ enum class UnbalanceMeasure {
 };
 
 /// Key of the measure in a configuration, and name of its column in map.csv.
-constexpr std::string_view to_string(UnbalanceMeasure measure) {
-  switch (measure) {
-    case UnbalanceMeasure::whirl_ratio:
-      return "whirl_ratio";
-    case UnbalanceMeasure::eccentricity_m:
-      return "eccentricity_m";
-  }
-  throw SolverError("measure of the unbalance without a name");
-}
+constexpr std::string_view to_string(UnbalanceMeasure measure) { return enumerator_word(measure); }
 
 /// Grid of cells. Speeds in Hz, strictly > 0; unbalance values >= 0 in the unit of `measure`.
 struct Grid {
@@ -91,6 +84,10 @@ std::vector<std::string> key_names(const Grid& grid);
 
 /// Numbers of these keys in a cell < cell_count(grid), in the same order.
 std::vector<KeyValue> key_values(const Grid& grid, std::size_t cell);
+
+/// The columns that say where a cell < cell_count(grid) lies, with its numbers: speed_hz, the measure of the
+/// unbalance, then all keys.
+std::vector<KeyValue> columns_of_place(const Grid& grid, std::size_t cell);
 
 /// An axis with more than one value.
 struct SweptAxis {

@@ -8,6 +8,7 @@
 #include "rubsweep/core/response/motion/motion.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/core/response/survival.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/sweep/basin_sampling.hpp"
 #include "rubsweep/maps/sweep/threshold.hpp"
 
@@ -22,21 +23,7 @@ enum class RunStart {
   handed_on  ///< on the motion of the cell before it on a line; never in a map
 };
 
-constexpr std::string_view to_string(RunStart start) {
-  switch (start) {
-    case RunStart::kick:
-      return "kick";
-    case RunStart::quiet:
-      return "quiet";
-    case RunStart::contact:
-      return "contact";
-    case RunStart::state:
-      return "state";
-    case RunStart::handed_on:
-      return "handed_on";
-  }
-  return "";
-}
+constexpr std::string_view to_string(RunStart start) { return enumerator_word(start); }
 
 /// Secant of Hertz' line contacts with which a cell was finally computed.
 struct HertzSecant {

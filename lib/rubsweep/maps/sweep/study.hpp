@@ -17,8 +17,7 @@ namespace rubsweep::sweep {
 /// Further runs of each cell with slightly different kicks, which test whether it keeps its class (see
 /// is_robust and robust_share).
 enum class Robustness { off, on, probability };
-inline constexpr Words<Robustness, 3> robustness_words{
-    {"off", "on", "probability"}, {Robustness::off, Robustness::on, Robustness::probability}};
+inline constexpr auto robustness_words = words_of<Robustness>();
 
 /// Neighbouring kicks for Robustness::probability.
 struct Neighbours {

@@ -93,8 +93,7 @@ DataStudy read_root(const yaml::Value& root) {
   if (const auto value = section.find("rub")) study.rub = read_rub(*value);
   if (const auto value = section.find("measurement")) study.measurement = read_measurement(*value);
   if (const auto value = section.find("split")) study.split = read_split(*value);
-  constexpr Words<Format, 2> formats{{"csv", "matlab"}, {Format::csv, Format::matlab}};
-  section.field("format", study.format, formats);
+  section.field("format", study.format, words_of<Format>());
   if (const auto value = section.require("output", "a map")) study.directory = read_output(*value);
   section.refuse_unknown_keys();
   if (section.is_sound()) check_rate(section, study, machine);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/measurement/diagnose/candidate.hpp"
 #include "rubsweep/measurement/diagnose/drawn_machine.hpp"
 #include "rubsweep/measurement/diagnose/observed_lines.hpp"
@@ -13,7 +14,7 @@
 namespace rubsweep::dataset {
 
 enum class Format { csv, matlab };
-constexpr std::string_view to_string(Format format) { return format == Format::csv ? "csv" : "matlab"; }
+constexpr std::string_view to_string(Format format) { return enumerator_word(format); }
 
 /// Way in which the motions are sampled by the instrument.
 struct Measurement {

@@ -70,15 +70,6 @@ CandidateFile read_file_root(const yaml::Value& root) {
   return file;
 }
 
-const auto& words() {
-  static const auto all = [] {
-    std::array<std::string_view, diagnose::all_causes.size()> words;
-    std::ranges::transform(diagnose::all_causes, words.begin(), diagnose::to_string);
-    return words;
-  }();
-  return all;
-}
-
 /// Whether a file of candidates may give this number for stops of this kind.
 bool has(Cause cause, const diagnose::UnknownRow& row) {
   if (!row.of_file || cause == Cause::no_rub) return false;
@@ -103,12 +94,12 @@ void read_name(const yaml::Value& value, std::string& name) {
 
 std::optional<Candidate> read_candidate(const yaml::Value& value, bool of_any_rotor) {
   if (value.node.kind == yaml::Node::Kind::scalar) {
-    const auto index = yaml::read_word(value, words());
+    const auto index = yaml::read_word(value, diagnose::cause_words.texts);
     if (!index) return std::nullopt;
     return diagnose::usual_candidate(diagnose::all_causes[*index]);
   }
   yaml::Section section(value, "the word of a kind, or a map with kind and ranges");
-  const auto index = section.require_kind("kind", words());
+  const auto index = section.require_kind("kind", diagnose::cause_words.texts);
   if (!index) return std::nullopt;
   Candidate candidate = diagnose::usual_candidate(diagnose::all_causes[*index]);
   if (const auto name = section.find("name")) read_name(*name, candidate.name);

@@ -1,11 +1,8 @@
 #include "rubsweep/measurement/diagnose/candidate.hpp"
 
-#include "rubsweep/core/enumerator_word.hpp"
 #include "rubsweep/core/model/normal_law.hpp"
 
 namespace rubsweep::diagnose {
-
-std::string_view to_string(Cause cause) { return enumerator_word(cause); }
 
 const std::array<UnknownRow, unknown_count>& unknown_rows() {
   constexpr model::Range ratio{.low = 0, .high = 1, .low_open = true, .high_open = true},

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rubsweep/core/model/range.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnose {
@@ -20,9 +21,9 @@ enum class Cause {
   annular,        ///< a round stop about the rest position
   annular_offset  ///< a round stop whose centre is somewhere else
 };
-inline constexpr std::array all_causes{Cause::no_rub, Cause::one_side, Cause::two_sides, Cause::annular,
-                                       Cause::annular_offset};
-std::string_view to_string(Cause cause);
+constexpr std::string_view to_string(Cause cause) { return enumerator_word(cause); }
+inline constexpr auto cause_words = words_of<Cause>();
+inline constexpr auto& all_causes = cause_words.values;
 
 /// Parameters that a recording alone does not tell. Angles count from the direction of the stop.
 enum class Unknown : std::size_t {

@@ -134,8 +134,8 @@ std::string comparison_summary(const Comparison& comparison, const model::ShownL
   std::ranges::sort(lines, std::greater{}, &ComparedLine::difference);
   lines.resize(std::min<std::size_t>(lines.size(), 3));
   for (const ComparedLine& line : lines) {
-    text += fmt::format("          {:+.4g}X: measured {}, simulated {}, {:.3g} uncertainties apart\n", line.order,
-                        amplitude(line.measured_m), amplitude(line.simulated_m), line.difference);
+    text += fmt::format("          {:+.4g}X: measured {}, simulated {}, {:.3g} uncertainties apart\n",
+                        line.order, amplitude(line.measured_m), amplitude(line.simulated_m), line.difference);
   }
   return text;
 }

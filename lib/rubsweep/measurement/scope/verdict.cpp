@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <numbers>
 
-#include "rubsweep/core/enumerator_word.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/response/spectrum/discrete_lines.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/measurement/scope/repeating_angles.hpp"
 #include "rubsweep/measurement/scope/verdict_lines.hpp"
 

@@ -1,8 +1,9 @@
+#include "rubsweep/core/response/proof/orbit_proof.hpp"
+
 #include <gtest/gtest.h>
 
 #include "core/scene/one_side_machine.hpp"
 #include "rubsweep/core/integrate/start.hpp"
-#include "rubsweep/core/response/proof/orbit_proof.hpp"
 #include "rubsweep/core/response/settle.hpp"
 
 namespace rubsweep::response::proof {

@@ -2,7 +2,7 @@
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/contact/hertz_line.hpp"
 #include "rubsweep/maps/config/machine/stop.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

@@ -12,7 +12,7 @@
 #include "maps/config/machine/matrix_text.hpp"
 #include "maps/config/machine/ross_text.hpp"
 #include "rubsweep/core/structure/matrix_shaft.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/structure/hand_matrices.hpp"
 #include "maps/config/machine/matrix_text.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

@@ -9,7 +9,7 @@
 #include "maps/config/machine/ross_text.hpp"
 #include "rubsweep/core/structure/beam_element.hpp"
 #include "rubsweep/core/structure/beam_shaft.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

@@ -1,7 +1,7 @@
 #include "rubsweep/maps/config/machine/rotor_kit.hpp"
 
 #include "maps/config/support.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "maps/config/support.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {
 namespace {
@@ -79,6 +79,13 @@ TEST(RotorParts, ProblemsOfHousingsHaveTheirPlaces) {
 
 TEST(RotorParts, ProblemsOfGeometryHaveTheirPlaces) {
   EXPECT_NE(
+      kit_message(
+          {"rotor.discs=[{position_m: 0.25, mass_kg: 1, geometry: {outer_diameter_m: 0.1, width_m: 0.01, "
+           "density_kg_per_m3: 1}}]"})
+          .find("given beside"),
+      std::string::npos);
+  // Written over the numbers of a file it takes their place.
+  EXPECT_EQ(
       kit_message({"rotor.discs.0.geometry={outer_diameter_m: 0.1, width_m: 0.01, density_kg_per_m3: 1}"})
           .find("given beside"),
       std::string::npos);
@@ -101,12 +108,11 @@ TEST(RotorParts, ProblemsOfGeometryHaveTheirPlaces) {
                    "ball_diameter_m: 0.05, balls: 8}}"})
           .find("ball_diameter_m: leaves no room for a shaft"),
       std::string::npos);
-  EXPECT_NE(
-      kit_message(
-          {"rotor.supports.0.fault.bearing={defect: ball, pitch_diameter_m: 0.04, ball_diameter_m: 0.01, "
-           "balls: 8}"})
-          .find("given beside"),
-      std::string::npos);
+  EXPECT_NE(kit_message({"rotor.supports.0.fault={impulse_ns: 1, multiple: 3, bearing: {defect: ball, "
+                         "pitch_diameter_m: 0.04, "
+                         "ball_diameter_m: 0.01, balls: 8}}"})
+                .find("given beside"),
+            std::string::npos);
 }
 
 TEST(RotorParts, LoadsThatAreNoNumbersAreRefused) {

@@ -5,7 +5,7 @@
 
 #include "maps/config/support.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "maps/config/support.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

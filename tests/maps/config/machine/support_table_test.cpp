@@ -5,7 +5,7 @@
 #include "maps/batch/message_of.hpp"
 #include "maps/batch/temporary_directory.hpp"
 #include "maps/config/support.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::machine {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "maps/config/study/with_sweep_lines.hpp"
 #include "maps/config/support.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::study {
 namespace {

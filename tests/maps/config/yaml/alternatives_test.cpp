@@ -3,20 +3,25 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::yaml {
 namespace {
 
-/// Remaining keys of {stribeck, kinetic, from, other} when `written` is about to be written over them.
-std::string left_after(std::string_view written) {
+using Names = std::vector<std::string>;
+
+/// Keys left of a map with these after `written` is about to be written over it.
+std::string left_after(std::string_view written, const Names& keys = {"stribeck", "kinetic", "from", "other"},
+                       const Alternatives& alternatives = run_alternatives()) {
   Node map{Node::Kind::map, SourcePosition{}};
-  for (const char* key : {"stribeck", "kinetic", "from", "other"}) {
+  for (const std::string& key : keys) {
     map.keys.push_back({key, SourcePosition{}});
     map.items.push_back(Node{Node::Kind::null, SourcePosition{}});
   }
-  drop_alternatives(map, written);
+  alternatives.drop(map, written);
   EXPECT_EQ(map.keys.size(), map.items.size());
   std::string names;
   for (const Node::Key& key : map.keys) names += key.text + " ";
@@ -32,6 +37,41 @@ TEST(Alternatives, AKeyKeepsItsOwnKindAndWhatItHasNothingToDoWith) {
   EXPECT_EQ(left_after("static"), "kinetic from other ");
   EXPECT_EQ(left_after("count"), "stribeck kinetic from other ");
   EXPECT_EQ(left_after("anything"), "stribeck kinetic from other ");
+}
+
+TEST(Alternatives, WhatStoodBesideADroppedKeyGoesWhereTheWrittenOneNeedsItNot) {
+  const Names curve{"static", "kinetic", "peak_speed_m_per_s", "settle_speed_m_per_s", "viscous_s_per_m"};
+  EXPECT_EQ(left_after("coefficient", curve), "");
+  EXPECT_EQ(left_after("static", {"coefficient"}), "coefficient ");
+  EXPECT_EQ(left_after("key", {"keys", "factors", "values"}), "values ");
+  EXPECT_EQ(left_after("step", {"from", "to", "count", "scale"}), "from to ");
+  EXPECT_EQ(left_after("count", {"from", "to", "step"}), "from to ");
+  EXPECT_EQ(left_after("rated_speed_rpm", {"balance_grade_mm_per_s", "rated_speed_hz"}),
+            "balance_grade_mm_per_s ");
+  EXPECT_EQ(left_after("law", {"stiffness_n_per_m", "restitution", "friction"}), "friction ");
+  EXPECT_EQ(left_after("law", {"hertz", "restitution"}), "hertz ");
+  EXPECT_EQ(left_after("stiffness_n_per_m", {"law", "clearance_m"}), "clearance_m ");
+}
+
+TEST(Alternatives, TheKeysOfAMapTellItsKind) {
+  // Degrees of freedom have nodes and places, an unbalance one of them.
+  EXPECT_EQ(left_after("position_m", {"node", "direction"}), "node direction ");
+  EXPECT_EQ(left_after("position_m", {"node", "mass_kg", "eccentricity_ratio"}),
+            "mass_kg eccentricity_ratio ");
+}
+
+TEST(Alternatives, FollowTheFormOfAConfiguration) {
+  using namespace keys;
+  const Form form = map_of({must(
+      "inner",
+      list_of(map_of({must("a", text(), ""), must("b", text(), ""), may("c", text(), "")},
+                     {choice_of({{must("a", text(), "")}, {must("b", text(), ""), may("c", text(), "")}})}),
+              1, 2),
+      "")});
+  EXPECT_EQ(left_after("a", {"b", "c", "d"}, Alternatives(form)), "d ");
+  EXPECT_EQ(left_after("c", {"a"}, Alternatives(form)), "");
+  EXPECT_EQ(left_after("c", {"b"}, Alternatives(form)), "b ");
+  EXPECT_EQ(left_after("values", {"from"}, Alternatives(form)), "from ");
 }
 
 TEST(AlternativesRepeatedKeys, EachLaterOneIsRefusedAndRemoved) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 
 namespace rubsweep::config::yaml {
@@ -27,7 +28,7 @@ struct Merge {
 
   Merge(const std::string& base, const std::string& over)
       : node(merged(*parse_document(base, -1, "", diagnostics, base_file),
-                    *parse_document(over, -1, "", diagnostics), "top", diagnostics)) {}
+                    *parse_document(over, -1, "", diagnostics), "top", run_alternatives(), diagnostics)) {}
 
   std::string problems() const {
     try {

@@ -10,7 +10,7 @@
 #include "maps/batch/temporary_directory.hpp"
 #include "maps/config/support.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/config/print_config.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::yaml {
 namespace {

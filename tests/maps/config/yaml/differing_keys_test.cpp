@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "rubsweep/maps/config/print_config.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config::yaml {

@@ -8,7 +8,7 @@
 
 #include "rubsweep/analysis/branch/orbits/contact_sequence.hpp"
 #include "rubsweep/analysis/branch/orbits/orbit_problem.hpp"
-#include "rubsweep/core/enumerator_word.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::branch::continuation {
 

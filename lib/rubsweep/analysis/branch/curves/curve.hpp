@@ -7,7 +7,7 @@
 
 #include "rubsweep/analysis/branch/continuation/branch_point.hpp"
 #include "rubsweep/analysis/branch/curves/extended_system.hpp"
-#include "rubsweep/core/enumerator_word.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::branch::curves {
 

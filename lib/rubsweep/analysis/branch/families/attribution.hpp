@@ -10,7 +10,6 @@
 
 #include "rubsweep/analysis/branch/families/family.hpp"
 #include "rubsweep/analysis/branch/families/family_records.hpp"
-#include "rubsweep/core/enumerator_word.hpp"
 #include "rubsweep/core/vocabulary.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <string_view>
 
-#include "rubsweep/analysis/branch/journal/family_digest.hpp"
 #include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 #include "rubsweep/maps/map/earlier_results.hpp"

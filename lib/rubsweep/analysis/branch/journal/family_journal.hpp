@@ -12,6 +12,9 @@
 
 namespace rubsweep::branch::journal {
 
+/// SHA-1 of map_digest and of the other compiled libraries on which families of orbits depend.
+extern const char* const family_digest;
+
 /// Directory of a map while a process follows its families. families.journal holds the results so far, until
 /// they are in the result files, and families.lock names the process.
 class FamilyJournal {

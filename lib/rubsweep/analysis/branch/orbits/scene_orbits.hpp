@@ -8,6 +8,7 @@
 #include "rubsweep/core/integrate/exact/modes/mode_cache.hpp"
 #include "rubsweep/core/integrate/run/options.hpp"
 #include "rubsweep/core/scene/scene.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::branch::orbits {
 
@@ -27,9 +28,7 @@ enum class Closing {
   in_the_turning_frame,  ///< an oval: in the rotating frame, after a time of its own
 };
 
-constexpr std::string_view to_string(Closing closing) {
-  return closing == Closing::with_the_shaft ? "with_the_shaft" : "in_the_turning_frame";
-}
+constexpr std::string_view to_string(Closing closing) { return enumerator_word(closing); }
 
 /// Makes scene_orbits() or oval_orbits(), with `order` as the number of turns or of loops.
 OrbitProblem closed_orbits(Closing closing, SceneFamily family, int order,

@@ -29,44 +29,14 @@ enum class ContactHandling {
 
 /// Words in the configuration and in tables.
 constexpr std::string_view to_string(Method method) {
-  switch (method) {
-    case Method::automatic:
-      return "auto";
-    case Method::exact:
-      return "exact";
-    case Method::adaptive:
-      return "adaptive";
-  }
-  return "";
+  return method == Method::automatic ? "auto" : enumerator_word(method);
 }
 
 constexpr std::string_view to_string(Stepper stepper) {
-  switch (stepper) {
-    case Stepper::automatic:
-      return "auto";
-    case Stepper::dopri5:
-      return "dopri5";
-    case Stepper::cash_karp54:
-      return "cash_karp54";
-    case Stepper::rkf78:
-      return "rkf78";
-    case Stepper::bulirsch_stoer:
-      return "bulirsch_stoer";
-    case Stepper::rosenbrock4:
-      return "rosenbrock4";
-  }
-  return "";
+  return stepper == Stepper::automatic ? "auto" : enumerator_word(stepper);
 }
 
-constexpr std::string_view to_string(ContactHandling contact) {
-  switch (contact) {
-    case ContactHandling::located:
-      return "located";
-    case ContactHandling::smoothed:
-      return "smoothed";
-  }
-  return "";
-}
+constexpr std::string_view to_string(ContactHandling contact) { return enumerator_word(contact); }
 
 struct SolverOptions {
   Method method = Method::automatic;

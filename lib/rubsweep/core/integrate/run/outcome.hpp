@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "rubsweep/core/vocabulary.hpp"
+
 namespace rubsweep::integrate::run {
 
 /// End of a stretch of integration, for all solvers. A cell that cannot be integrated is a normal result, so
@@ -17,24 +19,6 @@ enum class Outcome {
   unsaturated,     ///< closed form up to this point, where friction of a touching contact leaves saturation
 };
 
-constexpr std::string_view to_string(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::ok:
-      return "ok";
-    case Outcome::step_limit:
-      return "step_limit";
-    case Outcome::step_too_small:
-      return "step_too_small";
-    case Outcome::non_finite:
-      return "non_finite";
-    case Outcome::friction_unsettled:
-      return "friction_unsettled";
-    case Outcome::no_closed_form:
-      return "no_closed_form";
-    case Outcome::unsaturated:
-      return "unsaturated";
-  }
-  return "";
-}
+constexpr std::string_view to_string(Outcome outcome) { return enumerator_word(outcome); }
 
 }  // namespace rubsweep::integrate::run

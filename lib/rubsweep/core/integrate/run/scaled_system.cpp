@@ -6,8 +6,8 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/run/second_harmonic.hpp"
 #include "rubsweep/core/numerics/dense/factors.hpp"
-#include "rubsweep/core/scene/observed.hpp"
 #include "rubsweep/core/scene/quiet_motion.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::integrate::run {
 namespace {

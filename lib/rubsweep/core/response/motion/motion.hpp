@@ -4,11 +4,11 @@
 #include <span>
 #include <string_view>
 
-#include "rubsweep/core/enumerator_word.hpp"
 #include "rubsweep/core/integrate/run/turn.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/core/response/spectrum/orbit_shape.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::response::motion {
 

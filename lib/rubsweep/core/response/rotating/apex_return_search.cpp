@@ -2,7 +2,7 @@
 
 #include "rubsweep/core/numerics/full_turn.hpp"
 #include "rubsweep/core/response/rotating/rotating_frame.hpp"
-#include "rubsweep/core/scene/observed.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {

@@ -16,7 +16,7 @@
 #include "rubsweep/core/response/motion/poincare_section.hpp"
 #include "rubsweep/core/response/proof/approach.hpp"
 #include "rubsweep/core/response/rotating/cycle_measures.hpp"
-#include "rubsweep/core/scene/observed.hpp"
+#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {

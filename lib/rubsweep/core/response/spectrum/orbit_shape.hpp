@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "rubsweep/core/enumerator_word.hpp"
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::response::spectrum {
 

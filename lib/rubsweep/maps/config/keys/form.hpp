@@ -30,6 +30,7 @@ struct Way {
 struct Choice {
   std::vector<Way> ways;
   bool may_be_none = false;
+  std::string replaces{};  ///< key that, written over ways where it is optional, takes their place
 };
 
 /// Kind of value that may stand at a place.

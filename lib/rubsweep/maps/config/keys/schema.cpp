@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "rubsweep/core/model/magnitude.hpp"
+#include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::config::keys {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "rubsweep/core/model/disc_inertia.hpp"
-#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"
 
 namespace rubsweep::config::machine {

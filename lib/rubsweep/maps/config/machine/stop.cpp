@@ -8,8 +8,8 @@
 
 #include "rubsweep/core/contact/curved_law.hpp"
 #include "rubsweep/core/contact/hertz_line.hpp"
-#include "rubsweep/core/model/casing.hpp"
-#include "rubsweep/core/model/magnitude.hpp"
+#include "rubsweep/core/model/range.hpp"
+#include "rubsweep/core/model/stop.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/friction.hpp"
@@ -247,6 +247,7 @@ keys::Form stops_form() {
   Choice damped = choice_of(damping.ways);
   for (Way& way : damped.ways) way.optional.push_back(law);
   damped.ways.push_back({{law}, {}});
+  damped.replaces = law;
   return list_of(
       map_of(
           joined({{must("kind", one_of(stop_kinds), "flat wall, or a round wall around the rotor"),
@@ -271,7 +272,9 @@ keys::Form stops_form() {
                        "casing behind the stop", "rigid")}}),
           {Choice{{{{std::string(stiffness_key)}, {law}},
                    {{std::string(hertz_key)}, {law}},
-                   {{law}, {std::string(hertz_key)}}}},
+                   {{law}, {std::string(hertz_key)}}},
+                  false,
+                  law},
            damped}),
       1, max_stops);
 }

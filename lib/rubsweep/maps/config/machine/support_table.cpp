@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/core/model/magnitude.hpp"
-#include "rubsweep/core/model/rpm.hpp"
+#include "rubsweep/core/model/range.hpp"
+#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/table_file.hpp"
 #include "rubsweep/maps/config/yaml/section.hpp"

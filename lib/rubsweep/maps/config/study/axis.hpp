@@ -16,7 +16,7 @@ namespace rubsweep::config::study {
 
 /// Spacing of numbers from one end to the other.
 enum class Scale { linear, log };
-inline constexpr Words<Scale, 2> scales{{"linear", "log"}, {Scale::linear, Scale::log}};
+inline constexpr auto scales = words_of<Scale>();
 
 inline constexpr std::string_view axis_forms =
     "a number, {from, to, count}, {from, to, step} or {values: [...]}";

@@ -228,7 +228,8 @@ void refuse_static_friction_smoothed(const yaml::Value& solver, const sweep::Stu
 
 void refuse_curved_laws(const yaml::Value& solver, const sweep::Study& study) {
   const auto is_linear = [](const model::Stop& stop) { return stop.law.linear(); };
-  if (!integrate::run::knows_curved_laws(study.solver) && !std::ranges::all_of(study.machine.stops, is_linear))
+  if (!integrate::run::knows_curved_laws(study.solver) &&
+      !std::ranges::all_of(study.machine.stops, is_linear))
     refuse(solver, "knows linear contacts alone by method exact or contact smoothed",
            "method auto or adaptive with contact located beside a law of another kind");
 }

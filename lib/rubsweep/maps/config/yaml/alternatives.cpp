@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
-#include <span>
 #include <string>
 
 #include "rubsweep/maps/config/yaml/text.hpp"
@@ -14,81 +12,84 @@
 namespace rubsweep::config::yaml {
 namespace {
 
-using Keys = std::span<const std::string_view>;
+using keys::Choice;
+using keys::Way;
 
-constexpr std::array<std::string_view, 1> stribeck{"stribeck"}, one_way{"one_way"};
-constexpr std::array<std::string_view, 4> holding{"static", "coefficient", "stribeck_speed_m_per_s",
-                                                  "exponent"};
-constexpr std::array<std::string_view, 5> curve{"static", "kinetic", "peak_speed_m_per_s",
-                                                "settle_speed_m_per_s", "viscous_s_per_m"};
-constexpr std::array<std::string_view, 1> stiffness{"stiffness_n_per_m"}, hertz{"hertz"};
-constexpr std::array<std::string_view, 1> nominal{"restitution"}, by_rotor_mass{"restitution_by_rotor_mass"},
-    delivered{"restitution_delivered"}, damping{"damping_ns_per_m"}, law{"law"};
-constexpr std::array<std::string_view, 4> dampings{"restitution", "restitution_by_rotor_mass",
-                                                   "restitution_delivered", "damping_ns_per_m"};
-constexpr std::array<std::string_view, 1> speed_hz{"speed_hz"}, speed_rpm{"speed_rpm"};
-constexpr std::array<std::string_view, 1> ratio{"whirl_ratio"}, eccentricity{"eccentricity_m"},
-    unbalance{"unbalance_g_mm"};
-constexpr std::array<std::string_view, 3> grade{"balance_grade_mm_per_s", "rated_speed_hz",
-                                                "rated_speed_rpm"};
-constexpr std::array<std::string_view, 1> rated_hz{"rated_speed_hz"}, rated_rpm{"rated_speed_rpm"};
-constexpr std::array<std::string_view, 1> modal_stiffness{"modal_stiffness_n_per_m"},
-    frequency_hz{"natural_frequency_hz"}, frequency_rad_per_s{"natural_frequency_rad_per_s"};
-constexpr std::array<std::string_view, 1> damping_ratio{"damping_ratio"};
-constexpr std::array<std::string_view, 1> listed_values{"values"}, one_key{"key"};
-constexpr std::array<std::string_view, 2> tied_keys{"keys", "factors"};
-constexpr std::array<std::string_view, 1> kick{"kick"}, start{"start"};
-constexpr std::array<std::string_view, 5> spaced{"from", "to", "count", "scale", "step"};
-constexpr std::array<std::string_view, 2> counted{"count", "scale"};
-constexpr std::array<std::string_view, 1> stepped{"step"};
+bool needs(const Way& way, std::string_view key) { return std::ranges::count(way.required, key) > 0; }
 
-/// Alternative spellings. Each is a set of keys, and at most four exclude each other; empty sets are ignored.
-constexpr std::array<std::array<Keys, 4>, 15> alternatives{{
-    {stribeck, curve, holding, one_way},
-    {stiffness, hertz},
-    {stiffness, law},
-    {dampings, law},
-    {nominal, by_rotor_mass, delivered, damping},
-    {speed_hz, speed_rpm},
-    {ratio, eccentricity, unbalance, grade},
-    {rated_hz, rated_rpm},
-    {modal_stiffness, frequency_hz, frequency_rad_per_s},
-    {frequency_hz, stiffness},
-    {damping_ratio, damping},
-    {listed_values, spaced},
-    {counted, stepped},
-    {one_key, tied_keys},
-    {kick, start},
-}};
+bool holds(const Way& way, std::string_view key) {
+  return needs(way, key) || std::ranges::count(way.optional, key) > 0;
+}
 
-bool holds(Keys keys, std::string_view key) { return std::find(keys.begin(), keys.end(), key) != keys.end(); }
+/// Whether some way is `of` these keys.
+bool any_way(const Choice& choice, auto&& of) { return std::ranges::any_of(choice.ways, of); }
 
-bool exclude_each_other(std::string_view a, std::string_view b) {
-  return std::any_of(alternatives.begin(), alternatives.end(), [&](const auto& ways) {
-    const auto any = [&](const auto& of) { return std::ranges::any_of(ways, of); };
-    return any([&](Keys keys) { return holds(keys, a); }) && any([&](Keys keys) { return holds(keys, b); }) &&
-           !any([&](Keys keys) { return holds(keys, a) && holds(keys, b); });
+bool exclude_each_other(const Choice& choice, std::string_view a, std::string_view b) {
+  const auto stands = [&](const Way& way, std::string_view key) {
+    return key == choice.replaces ? needs(way, key) : holds(way, key);
+  };
+  return any_way(choice, [&](const Way& way) { return holds(way, a); }) &&
+         any_way(choice, [&](const Way& way) { return holds(way, b); }) &&
+         !any_way(choice, [&](const Way& way) { return stands(way, a) && stands(way, b); });
+}
+
+/// Whether a key that stood beside `gone` is of no use beside `written`.
+bool goes_with(const Choice& choice, std::string_view key, std::string_view gone, std::string_view written) {
+  return any_way(choice, [&](const Way& way) { return holds(way, key) && holds(way, gone); }) &&
+         (any_way(choice, [&](const Way& way) { return holds(way, written) && !holds(way, key); }) ||
+          !any_way(choice, [&](const Way& way) { return needs(way, key); }));
+}
+
+void drop_other_ways(const Choice& choice, std::string_view written, Node& map) {
+  const auto drop_if = [&](auto&& is_of_no_use) {
+    std::vector<std::string> dropped;
+    for (std::size_t i = map.keys.size(); i-- > 0;) {
+      if (map.keys[i].text == written || !is_of_no_use(map.keys[i].text)) continue;
+      dropped.push_back(map.keys[i].text);
+      drop_entry(map, i);
+    }
+    return dropped;
+  };
+  const std::vector<std::string> excluded =
+      drop_if([&](const std::string& key) { return exclude_each_other(choice, written, key); });
+  drop_if([&](const std::string& key) {
+    return std::ranges::any_of(
+        excluded, [&](const std::string& gone) { return goes_with(choice, key, gone, written); });
   });
 }
 
 }  // namespace
 
+Alternatives::Alternatives(const keys::Form& root) { gather(root); }
+
+void Alternatives::gather(const keys::Form& form) {
+  if (form.kind == keys::Kind::map) {
+    Kind& kind = kinds_.emplace_back();
+    for (const keys::Key& key : form.keys) kind.keys.push_back(key.name);
+    kind.choices = form.choices;
+  }
+  for (const keys::Form& inner : form.forms) gather(inner);
+  for (const keys::Key& key : form.keys) gather(key.form);
+}
+
+void Alternatives::drop(Node& map, std::string_view written) const {
+  std::vector<const Kind*> likely;
+  std::ptrdiff_t most = 0;
+  for (const Kind& kind : kinds_) {
+    const auto is_known = [&](std::string_view key) { return std::ranges::count(kind.keys, key) > 0; };
+    if (!is_known(written)) continue;
+    const std::ptrdiff_t known = 1 + std::ranges::count_if(map.keys, is_known, &Node::Key::text);
+    if (known > most) likely.clear();
+    most = std::max(most, known);
+    if (known == most) likely.push_back(&kind);
+  }
+  for (const Kind* kind : likely)
+    for (const Choice& choice : kind->choices) drop_other_ways(choice, written, map);
+}
+
 void drop_entry(Node& map, std::size_t index) {
   map.keys.erase(map.keys.begin() + static_cast<std::ptrdiff_t>(index));
   map.items.erase(map.items.begin() + static_cast<std::ptrdiff_t>(index));
-}
-
-void drop_alternatives(Node& map, std::string_view written) {
-  // `static` belongs to two friction laws. Beside other keys of a Stribeck curve it excludes only the key
-  // `stribeck`.
-  const bool of_a_curve = written != curve[0] && holds(holding, written) &&
-                          std::ranges::any_of(map.keys, [](const Node::Key& key) {
-                            return holds(Keys(curve).subspan(1), key.text);
-                          });
-  for (std::size_t i = map.keys.size(); i-- > 0;) {
-    if (exclude_each_other(written, map.keys[i].text) || (of_a_curve && map.keys[i].text == curve[0]))
-      drop_entry(map, i);
-  }
 }
 
 void refuse_repeated_keys(const Node& map, std::string_view path, Diagnostics& diagnostics) {

@@ -1,15 +1,39 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
 
 namespace rubsweep::config::yaml {
 
-/// Removes the keys of a map that exclude the key `written` (stribeck and coefficient, values and
-/// from/to/count, ...), because a value written over the map replaces them.
-void drop_alternatives(Node& map, std::string_view written);
+/// Keys of maps that exclude each other (stribeck and coefficient, values and from/to/count, ...), as the
+/// form of a configuration says: a value written over a map replaces them.
+class Alternatives {
+ public:
+  /// Nothing excludes anything.
+  Alternatives() = default;
+  explicit Alternatives(const keys::Form& root);
+
+  /// Removes from a map the keys that exclude the key `written`, and of those that stood beside them the ones
+  /// that it does not need: `static` of a curve goes with the rest of the curve. Which kind of map it is its
+  /// keys tell: the one that knows most of them.
+  void drop(Node& map, std::string_view written) const;
+
+ private:
+  /// Keys of one kind of map, and what of them is one of several.
+  struct Kind {
+    std::vector<std::string> keys;
+    std::vector<keys::Choice> choices;
+  };
+
+  void gather(const keys::Form& form);
+
+  std::vector<Kind> kinds_;
+};
 
 /// Removes one key of a map and its value.
 void drop_entry(Node& map, std::size_t index);

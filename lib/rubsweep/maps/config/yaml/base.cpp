@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/maps/config/yaml/alternatives.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 
@@ -30,14 +29,15 @@ bool is_of_another_kind(const Node& base, const Node& over) {
          base.items[in_base].text != over.items[in_over].text;
 }
 
-void write_over(Node& base, Node::Key key, Node item, std::string_view path, Diagnostics& diagnostics) {
+void write_over(Node& base, Node::Key key, Node item, std::string_view path, const Alternatives& alternatives,
+                Diagnostics& diagnostics) {
   const std::size_t index = index_of(base, key.text);
   if (index == base.keys.size()) {
     base.keys.push_back(std::move(key));
     base.items.push_back(std::move(item));
   } else {
-    base.items[index] =
-        merged(std::move(base.items[index]), std::move(item), child_path(path, key.text), diagnostics);
+    base.items[index] = merged(std::move(base.items[index]), std::move(item), child_path(path, key.text),
+                               alternatives, diagnostics);
     base.keys[index] = std::move(key);
   }
 }
@@ -71,7 +71,8 @@ bool is_something_else_than_a_file(const fs::path& path) {
 
 class Resolver {
  public:
-  explicit Resolver(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  Resolver(const Alternatives& alternatives, Diagnostics& diagnostics)
+      : alternatives_(alternatives), diagnostics_(diagnostics) {}
 
   /// `chain`: identities of the files from the root down to `file`, each named by the one before it.
   void resolve(Node& node, const std::string& path, const fs::path& file, std::vector<fs::path>& chain) {
@@ -84,7 +85,7 @@ class Resolver {
     if (auto name = take_base(node, path)) {
       auto base = read({*name, child_path(path, base_key), diagnostics_}, path, file, chain);
       all_read_ = all_read_ && base;
-      if (base) node = merged(*std::move(base), std::move(node), path, diagnostics_);
+      if (base) node = merged(*std::move(base), std::move(node), path, alternatives_, diagnostics_);
     }
   }
 
@@ -161,6 +162,7 @@ class Resolver {
     return false;
   }
 
+  const Alternatives& alternatives_;
   Diagnostics& diagnostics_;
   bool all_read_ = true;
   int files_ = 0;
@@ -185,7 +187,8 @@ std::string read_config_bytes(const std::filesystem::path& file) {
   return std::move(bytes.text);
 }
 
-Node merged(Node base, Node over, std::string_view path, Diagnostics& diagnostics) {
+Node merged(Node base, Node over, std::string_view path, const Alternatives& alternatives,
+            Diagnostics& diagnostics) {
   if (base.kind != Node::Kind::map || over.kind != Node::Kind::map || is_of_another_kind(base, over)) {
     return over;
   }
@@ -195,16 +198,17 @@ Node merged(Node base, Node over, std::string_view path, Diagnostics& diagnostic
   }
   base.place = over.place;
   take_back(base, over);
-  for (const Node::Key& key : over.keys) drop_alternatives(base, key.text);
+  for (const Node::Key& key : over.keys) alternatives.drop(base, key.text);
   for (std::size_t i = 0; i < over.keys.size(); ++i) {
-    write_over(base, std::move(over.keys[i]), std::move(over.items[i]), path, diagnostics);
+    write_over(base, std::move(over.keys[i]), std::move(over.items[i]), path, alternatives, diagnostics);
   }
   return base;
 }
 
-bool resolve_bases(Node& root, const fs::path& file, Diagnostics& diagnostics) {
+bool resolve_bases(Node& root, const fs::path& file, const Alternatives& alternatives,
+                   Diagnostics& diagnostics) {
   std::vector<fs::path> chain{identity(file)};
-  Resolver resolver(diagnostics);
+  Resolver resolver(alternatives, diagnostics);
   resolver.resolve(root, "", file, chain);
   return resolver.all_read();
 }

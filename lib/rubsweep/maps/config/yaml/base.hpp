@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "rubsweep/maps/batch/opened_file.hpp"
+#include "rubsweep/maps/config/yaml/alternatives.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
 #include "rubsweep/maps/config/yaml/document.hpp"
 
@@ -27,12 +28,13 @@ std::string read_config_bytes(const std::filesystem::path& file);
 
 /// Value that results when `over` is written over `base`, both found at `path`:
 /// - Two maps are merged key by key. A key of `over` removes alternative keys of `base` (see
-///   drop_alternatives), and a key of `over` without a value removes the same key of `base`. Maps with a
+///   Alternatives), and a key of `over` without a value removes the same key of `base`. Maps with a
 ///   different key `kind` are not merged: `over` stands alone.
 /// - Anything else, lists included, replaces the value of `base`.
 /// Keys that stay keep their places, and the merged map has the place of `over`. Repeated keys in either map
 /// are a problem.
-Node merged(Node base, Node over, std::string_view path, Diagnostics& diagnostics);
+Node merged(Node base, Node over, std::string_view path, const Alternatives& alternatives,
+            Diagnostics& diagnostics);
 
 /// Key that names the file over which the map is written. Any map may have it.
 inline constexpr std::string_view base_key = "base";
@@ -45,7 +47,8 @@ inline constexpr int max_base_generations = 16;  ///< length of a chain of bases
 /// content of that file (see merged), which may have bases of its own. A path is relative to the file that
 /// names it; `file` is the file of `root`. A base that is unusable (no text, unreadable, no map, leading back
 /// to itself, above the limits) is a problem at the place that names it. Returns false after such a problem.
-bool resolve_bases(Node& root, const std::filesystem::path& file, Diagnostics& diagnostics);
+bool resolve_bases(Node& root, const std::filesystem::path& file, const Alternatives& alternatives,
+                   Diagnostics& diagnostics);
 
 /// Refuses a key `base` that is still in the root after resolve_bases: only an override can have written it
 /// there.

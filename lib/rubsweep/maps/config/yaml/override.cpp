@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "rubsweep/maps/config/yaml/alternatives.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 
@@ -51,7 +50,8 @@ Node* entry_of(Node& map, std::string_view name, const SourcePosition& place) {
 }
 
 /// Node at the end of the path; missing keys on the way are created. Null after a problem was added.
-Node* node_at(Node& root, std::string_view path, const SourcePosition& place, Diagnostics& diagnostics) {
+Node* node_at(Node& root, std::string_view path, const SourcePosition& place,
+              const Alternatives& alternatives, Diagnostics& diagnostics) {
   const auto names = split_path(path);
   if (std::find(names.begin(), names.end(), "") != names.end() || names.size() > max_document_depth) {
     diagnostics.add(place, "", fmt::format("'{}' is not a path", shown(path)),
@@ -64,7 +64,7 @@ Node* node_at(Node& root, std::string_view path, const SourcePosition& place, Di
     if (node->kind == Node::Kind::list) {
       node = item_of(*node, name, place, walked, diagnostics);
     } else if (node->kind == Node::Kind::map) {
-      if (&name == &names.back()) drop_alternatives(*node, name);
+      if (&name == &names.back()) alternatives.drop(*node, name);
       node = entry_of(*node, name, place);
     } else {
       const std::string found = node->kind == Node::Kind::null ? "has no value" : "is " + describe(*node);
@@ -78,7 +78,8 @@ Node* node_at(Node& root, std::string_view path, const SourcePosition& place, Di
   return node;
 }
 
-void apply(Node& root, std::string_view text, int index, Diagnostics& diagnostics) {
+void apply(Node& root, std::string_view text, int index, const Alternatives& alternatives,
+           Diagnostics& diagnostics) {
   const SourcePosition place{index, 1, 1};
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) {
@@ -88,20 +89,21 @@ void apply(Node& root, std::string_view text, int index, Diagnostics& diagnostic
   const std::string_view path = text.substr(0, equals);
   auto value = parse_document(text.substr(equals + 1), index, shown(path), diagnostics);
   if (!value) return;
-  if (Node* target = node_at(root, path, place, diagnostics)) *target = std::move(*value);
+  if (Node* target = node_at(root, path, place, alternatives, diagnostics)) *target = std::move(*value);
 }
 
 }  // namespace
 
-void apply_overrides(Node& root, const std::vector<std::string>& overrides, Diagnostics& diagnostics) {
+void apply_overrides(Node& root, const std::vector<std::string>& overrides, const Alternatives& alternatives,
+                     Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < overrides.size(); ++i) {
-    apply(root, overrides[i], static_cast<int>(i), diagnostics);
+    apply(root, overrides[i], static_cast<int>(i), alternatives, diagnostics);
   }
 }
 
 void write_number(Node& root, std::string_view path, double value, const SourcePosition& place,
-                  Diagnostics& diagnostics) {
-  if (Node* target = node_at(root, path, place, diagnostics)) {
+                  const Alternatives& alternatives, Diagnostics& diagnostics) {
+  if (Node* target = node_at(root, path, place, alternatives, diagnostics)) {
     *target = Node{.kind = Node::Kind::scalar, .place = place, .text = fmt::format("{}", value)};
   }
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/core/model/magnitude.hpp"
+#include "rubsweep/core/model/range.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::config::yaml {

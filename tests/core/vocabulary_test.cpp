@@ -1,8 +1,6 @@
-#include "rubsweep/core/enumerator_word.hpp"
+#include "rubsweep/core/vocabulary.hpp"
 
 #include <gtest/gtest.h>
-
-#include "rubsweep/core/vocabulary.hpp"
 
 namespace rubsweep::named {
 
@@ -11,17 +9,17 @@ constexpr std::string_view to_string(Colour colour) { return enumerator_word(col
 
 namespace {
 
-TEST(EnumeratorWord, IsTheNameOfTheEnumerator) {
+TEST(Vocabulary, IsTheNameOfTheEnumerator) {
   EXPECT_EQ(to_string(Colour::red), "red");
   EXPECT_EQ(to_string(Colour::light_blue), "light_blue");
   EXPECT_EQ(to_string(Colour::green_2), "green_2");
 }
 
-TEST(EnumeratorWord, IsEmptyForOtherNumbers) {
+TEST(Vocabulary, IsEmptyForOtherNumbers) {
   for (const int number : {-1, 3, 31, 32, 1000}) EXPECT_EQ(to_string(static_cast<Colour>(number)), "");
 }
 
-TEST(EnumeratorWord, MakesTheWordsOfAFile) {
+TEST(Vocabulary, MakesTheWordsOfAFile) {
   constexpr auto words = words_of<Colour>();
   ASSERT_EQ(words.texts.size(), 3U);
   EXPECT_EQ(words.texts[1], "light_blue");

@@ -1,5 +1,3 @@
-#include "rubsweep/maps/config/print_config.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "maps/batch/temporary_directory.hpp"
 #include "maps/config/support.hpp"
 #include "rubsweep/core/structure/kit_assembly.hpp"
+#include "rubsweep/maps/config/run_config.hpp"
 
 namespace rubsweep::config {
 namespace {
@@ -81,14 +80,14 @@ RunConfig awkward_config(std::mt19937_64& random) {
   return config;
 }
 
-TEST(PrintConfig, ReadsBackEqualAndPrintsTheSameAgain) {
+TEST(RunConfigPrintConfig, ReadsBackEqualAndPrintsTheSameAgain) {
   expect_round_trip(read_run_config_text(test_file("one_side.yaml"), "one_side.yaml", {}));
   expect_round_trip(read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {}));
   std::mt19937_64 random(20240607);
   for (int i = 0; i < 200; ++i) expect_round_trip(awkward_config(random));
 }
 
-TEST(PrintConfig, KeepsEveryDirectory) {
+TEST(RunConfigPrintConfig, KeepsEveryDirectory) {
   RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
   for (const char* directory : {"results/a-b_c.d",
                                 "/tmp/x",
@@ -127,20 +126,20 @@ TEST(PrintConfig, KeepsEveryDirectory) {
   }
 }
 
-TEST(PrintConfig, RefusesADirectoryThatNoYamlFileCanHold) {
+TEST(RunConfigPrintConfig, RefusesADirectoryThatNoYamlFileCanHold) {
   RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
   config.output_directory = "a\xff";
   EXPECT_THROW(print_config(config), ConfigError);
 }
 
-TEST(PrintConfig, FitsTheReaderAtItsLargest) {
+TEST(RunConfigPrintConfig, FitsTheReaderAtItsLargest) {
   std::string text = test_file("minimal.yaml");
   text = replaced(text, "{from: 60, count: 1}", "{from: 10.1, to: 999.7, count: 10000}");
   text = replaced(text, "{values: [0.5]}", "{from: 0.11, to: 0.97, count: 400}");
   expect_round_trip(read_run_config_text(text, "large.yaml", {}));
 }
 
-TEST(PrintConfigStudy, IsTheConfigurationWithoutItsOutput) {
+TEST(RunConfigPrintConfigStudy, IsTheConfigurationWithoutItsOutput) {
   RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
   const std::string study = print_study(config.study);
   EXPECT_EQ(print_config(config), study + "output:\n  directory: results\n  warn_over_clearances: 10\n");
@@ -155,7 +154,7 @@ RunConfig with_sweep(const std::string& speed, const std::string& unbalance) {
   return read_run_config_text(replaced(text, "whirl_ratio: {values: [0.5]}", unbalance), "test.yaml", {});
 }
 
-TEST(PrintConfig, KeepsAnAxisAsItWasWritten) {
+TEST(RunConfigPrintConfig, KeepsAnAxisAsItWasWritten) {
   const RunConfig config = with_sweep("speed_rpm: {from: 3000, to: 11900, count: 2000, scale: log}",
                                       "unbalance_g_mm: {values: [0.1, 240, 33.3]}");
   const std::string printed = print_config(config);
@@ -169,7 +168,7 @@ TEST(PrintConfig, KeepsAnAxisAsItWasWritten) {
   EXPECT_EQ(print_study(config.study).find("rpm"), std::string::npos) << "no part of the digest";
 }
 
-TEST(PrintConfig, KeepsAGradeWithItsRatedSpeed) {
+TEST(RunConfigPrintConfig, KeepsAGradeWithItsRatedSpeed) {
   const RunConfig config = with_sweep("speed_hz: {from: 55.5, to: 66.6, count: 11}",
                                       "balance_grade_mm_per_s: {from: 2.5, to: 6.3, count: 7}\n"
                                       "  rated_speed_rpm: 2950");
@@ -178,7 +177,7 @@ TEST(PrintConfig, KeepsAGradeWithItsRatedSpeed) {
   expect_round_trip(config);
 }
 
-TEST(PrintConfig, SaysInSiWhatOtherUnitsDoNot) {
+TEST(RunConfigPrintConfig, SaysInSiWhatOtherUnitsDoNot) {
   RunConfig config =
       with_sweep("speed_rpm: {from: 3000, to: 9000, count: 3}", "whirl_ratio: {values: [0.5]}");
   config.study.grid.speed_hz = {
@@ -187,7 +186,7 @@ TEST(PrintConfig, SaysInSiWhatOtherUnitsDoNot) {
   expect_round_trip(config);
 }
 
-TEST(PrintConfig, ShowsEveryDefault) {
+TEST(RunConfigPrintConfig, ShowsEveryDefault) {
   const RunConfig config = read_run_config_text(test_file("minimal.yaml"), "minimal.yaml", {});
   EXPECT_EQ(print_config(config), test_file("minimal_printed.yaml"));
 }
@@ -198,7 +197,7 @@ std::string plain_kit() {
                   "stiffness_x_n_per_m: 3.0e4\n      stiffness_y_n_per_m: 3.1e4");
 }
 
-TEST(PrintConfigExportedMatrices, ReadBackAsTheSameReducedRotor) {
+TEST(RunConfigPrintConfigExportedMatrices, ReadBackAsTheSameReducedRotor) {
   const RunConfig typed = read_run_config_text(plain_kit(), "kit.yaml", {});
   const TemporaryDirectory directory;
   const auto files = exported_matrices(typed);
@@ -221,7 +220,7 @@ TEST(PrintConfigExportedMatrices, ReadBackAsTheSameReducedRotor) {
             exported_matrices(read_run_config_text(print_config(read), "printed.yaml", {})));
 }
 
-TEST(PrintConfigExportedMatrices, OfARotorThatIsVariedAreRefused) {
+TEST(RunConfigPrintConfigExportedMatrices, OfARotorThatIsVariedAreRefused) {
   const RunConfig config = read_run_config_text(plain_kit(), "kit.yaml",
                                                 {"sweep.x={key: rotor.discs.0.mass_kg, values: [0.7, 0.8]}"});
   EXPECT_EQ(::message_of<ConfigError>([&] { exported_matrices(config); }),
