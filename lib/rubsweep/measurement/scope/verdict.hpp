@@ -17,6 +17,8 @@ enum class MeasuredClass {
   at_rest,         ///< no line stands out of the noise
   synchronous,     ///< repeats every turn
   subharmonic,     ///< repeats after 2 to max_period turns
+  /// Repeats so as well as the recording can tell, and may turn against the shaft (may_be_torus).
+  subharmonic_or_torus,
   quasi_periodic,  ///< does not, and its lines stay where they are from one half of the recording to the
                    ///< other
   aperiodic        ///< does not, and they do not: chaos, or a machine that was changing
@@ -94,7 +96,7 @@ struct Reading {
 /// nearest bin.
 const DiscreteLine* line_of_bin(const Verdict& verdict, double order);
 
-/// Whether the lines of a subharmonic may be those of a torus that turns against the shaft by more than a
+/// Whether the lines of a motion with a period may be those of a torus that turns against the shaft by more than a
 /// tenth of a turn over the recording.
 bool may_be_torus(const Verdict& verdict);
 
