@@ -12,7 +12,7 @@
 namespace rubsweep::recording {
 namespace {
 
-std::string fault(std::string_view text) {
+std::string text_fault(std::string_view text) {
   try {
     read_delimited_text(text, "f.csv");
   } catch (const ConfigError& error) {
@@ -71,18 +71,19 @@ TEST(DelimitedText, EmptyCellsAreGaps) {
 }
 
 TEST(DelimitedText, DamagedFilesAreRefusedAtTheirPlace) {
-  EXPECT_EQ(fault("a,b\n1,2\n3\n"), "f.csv:3:1: has another number of cells, 1, allowed: 2 as in line 2");
-  EXPECT_EQ(fault("a,b\n1,2\n3, x1\n"),
+  EXPECT_EQ(text_fault("a,b\n1,2\n3\n"),
+            "f.csv:3:1: has another number of cells, 1, allowed: 2 as in line 2");
+  EXPECT_EQ(text_fault("a,b\n1,2\n3, x1\n"),
             "f.csv:3:4: 'x1' is no number, allowed: a number with a decimal point");
-  EXPECT_EQ(fault("1;2\n2,5;3\n3.5;3\n"),
+  EXPECT_EQ(text_fault("1;2\n2,5;3\n3.5;3\n"),
             "f.csv:3:1: '3.5' is no number, allowed: a number with a decimal comma");
   EXPECT_EQ(
-      fault("12:00:00;3\n13;3\n"),
+      text_fault("12:00:00;3\n13;3\n"),
       "f.csv:2:1: '13' is no time stamp, allowed: hours:minutes:seconds, with or without a date before them");
-  EXPECT_EQ(fault("1,2\n"), "f.csv:1:1: is the only row of numbers, allowed: two or more");
+  EXPECT_EQ(text_fault("1,2\n"), "f.csv:1:1: is the only row of numbers, allowed: two or more");
   for (const char* empty : {"", "\n\n", "hello\nworld\n", "# 1,2\n"})
-    EXPECT_TRUE(fault(empty).starts_with("f.csv:1:1: has no numbers, allowed: ")) << empty;
-  EXPECT_TRUE(fault(std::string_view("1,2\n\0,3\n", 9)).starts_with("f.csv:1:1: is no text"));
+    EXPECT_TRUE(text_fault(empty).starts_with("f.csv:1:1: has no numbers, allowed: ")) << empty;
+  EXPECT_TRUE(text_fault(std::string_view("1,2\n\0,3\n", 9)).starts_with("f.csv:1:1: is no text"));
 }
 
 TEST(DelimitedText, StampsMayStandInAnyColumnAndForm) {
@@ -127,9 +128,9 @@ TEST(DelimitedText, NotesAndWordsInThePlaceOfReadingsAreNoHindrance) {
 }
 
 TEST(DelimitedText, TheFirstLineThatBreaksTheTableIsNamed) {
-  EXPECT_EQ(fault("t,x,y\n0,1,2\n1,2\n2,3,4\n"),
+  EXPECT_EQ(text_fault("t,x,y\n0,1,2\n1,2\n2,3,4\n"),
             "f.csv:3:1: has another number of cells, 2, allowed: 3 as in line 2");
-  EXPECT_EQ(fault("t,x,y\n0,1,2\nwords\n1,2,3\n2;3;4\n"),
+  EXPECT_EQ(text_fault("t,x,y\n0,1,2\nwords\n1,2,3\n2;3;4\n"),
             "f.csv:5:1: has another number of cells, 1, allowed: 3 as in line 2");
 }
 

@@ -11,9 +11,11 @@ namespace {
 
 using files::labview_head, files::labview_segment;
 
-const auto all = files::signals(40);
+const auto labview_signals = files::signals(40);
 
-std::string two_signals(std::size_t k) { return fmt::format("\t{:.9f}\t{:.9f}", all.x[k], all.y[k]); }
+std::string two_signals(std::size_t k) {
+  return fmt::format("\t{:.9f}\t{:.9f}", labview_signals.x[k], labview_signals.y[k]);
+}
 std::string with_times(std::size_t k) {
   return fmt::format("{:.4f}{}", 0.001 * static_cast<double>(k), two_signals(k));
 }
@@ -27,12 +29,12 @@ void expect_signals(const Channels& table, std::size_t rows) {
   EXPECT_EQ(table.channels[2].unit, "Volts");
   for (std::size_t k = 0; k < rows; ++k) {
     EXPECT_NEAR(table.channels[0].values[k], 0.001 * static_cast<double>(k), 1e-9);
-    EXPECT_NEAR(table.channels[1].values[k], all.x[k % 40], 1e-8);
-    EXPECT_NEAR(table.channels[2].values[k], all.y[k % 40], 1e-8);
+    EXPECT_NEAR(table.channels[1].values[k], labview_signals.x[k % 40], 1e-8);
+    EXPECT_NEAR(table.channels[2].values[k], labview_signals.y[k % 40], 1e-8);
   }
 }
 
-std::string fault(const std::string& text) {
+std::string labview_fault(const std::string& text) {
   try {
     read_delimited_text(text, "f.lvm");
   } catch (const ConfigError& error) {
@@ -41,22 +43,22 @@ std::string fault(const std::string& text) {
   return "none";
 }
 
-constexpr std::string_view names = "X_Value\tX\tKP\tComment";
+constexpr std::string_view labview_names = "X_Value\tX\tKP\tComment";
 
 TEST(LabviewText, ReadsOneColumnOfTimesOrNone) {
-  const Channels none =
-      read_delimited_text(labview_head("No") + labview_segment(40, "10:15:30.1", names, two_signals), "f");
+  const Channels none = read_delimited_text(
+      labview_head("No") + labview_segment(40, "10:15:30.1", labview_names, two_signals), "f");
   expect_signals(none, 40);
   EXPECT_EQ(none.sampling_rate_hz, 1000);
-  expect_signals(
-      read_delimited_text(labview_head("One") + labview_segment(40, "10:15:30.1", names, with_times), "f"),
-      40);
+  expect_signals(read_delimited_text(
+                     labview_head("One") + labview_segment(40, "10:15:30.1", labview_names, with_times), "f"),
+                 40);
 }
 
 TEST(LabviewText, JoinsTimesThatAreTheSame) {
   const auto row = [](std::size_t k) {
-    return fmt::format("{0:.4f}\t{1:.9f}\t{0:.4f}\t{2:.9f}", 0.001 * static_cast<double>(k), all.x[k],
-                       all.y[k]);
+    return fmt::format("{0:.4f}\t{1:.9f}\t{0:.4f}\t{2:.9f}", 0.001 * static_cast<double>(k),
+                       labview_signals.x[k], labview_signals.y[k]);
   };
   const std::string segment =
       "Channels\t2\t\t\t\t\nY_Unit_Label\tum\t\tVolts\t\t\nDelta_X\t0.001\t\t0.001\t\t\n***End_of_Header***"
@@ -70,33 +72,35 @@ TEST(LabviewText, JoinsTimesThatAreTheSame) {
   const Channels table = read_delimited_text(labview_head("Multi") + segment + rows, "f");
   expect_signals(table, 40);
   EXPECT_EQ(table.channels[2].number, 4u);
-  EXPECT_NE(fault(labview_head("Multi") + segment + other).find("has other times for one signal"),
+  EXPECT_NE(labview_fault(labview_head("Multi") + segment + other).find("has other times for one signal"),
             std::string::npos);
 }
 
 TEST(LabviewText, SegmentsFollowEachOtherByTheirInstants) {
-  const std::string first = labview_head("No") + labview_segment(40, "10:15:30.100", names, two_signals);
-  expect_signals(read_delimited_text(first + labview_segment(40, "10:15:30.140", names, two_signals), "f"),
-                 80);
+  const std::string first =
+      labview_head("No") + labview_segment(40, "10:15:30.100", labview_names, two_signals);
+  expect_signals(
+      read_delimited_text(first + labview_segment(40, "10:15:30.140", labview_names, two_signals), "f"), 80);
   const Channels gap =
-      read_delimited_text(first + labview_segment(40, "10:15:31.100", names, two_signals), "f");
+      read_delimited_text(first + labview_segment(40, "10:15:31.100", labview_names, two_signals), "f");
   EXPECT_NEAR(gap.channels[0].values[40], 1, 1e-9);
   EXPECT_FALSE(gap.sampling_rate_hz);
   EXPECT_EQ(gap.line[40], gap.line[0] + 51);
 }
 
 TEST(LabviewText, RefusesSegmentsThatDoNotFollow) {
-  const std::string first = labview_head("No") + labview_segment(40, "10:15:30.100", names, two_signals);
-  EXPECT_NE(fault(first + labview_segment(40, "10:15:30.100", names, two_signals))
+  const std::string first =
+      labview_head("No") + labview_segment(40, "10:15:30.100", labview_names, two_signals);
+  EXPECT_NE(labview_fault(first + labview_segment(40, "10:15:30.100", labview_names, two_signals))
                 .find("whose times do not follow"),
             std::string::npos);
-  EXPECT_NE(fault(first + labview_segment(40, "10:15:40", "X_Value\tZ\tKP\tComment", two_signals))
+  EXPECT_NE(labview_fault(first + labview_segment(40, "10:15:40", "X_Value\tZ\tKP\tComment", two_signals))
                 .find("with other signals"),
             std::string::npos);
-  EXPECT_NE(fault(first + "X_Value\tX\tKP\n\t1\t2\n").find("without its head"), std::string::npos);
-  std::string broken = first + labview_segment(40, "10:15:40", names, two_signals);
+  EXPECT_NE(labview_fault(first + "X_Value\tX\tKP\n\t1\t2\n").find("without its head"), std::string::npos);
+  std::string broken = first + labview_segment(40, "10:15:40", labview_names, two_signals);
   broken.insert(broken.rfind("\n\t"), "\t1\t2\t3\t4");
-  EXPECT_NE(fault(broken).find("has another number of cells"), std::string::npos);
+  EXPECT_NE(labview_fault(broken).find("has another number of cells"), std::string::npos);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 using files::tdms_chunk, files::tdms_index, files::tdms_metadata, files::tdms_object, files::tdms_segment,
     files::tdms_whole;
 
-std::string fault(const std::string& bytes) {
+std::string tdms_fault(const std::string& bytes) {
   try {
     read_tdms_file(bytes, "f.tdms");
   } catch (const ConfigError& error) {
@@ -79,13 +79,14 @@ TEST(TdmsFile, WhatWasNotClosedIsReadAndTold) {
 TEST(TdmsFile, RefusesDamageAndRawDataOfDaqmx) {
   const std::string whole =
       tdms_segment(tdms_whole, tdms_metadata(20), tdms_chunk(files::signals(20), 0, 20));
-  EXPECT_EQ(fault(whole.substr(0, whole.size() - 1)), "f.tdms: breaks off, allowed: a whole TDMS file");
-  EXPECT_NE(fault(whole + "TDSx").find("a segment does not begin"), std::string::npos);
-  EXPECT_NE(fault(tdms_segment(tdms_whole | files::tdms_daqmx, tdms_metadata(20), "")).find("DAQmx"),
+  EXPECT_EQ(tdms_fault(whole.substr(0, whole.size() - 1)), "f.tdms: breaks off, allowed: a whole TDMS file");
+  EXPECT_NE(tdms_fault(whole + "TDSx").find("a segment does not begin"), std::string::npos);
+  EXPECT_NE(tdms_fault(tdms_segment(tdms_whole | files::tdms_daqmx, tdms_metadata(20), "")).find("DAQmx"),
             std::string::npos);
-  EXPECT_NE(fault(tdms_segment(tdms_whole, tdms_metadata(std::size_t{1} << 60), "")).find("holds more than"),
-            std::string::npos);
-  EXPECT_NE(fault(tdms_segment(0x02, files::Bytes().add(0xffffffff, 4).text, "")).find("breaks off"),
+  EXPECT_NE(
+      tdms_fault(tdms_segment(tdms_whole, tdms_metadata(std::size_t{1} << 60), "")).find("holds more than"),
+      std::string::npos);
+  EXPECT_NE(tdms_fault(tdms_segment(0x02, files::Bytes().add(0xffffffff, 4).text, "")).find("breaks off"),
             std::string::npos);
 }
 

@@ -13,7 +13,7 @@ using files::binary_universal_set, files::universal_set, files::UniversalForm;
 const std::string other_sets =
     "    -1\n   151\nmodel\nof today\nprogram\n    -1\n    -1\n   164\n         1SI\n  1.0  1.0\n    -1\n";
 
-std::string fault(const std::string& bytes) {
+std::string universal_fault(const std::string& bytes) {
   try {
     read_universal_file(bytes, "f.uff");
   } catch (const ConfigError& error) {
@@ -70,21 +70,24 @@ TEST(UniversalFile, TellsWhatIsNoSignal) {
   EXPECT_EQ(table.left_out_text(),
             " ('data set 151' is no recording, 'data set 164' is no recording, 'H' is no time history, but a "
             "function of type 4, 'short' has 3 readings instead of 10)");
-  EXPECT_NE(fault(other_sets).find("holds no signal"), std::string::npos);
+  EXPECT_NE(universal_fault(other_sets).find("holds no signal"), std::string::npos);
 }
 
 TEST(UniversalFile, DamagedFilesAreRefusedAtTheirLine) {
   const auto all = files::signals(10);
   const std::string whole = universal_set("X", all.x);
-  EXPECT_TRUE(fault(whole.substr(0, whole.size() - 30)).starts_with("f.uff:1")) << fault(whole);
+  EXPECT_TRUE(universal_fault(whole.substr(0, whole.size() - 30)).starts_with("f.uff:1"))
+      << universal_fault(whole);
   std::string word = whole;
   word.replace(word.rfind("e+0"), 3, "x+0");
-  EXPECT_NE(fault(word).find("is no number of this data set"), std::string::npos);
+  EXPECT_NE(universal_fault(word).find("is no number of this data set"), std::string::npos);
   std::string many = whole;
   many.replace(many.find("        10         1 "), 10, "  99999999");
-  EXPECT_TRUE(fault(many).starts_with("f.uff:9:1: has no kind, count or step of numbers")) << fault(many);
+  EXPECT_TRUE(universal_fault(many).starts_with("f.uff:9:1: has no kind, count or step of numbers"))
+      << universal_fault(many);
   const std::string binary = binary_universal_set("X", all.x, false);
-  EXPECT_NE(fault(binary.substr(0, binary.size() - 40)).find("announces other bytes"), std::string::npos);
+  EXPECT_NE(universal_fault(binary.substr(0, binary.size() - 40)).find("announces other bytes"),
+            std::string::npos);
   EXPECT_FALSE(is_universal_file("-1,2\n58,3\n"));
   EXPECT_FALSE(is_universal_file("  -1\n"));
 }

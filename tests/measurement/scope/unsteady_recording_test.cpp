@@ -88,8 +88,10 @@ TEST(UnsteadyRecording, ALineThatNoPeriodHasIsFoundOnAMachineThatWanders) {
     put.other_share = 0.01 + 0.02 * (seed % 2);
     const Verdict verdict = judge(recorded(put, seed));
     synchronous += verdict.motion == MeasuredClass::synchronous;
-    periodic += verdict.motion == MeasuredClass::subharmonic;
-    sure += verdict.motion == MeasuredClass::subharmonic && !may_be_torus(verdict);
+    periodic += verdict.period.value_or(1) > 1;
+    sure += verdict.motion == MeasuredClass::subharmonic;
+    EXPECT_EQ(verdict.motion == MeasuredClass::subharmonic_or_torus,
+              verdict.period.value_or(1) > 1 && may_be_torus(verdict));
   }
   RecordProperty("synchronous", static_cast<int>(synchronous));
   RecordProperty("subharmonic", static_cast<int>(periodic));
@@ -109,12 +111,12 @@ TEST(UnsteadyRecording, ATorusAnEighthOfABinBesideAFractionIsNotSurelyOfItsPerio
     put.other_order = (seed % 2 == 0 ? 2 : 3) / 5.0 + 0.12 / put.turns;
     put.other_share = 0.02;
     const Verdict weak = judge(recorded(put, seed));
-    passed += weak.motion == MeasuredClass::subharmonic;
-    sure += weak.motion == MeasuredClass::subharmonic && !may_be_torus(weak);
+    passed += weak.period.value_or(1) > 1;
+    sure += weak.motion == MeasuredClass::subharmonic;
     put.other_order = (seed % 2 == 0 ? 2 : 3) / 5.0;
     put.other_share = 0.3;
     const Verdict strong = judge(recorded(put, seed));
-    doubted += strong.period != 5 || may_be_torus(strong);
+    doubted += strong.period != 5 || strong.motion != MeasuredClass::subharmonic;
   }
   RecordProperty("passed", static_cast<int>(passed));
   RecordProperty("sure", static_cast<int>(sure));

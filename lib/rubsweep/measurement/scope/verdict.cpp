@@ -185,6 +185,7 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     verdict.motion = n == 1 ? MeasuredClass::synchronous : MeasuredClass::subharmonic;
     verdict.period = n;
     verdict.turns = spectrum.turns;
+    if (n > 1 && may_be_torus(verdict)) verdict.motion = MeasuredClass::subharmonic_or_torus;
     verdict.noise_m = threshold.noise_m;
     verdict.visible_m = threshold.visible_m;
     verdict.modulation_m = n == 1 ? once.modulation_m

@@ -14,9 +14,11 @@ namespace rubsweep::scope {
 
 /// Class of a measured motion. Probes do not detect contacts: a quiet rotor and a synchronous rub look alike.
 enum class MeasuredClass {
-  at_rest,         ///< no line exceeds the noise
-  synchronous,     ///< the motion repeats every turn
-  subharmonic,     ///< the motion repeats after 2 to max_period turns
+  at_rest,         ///< no line stands out of the noise
+  synchronous,     ///< repeats every turn
+  subharmonic,     ///< repeats after 2 to max_period turns
+  /// Repeats so as well as the recording can tell, and may turn against the shaft (may_be_torus).
+  subharmonic_or_torus,
   quasi_periodic,  ///< does not, and its lines stay where they are from one half of the recording to the
                    ///< other
   aperiodic        ///< no period, and the lines change between the halves: chaos, or a changing machine
@@ -94,8 +96,8 @@ struct Reading {
 /// this bin is also the line's nearest one.
 const DiscreteLine* line_of_bin(const Verdict& verdict, double order);
 
-/// Whether a motion called subharmonic may be a torus instead, whose lines rotate relative to the shaft by
-/// more than a tenth of a turn during the recording.
+/// Whether the lines of a motion with a period may be those of a torus that turns against the shaft by more than a
+/// tenth of a turn over the recording.
 bool may_be_torus(const Verdict& verdict);
 
 /// Classifies a motion over whole turns, given by `samples_per_revolution` equally spaced samples per turn.
