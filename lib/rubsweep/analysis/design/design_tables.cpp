@@ -146,59 +146,6 @@ std::string row_of(const Term& term) {
                      csv_number(term.margin.value_or(nothing)), word_of(term));
 }
 
-std::string stop_name(std::size_t stop) { return fmt::format("stop {}", stop); }
-
-std::optional<double> speed_of(const std::optional<DryWhip>& whip) {
-  return whip ? std::optional(whip->speed_hz) : std::nullopt;
-}
-
-/// All lines of a check.
-std::vector<Term> terms_of(const DesignCheck& check) {
-  std::vector<Term> terms;
-  // The response of a rotor that grows does not last: what it would keep is no verdict.
-  const auto if_lasting = [](bool met, const linear::GrowthAt& growth) {
-    return !met || growth.growth_per_s == 0 ? std::optional(met) : std::nullopt;
-  };
-  for (std::size_t k = 0; k < check.probes.size(); ++k) {
-    const ProbeResponse& probe = check.probes[k];
-    const double margin = 1 - probe.major_axis_m.value / check.vibration_limit_m;
-    terms.push_back({"vibration", fmt::format("probe {}", k), probe.position_m, probe.major_axis_m.speed_hz,
-                     probe.major_axis_m.value, check.vibration_limit_m, "m", margin,
-                     if_lasting(margin >= 0, check.growth)});
-  }
-  for (const ClearanceMargin& one : check.clearances) {
-    terms.push_back({"clearance", stop_name(one.stop), one.position_m, one.speed_hz, one.major_axis_m,
-                     clearance_share * one.diametral_clearance_m, "m",
-                     std::isfinite(one.margin) ? std::optional(one.margin) : std::nullopt,
-                     if_lasting(one.margin >= 0, check.whole_growth)});
-  }
-  for (const WhipMargin& one : check.whips) {
-    terms.push_back({"dry_whip",
-                     stop_name(one.stop),
-                     {},
-                     speed_of(one.needs),
-                     one.friction,
-                     one.needs ? std::optional(one.needs->least_friction) : std::nullopt,
-                     "1",
-                     one.margin(),
-                     one.margin() > 0});
-  }
-  const bool grows = check.growth.growth_per_s > 0;
-  terms.push_back({"stability",
-                   "",
-                   {},
-                   grows ? std::optional(check.growth.speed_hz) : std::nullopt,
-                   check.growth.growth_per_s,
-                   0.0,
-                   "1/s",
-                   {},
-                   !grows});
-  terms.insert(terms.end(), check.lateral.begin(), check.lateral.end());
-  if (const KickThreshold* kick = check.smallest_kick(); kick != nullptr)
-    terms.push_back({"kick", "", {}, kick->speed_hz, *kick->force_n, {}, "N"});
-  return terms;
-}
-
 std::string design_check_csv(const DesignCheck& check) {
   std::string text = "check,place,position_m,speed_hz,value,limit,unit,margin,verdict\n";
   for (const Term& term : terms_of(check)) text += row_of(term);
@@ -290,14 +237,6 @@ std::string kicks_csv(const DesignCheck& check) {
 }
 
 }  // namespace
-
-Answer answer_of(const DesignCheck& check) {
-  const std::vector<Term> terms = terms_of(check);
-  if (std::ranges::any_of(terms, [](const Term& term) { return term.met == false; })) return Answer::not_met;
-  return std::ranges::any_of(terms, [](const Term& term) { return !term.not_told.empty(); })
-             ? Answer::not_told
-             : Answer::pass;
-}
 
 std::string design_page(const DesignCheck& check, const model::ShownLengths& shown) {
   const Lengths length(shown);

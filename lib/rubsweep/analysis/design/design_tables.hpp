@@ -3,14 +3,10 @@
 #include <string>
 
 #include "rubsweep/analysis/design/design_check.hpp"
+#include "rubsweep/analysis/design/design_terms.hpp"
 #include "rubsweep/core/model/length_text.hpp"
 
 namespace rubsweep::design {
-
-/// Verdict of a whole check: some limit is not kept; else there is a term that nothing is known of; else
-/// all are met.
-enum class Answer { pass, not_met, not_told };
-Answer answer_of(const DesignCheck& check);
 
 /// A design check as one page for a terminal: what is asked, what comes out, `ok` or `NOT MET` where there is
 /// a limit. Lengths as asked for, in um otherwise; vibration is peak to peak in any case.

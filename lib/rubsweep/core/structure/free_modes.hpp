@@ -32,7 +32,7 @@ Eigen::VectorXcd all_rates_per_s(const SpeedMatrices& matrices, double unit_per_
 /// The vibration next to `rate_per_s` and `shape` at other matrices, by Newton's method: shape and rate are
 /// replaced. False where it does not converge: the rate still moves by more than `precision` of itself.
 bool follow_free_mode(const SpeedMatrices& matrices, std::complex<double>& rate_per_s,
-                      Eigen::VectorXcd& shape, double precision = 8.9e-16);
+                      Eigen::VectorXcd& shape, double precision = 0x1p-50);
 
 /// Error of a vibration's rate, per second, caused by rounding the numbers of these matrices.
 double rate_rounding_per_s(const SpeedMatrices& matrices, std::complex<double> rate_per_s,

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "rubsweep/analysis/design/design_check.hpp"
+
+namespace rubsweep::design {
+
+/// All lines of a check: vibration, clearances, dry whip, stability, those of the lateral analysis, the
+/// smallest kick.
+std::vector<Term> terms_of(const DesignCheck& check);
+
+/// Verdict of a whole check: some limit is not kept; else there is a term that nothing is known of; else all
+/// are met.
+enum class Answer { pass, not_met, not_told };
+Answer answer_of(const DesignCheck& check);
+
+}  // namespace rubsweep::design
