@@ -127,10 +127,10 @@ std::string size_of(const ring::Study& study) {
 }
 
 int verify(const fs::path& directory, bool quiet) {
-  const auto read = [](const fs::path& file) -> map::VerifiedConfiguration {
+  const auto read = [](const fs::path& file) -> VerifiedConfiguration {
     return {config::ring::ring_study_digest(config::ring::read_ring_config(file, {}).study)};
   };
-  return report_verdict("ringstab", directory, map::verify_directory(directory, read), quiet);
+  return report_verdict("ringstab", directory, verify_directory(directory, read), quiet);
 }
 
 int perform(const RingstabArguments& arguments) {

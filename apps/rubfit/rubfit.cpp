@@ -15,11 +15,11 @@
 #include <utility>
 
 #include "fitted_machine.hpp"
+#include "rubfit/fit_tables.hpp"
 #include "rubfit_arguments.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
-#include "rubsweep/measurement/fit/fit_tables.hpp"
 #include "rubsweep/measurement/fit/modelled_data.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
@@ -141,13 +141,12 @@ int run(const RubfitArguments& arguments) {
   watch.reset();
   if (result.fit.value.size() == 0) return nothing_was_found();
   const std::string phases = choose_phases(arguments, found, fitted, result);
-  fit::FitTables tables = fit::tables_of(problem, result);
+  FitTables tables = tables_of(problem, result);
   if (!arguments.without.empty() && !result.fit.stopped) {
     const fit::MachineFitResult less = found(without(fitted, arguments.without), arguments.starts);
     // If the second fit is interrupted, the first one is still complete.
     if (!less.fit.stopped)
-      tables.summary +=
-          fit::comparison_text(result, less, fmt::format("{}", fmt::join(arguments.without, ", ")));
+      tables.summary += comparison_text(result, less, fmt::format("{}", fmt::join(arguments.without, ", ")));
   }
   count_in_summary("parameters", static_cast<std::size_t>(result.fit.value.size()));
   const batch::ResultFiles files{{"config.yaml", fitted_config(fitted, result.fit.value)},

@@ -15,7 +15,6 @@
 
 #include "rubline_arguments.hpp"
 #include "rubsweep/analysis/line/follow_line.hpp"
-#include "rubsweep/analysis/line/line_tables.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/overloaded.hpp"
@@ -30,6 +29,7 @@
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
+#include "shared/line_tables.hpp"
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"
@@ -175,7 +175,7 @@ class LineRun {
     count_in_summary("cells", points_.size());
     if (points_.size() < cells_.size() * arguments_.passes.size()) return interrupted();
     if (!arguments_.quiet)
-      print("{}{}", line::line_summary(points_, cells_), batch::files_line(files_, directory_));
+      print("{}{}", line_summary(points_, cells_), batch::files_line(files_, directory_));
     draw("line", "Bifurcation diagram", arguments_.figure);
     draw("cascade", "Cascade of full spectra", arguments_.cascade_figure);
     const bool failed = std::ranges::any_of(points_, [](const line::LinePoint& point) {
@@ -200,7 +200,7 @@ class LineRun {
   void write() {
     std::ranges::sort(points_, {},
                       [](const line::LinePoint& point) { return std::pair(point.pass, point.cell); });
-    line::LineTables tables = line::tables_of(points_, cells_, arguments_.along);
+    LineTables tables = tables_of(points_, cells_, arguments_.along);
     files_ = {{"config.yaml", config::print_config(config_)},
               {"line.csv", std::move(tables.line_csv)},
               {"bifurcation.csv", std::move(tables.bifurcation_csv)},

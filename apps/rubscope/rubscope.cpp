@@ -7,16 +7,16 @@
 #include <string_view>
 #include <utility>
 
+#include "rubscope/column_list.hpp"
+#include "rubscope/comparison.hpp"
+#include "rubscope/scope_tables.hpp"
 #include "rubscope_arguments.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/config/line_keys.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
-#include "rubsweep/measurement/recording/column_list.hpp"
 #include "rubsweep/measurement/recording/recording_file.hpp"
-#include "rubsweep/measurement/scope/comparison.hpp"
-#include "rubsweep/measurement/scope/scope_tables.hpp"
 #include "rubsweep/measurement/scope/verdict.hpp"
 #include "rubsweep/measurement/scope/waterfall.hpp"
 #include "shared/exit_code.hpp"
@@ -45,11 +45,10 @@ void add_comparison(const config::RunConfig& config, const CellArgument& cell,
     throw ConfigError(
         "--compare: the recorded motion repeats after no number of turns, allowed: one that does");
   const SimulatedMotion motion = simulate(config, cell);
-  const scope::Comparison comparison =
-      scope::compare(verdict, motion.period_m, motion.turns, recording.plane);
-  files["compared.csv"] = scope::comparison_csv(comparison);
-  files["simulated.csv"] = scope::simulated_orbit_csv(comparison, motion.turns, recording.plane);
-  summary += scope::comparison_summary(comparison, shown);
+  const Comparison comparison = compare(verdict, motion.period_m, motion.turns, recording.plane);
+  files["compared.csv"] = comparison_csv(comparison);
+  files["simulated.csv"] = simulated_orbit_csv(comparison, motion.turns, recording.plane);
+  summary += comparison_summary(comparison, shown);
 }
 
 int look(const RubscopeArguments& arguments) {
@@ -71,9 +70,8 @@ int look(const RubscopeArguments& arguments) {
                       ": the speed changes, allowed with --compare: a steady one, or from_s and to_s");
   scope::Verdict verdict;
   if (!changing) verdict = scope::judge(recording, arguments.thresholds);
-  scope::ScopeTables tables = changing
-                                  ? scope::tables_of_run(recording, arguments.orders, arguments.shown)
-                                  : scope::tables_of(recording, verdict, arguments.orders, arguments.shown);
+  ScopeTables tables = changing ? tables_of_run(recording, arguments.orders, arguments.shown)
+                                : tables_of(recording, verdict, arguments.orders, arguments.shown);
   const ResultDirectory made(arguments.directory, file_names);
   batch::ResultFiles files{{"turns.csv", std::move(tables.turns_csv)},
                            {"bode.csv", std::move(tables.bode_csv)},
@@ -100,7 +98,7 @@ int look(const RubscopeArguments& arguments) {
 
 int list_columns(const fs::path& file) {
   const recording::Channels channels = recording::read_recording_file(file, batch::read_input(file));
-  print_text(recording::column_list(channels, file.string()));
+  print_text(column_list(channels, file.string()));
   return done;
 }
 

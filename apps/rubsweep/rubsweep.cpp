@@ -77,7 +77,7 @@ int run(const RubsweepArguments& arguments, const config::RunConfig& config) {
   return report_map("rubsweep", arguments, directory.write_map(), config, directory);
 }
 
-map::VerifiedConfiguration read_rub_configuration(const std::filesystem::path& file) {
+VerifiedConfiguration read_rub_configuration(const std::filesystem::path& file) {
   sweep::Study study = config::read_run_config(file, {}).study;
   std::string digest = config::study_digest(study);
   return {std::move(digest), std::move(study)};
@@ -91,7 +91,7 @@ int verify(const RubsweepArguments& arguments) {
     if (arguments.quiet) command.emplace_back("--quiet");
     become_sibling("ringstab", std::move(command));
   }
-  return report_verdict("rubsweep", directory, map::verify_directory(directory, read_rub_configuration),
+  return report_verdict("rubsweep", directory, verify_directory(directory, read_rub_configuration),
                         arguments.quiet);
 }
 

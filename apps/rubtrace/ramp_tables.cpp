@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "rubsweep/analysis/line/line_tables.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/response/motion/classify.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
+#include "shared/line_tables.hpp"
 
 namespace rubsweep::apps {
 
@@ -44,7 +44,7 @@ std::string orbits_csv(const std::vector<RampOrbit>& orbits) {
 }
 
 std::string spectrogram_csv(const std::vector<OrderSpectrum>& spectra) {
-  constexpr int last = line::largest_cascade_order * spectrum_turns;
+  constexpr int last = largest_cascade_order * spectrum_turns;
   double largest_m = 0;
   for (const OrderSpectrum& at : spectra) {
     for (int k = -last; k <= last; ++k)

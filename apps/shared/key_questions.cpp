@@ -5,19 +5,17 @@
 #include <algorithm>
 #include <vector>
 
-#include "rubsweep/maps/config/keys/key_list.hpp"
-#include "rubsweep/maps/config/keys/schema.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
+#include "shared/key_list.hpp"
 #include "shared/program.hpp"
+#include "shared/schema.hpp"
 
 namespace rubsweep::apps {
 namespace {
 
-using config::keys::KeyRow;
-
 std::string keys_below(const std::vector<KeyRow>& rows, const std::string& path) {
-  const std::vector<KeyRow> found = config::keys::below(rows, path);
-  if (!found.empty()) return config::keys::text_of(found);
+  const std::vector<KeyRow> found = below(rows, path);
+  if (!found.empty()) return text_of(found);
   std::vector<std::string_view> names;
   for (const KeyRow& row : rows) {
     names.push_back(row.path);
@@ -41,9 +39,9 @@ void add_key_questions(po::options_description& options) {
 std::optional<std::string> key_answer(const po::variables_map& given, const config::keys::Form& configuration,
                                       std::string_view title) {
   if (given.count("help") != 0 || given.count("version") != 0) return std::nullopt;
-  if (asks_for("schema", given)) return config::keys::schema_of(configuration, title);
+  if (asks_for("schema", given)) return schema_of(configuration, title);
   if (!asks_for("keys", given, "config")) return std::nullopt;
-  return keys_below(config::keys::key_list(configuration),
+  return keys_below(key_list(configuration),
                     given.count("config") != 0 ? given["config"].as<std::string>() : "");
 }
 

@@ -12,7 +12,7 @@
 namespace rubsweep::apps {
 
 int report_verdict(std::string_view program, const std::filesystem::path& directory,
-                   const map::DirectoryVerdict& verdict, bool quiet) {
+                   const DirectoryVerdict& verdict, bool quiet) {
   const auto list = [&](const std::vector<std::string>& sentences) {
     for (const std::string& sentence : sentences) say(fmt::format("{}: {}\n", program, sentence));
   };

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <string_view>
 
-#include "rubsweep/maps/map/verified_directory.hpp"
+#include "shared/verified_directory.hpp"
 
 namespace rubsweep::apps {
 
 /// Prints the verdict under the name `program` and returns its exit code; with `quiet`, prints only faults.
 int report_verdict(std::string_view program, const std::filesystem::path& directory,
-                   const map::DirectoryVerdict& verdict, bool quiet);
+                   const DirectoryVerdict& verdict, bool quiet);
 
 }  // namespace rubsweep::apps

@@ -7,9 +7,9 @@
 
 #include "core/scene/one_side_machine.hpp"
 #include "maps/batch/message_of.hpp"
+#include "rubfit/fit_tables.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/measurement/fit/fit_tables.hpp"
 #include "rubsweep/measurement/fit/modelled_data.hpp"
 #include "rubsweep/measurement/fit/ramp_phasor.hpp"
 
@@ -70,7 +70,7 @@ TEST(MachineFit, RingDownTellsFrequencyAndDamping) {
   expect_told(result, 1, 0.015);
   expect_told(result, 2, 0.001);
   EXPECT_LT(result.uncertainty.standard_error(0), 0.02);
-  const FitTables tables = tables_of(problem, result);
+  const apps::FitTables tables = apps::tables_of(problem, result);
   EXPECT_EQ(tables.summary.find("something is missing"), std::string::npos) << tables.summary;
   EXPECT_TRUE(tables.parameters_csv.starts_with(
       "parameter,value,standard_error,low_95,high_95,start,at_bound\nfrequency,"));
@@ -83,7 +83,7 @@ TEST(MachineFit, WhatIsMissingIsNamed) {
   for (Eigen::Index k = 0; k < ring.signal_m.rows(); ++k)
     ring.signal_m(k, 1) += 8e-6 * std::sin(2 * 3.14159265358979 * 50 * ring.t_s[static_cast<std::size_t>(k)]);
   MachineFit problem{.parameters = rotor_parameters, .data = {data}, .hit_s = 0.001, .machine = rotor};
-  const std::string summary = tables_of(problem, fit_machine(problem, {})).summary;
+  const std::string summary = apps::tables_of(problem, fit_machine(problem, {})).summary;
   EXPECT_NE(summary.find("of sensor 1: a vibration of 50"), std::string::npos) << summary;
 }
 
@@ -101,11 +101,11 @@ TEST(MachineFit, ARunUpOfTheRightMachineRaisesNoWarning) {
                      .eccentricity_m = 2e-5,
                      .mark_deg = 0.5 * 180 / 3.14159265358979,
                      .machine = rotor};
-  std::string summary = tables_of(problem, fit_machine(problem, {})).summary;
+  std::string summary = apps::tables_of(problem, fit_machine(problem, {})).summary;
   EXPECT_EQ(summary.find("warning"), std::string::npos) << summary;
   // With a wrong unbalance the residuals are not noise.
   problem.eccentricity_m = 1.8e-5;
-  summary = tables_of(problem, fit_machine(problem, {})).summary;
+  summary = apps::tables_of(problem, fit_machine(problem, {})).summary;
   EXPECT_NE(summary.find("something is missing"), std::string::npos) << summary;
 }
 
@@ -216,7 +216,7 @@ TEST(MachineFit, AParameterTooFewIsFoundOut) {
   problem.parameters.push_back({mark_name, 0, -180, 180, 30});
   const MachineFitResult with = fit_machine(problem, {});
   problem.parameters.pop_back();
-  EXPECT_NE(comparison_text(with, fit_machine(problem, {}), "mark_deg").find("the data need it"),
+  EXPECT_NE(apps::comparison_text(with, fit_machine(problem, {}), "mark_deg").find("the data need it"),
             std::string::npos);
 }
 

@@ -4,7 +4,7 @@
 
 #include "rubsweep/measurement/fit/machine_fit.hpp"
 
-namespace rubsweep::fit {
+namespace rubsweep::apps {
 
 /// Texts of the files that describe a fit.
 struct FitTables {
@@ -16,11 +16,11 @@ struct FitTables {
   std::string summary;
 };
 
-FitTables tables_of(const MachineFit& problem, const MachineFitResult& result);
+FitTables tables_of(const fit::MachineFit& problem, const fit::MachineFitResult& result);
 
 /// A sentence that compares the fit with one of the same data by fewer parameters, by Schwarz' criterion.
 /// `without`: names of the parameters left out.
-std::string comparison_text(const MachineFitResult& with, const MachineFitResult& less,
+std::string comparison_text(const fit::MachineFitResult& with, const fit::MachineFitResult& less,
                             const std::string& without);
 
-}  // namespace rubsweep::fit
+}  // namespace rubsweep::apps

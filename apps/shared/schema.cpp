@@ -1,4 +1,4 @@
-#include "rubsweep/maps/config/keys/schema.hpp"
+#include "shared/schema.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,10 @@
 
 #include "rubsweep/core/model/range.hpp"
 
-namespace rubsweep::config::keys {
+namespace rubsweep::apps {
+
+using namespace config::keys;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -213,4 +216,4 @@ std::string schema_of(const Form& root, std::string_view title) {
       Json(title).dump(), whole.dump(), writer.definitions());
 }
 
-}  // namespace rubsweep::config::keys
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/line/line_tables.hpp"
+#include "shared/line_tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,10 @@
 #include "core/scene/one_side_machine.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 
-namespace rubsweep::line {
+namespace rubsweep::apps {
+
+using namespace line;
+
 namespace {
 
 using response::motion::MotionClass;
@@ -64,4 +67,4 @@ TEST(LineTablesSummary, PutsNeighboursOfOneMotionTogether) {
 }
 
 }  // namespace
-}  // namespace rubsweep::line
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/scope/comparison.hpp"
+#include "rubscope/comparison.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,10 @@
 
 #include "measurement/scope/samples.hpp"
 
-namespace rubsweep::scope {
+namespace rubsweep::apps {
+
+using namespace scope;
+
 namespace {
 
 using std::numbers::pi;
@@ -56,4 +59,4 @@ TEST(Comparison, AnotherMotionDiffers) {
 }
 
 }  // namespace
-}  // namespace rubsweep::scope
+}  // namespace rubsweep::apps

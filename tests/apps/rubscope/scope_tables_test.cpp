@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/scope/scope_tables.hpp"
+#include "rubscope/scope_tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,10 @@
 #include <numbers>
 #include <sstream>
 
-namespace rubsweep::scope {
+namespace rubsweep::apps {
+
+using namespace scope;
+
 namespace {
 
 recording::Recording circle(int turns) {
@@ -125,4 +128,4 @@ TEST(ScopeTables, FindTheModeOfARunUp) {
 }
 
 }  // namespace
-}  // namespace rubsweep::scope
+}  // namespace rubsweep::apps

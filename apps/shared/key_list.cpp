@@ -1,11 +1,14 @@
-#include "rubsweep/maps/config/keys/key_list.hpp"
+#include "shared/key_list.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
-namespace rubsweep::config::keys {
+namespace rubsweep::apps {
+
+using namespace config::keys;
+
 namespace {
 
 /// One row of the list, with the values allowed for the key. They may depend on the kind of the map that
@@ -133,4 +136,4 @@ std::string text_of(const std::vector<KeyRow>& rows) {
   return text;
 }
 
-}  // namespace rubsweep::config::keys
+}  // namespace rubsweep::apps

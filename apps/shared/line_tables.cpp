@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/line/line_tables.hpp"
+#include "shared/line_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,10 @@
 #include "rubsweep/maps/report/map_summary.hpp"
 #include "rubsweep/maps/report/study_columns.hpp"
 
-namespace rubsweep::line {
+namespace rubsweep::apps {
+
+using namespace line;
+
 namespace {
 
 using batch::csv_number;
@@ -82,4 +85,4 @@ std::string line_summary(std::span<const LinePoint> points, std::span<const Line
   return text;
 }
 
-}  // namespace rubsweep::line
+}  // namespace rubsweep::apps

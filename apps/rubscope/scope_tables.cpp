@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/scope/scope_tables.hpp"
+#include "rubscope/scope_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,10 @@
 #include "rubsweep/measurement/recording/shaft_turns.hpp"
 #include "rubsweep/measurement/scope/waterfall.hpp"
 
-namespace rubsweep::scope {
+namespace rubsweep::apps {
+
+using namespace scope;
+
 namespace {
 
 using batch::csv_number;
@@ -298,4 +301,4 @@ ScopeTables tables_of_run(const Recording& recording, const std::vector<double>&
   return tables;
 }
 
-}  // namespace rubsweep::scope
+}  // namespace rubsweep::apps

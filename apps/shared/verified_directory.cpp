@@ -1,4 +1,4 @@
-#include "rubsweep/maps/map/verified_directory.hpp"
+#include "shared/verified_directory.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,10 @@
 #include "rubsweep/maps/map/written_file.hpp"
 #include "rubsweep/maps/report/map_cells.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
+
+using namespace map;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -293,4 +296,4 @@ DirectoryVerdict verify_directory(const fs::path& directory, const ReadConfigura
   return Verification(directory, read).verdict();
 }
 
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

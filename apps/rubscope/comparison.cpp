@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/scope/comparison.hpp"
+#include "rubscope/comparison.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,10 @@
 
 #include "rubsweep/maps/batch/csv_table.hpp"
 
-namespace rubsweep::scope {
+namespace rubsweep::apps {
+
+using namespace scope;
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -140,4 +143,4 @@ std::string comparison_summary(const Comparison& comparison, const model::ShownL
   return text;
 }
 
-}  // namespace rubsweep::scope
+}  // namespace rubsweep::apps

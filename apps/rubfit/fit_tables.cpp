@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/fit/fit_tables.hpp"
+#include "rubfit/fit_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,10 @@
 #include "rubsweep/measurement/fit/modelled_data.hpp"
 #include "rubsweep/measurement/fit/uncertainty.hpp"
 
-namespace rubsweep::fit {
+namespace rubsweep::apps {
+
+using namespace fit;
+
 namespace {
 
 using batch::csv_number;
@@ -193,4 +196,4 @@ std::string comparison_text(const MachineFitResult& with, const MachineFitResult
   return fmt::format("compared  without {}: {} (Schwarz' criterion {:+.1f})\n", without, words, difference);
 }
 
-}  // namespace rubsweep::fit
+}  // namespace rubsweep::apps

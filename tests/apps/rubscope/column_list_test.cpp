@@ -1,10 +1,13 @@
-#include "rubsweep/measurement/recording/column_list.hpp"
+#include "rubscope/column_list.hpp"
 
 #include <gtest/gtest.h>
 
 #include "rubsweep/measurement/recording/delimited_text.hpp"
 
-namespace rubsweep::recording {
+namespace rubsweep::apps {
+
+using namespace recording;
+
 namespace {
 
 bool says(const std::string& list, std::string_view words) { return list.find(words) != std::string::npos; }
@@ -31,4 +34,4 @@ TEST(ColumnList, SaysThatThereIsNoClock) {
 }
 
 }  // namespace
-}  // namespace rubsweep::recording
+}  // namespace rubsweep::apps

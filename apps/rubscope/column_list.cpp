@@ -1,4 +1,4 @@
-#include "rubsweep/measurement/recording/column_list.hpp"
+#include "rubscope/column_list.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,10 @@
 #include <optional>
 #include <vector>
 
-namespace rubsweep::recording {
+namespace rubsweep::apps {
+
+using namespace recording;
+
 namespace {
 
 constexpr std::size_t shown_values = 3;
@@ -84,4 +87,4 @@ std::string column_list(const Channels& channels, const std::string& name) {
   return text;
 }
 
-}  // namespace rubsweep::recording
+}  // namespace rubsweep::apps

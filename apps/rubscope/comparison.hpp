@@ -8,7 +8,7 @@
 #include "rubsweep/core/model/length_text.hpp"
 #include "rubsweep/measurement/scope/verdict.hpp"
 
-namespace rubsweep::scope {
+namespace rubsweep::apps {
 
 /// A line of a measured motion and the corresponding line of a simulated one.
 struct ComparedLine {
@@ -31,8 +31,8 @@ struct Comparison {
 /// the one with the smallest sum of squares. Orders up to most_order count; a line that is missing in one
 /// motion is compared with 0. Needs noise_m > 0; with 0, differences are divided by the smallest positive
 /// double instead.
-Comparison compare(const Verdict& measured, std::span<const std::complex<double>> simulated_m, int turns,
-                   bool plane);
+Comparison compare(const scope::Verdict& measured, std::span<const std::complex<double>> simulated_m,
+                   int turns, bool plane);
 
 /// CSV with order, measured_m, measured_phase_deg, simulated_m, simulated_phase_deg, difference.
 std::string comparison_csv(const Comparison& comparison);
@@ -41,4 +41,4 @@ std::string simulated_orbit_csv(const Comparison& comparison, int turns, bool pl
 /// Text for a terminal: the misfit, and the lines that differ most.
 std::string comparison_summary(const Comparison& comparison, const model::ShownLengths& shown = {});
 
-}  // namespace rubsweep::scope
+}  // namespace rubsweep::apps

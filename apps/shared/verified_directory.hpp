@@ -8,7 +8,7 @@
 
 #include "rubsweep/maps/sweep/study.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
 
 /// Facts from config.yaml, as the program that wrote it reads it.
 struct VerifiedConfiguration {
@@ -30,4 +30,4 @@ struct DirectoryVerdict {
 /// IoError where the directory cannot be read. `read` must throw where a file is no configuration.
 DirectoryVerdict verify_directory(const std::filesystem::path& directory, const ReadConfiguration& read);
 
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

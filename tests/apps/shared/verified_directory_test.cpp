@@ -1,4 +1,4 @@
-#include "rubsweep/maps/map/verified_directory.hpp"
+#include "shared/verified_directory.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -16,7 +16,10 @@
 #include "rubsweep/maps/map/map_files.hpp"
 #include "rubsweep/maps/map/written_file.hpp"
 
-namespace rubsweep::map {
+namespace rubsweep::apps {
+
+using namespace map;
+
 namespace {
 
 VerifiedConfiguration read(const std::filesystem::path& file) {
@@ -237,4 +240,4 @@ TEST(VerifiedDirectory, KnowsTheProgramThatWroteIt) {
 }
 
 }  // namespace
-}  // namespace rubsweep::map
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/config/keys/schema.hpp"
+#include "shared/schema.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,10 @@
 #include "rubsweep/maps/config/run_config.hpp"
 
 /// agreement_test.py tests the verdicts of validators; these tests cover what validators do not see.
-namespace rubsweep::config::keys {
+namespace rubsweep::apps {
+
+using namespace config::keys;
+
 namespace {
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -32,9 +35,9 @@ TEST(Schema, OverABaseNothingIsRequiredAndKeysMayBeTakenBack) {
 }
 
 TEST(Schema, OfARunIsDraftSeven) {
-  EXPECT_TRUE(
-      schema_of(run_form(), "rub").starts_with(R"({"$schema":"http://json-schema.org/draft-07/schema#",)"));
+  EXPECT_TRUE(schema_of(config::run_form(), "rub")
+                  .starts_with(R"({"$schema":"http://json-schema.org/draft-07/schema#",)"));
 }
 
 }  // namespace
-}  // namespace rubsweep::config::keys
+}  // namespace rubsweep::apps

@@ -4,11 +4,11 @@
 
 #include "rubsweep/measurement/recording/channels.hpp"
 
-namespace rubsweep::recording {
+namespace rubsweep::apps {
 
 /// Listing of what was understood of a file: rows, sampling rate, and of every column its number, name,
 /// unit, range and first values; then what was left out and why, what was passed over, and what a description
 /// of the instrument has to say where the file does not.
-std::string column_list(const Channels& channels, const std::string& name);
+std::string column_list(const recording::Channels& channels, const std::string& name);
 
-}  // namespace rubsweep::recording
+}  // namespace rubsweep::apps

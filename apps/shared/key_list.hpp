@@ -6,7 +6,7 @@
 
 #include "rubsweep/maps/config/keys/form.hpp"
 
-namespace rubsweep::config::keys {
+namespace rubsweep::apps {
 
 /// One key of a configuration, as a person asks for it. `N` in a path stands for any index of a list.
 struct KeyRow {
@@ -16,7 +16,7 @@ struct KeyRow {
 };
 
 /// All keys of a configuration in the order of their sections, each path once.
-std::vector<KeyRow> key_list(const Form& root);
+std::vector<KeyRow> key_list(const config::keys::Form& root);
 
 /// Rows of the key `path` and of all keys below it. Indices of a list in `path` match `N`. All rows for an
 /// empty path.
@@ -25,4 +25,4 @@ std::vector<KeyRow> below(const std::vector<KeyRow>& rows, std::string_view path
 /// Rows as a terminal shows them: the path on a line of its own, and its description indented below.
 std::string text_of(const std::vector<KeyRow>& rows);
 
-}  // namespace rubsweep::config::keys
+}  // namespace rubsweep::apps

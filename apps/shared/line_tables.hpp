@@ -6,7 +6,7 @@
 
 #include "rubsweep/analysis/line/follow_line.hpp"
 
-namespace rubsweep::line {
+namespace rubsweep::apps {
 
 /// Largest order of spectral lines in the tables of a line or of a run-up.
 inline constexpr int largest_cascade_order = 8;
@@ -20,10 +20,10 @@ struct LineTables {
 };
 
 /// Tables of `points`, which belong to `cells`, in the order given; `along` is the name of the parameter.
-LineTables tables_of(std::span<const LinePoint> points, std::span<const LineCell> cells,
+LineTables tables_of(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells,
                      std::string_view along);
 
 /// Summary for a terminal: the motions of each pass in the order in which they occur along the line.
-std::string line_summary(std::span<const LinePoint> points, std::span<const LineCell> cells);
+std::string line_summary(std::span<const line::LinePoint> points, std::span<const line::LineCell> cells);
 
-}  // namespace rubsweep::line
+}  // namespace rubsweep::apps

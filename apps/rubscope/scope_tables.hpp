@@ -7,7 +7,7 @@
 #include "rubsweep/measurement/recording/recording.hpp"
 #include "rubsweep/measurement/scope/verdict.hpp"
 
-namespace rubsweep::scope {
+namespace rubsweep::apps {
 
 /// Results for a recording, as tables and as text for a terminal.
 struct ScopeTables {
@@ -28,7 +28,7 @@ struct ScopeTables {
 
 /// Makes the tables; `verdict` belongs to the recording's displacement. `orders`: multiples of 1/8 for the
 /// Bode plot. `shown`: unit of lengths in the summary, um by default.
-ScopeTables tables_of(const recording::Recording& recording, const Verdict& verdict,
+ScopeTables tables_of(const recording::Recording& recording, const scope::Verdict& verdict,
                       const std::vector<double>& orders, const model::ShownLengths& shown = {});
 
 /// Tables for a run-up or coast-down (speed_changes), whose motion does not repeat: 1X and, where the speed
@@ -36,4 +36,4 @@ ScopeTables tables_of(const recording::Recording& recording, const Verdict& verd
 ScopeTables tables_of_run(const recording::Recording& recording, const std::vector<double>& orders,
                           const model::ShownLengths& shown = {});
 
-}  // namespace rubsweep::scope
+}  // namespace rubsweep::apps
