@@ -68,11 +68,11 @@ void add_resonance(const Resonance& peak, const SpeedRange& operating, const std
 
 /// Speeds of the response: those of the whole range, and beyond it up to the last one.
 std::vector<double> speeds_up_to(double to_hz, const model::Machine& machine, const LateralQuestions& asked) {
-  constexpr int campbell_speeds = 11;
+  constexpr int speeds_beyond = 11;
   std::vector<linear::CriticalSpeed> critical = asked.critical_speeds;
   if (to_hz > asked.whole.to_hz) {
     const linear::Campbell beyond = linear::campbell(
-        linear::free_rotor(machine), batch::evenly_spaced(asked.whole.to_hz, to_hz, campbell_speeds), to_hz);
+        linear::free_rotor(machine), batch::evenly_spaced(asked.whole.to_hz, to_hz, speeds_beyond), to_hz);
     critical.insert(critical.end(), beyond.critical_speeds.begin(), beyond.critical_speeds.end());
   }
   return response_speeds({asked.whole.from_hz, to_hz}, critical);
