@@ -29,7 +29,7 @@ expect() {
 expect 'nothing to check' 1 'no directory rubsweep'
 
 source_file core/error.hpp '#include <stdexcept>'
-source_file core/model/kick.hpp '#include "rubsweep/core/error.hpp"'
+source_file core/model/machine.hpp '#include "rubsweep/core/error.hpp"'
 source_file core/scene/scene.cpp '#include "rubsweep/core/model/machine.hpp"' \
   '#include <vector>  // not "rubsweep/maps/report/map.hpp"'
 source_file maps/config/yaml/reader.cpp '  #  include <yaml-cpp/yaml.h>' '#include "rubsweep/core/model/machine.hpp"'
