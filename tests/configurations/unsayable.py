@@ -8,6 +8,7 @@ RULES = {
     "a run holds two windows, and max_order fits into half a window": r"two windows|does not resolve max_order|half a window",
     "a kick is shorter than a run": r"are no shorter than a run",
     "the rest position lies inside an annular stop": r"not inside the annular stop",
+    "a measured contact force and its penetration rise from 0": r"law\.(force_n|penetration_m)(\.\d+)?: ",
     "friction brakes at every slip": r"which drives the slip|gives a coefficient of",
     "a measured friction curve falls behind its peak": r"below kinetic|from the peak|to the peak|all of the kinetic|no curve with these",
     "an axis has an end unless its count is 1, and different values": r"\.to: missing|cannot be both from and to|different values|is listed twice"
@@ -30,7 +31,8 @@ RULES = {
     "loads of a ring have what their motion knows": r"inclination_deg|does not have it by its motion|rotary_mass_kg|given beside parameter"
     r"|masses and a friction|needs the length of the beam|mass_kg: 0|is not below radius_m|chart\.load: .* out of range|chart\.over",
     "a table of a support has rising speeds and as many coefficients of each kind": r"\.table\b",
-    "matrices have the rows of their degrees of freedom and the symmetry of a rotor's": r"rotor\.\w+: (line \d+: |is \d+ x|is zero|is not)"
+    "a matrix has one row per degree of freedom; the mass is symmetric, stiffness and damping are symmetric within each plane, "
+    "and the gyroscopic matrix is skew-symmetric": r"rotor\.\w+: (line \d+: |is \d+ x|is zero|is not)"
     r"|rotor\.(mass|stiffness|damping|gyroscopic): (has|couples|acts|turns|is positive)"
     r"|rotor\.(degrees_of_freedom|unbalance)\.\w+: holds|and no r?[xy],|stands twice|is no degree of freedom|no node|two positions"
     r"|neither x nor y|does not turn with|degrees of freedom without position_m",
