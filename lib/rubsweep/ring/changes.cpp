@@ -125,8 +125,8 @@ class Search {
     between(middle_end, high);
   }
 
-  /// Whether friction makes a pair grow as soon as the loads rotate: its real part is proportional to the
-  /// speed.
+  /// Whether the signature changes directly above speed zero, as it does where friction makes a pair grow:
+  /// the real part of this pair is then proportional to the speed, so that the onset is at zero.
   bool starts_with_rotation(const End& low, const End& high) {
     const double probe = 1e-6 * form_.reference_rad_per_s;
     return form_.has_friction && low.speed == 0 && high.speed > probe &&

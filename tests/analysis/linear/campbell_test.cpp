@@ -290,7 +290,7 @@ TEST(Campbell, ShowsWhatGrows) {
   EXPECT_NEAR(least, -growth / (60 * pi * std::abs(std::sqrt(std::complex<double>(-1, 0.1)))), 1e-9);
 }
 
-/// Damping ratios apply to all modes: on a uniform shaft at rest each mode has the given ratio.
+/// Each mode has its ratio of the list, and the last ratio holds for all further modes.
 TEST(Campbell, RatiosOfModesAreThose) {
   model::RotorKit kit = simply_supported(24);
   kit.damping_ratio = {0.01, 0.03};

@@ -57,8 +57,9 @@ inline Real spring(const model::Stop& stop, Real p) {
 
 using Numbers = std::array<Real, 8>;
 
-/// The scene of `rotor_and_casing` again, in SI units and long double, by the classical Runge-Kutta method in
-/// steps that shorten where a contact begins or ends.
+/// Integrates a scene of `rotor_and_casing` independently of the library, in SI units and long double, with
+/// the classical Runge-Kutta method. Steps are shorter in contact, and end where a contact begins, ends or no
+/// longer presses.
 struct Reference {
   const scene::Scene& scene;
   std::vector<model::Stop> stops;

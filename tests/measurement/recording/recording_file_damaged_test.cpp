@@ -62,7 +62,8 @@ TEST(RecordingFileDamaged, IsReadOrRefused) {
   }
 }
 
-/// Searches that begin anew at each letter would hang: brackets that do not close, and a line of cells alone.
+/// Two files on which a search that starts again at every character would hang: a line of 400 000 open
+/// brackets, and long lines of cells.
 TEST(RecordingFileDamaged, LongLinesTakeNoLongTime) {
   const std::string open = "a b\n" + std::string(400000, '(') + "\n1 2\n2 3\n3 4\n";
   EXPECT_EQ(read_recording_file("f.txt", open).channels.size(), 2u);

@@ -227,7 +227,8 @@ double FullReference::line_error(const Rotor& reduced, std::size_t line, double 
 double FullReference::peak_error(const Rotor& reduced, std::size_t line, double enough) const {
   constexpr int finer = 8, bits = 20;
   constexpr std::uintmax_t most_iterations = 30;
-  constexpr double loss = 0.004;  // least damping: without it the height of a peak is not finite
+  // Loss factor added to the damping of the rotor, so that peaks are finite without damping, too.
+  constexpr double loss = 0.004;
   const double step = 1.0 / finer;
   const auto height = [&](double at) { return receptance(reduced, line, rad_per_s(at), loss).norm(); };
   double worst = 0, before = 0, here = height(0);

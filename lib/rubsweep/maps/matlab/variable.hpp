@@ -29,7 +29,8 @@ struct Variable {
 /// Structures and cells in others that are read.
 inline constexpr int most_depth = 8;
 
-/// "FIELD" of the first one of an array of structures, "(2).FIELD" of the second.
+/// Name of a field in element `one` (from 1) of an array of structures: "FIELD" in the first element,
+/// "(2).FIELD" in the second.
 inline std::string field_name(const std::string& field, std::size_t one) {
   return one == 1 ? field : '(' + std::to_string(one) + ")." + field;
 }

@@ -24,11 +24,12 @@ std::optional<model::Machine> with_secant_at(const model::Machine& machine, doub
 scene::PreparedMachine with_secant_of_row(const scene::PreparedMachine& prepared,
                                           std::optional<double> force_n);
 
-/// Runs a cell until its secants fit its forces, and returns the row. Some stops of `machine` must have
-/// hertz. `run` evaluates the cell for a machine. The cell is run again, at most `most` times, while the
-/// secant at its largest measured force differs by more than contact::hertz_secant_tolerance from the secant
-/// used. A motion without contact ends the iteration: the row then says that the rub dies out at this
-/// stiffness. Where the last secant still does not fit, the status says `beyond_hertz`.
+/// Runs a cell until its secants fit its forces, and returns the row. At least one stop of `machine`
+/// must have a `hertz` stiffness with a linear law. `run` evaluates the cell for a machine. The cell is run
+/// again, at most `most` times, while the secant at its largest measured force differs by more than
+/// contact::hertz_secant_tolerance from the secant used. A motion without contact ends the iteration: the row
+/// then says that the rub dies out at this stiffness. Where the last secant still does not fit, the status
+/// says `beyond_hertz`.
 Row with_hertz_iterations(const model::Machine& machine, int most,
                           const std::function<Row(const model::Machine&)>& run);
 

@@ -72,8 +72,14 @@ std::string_view file_in(std::string_view label) {
   return label.substr(0, label.find(','));
 }
 
-/// Checksum of the recording's file: the last cell of its line in labels.csv.
-std::string_view sum_in(std::string_view label) { return label.substr(label.rfind(',') + 1); }
+/// Checksum of the recording's file in its line of labels.csv. The columns behind it have numbers, so that no
+/// comma stands inside a cell there.
+std::string_view sum_in(std::string_view label) {
+  const std::vector<LabelColumn> columns = label_columns();
+  for (std::size_t k = columns.size() - 1; columns[k].name != "sha256"; --k)
+    label = label.substr(0, label.rfind(','));
+  return label.substr(label.rfind(',') + 1);
+}
 
 bool is_whole(const fs::path& file, std::string_view sum) {
   return batch::find_input(file).problem.empty() && batch::sha256_of(batch::read_input(file)) == sum;

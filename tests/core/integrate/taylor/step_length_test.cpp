@@ -16,7 +16,8 @@ namespace {
 using contact::Mode;
 
 TEST(StepLength, FastestRateOfAMassBetweenStructureAndWall) {
-  // The shaft turns at 1 rad/s; (4 + 12) N/m act on 1 kg, and 2 x 12 N/m where the contact is clamped.
+  // The shaft turns at 1 rad/s. A mass of 1 kg has a spring of 4 N/m; the wall adds 12 N/m when sprung and
+  // 2 x 12 N/m when clamped.
   auto scene = test::one_mass_scene(1, 4, 0, 2 * std::numbers::pi, 1);
   scene.contacts.push_back(test::wall_across_x(1, 1, 12, 0.5));
   const auto system = run::scale<2>(scene);

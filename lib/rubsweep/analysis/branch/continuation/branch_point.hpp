@@ -18,8 +18,8 @@ struct MultiplierTests {
   double unit = 0, doubling = 0, torus = 0;
 };
 
-/// Smooth function along a branch that is zero where the sequence of contact modes changes at one place of
-/// the orbit.
+/// Function that varies smoothly along a branch. Its zero marks a change in the sequence of contact modes.
+/// Each margin belongs to one place of the orbit.
 struct Margin {
   enum class Kind {
     approach,  ///< distance of an Approach

@@ -25,7 +25,9 @@ struct ExtendedSystem {
   continuation::EventKind kind = continuation::EventKind::fold;  ///< kind for which has_curve() is true
   Eigen::Index states = 0;
   orbits::ArmedGuard guard = {};  ///< guard that is grazed
-  bool even = false;  ///< true: grazes everywhere at once, so that it has no phase (orbits::EvenContact)
+  /// True: the orbit touches at all its phases at once, so that the graze has no phase of its own
+  /// (orbits::EvenContact).
+  bool even = false;
 
   bool has_phase() const { return kind == continuation::EventKind::graze && !even; }
   Eigen::Index unknowns() const { return states + (has_phase() ? 3 : 2); }

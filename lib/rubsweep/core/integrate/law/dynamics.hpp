@@ -176,7 +176,9 @@ class Dynamics : public ContactForces<N, Smoothed> {
     }
   }
 
-  /// For f = F(p, v) n + mu(s) S(p) t with n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
+  /// Adds the derivatives of the acceleration by contact i: `by_u` by the displacement, `by_v` by the
+  /// velocity. They follow from the force F(p, v) n + mu(s) S(p) t, where S is the spring force. The normal
+  /// and the tangent turn by n' = t (t . d') / |d| and t' = -n (t . d') / |d|.
   void add_contact_slopes(std::size_t i, const Holding& holding, const ConstMap& u, const ConstMap& v,
                           Matrix& by_u, Matrix& by_v) const {
     const Contact& c = system_.contacts[i];

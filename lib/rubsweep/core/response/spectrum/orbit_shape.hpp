@@ -12,7 +12,9 @@ namespace rubsweep::response::spectrum {
 /// Shape of the orbit z = x + iy about its mean.
 enum class OrbitKind {
   circle,  ///< the distance from the mean varies by less than 5 %
-  oval,    ///< the two largest lines are an ellipse (+k and -k) with 95 % of the energy; also a straight line
+  /// An ellipse: the two largest spectral lines are +k and -k and hold 95 % of the energy. A motion along a
+  /// straight segment counts, too.
+  oval,
   complex,  ///< any other shape
 };
 

@@ -31,8 +31,8 @@ class Diagnostics {
   /// after the file that names it.
   int add_file(std::string name);
 
-  /// Name of the file in which something stands; relative paths there start from it. For an override it is
-  /// the configuration file.
+  /// Name of the file that contains `place`. Relative paths in this file start from its folder. For an
+  /// override it is the configuration file.
   const std::string& file_of(const SourcePosition& place) const;
 
   /// Adds a problem. `path` may be empty (the whole configuration), and so may `allowed` (no advice).
