@@ -35,7 +35,7 @@ int write_report(const fs::path& directory, const sweep::Study& study, std::stri
                  const ReportOptions& options) {
   batch::require_threads(options.threads, 1);
   page::MapTable map = read_map_of(study, directory / "map.csv", program);
-  const std::size_t cells = page::recorded_cells(study.grid, map, options.most_orbits);
+  const std::size_t cells = recorded_cells(study.grid, map, options.most_orbits);
   std::mutex mutex;  // guards the progress
   batch::Progress progress(cells, options.quiet ? batch::ProgressMode::never : options.progress);
   const std::atomic<bool>& stop = catch_interrupts();
@@ -54,13 +54,13 @@ int write_report(const fs::path& directory, const sweep::Study& study, std::stri
     const std::lock_guard lock(mutex);
     progress.advance();
   };
-  const auto text = page::report_page(study, std::move(map), directory,
-                                      {.version = RUBSWEEP_VERSION,
-                                       .configuration = config::print_study(study),
-                                       .most_orbits = options.most_orbits,
-                                       .threads = options.threads,
-                                       .captions = options.captions},
-                                      count, stop);
+  const auto text = report_page(study, std::move(map), directory,
+                                {.version = RUBSWEEP_VERSION,
+                                 .configuration = config::print_study(study),
+                                 .most_orbits = options.most_orbits,
+                                 .threads = options.threads,
+                                 .captions = options.captions},
+                                count, stop);
   watch.reset();
   progress.finish();
   if (!text) {

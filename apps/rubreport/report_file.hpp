@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "rubsweep/analysis/page/html_report.hpp"
+#include "html_report.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/sweep/study.hpp"
 
@@ -14,7 +14,7 @@ namespace rubsweep::apps {
 struct ReportOptions {
   std::filesystem::path file;  ///< file that is written
   batch::Captions captions{};
-  std::size_t most_orbits = page::usual_orbits;
+  std::size_t most_orbits = usual_orbits;
   int threads = 0;
   batch::ProgressMode progress = batch::ProgressMode::automatic;
   bool quiet = false;

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "html_report.hpp"
 #include "report_file.hpp"
-#include "rubsweep/analysis/page/html_report.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "shared/action.hpp"
@@ -27,7 +27,7 @@ po::options_description visible_options() {
   po::options_description options("Options");
   options.add_options()("output", po::value<std::string>()->value_name("FILE"),
                         "write there instead of DIR/report.html")(
-      "orbits", po::value<long>()->value_name("N")->default_value(static_cast<long>(page::usual_orbits)),
+      "orbits", po::value<long>()->value_name("N")->default_value(static_cast<long>(usual_orbits)),
       "of a larger map, only so many cells all over it keep their motions");
   add_threads(options, "threads; 0: one per processor");
   add_progress(options);

@@ -31,6 +31,12 @@ TEST(DesignTerms, ABrokenLimitCountsBeforeOneThatIsNotTold) {
   EXPECT_EQ(answer_of(check), Answer::not_met);
 }
 
+TEST(DesignTerms, NothingPassesWhereAMotionBelowTheOperatingRangeGrows) {
+  DesignCheck check = quiet_check();
+  check.whole_growth = {30, 5};
+  EXPECT_EQ(answer_of(check), Answer::not_told);
+}
+
 TEST(DesignTerms, OfARotorThatGrowsAreNotMet) {
   DesignCheck check = quiet_check();
   check.growth = check.whole_growth = {140, 201};

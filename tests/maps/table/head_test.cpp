@@ -22,6 +22,9 @@ TEST(Head, DoubtfulRatesAreNone) {
   EXPECT_EQ(rate_of("Rate,1000\nSample Rate,500\nt,x\n0,1\n1,2\n2,3\n"), 0);
   EXPECT_EQ(rate_of("Rate,fast\nDelta_X,-1\nt,x\n0,1\n1,2\n2,3\n"), 0);
   EXPECT_EQ(rate_of("Rate,0\nt,x\n0,1\n1,2\n2,3\n"), 0);
+  EXPECT_EQ(rate_of("Low pass filter: 5000 Hz\nt\tx\n0\t1\n1\t2\n"), 0);
+  EXPECT_EQ(rate_of("Sample rate:\t25,600 Hz\nt\tx\n0\t1\n1\t2\n"), 0);
+  EXPECT_EQ(rate_of("Sample rate: 25600 Hz\nShaft speed: 50 Hz\nt\tx\n0\t1\n1\t2\n"), 25600);
 }
 
 TEST(Head, MayStandBesideTheFirstRows) {

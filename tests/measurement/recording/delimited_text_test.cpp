@@ -28,6 +28,22 @@ void expect_channel(const Channel& channel, const char* name, const char* unit,
   EXPECT_EQ(channel.values, values);
 }
 
+TEST(DelimitedText, ColumnsOfTextAloneAreRefused) {
+  std::string rows;
+  for (int k = 0; k < 3; ++k) rows += "1,2,a,a,a\na,1,2,a,a\na,a,1,2,a\na,a,a,1,2\n2,a,a,a,1\n";
+  EXPECT_NE(text_fault(rows).find("has no column of numbers"), std::string::npos) << text_fault(rows);
+}
+
+TEST(DelimitedText, APauseAtTheEndOfTheFirstThousandLinesLosesNoRows) {
+  std::string text = "t\tx\n";
+  for (int k = 0; k < 975; ++k) text += fmt::format("{}\t{}\n", k, k % 7);
+  for (int k = 0; k < 30; ++k) text += "# pause\n";
+  for (int k = 975; k < 1200; ++k) text += fmt::format("{}\t{}\n", k, k % 7);
+  const Channels table = read_delimited_text(text, "f");
+  EXPECT_EQ(table.rows(), 1200u);
+  EXPECT_EQ(table.channels[1].name, "x");
+}
+
 TEST(DelimitedText, ReadsWhatInstrumentsWrite) {
   const auto german =
       read_delimited_text("\xEF\xBB\xBFMessung 3\r\nZeit (s);X [mV]\r\n0,1;2,5\r\n0,2;-3\r\n", "f");

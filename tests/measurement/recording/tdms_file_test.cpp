@@ -67,6 +67,17 @@ TEST(TdmsFile, ReadsCountsAndTimeStampsAndTellsTheRest) {
   EXPECT_FALSE(table.sampling_rate_hz);
 }
 
+TEST(TdmsFile, RefusesCountsWhoseScalesAreNotApplied) {
+  files::Bytes raw;
+  for (const int value : {1, 2, 3}) raw.add(static_cast<std::uint16_t>(value), 2);
+  const std::string scales =
+      files::tdms_text("NI_Number_Of_Scales") + files::Bytes().add(7, 4).add(std::uint64_t{1}, 4).text;
+  const std::string metadata =
+      files::Bytes().add(1, 4).text + tdms_object("/'a'/'X'", tdms_index(2, 3), scales, 1);
+  EXPECT_NE(tdms_fault(tdms_segment(tdms_whole, metadata, raw.text)).find("scales that are not applied"),
+            std::string::npos);
+}
+
 TEST(TdmsFile, WhatWasNotClosedIsReadAndTold) {
   const auto all = files::signals(20);
   std::string bytes = tdms_segment(tdms_whole, tdms_metadata(20), tdms_chunk(all, 0, 20));

@@ -131,7 +131,11 @@ void add_trip_clearances(const scene::PreparedMachine& prepared, DesignCheck& ch
                 clearance_share * one.diametral_clearance_m,
                 "m"};
       if (std::isfinite(one.margin)) term.margin = one.margin;
-      if (one.margin < 0 || check.whole_growth.growth_per_s == 0) term.met = one.margin >= 0;
+      if (one.margin < 0 || check.whole_growth.growth_per_s == 0) {
+        term.met = one.margin >= 0;
+      } else {
+        term.not_told = grows_away;
+      }
       check.lateral.push_back(std::move(term));
     }
   }

@@ -117,6 +117,15 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
                                 model::speed_text(to_hz, 5), model::speed_text(highest_hz, 5));
     terms.push_back(std::move(term));
   }
+  const model::RotorKit* kit = model::kit_of(prepared.machine);
+  if (kit != nullptr && model::has_tables(*kit) &&
+      asked.whole.from_hz > (1 - largest_separation_below) * asked.operating.from_hz) {
+    Term term{"separation", "", {}, asked.whole.from_hz};
+    term.not_told =
+        fmt::format("tables of supports begin at {}, the lowest operating speed is {}",
+                    model::speed_text(asked.whole.from_hz, 5), model::speed_text(asked.operating.from_hz, 5));
+    terms.push_back(std::move(term));
+  }
   for (const Bearing& bearing : rotor.bearings()) {
     const auto force_n = [&](double hz) {
       return asked.scale * rotor.bearing_force_n(bearing, responses.at(hz).col(0), hz);
@@ -216,8 +225,11 @@ std::vector<Term> lateral_terms(const scene::PreparedMachine& prepared, const La
   const WholeRotor rotor(prepared.machine);
   std::vector<Term> terms;
   add_responses(prepared, rotor, questions, terms);
-  for (Term& term : terms)
-    if (questions.grows && term.met == true) term.met.reset();
+  for (Term& term : terms) {
+    if (!questions.grows || term.met != true) continue;
+    term.met.reset();
+    term.not_told = grows_away;
+  }
   add_stability(rotor, prepared.machine, questions, terms);
   return terms;
 }

@@ -11,6 +11,9 @@
 
 namespace rubsweep::design {
 
+/// Why nothing is known of a term that a motion without growth would meet.
+inline constexpr const char* grows_away = "a free vibration grows within the range of speeds";
+
 /// One line of a design check.
 struct Term {
   std::string check;  ///< word of the column `check`

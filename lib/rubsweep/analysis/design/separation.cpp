@@ -89,7 +89,7 @@ std::vector<Resonance> resonances(std::span<const double> speeds_hz,
 double required_separation(double amplification, bool above) {
   if (amplification < critically_damped) return 0;
   const double share = 0.17 * (1 - 1 / (amplification - 1.5));
-  return above ? std::min(0.26, 0.1 + share) : std::min(0.16, share);
+  return above ? std::min(0.26, 0.1 + share) : std::min(largest_separation_below, share);
 }
 
 double separation(const SpeedRange& operating, double speed_hz) {

@@ -73,8 +73,10 @@ void measure_again(const scene::Scene& scene, const SceneFacts& facts,
 /// they began.
 bool goes_on_in_the_air(proof::SceneMap& map, std::vector<double>& section, int most_turns) {
   map.keep_memory();
-  for (int turn = 0; turn < most_turns; ++turn)
-    if (!map(section) || !map.touching_at_end()) return !map.touching_at_end();
+  for (int turn = 0; turn < most_turns; ++turn) {
+    if (!map(section)) return false;
+    if (!map.touching_at_end()) return true;
+  }
   return false;
 }
 

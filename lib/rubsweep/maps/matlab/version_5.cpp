@@ -101,6 +101,12 @@ Variable read_part(Bytes& in, const Wanted& wanted, int depth) {
   return part.data.left() > 0 ? read_array(part.data, wanted, depth + 1) : Variable{};
 }
 
+void add_part(Bytes& in, Variable& variable, const Wanted& wanted, int depth) {
+  constexpr std::size_t most_parts = 100000;
+  if (variable.fields.size() >= most_parts) throw FileError{"holds more than 100000 arrays in one", "fewer"};
+  variable.fields.push_back(read_part(in, wanted, depth));
+}
+
 void read_fields(Bytes& in, Variable& variable, const Wanted& wanted, int depth) {
   const std::vector<double> length = all_numbers(take_element(in));
   const std::string names = text_of(take_element(in));
@@ -109,7 +115,7 @@ void read_fields(Bytes& in, Variable& variable, const Wanted& wanted, int depth)
   if (names.size() < step) return;
   for (std::size_t one = 1; one <= count_of(variable) && in.left() > 0; ++one) {
     for (std::size_t begin = 0; begin + step <= names.size() && in.left() > 0; begin += step) {
-      variable.fields.push_back(read_part(in, wanted, depth));
+      add_part(in, variable, wanted, depth);
       const std::string name = names.substr(begin, step);
       variable.fields.back().name = field_name(name.substr(0, name.find('\0')), one);
     }
@@ -118,7 +124,7 @@ void read_fields(Bytes& in, Variable& variable, const Wanted& wanted, int depth)
 
 void read_cells(Bytes& in, Variable& variable, const Wanted& wanted, int depth) {
   for (std::size_t one = 1; one <= count_of(variable) && in.left() > 0; ++one) {
-    variable.fields.push_back(read_part(in, wanted, depth));
+    add_part(in, variable, wanted, depth);
     variable.fields.back().name = cell_name(one);
   }
 }

@@ -90,6 +90,16 @@ std::optional<double> number_in(std::string_view cell, const NumberStyle& style)
   return value;
 }
 
+bool may_part_thousands(std::string_view cell) {
+  if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
+  cell = cell.substr(0, cell.find('.'));
+  std::size_t group = cell.find(',');
+  if (group == std::string_view::npos || group == 0 || group > 3) return false;
+  for (; group < cell.size(); group += 4)
+    if (cell[group] != ',' || cell.substr(group + 1, 3).size() < 3) return false;
+  return cell.find_first_not_of("0123456789,") == std::string_view::npos;
+}
+
 Heading heading_of(std::string_view cell) {
   if (cell.empty() || (cell.back() != ')' && cell.back() != ']')) return {std::string(cell), ""};
   const std::size_t begin = cell.rfind(cell.back() == ')' ? '(' : '[');

@@ -31,6 +31,9 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator);
 /// Exponents have an e, or a d and a sign as in Fortran.
 std::optional<double> number_in(std::string_view cell, const NumberStyle& style);
 
+/// Whether commas may part thousands: groups of three digits behind the first one, which is shorter.
+bool may_part_thousands(std::string_view cell);
+
 /// Words of a table above a column.
 struct Heading {
   std::string name{}, unit{};  ///< name and unit, the unit without brackets

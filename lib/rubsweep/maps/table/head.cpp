@@ -43,6 +43,7 @@ std::optional<Amount> quantity_in(std::string_view cell) {
   cell.remove_prefix(begin);
   constexpr std::string_view digits = "0123456789+-.,eE";
   for (std::size_t end = std::min(cell.find_first_not_of(digits), cell.size()); end > 0; --end) {
+    if (may_part_thousands(cell.substr(0, end))) return std::nullopt;
     for (const bool comma : {false, true}) {
       const auto number = number_in(cell.substr(0, end), {';', comma});
       if (!number || !std::isfinite(*number)) continue;
@@ -53,7 +54,9 @@ std::optional<Amount> quantity_in(std::string_view cell) {
   return std::nullopt;
 }
 
+/// A frequency without a key: one with a key may be that of a filter.
 std::optional<double> frequency_in(std::string_view cell) {
+  if (cell.find(':') != std::string_view::npos) return std::nullopt;
   const auto quantity = quantity_in(cell);
   const bool frequency =
       quantity && in_small_letters(quantity->unit).ends_with("hz") && unit_of(quantity->unit);

@@ -65,17 +65,6 @@ std::optional<bool> zero_in_a_pair(std::string_view bytes) {
   return std::nullopt;
 }
 
-/// Whether commas may part thousands: groups of three digits behind the first one, which is shorter.
-bool may_part_thousands(std::string_view cell) {
-  if (!cell.empty() && (cell.front() == '-' || cell.front() == '+')) cell.remove_prefix(1);
-  cell = cell.substr(0, cell.find('.'));
-  std::size_t group = cell.find(',');
-  if (group == std::string_view::npos || group == 0 || group > 3) return false;
-  for (; group < cell.size(); group += 4)
-    if (cell[group] != ',' || cell.substr(group + 1, 3).size() < 3) return false;
-  return cell.find_first_not_of("0123456789,") == std::string_view::npos;
-}
-
 /// Words that stand in the place of a reading: out of range, or not there.
 bool stands_for_a_reading(std::string_view cell) {
   constexpr std::array<std::string_view, 14> words{"nan",      "-nan", "\u221e", "-\u221e", "+\u221e",

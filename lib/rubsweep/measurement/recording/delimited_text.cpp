@@ -36,8 +36,9 @@ void count_from_first(std::vector<double>& stamps_s) {
 /// Unit that a name ends with: behind a comma or a stroke, and the usual ones behind a blank or a line below.
 std::string unit_in_name(std::string_view name) {
   if (std::string unit = unit_in_ending(name); !unit.empty()) return unit;
-  constexpr std::array<std::string_view, 14> usual{"s",  "ms", "us",  "sec", "mm",   "um",   "mil",
-                                                   "mv", "hz", "rpm", "m/s", "mm/s", "m/s2", "mils"};
+  constexpr std::array<std::string_view, 19> usual{
+      "s",   "ms",   "us",   "sec",  "mm",    "um",    "mil",   "mv",      "hz",   "rpm",
+      "m/s", "mm/s", "m/s2", "mils", "u/min", "1/min", "rad/s", "rev/min", "r/min"};
   const auto tail_behind = [&](std::string_view marks) -> std::string_view {
     const std::size_t mark = name.find_last_of(marks);
     if (mark == std::string_view::npos || mark == 0) return {};
@@ -127,6 +128,7 @@ Channels read_table(std::string_view text, std::size_t lines_before) {
   Channels table;
   table.sampling_rate_hz = table::sampling_rate_in(text, layout);
   const std::vector<std::size_t> places = begin_channels(layout, lines_before, table);
+  if (places.empty()) throw Fault{layout.numbers_line, 1, "has no column of numbers", "one or more"};
   while (rows.next_reading()) {
     table.line.push_back(lines_before + rows.line());
     if (table.line.size() * places.size() > most_text_numbers)

@@ -145,6 +145,13 @@ Channels read_segment(const Segment& segment) {
     if (channel.number >= 2 && channel.number < units.size() + 2 && channel.unit.empty())
       channel.unit = units[channel.number - 2];
   const auto step = head.number("Delta_X");
+  for (const char* key : {"Delta_X", "X0"}) {
+    const auto cells = head.cells(key);
+    if (std::ranges::any_of(cells, [&](auto cell) { return !cell.empty() && cell != cells.front(); }) &&
+        std::ranges::none_of(table.channels, is_times))
+      throw Fault{1, 1, "has another " + std::string(key) + " for another signal",
+                  "one for all, or a column of times"};
+  }
   if (std::ranges::none_of(table.channels, is_times) && step && *step > 0) {
     Channel times{std::string(times_name), "s", {}, 1};
     for (std::size_t k = 0; k < table.rows(); ++k)
@@ -177,7 +184,9 @@ Channels read_labview_text(std::string_view text) {
   Channels all = read_segment(segments.front());
   for (std::size_t i = 1; i < segments.size(); ++i) {
     Channels next = read_segment(segments[i]);
-    const auto same_name = [](const Channel& a, const Channel& b) { return a.name == b.name; };
+    const auto same_name = [](const Channel& a, const Channel& b) {
+      return a.name == b.name && a.unit == b.unit;
+    };
     if (!std::ranges::equal(all.channels, next.channels, same_name))
       throw Fault{segments[i].lines_before + 1, 1, "begins a segment of LabVIEW with other signals",
                   "the same in all segments"};
@@ -192,6 +201,7 @@ Channels read_labview_text(std::string_view text) {
       all.channels[k].values.insert(all.channels[k].values.end(), next.channels[k].values.begin(),
                                     next.channels[k].values.end());
     all.line.insert(all.line.end(), next.line.begin(), next.line.end());
+    all.notes.insert(all.notes.end(), next.notes.begin(), next.notes.end());
     // Between segments time may pass: only the column of times says so.
     all.sampling_rate_hz.reset();
   }

@@ -57,8 +57,9 @@ SampleClock column_clock(const Channels& channels, const Instrument& instrument,
   const std::size_t last = time.values.size() - 1;
   const double usual = usual_step(time.values);
   if (!(usual > 0)) {
-    const auto k = static_cast<std::size_t>(std::ranges::adjacent_find(time.values, std::greater_equal<>()) -
-                                            time.values.begin() + 1);
+    const auto k = static_cast<std::size_t>(
+        std::ranges::adjacent_find(time.values, [](double a, double b) { return !(b > a); }) -
+        time.values.begin() + 1);
     throw ConfigError(
         fmt::format("{}: '{}' does not rise from {:.10g} to {:.10g}, allowed: times one after the other",
                     place_of(channels, k, name), time.name, time.values[k - 1], time.values[k]));

@@ -76,7 +76,8 @@ struct Object {
   std::string group{}, name{};
   std::uint32_t type = 0;
   std::size_t count = 0, chunk_bytes = 0;  ///< of the next chunk
-  bool has_index = false;
+  bool has_index = false, here = false;    ///< here: the segment has data of it
+  bool has_scales = false, is_scaled = false;
   std::vector<double> values{};
   std::optional<std::int64_t> first_stamp_s{};
   std::optional<double> increment_s{};
@@ -107,13 +108,16 @@ void take_property(Bytes& in, Object& object) {
   if (type == text_type) {
     const std::string text = take_text(in);
     if (name == "unit_string" || (name == "NI_UnitDescription" && object.unit.empty())) object.unit = text;
+    if (name == "NI_Scaling_Status") object.is_scaled = text == "scaled";
     return;
   }
   const std::size_t size = bytes_of(type);
   if (size == 0) refuse(fmt::format("has a property '{}' of the unknown type {}", name, type));
   Bytes value(in.take(size), in.swapped());
-  if (name == "wf_increment" && stored_as(type))
-    object.increment_s = matlab::take_numbers(value, *stored_as(type), 1).front();
+  if (!stored_as(type)) return;
+  const double number = matlab::take_numbers(value, *stored_as(type), 1).front();
+  if (name == "wf_increment" && std::isnormal(number)) object.increment_s = number;
+  if (name == "NI_Number_Of_Scales") object.has_scales = number > 0;
 }
 
 class Reader {
@@ -142,7 +146,7 @@ class Reader {
     }
     if (next > bytes.size() || raw > next) refuse("breaks off");
     if ((contents & has_daqmx) != 0) refuse("holds raw data of DAQmx", allowed_daqmx);
-    if ((contents & begins_new_list) != 0) active_.clear();
+    if ((contents & has_metadata) != 0 && (contents & begins_new_list) != 0) active_.clear();
     if ((contents & has_metadata) != 0) read_metadata(Bytes(bytes.substr(0, raw), swapped));
     if ((contents & has_raw_data) != 0)
       read_chunks(bytes.substr(raw, next - raw), swapped, (contents & is_interleaved) != 0);
@@ -162,7 +166,7 @@ class Reader {
       Object& object = objects[found->second];
       read_index(in, object);
       const bool listed = std::ranges::find(active_, found->second) != active_.end();
-      if (object.chunk_bytes > 0 && !listed) active_.push_back(found->second);
+      if (object.here && object.chunk_bytes > 0 && !listed) active_.push_back(found->second);
       for (auto count = in.number<std::uint32_t>(); count > 0; --count) take_property(in, object);
     }
   }
@@ -171,7 +175,7 @@ class Reader {
     constexpr std::uint32_t format_scaler = 0x1269, digital_scaler = 0x1369;
     const auto length = in.number<std::uint32_t>();
     if (length == format_scaler || length == digital_scaler) refuse("holds raw data of DAQmx", allowed_daqmx);
-    if (length == no_data) object.count = object.chunk_bytes = 0;
+    object.here = length != no_data;
     if (length == as_before && !object.has_index) refuse("is damaged: a channel without its kind");
     if (length == no_data || length == as_before) return;
     const auto type = in.number<std::uint32_t>(), dimension = in.number<std::uint32_t>();
@@ -195,7 +199,7 @@ class Reader {
     std::size_t chunk = 0;
     for (const std::size_t place : active_) {
       Object& object = objects[place];
-      if (object.chunk_bytes == 0) continue;
+      if (!object.here || object.chunk_bytes == 0) continue;
       if (object.chunk_bytes > raw.size()) refuse("breaks off");
       chunk += object.chunk_bytes;
       with_data.push_back(&object);
@@ -254,6 +258,8 @@ void add_signals(std::vector<Object>& objects, Channels& table) {
     const auto names = std::ranges::count_if(
         objects, [&](const Object& other) { return other.has_index && other.name == object.name; });
     const std::string name = names > 1 ? object.group + '/' + object.name : object.name;
+    if (object.has_scales && !object.is_scaled)
+      refuse(fmt::format("holds '{}' with scales that are not applied", name), allowed_daqmx);
     if (!object.is_signal()) {
       table.left_out.push_back({name, object.type == text_type ? "holds text" : "is complex"});
     } else if (object.values.size() < longest) {

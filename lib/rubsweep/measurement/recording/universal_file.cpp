@@ -238,6 +238,8 @@ double rate_of(double step_s) {
 }
 
 void add_time_histories(const std::vector<Set>& sets, Channels& table) {
+  constexpr std::size_t most_sets = 4096;
+  if (sets.size() > most_sets) throw Fault{1, 1, "has more than 4096 data sets", "fewer"};
   const Set* first = nullptr;
   std::vector<std::string> names;
   for (const Set& set : sets) {
@@ -271,7 +273,9 @@ bool is_universal_file(std::string_view bytes) {
   while (!rest.empty() && trimmed(line).empty()) line = table::take_line(rest);
   if (!is_mark(line) || rest.empty()) return false;
   const std::string_view next = table::take_line(rest), kind = trimmed(next.substr(0, 7));
-  return !kind.empty() && kind.find_first_not_of("0123456789b") == std::string_view::npos;
+  const bool in_columns = line.starts_with("    -1") && !kind.empty();
+  return kind == "58" || kind == "58b" ||
+         (in_columns && kind.find_first_not_of("0123456789") == std::string_view::npos);
 }
 
 Channels read_universal_file(std::string_view bytes, const std::string& name) {

@@ -53,6 +53,20 @@ TEST(Alternatives, WhatStoodBesideADroppedKeyGoesWhereTheWrittenOneNeedsItNot) {
   EXPECT_EQ(left_after("stiffness_n_per_m", {"law", "clearance_m"}), "clearance_m ");
 }
 
+TEST(Alternatives, WhatAnOverrideGaveStandsBesideTheNextOne) {
+  const auto study =
+      read_run_config_text(
+          "stops: [{kind: one_side, angle_deg: 90, clearance_m: 0.001, stiffness_n_per_m: 1.0e6,\n"
+          "restitution: 0.5, contact_radius_m: 0.01}]\n"
+          "rotor: {kind: jeffcott, mass_kg: 1, natural_frequency_hz: 40, damping_ratio: 0.02}\n"
+          "sweep: {speed_hz: {values: [50]}, whirl_ratio: {values: [0.5]},\n"
+          "  x: {key: stops.0.stiffness_n_per_m, values: [1.0e6, 2.0e6]}}\n",
+          "f.yaml", {"sweep.x.factors=[1, 1e-6]", "sweep.x.keys=[stops.0.stiffness_n_per_m, rotor.mass_kg]"})
+          .study;
+  ASSERT_EQ(study.grid.axes.size(), 1u);
+  EXPECT_EQ(study.grid.axes[0].factors, (std::vector<double>{1, 1e-6}));
+}
+
 TEST(Alternatives, TheKeysOfAMapTellItsKind) {
   // Degrees of freedom have nodes and places, an unbalance one of them.
   EXPECT_EQ(left_after("position_m", {"node", "direction"}), "node direction ");

@@ -91,10 +91,14 @@ class StepTangents final : public RightHandSide {
     const auto [penetration, speed] = approach_gradients(i, state);
     const bool own =
         k.closing_speed > contact::CurvedLaw::slowest_approach * law_.system().contacts[i].clearance;
+    auto memory = vectors().row(states() + (place - remembering_.begin()));
+    if (!own) {
+      memory.setZero();
+      return;
+    }
     // The touching comes later by -(change of the penetration) / speed.
     const Eigen::RowVectorXd change = speed - k.closing_acceleration / k.closing_speed * penetration;
-    const double by_speed = own ? -law_.impact_damping(i) / k.closing_speed : 0;
-    vectors().row(states() + (place - remembering_.begin())) = by_speed * (change * changes());
+    memory = -law_.impact_damping(i) / k.closing_speed * (change * changes());
   }
 
   /// The slip of contact `i` has come to zero; both rates of the state.

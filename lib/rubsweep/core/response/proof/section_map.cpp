@@ -39,12 +39,12 @@ bool SceneMap::advance(std::span<double> section) {
                                   section.size()));
   }
   if (budget_ && budget_->used_up()) return false;
-  const bool goes_on = keeps_memory_ && std::ranges::equal(section, report_.section);
+  const bool goes_on = keeps_memory_ && whole_ && std::ranges::equal(section, report_.section);
   if (!goes_on) run_.restart(section);
   const integrate::run::Outcome outcome = run_.advance(request_, report_);
+  whole_ = outcome == integrate::run::Outcome::ok;
   if (budget_) spend(exact_ || goes_on);
-  if (outcome != integrate::run::Outcome::ok || (remembers_ && !keeps_memory_ && report_.touching_at_end))
-    return false;
+  if (!whole_ || (remembers_ && !keeps_memory_ && report_.touching_at_end)) return false;
   std::ranges::copy(report_.section, section.begin());
   return true;
 }

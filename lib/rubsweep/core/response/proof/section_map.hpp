@@ -72,6 +72,7 @@ class SceneMap {
   integrate::run::TurnReport report_;
   std::vector<double> before_;
   bool moves_tangents_, remembers_, keeps_memory_ = false;
+  bool whole_ = false;  ///< the latest revolution was made to its end
 };
 
 /// The scene without its pulses.

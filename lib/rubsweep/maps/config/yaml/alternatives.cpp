@@ -44,17 +44,20 @@ void drop_other_ways(const Choice& choice, std::string_view written, Node& map) 
   const auto drop_if = [&](auto&& is_of_no_use) {
     std::vector<std::string> dropped;
     for (std::size_t i = map.keys.size(); i-- > 0;) {
-      if (map.keys[i].text == written || !is_of_no_use(map.keys[i].text)) continue;
+      if (map.keys[i].text == written || !is_of_no_use(i)) continue;
       dropped.push_back(map.keys[i].text);
       drop_entry(map, i);
     }
     return dropped;
   };
   const std::vector<std::string> excluded =
-      drop_if([&](const std::string& key) { return exclude_each_other(choice, written, key); });
-  drop_if([&](const std::string& key) {
-    return std::ranges::any_of(
-        excluded, [&](const std::string& gone) { return goes_with(choice, key, gone, written); });
+      drop_if([&](std::size_t i) { return exclude_each_other(choice, written, map.keys[i].text); });
+  // What an override gave stands: it was not there for the key that is gone.
+  drop_if([&](std::size_t i) {
+    return map.items[i].place.override_index < 0 &&
+           std::ranges::any_of(excluded, [&](const std::string& gone) {
+             return goes_with(choice, map.keys[i].text, gone, written);
+           });
   });
 }
 

@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/page/html_report.hpp"
+#include "rubreport/html_report.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,10 @@
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
 
-namespace rubsweep::page {
+namespace rubsweep::apps {
+
+using namespace page;
+
 namespace {
 
 const sweep::Study study = sweep::one_side_study({50, 60, 70}, {0.2, 0.6});
@@ -148,4 +151,4 @@ TEST(HtmlReport, AMapOfAnotherSizeIsRefused) {
 }
 
 }  // namespace
-}  // namespace rubsweep::page
+}  // namespace rubsweep::apps

@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/page/html_report.hpp"
+#include "rubreport/html_report.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,10 @@
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/explain_study.hpp"
 
-namespace rubsweep::page {
+namespace rubsweep::apps {
+
+using namespace page;
+
 namespace {
 
 /// Axes of the drawn plane: speed and unbalance, or the two axes with several values where keys are swept.
@@ -110,4 +113,4 @@ std::optional<std::string> report_page(const sweep::Study& study, MapTable map,
   return page_text(contents);
 }
 
-}  // namespace rubsweep::page
+}  // namespace rubsweep::apps
