@@ -60,7 +60,8 @@ TEST(Alternatives, WhatAnOverrideGaveStandsBesideTheNextOne) {
           "restitution: 0.5, contact_radius_m: 0.01}]\n"
           "rotor: {kind: jeffcott, mass_kg: 1, natural_frequency_hz: 40, damping_ratio: 0.02}\n"
           "sweep: {speed_hz: {values: [50]}, whirl_ratio: {values: [0.5]},\n"
-          "  x: {key: stops.0.stiffness_n_per_m, values: [1.0e6, 2.0e6]}}\n",
+          "  x: {key: stops.0.stiffness_n_per_m, values: [1.0e6, 2.0e6]}}\n"
+          "output: {directory: out}\n",
           "f.yaml", {"sweep.x.factors=[1, 1e-6]", "sweep.x.keys=[stops.0.stiffness_n_per_m, rotor.mass_kg]"})
           .study;
   ASSERT_EQ(study.grid.axes.size(), 1u);
