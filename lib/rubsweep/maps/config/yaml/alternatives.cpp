@@ -52,7 +52,7 @@ void drop_other_ways(const Choice& choice, std::string_view written, Node& map) 
   };
   const std::vector<std::string> excluded =
       drop_if([&](std::size_t i) { return exclude_each_other(choice, written, map.keys[i].text); });
-  // What an override gave stands: it was not there for the key that is gone.
+  // A key that an override gave stays: it was not written for the key that is gone.
   drop_if([&](std::size_t i) {
     return map.items[i].place.override_index < 0 &&
            std::ranges::any_of(excluded, [&](const std::string& gone) {
