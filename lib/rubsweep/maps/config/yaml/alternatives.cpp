@@ -41,23 +41,28 @@ bool goes_with(const Choice& choice, std::string_view key, std::string_view gone
 }
 
 void drop_other_ways(const Choice& choice, std::string_view written, Node& map) {
+  struct Dropped {
+    std::string key;
+    int override_index;
+  };
   const auto drop_if = [&](auto&& is_of_no_use) {
-    std::vector<std::string> dropped;
+    std::vector<Dropped> dropped;
     for (std::size_t i = map.keys.size(); i-- > 0;) {
       if (map.keys[i].text == written || !is_of_no_use(i)) continue;
-      dropped.push_back(map.keys[i].text);
+      dropped.push_back({map.keys[i].text, map.keys[i].place.override_index});
       drop_entry(map, i);
     }
     return dropped;
   };
-  const std::vector<std::string> excluded =
+  const std::vector<Dropped> excluded =
       drop_if([&](std::size_t i) { return exclude_each_other(choice, written, map.keys[i].text); });
-  // A key that an override gave stays: it was not written for the key that is gone.
+  // A key of another override than the key that is gone stays: it was not written for that one.
   drop_if([&](std::size_t i) {
-    return map.items[i].place.override_index < 0 &&
-           std::ranges::any_of(excluded, [&](const std::string& gone) {
-             return goes_with(choice, map.keys[i].text, gone, written);
-           });
+    const int from = map.keys[i].place.override_index;
+    return std::ranges::any_of(excluded, [&](const Dropped& gone) {
+      return (from < 0 || from == gone.override_index) &&
+             goes_with(choice, map.keys[i].text, gone.key, written);
+    });
   });
 }
 
