@@ -14,7 +14,7 @@ struct Stage {
   bool axial = false;        ///< blades (Alford), else an impeller (Wachel)
   double power_w = 0;        ///< > 0
   double density_ratio = 1;  ///< discharge by suction; of blades 1
-  double diameter_m = 0;     ///< of the impeller, or the pitch of the blades; > 0
+  double diameter_m = 0;     ///< diameter of the impeller, or pitch diameter of the blades; > 0
   double width_m = 0;        ///< narrowest width of diffuser or impeller, or the height of the blades; > 0
 };
 

@@ -20,8 +20,7 @@ struct Term {
   std::string place;  ///< empty: of the whole rotor
   std::optional<double> position_m = {}, speed_hz = {}, value = {}, limit = {};
   std::string unit = {};
-  std::optional<double> margin =
-      {};  ///< what is left, as a share of the limit; of a separation that of the speed
+  std::optional<double> margin = {};  ///< remaining share of the limit; of the speed, for a separation
   std::optional<bool> met = {};
   std::string not_told = {};  ///< why nothing is known of a term with a limit; else empty
 };
@@ -30,8 +29,8 @@ struct Term {
 struct LateralQuestions {
   SpeedRange operating;
   SpeedRange whole;           ///< up to the maximum continuous speed
-  double eccentricity_m = 0;  ///< of the case `configured`
-  double scale = 1;           ///< of the unbalance for the bearing forces
+  double eccentricity_m = 0;  ///< eccentricity in the case `configured`
+  double scale = 1;           ///< factor of the unbalance for the bearing forces
   double vibration_limit_m = 0;
   std::vector<linear::CriticalSpeed> critical_speeds = {};  ///< within `whole`
   bool grows = false;                        ///< true: a response does not last, so that it keeps no limit

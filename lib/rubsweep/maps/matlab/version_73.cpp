@@ -40,7 +40,7 @@ class Reader {
   std::vector<Variable> read_group(hid_t group, int depth) {
     std::vector<Variable> variables;
     for (const std::string& name : names_in(group)) {
-      if (name.starts_with('#')) continue;  // what cells and objects of MATLAB refer to
+      if (name.starts_with('#')) continue;  // contents of cells and objects of MATLAB
       const Handle object = open(group, name);
       if (depth > 0 && refers(object) && !is_class(object, "cell")) {  // a field of an array of structures
         std::size_t place = 0;

@@ -34,7 +34,7 @@ struct Channels {
     std::string name, why;
   };
   std::vector<LeftOut> left_out{};
-  std::vector<std::string> notes{};  ///< what was passed over, sentences without a full stop
+  std::vector<std::string> notes{};  ///< sentences, without a full stop, about parts that were passed over
 
   std::size_t rows() const { return channels.front().values.size(); }
   /// List of what was left out, such as " ('a' holds text, 'b' is complex)", about one line long at most.

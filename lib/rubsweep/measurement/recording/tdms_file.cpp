@@ -75,7 +75,7 @@ std::size_t bytes_of(std::uint32_t type) { return kind_of(type).bytes; }
 struct Object {
   std::string group{}, name{};
   std::uint32_t type = 0;
-  std::size_t count = 0, chunk_bytes = 0;  ///< of the next chunk
+  std::size_t count = 0, chunk_bytes = 0;  ///< sizes of the next chunk
   bool has_index = false, here = false;    ///< here: the segment has data of it
   bool has_scales = false, is_scaled = false;
   std::vector<double> values{};

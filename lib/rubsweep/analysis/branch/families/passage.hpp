@@ -24,7 +24,7 @@ struct CellOrbit {
 /// Result of following a stable orbit from its cell straight to a neighbour.
 struct Passage {
   std::optional<CellOrbit> arrived;  ///< orbit in the neighbour, if it exists and is stable all the way
-  std::string_view kind;             ///< what ends it otherwise: the word of an EventKind or an Ending
+  std::string_view kind;             ///< reason of its end otherwise: the word of an EventKind or an Ending
   double parameter = 0;              ///< value of the varied axis at that end
 };
 

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 #include "rubsweep/core/integrate/adaptive/event_search.hpp"
 #include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
 #include "rubsweep/core/integrate/adaptive/step_observer.hpp"
+#include "rubsweep/core/integrate/adaptive/step_switches.hpp"
 #include "rubsweep/core/integrate/adaptive/step_tangents.hpp"
 #include "rubsweep/core/integrate/law/dynamics.hpp"
-#include "rubsweep/core/integrate/law/settle_slips.hpp"
 #include "rubsweep/core/integrate/run/options.hpp"
 #include "rubsweep/core/integrate/run/turn_book.hpp"
 #include "rubsweep/core/integrate/run/turn_clock.hpp"
@@ -41,8 +40,7 @@ class AdaptiveRun {
         max_evaluations_(run::most_evaluations_of_a_turn(options)),
         tolerance_(options.relative_tolerance),
         start_kinematics_(system_.contacts.size()),
-        end_kinematics_(system_.contacts.size()),
-        just_moved_(system_.contacts.size(), false) {
+        end_kinematics_(system_.contacts.size()) {
     const std::vector<double> initial = dynamics_.whole_state(run::scaled_initial_state(scene));
     for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_, &probe_rate_})
       state->resize(initial.size());
@@ -92,22 +90,10 @@ class AdaptiveRun {
     dynamics_(step_.start, step_.start_rate, 0.0);
     for (std::size_t i = 0; i < system_.contacts.size(); ++i)
       dynamics_.enter_by_state(i, step_.start, step_.start_rate);
-    enter_slips(0);
+    switches_.enter_slips(0);
     if constexpr (requires { dynamics_.changes(step_.start); })
       dynamics_.keep_sticking(step_.start, dynamics_.changes(step_.start));
     look_again(0);
-  }
-
-  void enter_slips(double phase) {
-    law::enter_slips_by_state(dynamics_, step_.start, step_.start_rate, phase);
-    for (std::size_t i = 0; i < just_moved_.size(); ++i)
-      just_moved_[i] = leaves_zero(i) && law::stands(dynamics_, i, step_.start);
-  }
-
-  /// Whether the slip of contact `i`, if it is zero, begins to grow.
-  bool leaves_zero(std::size_t i) const {
-    return dynamics_.touches_dry(i) && dynamics_.slips()[i] != contact::Slip::sticking &&
-           !dynamics_.poised(i);
   }
 
   /// Rate and kinematics at the start of a step with the present modes.
@@ -129,8 +115,8 @@ class AdaptiveRun {
           {step_.start_phase, static_cast<int>(i), from, dynamics_.modes()[i], dynamics_.impact_damping(i)},
           observer.report());
     }
-    enter_slips(step_.start_phase);
-    to_tangents([this](auto& vectors) { vectors.keep_sticking(step_.start); });
+    switches_.enter_slips(step_.start_phase);
+    to_tangents(tangents_, [this](auto& vectors) { vectors.keep_sticking(step_.start); });
     look_again(step_.start_phase);
     method_->restart();
   }
@@ -173,7 +159,8 @@ class AdaptiveRun {
     };
     const double end_phase = crossing ? crossing->phase : step_.end_phase;
     observer.sample(step_.start_phase, step_.start, end_phase, state_at);
-    to_tangents([&](auto& vectors) { vectors.follow(*method_, right_hand_side_, step_, end_phase); });
+    to_tangents(tangents_,
+                [&](auto& vectors) { vectors.follow(*method_, right_hand_side_, step_, end_phase); });
     if (crossing) cut_step(end_phase);
     observer.watch(step_, dynamics_, start_kinematics_, end_kinematics_);
     if constexpr (!smoothed) switch_modes(crossing, observer);
@@ -185,8 +172,9 @@ class AdaptiveRun {
   }
 
   std::optional<Crossing> first_crossing() {
-    return CrossingSearch<Law>{dynamics_,       right_hand_side_, *method_, step_,      start_kinematics_,
-                               end_kinematics_, just_moved_,      probe_,   probe_rate_}
+    return CrossingSearch<Law>{
+        dynamics_,       right_hand_side_,       *method_, step_,      start_kinematics_,
+        end_kinematics_, switches_.just_moved(), probe_,   probe_rate_}
         .first();
   }
 
@@ -202,91 +190,12 @@ class AdaptiveRun {
   }
 
   void switch_modes(const std::optional<Crossing>& crossing, StepObserver& observer) {
-    bool switched = false;
     const std::size_t before = joint_mode();
-    std::fill(just_moved_.begin(), just_moved_.end(), false);
-    if (crossing && crossing->event != Crossing::Event::mode) {
-      switch_slip(*crossing);
-      switched = true;
-    }
-    for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
-      contact::Mode& mode = dynamics_.modes()[i];
-      const contact::Mode from = mode;
-      if (crossing && crossing->contact == i && crossing->event == Crossing::Event::mode)
-        mode = contact::mode_through(from, crossing->next, end_kinematics_[i]);
-      mode = dynamics_.mode_after(i, mode, end_kinematics_[i]);
-      if (mode == from) continue;
-      switched = true;
-      if (from == contact::Mode::open) begin_impact(i);
-      book_.note_switch({step_.end_phase, static_cast<int>(i), from, mode, dynamics_.impact_damping(i)},
-                        observer.report());
-      if (mode == contact::Mode::open && dynamics_.any_poised())
-        law::settle_slips(dynamics_, step_.end, probe_rate_, step_.end_phase,
-                          [](std::size_t) { return false; });
-      if (from == contact::Mode::open && dynamics_.touches_dry(i)) touch_down(i);
-    }
-    if (!switched) return;
+    if (!switches_.make(crossing, observer.report())) return;
     method_->restart();
     // Contact and flight need different step sizes: continues with the latest size used in this mode.
     remembered_sizes_[before] = size_;
     if (const double remembered = remembered_sizes_[joint_mode()]; remembered > 0) size_ = remembered;
-  }
-
-  void begin_impact(std::size_t i) {
-    dynamics_.begin_impact(i, end_kinematics_[i].closing_speed);
-    to_tangents([&](auto& vectors) { vectors.begin_impact(i, step_.end, step_.end_rate); });
-  }
-
-  /// The friction of a contact that begins rises from zero.
-  void touch_down(std::size_t i) {
-    law::take_slip_of_state(dynamics_, i, step_.end);
-    if (dynamics_.slips()[i] == contact::Slip::sticking) stop_slip(i);
-  }
-
-  void switch_slip(const Crossing& crossing) {
-    ++book_.effort.switches;
-    if (crossing.event == Crossing::Event::release) {
-      const std::size_t i = crossing.contact;
-      const bool jumps = dynamics_.jumps(i);
-      to_tangents([&](auto& vectors) {
-        if (jumps) vectors.see_release(i, crossing.slip, step_.end, step_.end_rate, step_.end_phase);
-      });
-      const bool others = law::let_go(dynamics_, i, crossing.slip, step_.end, probe_rate_, step_.end_phase);
-      for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
-        if (j == i || (others && law::stands(dynamics_, j, step_.end))) just_moved_[j] = leaves_zero(j);
-      }
-      if (!jumps) return;
-      probe_rate_ = step_.end_rate;
-      dynamics_(step_.end, step_.end_rate, step_.end_phase);
-      to_tangents([&](auto& vectors) { vectors.cross_release(probe_rate_, step_.end_rate); });
-      look_at_end();
-    } else {
-      stop_slip(crossing.contact);
-    }
-  }
-
-  /// Settles contact `i` when its slip is zero; the rate jumps together with its friction.
-  void stop_slip(std::size_t i) {
-    probe_rate_ = step_.end_rate;
-    law::settle_slips(dynamics_, step_.end, step_.end_rate, step_.end_phase,
-                      [&](std::size_t j) { return j == i; });
-    for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
-      if (dynamics_.touches_dry(j) && (j == i || law::stands(dynamics_, j, step_.end)))
-        just_moved_[j] = leaves_zero(j);
-    }
-    dynamics_(step_.end, step_.end_rate, step_.end_phase);
-    to_tangents([&](auto& vectors) { vectors.cross_stop(i, step_.end, probe_rate_, step_.end_rate); });
-    if constexpr (requires { dynamics_.changes(step_.end); }) {
-      law::cross_slip(dynamics_, i, step_.end, probe_rate_, step_.end_rate, dynamics_.changes(step_.end));
-      dynamics_(step_.end, step_.end_rate, step_.end_phase);
-    }
-    look_at_end();
-  }
-
-  /// Kinematics at the end of a step with the present rate.
-  void look_at_end() {
-    for (std::size_t j = 0; j < system_.contacts.size(); ++j)
-      end_kinematics_[j] = dynamics_.kinematics(j, step_.end, step_.end_rate);
   }
 
   std::size_t joint_mode() const {
@@ -310,34 +219,21 @@ class AdaptiveRun {
     return outcome;
   }
 
-  struct NoTangents {
-    explicit NoTangents(const Law&) {}
-  };
-
-  /// Has the tangent vectors of this turn, where there are any, taken across something.
-  template <class Act>
-  void to_tangents(const Act& act) {
-    if constexpr (has_step_tangents<Law>) {
-      if (tangents_.any()) act(tangents_);
-    }
-  }
-
   run::ScaledSystem<Law::coordinates> system_;
   Law dynamics_;
-  std::conditional_t<has_step_tangents<Law>, StepTangents<Law>, NoTangents> tangents_{dynamics_};
+  Tangents<Law> tangents_{dynamics_};
   LawOfSteps<Law> right_hand_side_{dynamics_};
   std::unique_ptr<StepMethod> method_;
   run::TurnClock clock_;  ///< clock in radians
   run::TurnBook book_;
-  long max_steps_, max_evaluations_;  ///< of a turn
+  long max_steps_, max_evaluations_;  ///< limits for a turn
   double tolerance_;
   Step step_;
   State probe_, probe_rate_;
   double size_ = 0;                       ///< next step to try, in radians of rotation
   std::vector<double> remembered_sizes_;  ///< for each joint mode of the first four contacts; 0: none yet
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
-  /// Whether the slip of each contact starts from zero and grows.
-  std::vector<bool> just_moved_;
+  StepSwitches<Law> switches_{dynamics_, step_, end_kinematics_, book_, tangents_, probe_rate_};
 };
 
 extern template class AdaptiveRun<law::Dynamics<4, false>>;

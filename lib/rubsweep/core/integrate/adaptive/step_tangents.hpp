@@ -230,7 +230,7 @@ class StepTangents final : public RightHandSide {
   StepMethod* motion_ = nullptr;
   RightHandSide* of_motion_ = nullptr;
   const Step* step_ = nullptr;
-  State at_, at_rate_;  ///< of the motion
+  State at_, at_rate_;  ///< state and rate of the motion
   typename Law::Matrix by_u_, by_v_;
   Eigen::VectorXd push_, last_;  ///< last_: the only vector at the end of the turn before; else empty
   Eigen::RowVectorXd release_gradient_;
@@ -241,5 +241,21 @@ class StepTangents final : public RightHandSide {
 /// Whether a run by this law may have them.
 template <class Law>
 inline constexpr bool has_step_tangents = std::is_same_v<Law, law::Dynamics<Law::coordinates, false>>;
+
+struct NoTangents {
+  template <class Law>
+  explicit NoTangents(const Law&) {}
+};
+/// Tangent vectors of a run by this law, or none.
+template <class Law>
+using Tangents = std::conditional_t<has_step_tangents<Law>, StepTangents<Law>, NoTangents>;
+
+/// Calls `act` with the tangent vectors of this turn, if it has any.
+template <class Vectors, class Act>
+void to_tangents(Vectors& vectors, const Act& act) {
+  if constexpr (!std::is_same_v<Vectors, NoTangents>) {
+    if (vectors.any()) act(vectors);
+  }
+}
 
 }  // namespace rubsweep::integrate::adaptive

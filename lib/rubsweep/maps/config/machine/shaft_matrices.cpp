@@ -214,12 +214,13 @@ void read_unbalance(const yaml::Value& value, const Freedoms& freedoms, ShaftMat
   for (const yaml::Value& item : *items) read_node_unbalance(item, freedoms, matrices);
 }
 
-/// Reads the matrices. A matrix that is left out or cannot be read becomes a placeholder.
+/// Reads the matrices. One that is left out is zero. Where a needed one is missing or cannot be read, which
+/// is a problem of the file, the unit matrix stands for it: later checks then add no problems that follow
+/// from this.
 void read_matrices(yaml::Section& section, ShaftMatrices& matrices) {
   const auto n = static_cast<Eigen::Index>(matrices.degrees_of_freedom.size());
   for (const MatrixKey& key : matrix_keys) {
     Eigen::MatrixXd& matrix = matrices.*key.matrix;
-    // Placeholder that passes all later checks, used where the matrix cannot be read.
     matrix = key.needed ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n)) : Eigen::MatrixXd::Zero(n, n);
     const auto value = key.needed ? section.require(key.name, matrix_form) : section.find(key.name);
     if (!value || is_still_a_file(*value)) continue;
