@@ -138,7 +138,7 @@ class StepTangents final : public RightHandSide {
   void operator()(const State& x, State& rate, double phase) override {
     motion_->state_at(*of_motion_, *step_, phase, at_);
     typename Law::Holding holding;
-    if (law_.any_dry()) {
+    if (law_.stuck_contacts().count > 0) {
       law_.loose(at_, at_rate_, phase);
       holding = law_.hold(at_, at_rate_);
     }
