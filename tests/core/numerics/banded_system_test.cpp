@@ -53,5 +53,14 @@ TEST(BandedSystem, AFullMatrixIsSolvedAsABandOfItsOwnWidth) {
   EXPECT_FALSE(solve_banded(MatrixXcd::Ones(3, 3), MatrixXcd::Ones(3, 1), 2).allFinite());
 }
 
+TEST(BandedSystem, TheBandReachesTheFarthestNumberOfAll) {
+  Eigen::MatrixXd above = Eigen::MatrixXd::Identity(6, 6), below = Eigen::MatrixXd::Zero(6, 6);
+  const Eigen::MatrixXd none;
+  EXPECT_EQ(band_of({&above, &none}), 0);
+  above(1, 3) = -1, below(5, 2) = 1e-300;
+  EXPECT_EQ(band_of({&above, &none}), 2);
+  EXPECT_EQ(band_of({&above, &below}), 3);
+}
+
 }  // namespace
 }  // namespace rubsweep::numerics

@@ -71,8 +71,7 @@ std::optional<double> threshold_n_per_m(const linear::FreeRotor& rotor, double s
   double growth = mode->root_per_s.real();
   if (growth >= 0) return 0;
   const double w = 2 * pi * speed_hz;
-  const auto tables = rotor.full.tables.empty() ? std::nullopt : std::optional(w);
-  const structure::SpeedMatrices without = structure::matrices_at(rotor.full, w, tables);
+  const structure::SpeedMatrices without = structure::matrices_at(rotor.full, w, w);
   for (double low = 0, high = first_n_per_m; high <= most_n_per_m; low = high, high *= 2) {
     linear::WhirlMode next = *mode;
     const double grown = growth_under(without, rotor, place, high, next);

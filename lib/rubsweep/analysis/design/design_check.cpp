@@ -6,10 +6,10 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
-#include <string>
 #include <utility>
 #include <variant>
 
+#include "rubsweep/analysis/design/design_terms.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
@@ -35,15 +35,6 @@ constexpr int whip_speeds = 11;
 linear::Campbell modes_over(const SpeedRange& range, const model::Machine& machine) {
   return linear::campbell(linear::free_rotor(machine),
                           batch::evenly_spaced(range.from_hz, range.to_hz, campbell_speeds), 2 * range.to_hz);
-}
-
-/// Speeds within a range, with both ends of the range added.
-std::vector<double> within(const SpeedRange& range, const std::vector<double>& speeds_hz) {
-  std::vector<double> inside{range.from_hz};
-  for (const double speed_hz : speeds_hz)
-    if (speed_hz > range.from_hz && speed_hz < range.to_hz) inside.push_back(speed_hz);
-  inside.push_back(range.to_hz);
-  return inside;
 }
 
 std::vector<ProbeResponse> probe_responses(const scene::PreparedMachine& prepared, double eccentricity_m,
@@ -123,14 +114,7 @@ void add_trip_clearances(const scene::PreparedMachine& prepared, DesignCheck& ch
     const std::vector<double> beyond = batch::evenly_spaced(check.whole.to_hz, to_hz, speeds);
     for (const ClearanceMargin& one :
          clearance_margins(prepared, check.scale * check.eccentricity_m, beyond)) {
-      Term term{"clearance_to_trip",
-                "stop " + std::to_string(one.stop),
-                one.position_m,
-                one.speed_hz,
-                one.major_axis_m,
-                clearance_share * one.diametral_clearance_m,
-                "m"};
-      if (std::isfinite(one.margin)) term.margin = one.margin;
+      Term term = clearance_term("clearance_to_trip", one);
       if (one.margin < 0 || check.whole_growth.growth_per_s == 0) {
         term.met = one.margin >= 0;
       } else {
@@ -156,15 +140,14 @@ double vibration_limit_m(double max_continuous_hz) {
 }
 
 double analysis_eccentricity_m(const model::Machine& machine, double max_continuous_hz) {
-  constexpr double residual_g_mm_rpm_per_kg = 6350, times_residual = 4;
   const double g_mm_per_metre = model::g_mm_per_metre(machine);
   if (!(g_mm_per_metre > 0)) {
     throw ConfigError(
         "rotor.discs: no disc stands off the axis, so that there is no unbalance to respond to, allowed: at "
         "least one eccentricity_ratio that is not 0");
   }
-  return times_residual * residual_g_mm_rpm_per_kg * model::rotor_mass_kg(machine) /
-         (model::rpm_per_hz * max_continuous_hz) / g_mm_per_metre;
+  return unbalance_g_mm_rpm_per_kg * model::rotor_mass_kg(machine) / (model::rpm_per_hz * max_continuous_hz) /
+         g_mm_per_metre;
 }
 
 double scale_factor(double limit_m, double response_m) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rubsweep::design {
 namespace {
@@ -15,6 +16,17 @@ std::optional<double> speed_of(const std::optional<DryWhip>& whip) {
 }
 
 }  // namespace
+
+Term clearance_term(std::string check, const ClearanceMargin& margin) {
+  return {std::move(check),
+          stop_name(margin.stop),
+          margin.position_m,
+          margin.speed_hz,
+          margin.major_axis_m,
+          clearance_share * margin.diametral_clearance_m,
+          "m",
+          std::isfinite(margin.margin) ? std::optional(margin.margin) : std::nullopt};
+}
 
 std::vector<Term> terms_of(const DesignCheck& check) {
   std::vector<Term> terms;
@@ -30,10 +42,8 @@ std::vector<Term> terms_of(const DesignCheck& check) {
                      if_lasting(margin >= 0, check.growth)});
   }
   for (const ClearanceMargin& one : check.clearances) {
-    terms.push_back({"clearance", stop_name(one.stop), one.position_m, one.speed_hz, one.major_axis_m,
-                     clearance_share * one.diametral_clearance_m, "m",
-                     std::isfinite(one.margin) ? std::optional(one.margin) : std::nullopt,
-                     if_lasting(one.margin >= 0, check.whole_growth)});
+    terms.push_back(clearance_term("clearance", one));
+    terms.back().met = if_lasting(one.margin >= 0, check.whole_growth);
   }
   for (const WhipMargin& one : check.whips) {
     terms.push_back({"dry_whip",
@@ -65,8 +75,8 @@ std::vector<Term> terms_of(const DesignCheck& check) {
 Answer answer_of(const DesignCheck& check) {
   const std::vector<Term> terms = terms_of(check);
   if (std::ranges::any_of(terms, [](const Term& term) { return term.met == false; })) return Answer::not_met;
-  const bool lasts = check.growth.growth_per_s == 0 && check.whole_growth.growth_per_s == 0;
-  return !lasts || std::ranges::any_of(terms, [](const Term& term) { return !term.not_told.empty(); })
+  return check.whole_growth.growth_per_s > 0 ||
+                 std::ranges::any_of(terms, [](const Term& term) { return !term.not_told.empty(); })
              ? Answer::not_told
              : Answer::pass;
 }

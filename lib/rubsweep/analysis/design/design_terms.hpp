@@ -1,10 +1,14 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "rubsweep/analysis/design/design_check.hpp"
 
 namespace rubsweep::design {
+
+/// Line of a clearance, without a verdict.
+Term clearance_term(std::string check, const ClearanceMargin& margin);
 
 /// All lines of a check: vibration, clearances, dry whip, stability, those of the lateral analysis, the
 /// smallest kick.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <utility>
 
@@ -67,25 +66,16 @@ void add_resonance(const Resonance& peak, const SpeedRange& operating, const std
 }
 
 /// Speeds of the response: those of the whole range, and beyond it up to the last one.
-std::vector<double> speeds_up_to(double to_hz, const model::Machine& machine, const LateralQuestions& asked) {
+std::vector<double> speeds_up_to(double to_hz, const linear::FreeRotor& rotor,
+                                 const LateralQuestions& asked) {
   constexpr int speeds_beyond = 11;
   std::vector<linear::CriticalSpeed> critical = asked.critical_speeds;
   if (to_hz > asked.whole.to_hz) {
-    const linear::Campbell beyond = linear::campbell(
-        linear::free_rotor(machine), batch::evenly_spaced(asked.whole.to_hz, to_hz, speeds_beyond), to_hz);
+    const linear::Campbell beyond =
+        linear::campbell(rotor, batch::evenly_spaced(asked.whole.to_hz, to_hz, speeds_beyond), to_hz);
     critical.insert(critical.end(), beyond.critical_speeds.begin(), beyond.critical_speeds.end());
   }
   return response_speeds({asked.whole.from_hz, to_hz}, critical);
-}
-
-/// Largest of a quantity over the operating range.
-Largest largest_operating(const std::vector<double>& speeds_hz, const SpeedRange& operating,
-                          const std::function<double(double)>& value) {
-  std::vector<double> inside{operating.from_hz};
-  for (const double hz : speeds_hz)
-    if (hz > operating.from_hz && hz < operating.to_hz) inside.push_back(hz);
-  inside.push_back(operating.to_hz);
-  return largest_over_speed(inside, value);
 }
 
 void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rotor,
@@ -94,7 +84,8 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
   Responses responses(rotor, cases);
   const double highest_hz = response_up_to * asked.whole.to_hz,
                to_hz = within_tables_hz(prepared.machine, highest_hz);
-  const std::vector<double> speeds_hz = speeds_up_to(to_hz, prepared.machine, asked);
+  const std::vector<double> speeds_hz = speeds_up_to(to_hz, rotor.rotor(), asked),
+                            operating_hz = within(asked.operating, speeds_hz);
   const std::vector<WatchedPlace> probes = probe_places(prepared);
   for (std::size_t number = 0; number < cases.size(); ++number) {
     for (std::size_t k = 0; k < probes.size(); ++k) {
@@ -102,7 +93,7 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
       const std::string name = fmt::format("{} at probe {}", cases[number].name, k);
       const auto axis_m = [&](double hz) { return responses.major_axis_m(hz, place, number); };
       if (number > 0) {
-        const Largest largest = largest_operating(speeds_hz, asked.operating, axis_m);
+        const Largest largest = largest_over_speed(operating_hz, axis_m);
         const double margin = 1 - largest.value / asked.vibration_limit_m;
         terms.push_back({"response", name, probes[k].position_m, largest.speed_hz, largest.value,
                          asked.vibration_limit_m, "m", margin, margin >= 0});
@@ -130,7 +121,7 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
     const auto force_n = [&](double hz) {
       return asked.scale * rotor.bearing_force_n(bearing, responses.at(hz).col(0), hz);
     };
-    const Largest largest = largest_operating(speeds_hz, asked.operating, force_n);
+    const Largest largest = largest_over_speed(operating_hz, force_n);
     terms.push_back({"bearing_force",
                      fmt::format("support {}", bearing.support),
                      bearing.position_m,

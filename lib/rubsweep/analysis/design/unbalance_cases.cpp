@@ -49,17 +49,9 @@ void load_bearings(const structure::BeamShaft& shaft, const model::RotorKit& kit
                             structure::support_gap(shaft, kit, bearing.support).dot(sag);
 }
 
-Index band_of(const Eigen::MatrixXd& matrix) {
-  Index band = 0;
-  for (Index k = 0; k < matrix.cols(); ++k)
-    for (Index i = 0; i < matrix.rows(); ++i)
-      if (matrix(i, k) != 0) band = std::max(band, std::abs(i - k));
-  return band;
-}
-
 double residual_kg_m(double mass_kg, double max_continuous_hz) {
-  constexpr double times_residual = 4, kg_m_rpm_per_kg = 6350e-6;
-  return times_residual * kg_m_rpm_per_kg * mass_kg / (model::rpm_per_hz * max_continuous_hz);
+  constexpr double g_mm_per_kg_m = 1e6;
+  return unbalance_g_mm_rpm_per_kg / g_mm_per_kg_m * mass_kg / (model::rpm_per_hz * max_continuous_hz);
 }
 
 }  // namespace
@@ -85,9 +77,11 @@ WholeRotor::WholeRotor(const model::Machine& machine)
   }
   whole_mass_kg_ = mass_kg_.sum();
   const structure::SpeedMatrices some = structure::matrices_at(rotor_.full, 1);
-  band_ = std::max({band_of(some.mass), band_of(some.damping), band_of(some.stiffness)});
-  for (const structure::TabledSupport& table : rotor_.full.tables)
-    band_ = std::max(band_, band_of(table.map.transpose() * Eigen::Matrix2d::Ones() * table.map));
+  band_ = numerics::band_of({&some.mass, &some.damping, &some.stiffness});
+  for (const structure::TabledSupport& table : rotor_.full.tables) {
+    const Eigen::MatrixXd joined = table.map.transpose() * Eigen::Matrix2d::Ones() * table.map;
+    band_ = std::max(band_, numerics::band_of({&joined}));
+  }
   band_ = std::min(band_, system.coordinates() - 1);
 }
 
@@ -165,8 +159,7 @@ std::vector<UnbalanceCase> WholeRotor::cases(double eccentricity_m, double max_c
 
 Eigen::MatrixXcd WholeRotor::response(const Eigen::MatrixXcd& unbalance_kg_m, double speed_hz) const {
   const double w = 2 * std::numbers::pi * speed_hz;
-  const auto tables = rotor_.full.tables.empty() ? std::nullopt : std::optional(w);
-  const structure::SpeedMatrices at = structure::matrices_at(rotor_.full, w, tables);
+  const structure::SpeedMatrices at = structure::matrices_at(rotor_.full, w, w);
   Eigen::MatrixXcd dynamic(at.mass.rows(), at.mass.cols());
   dynamic.real() = at.stiffness - w * w * at.mass;
   dynamic.imag() = w * at.damping;

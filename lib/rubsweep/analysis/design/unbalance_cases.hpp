@@ -10,6 +10,10 @@
 
 namespace rubsweep::design {
 
+/// Unbalance of an analysis by API 617, by the mass in kg and the maximum continuous speed in rpm: four times
+/// the largest residual unbalance.
+inline constexpr double unbalance_g_mm_rpm_per_kg = 4 * 6350;
+
 /// Whether a support holds nothing: by the name of its element in a file of another program, or because it is
 /// a hundred times softer than the stiffest bearing.
 bool is_seal(const model::RotorKit& kit, std::size_t support);

@@ -37,6 +37,14 @@ std::vector<double> response_speeds(const SpeedRange& range,
   return speeds;
 }
 
+std::vector<double> within(const SpeedRange& range, std::span<const double> speeds_hz) {
+  std::vector<double> inside{range.from_hz};
+  for (const double speed_hz : speeds_hz)
+    if (speed_hz > range.from_hz && speed_hz < range.to_hz) inside.push_back(speed_hz);
+  inside.push_back(range.to_hz);
+  return inside;
+}
+
 Largest largest_over_speed(std::span<const double> speeds_hz, const std::function<double(double)>& value) {
   constexpr int bits = 40;
   const auto negative = [&](double speed_hz) {

@@ -31,6 +31,9 @@ struct Largest {
 /// speeds, in proportion to the width of their resonances.
 std::vector<double> response_speeds(const SpeedRange& range, std::span<const linear::CriticalSpeed> critical);
 
+/// Speeds within a range of those given, which ascend, with both ends of the range added.
+std::vector<double> within(const SpeedRange& range, std::span<const double> speeds_hz);
+
 /// Largest `value` over the range of `speeds_hz`, which ascend. Samples are taken at these speeds, and around
 /// each sample that is larger than both neighbours the maximum is refined (Brent). A value that is not finite
 /// counts as infinite.

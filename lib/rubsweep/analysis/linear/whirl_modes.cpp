@@ -176,7 +176,7 @@ WhirlProblem::WhirlProblem(const FreeRotor& rotor, std::span<const double> speed
 
 structure::SpeedMatrices WhirlProblem::matrices(double speed_hz) const {
   const double speed = 2 * pi * speed_hz;
-  return structure::matrices_at(full_, speed, full_.tables.empty() ? std::nullopt : std::optional(speed));
+  return structure::matrices_at(full_, speed, speed);
 }
 
 WhirlModes WhirlProblem::at(double speed_hz) const {

@@ -109,6 +109,17 @@ template <std::size_t bytes>
 
 }  // namespace
 
+Eigen::Index band_of(std::initializer_list<const MatrixXd*> matrices) {
+  Eigen::Index band = 0;
+  for (const MatrixXd* matrix : matrices) {
+    for (Eigen::Index k = 0; k < matrix->cols(); ++k) {
+      for (Eigen::Index i = 0; i < matrix->rows(); ++i)
+        if ((*matrix)(i, k) != 0) band = std::max(band, std::abs(i - k));
+    }
+  }
+  return band;
+}
+
 MatrixXcd solve_banded(MatrixXcd a, MatrixXcd b, Eigen::Index band) {
   // Beyond this Eigen's blocks, which stay in the processor's cache, are faster.
   constexpr Eigen::Index narrow = 6, small = 512;

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <initializer_list>
 
 namespace rubsweep::numerics {
+
+/// Bandwidth of several matrices: largest distance of a non-zero entry from the diagonal.
+Eigen::Index band_of(std::initializer_list<const Eigen::MatrixXd*> matrices);
 
 /// a^-1 b where all numbers of `a` stand at most `band` places off its diagonal, which may be as many as it
 /// has: by elimination with pivots of the columns, some hundred rows of which take a fraction of the time of

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "rubsweep/core/integrate/run/impulses.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
@@ -90,7 +91,7 @@ void follow_on(const scene::Scene& scene, const SceneFacts& facts, integrate::ru
   std::vector<double> start(section.begin(), section.end());
   if (map.remembers() && !goes_on_in_the_air(map, start, options.window_revolutions)) return;
   const Aperiodic found = classify_aperiodic(
-      tangent_growth(map), [&map] { return map.touched(); }, start,
+      tangent_growth(map), [&map] { return map.touched(); }, std::move(start),
       static_cast<std::size_t>(options.max_revolutions), scene::observed(scene), options.window_revolutions,
       workspace.spectrum);
   motion.motion_class = found.motion_class;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -52,18 +51,6 @@ double distance(std::complex<double> rate, const Eigen::VectorXcd& others) {
     least = std::min(least, std::max(std::abs(rate - other) / size, growth / (rate.real() + slow * size)));
   }
   return least;
-}
-
-/// Bandwidth of several matrices: largest distance of a non-zero entry from the diagonal.
-Index band_of(std::initializer_list<const Eigen::MatrixXd*> matrices) {
-  Index band = 0;
-  for (const Eigen::MatrixXd* matrix : matrices) {
-    for (Index k = 0; k < matrix->cols(); ++k) {
-      for (Index i = 0; i < matrix->rows(); ++i)
-        if ((*matrix)(i, k) != 0) band = std::max(band, std::abs(i - k));
-    }
-  }
-  return band;
 }
 
 /// Largest ratio of differences to `sizes`, the last one weighted by `share_of_last`. A size of 0 is skipped,
@@ -157,11 +144,11 @@ FullReference::Rotor FullReference::rotor_of(const PlaneBases& bases, FullSystem
   }
   Eigen::MatrixXd responses = rows(at_places(responses_m_)), columns = rows(forces).transpose();
   Rotor rotor{std::move(matrices), std::move(responses), std::move(columns), {}};
-  rotor.band = band_of({&rotor.matrices.system.gyroscopic, &rotor.matrices.circulatory});
+  rotor.band = numerics::band_of({&rotor.matrices.system.gyroscopic, &rotor.matrices.circulatory});
   for (const Line& line : lines_) {
     const SpeedMatrices& at = rotor.at_lines.emplace_back(
         matrices_at(rotor.matrices, line.speed_rad_per_s, line.supports_rad_per_s));
-    rotor.band = std::max(rotor.band, band_of({&at.mass, &at.damping, &at.stiffness}));
+    rotor.band = std::max(rotor.band, numerics::band_of({&at.mass, &at.damping, &at.stiffness}));
   }
   return rotor;
 }
@@ -292,8 +279,7 @@ bool growth_is_mistaken(const BeamShaft& shaft, const model::RotorKit& kit, cons
   for (const std::complex<double>& rate : found)
     if (rate.real() > growing * std::abs(rate)) furthest = std::max(furthest, 1.5 * std::abs(rate));
   const FullSystem full = full_system(shaft, kit);
-  const auto tables = full.tables.empty() ? std::nullopt : std::optional(speed_rad_per_s);
-  const Eigen::VectorXcd exact = rates_within(matrices_at(full, speed_rad_per_s, tables), furthest);
+  const Eigen::VectorXcd exact = rates_within(matrices_at(full, speed_rad_per_s, speed_rad_per_s), furthest);
   return exact.allFinite() && found.allFinite() && contradict(found, exact);
 }
 

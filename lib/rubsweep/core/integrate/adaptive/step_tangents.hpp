@@ -138,7 +138,7 @@ class StepTangents final : public RightHandSide {
   void operator()(const State& x, State& rate, double phase) override {
     motion_->state_at(*of_motion_, *step_, phase, at_);
     typename Law::Holding holding;
-    if (law_.any_dry()) {
+    if (law_.stuck_contacts().count > 0) {
       law_.loose(at_, at_rate_, phase);
       holding = law_.hold(at_, at_rate_);
     }
@@ -189,17 +189,11 @@ class StepTangents final : public RightHandSide {
   /// No vectors are better than wrong ones.
   void give_up() { count_ = 0; }
 
-  contact::ContactFrame frame_at(std::size_t i, const State& state) const {
-    const Eigen::Index n = law_.system().coordinates();
-    using Map = typename Law::ConstMap;
-    return law::contact_frame(law_.system().contacts[i], Map(&state[0], n), Map(&state[0] + n, n));
-  }
-
   /// Derivatives by the state of the penetration of contact `i` and of its closing speed.
   std::pair<Eigen::RowVectorXd, Eigen::RowVectorXd> approach_gradients(std::size_t i,
                                                                        const State& state) const {
     const auto& c = law_.system().contacts[i];
-    const contact::ContactFrame f = frame_at(i, state);
+    const contact::ContactFrame f = law_.frame_at(i, state);
     const Eigen::RowVectorXd across = f.cosine * c.first_row + f.sine * c.second_row;
     Eigen::RowVectorXd penetration = Eigen::RowVectorXd::Zero(states()), speed(states());
     penetration.head(across.size()) = across;
@@ -213,7 +207,7 @@ class StepTangents final : public RightHandSide {
     push_.setZero(states());
     if (law_.modes()[i] != contact::Mode::sprung) return;
     const auto& c = law_.system().contacts[i];
-    const contact::ContactFrame f = frame_at(i, at_);
+    const contact::ContactFrame f = law_.frame_at(i, at_);
     push_.tail(c.first_push.size()) = law_.normal_force(i, f.penetration, f.closing_speed).spring_n *
                                       f.closing_speed * (f.cosine * c.first_push + f.sine * c.second_push);
     law_.keep_sticking(at_, push_);

@@ -158,6 +158,13 @@ class ContactStates {
     return holding;
   }
 
+  /// Contact frame of contact `i`.
+  template <class State>
+  contact::ContactFrame frame_at(std::size_t i, const State& state) const {
+    const Eigen::Index n = system_.coordinates();
+    return contact_frame(system_.contacts[i], ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
+  }
+
   /// Slip of contact `i` in scaled units; and its time derivative for a given rate of the state.
   template <class State>
   double slip(std::size_t i, const State& state) const {
@@ -230,12 +237,6 @@ class ContactStates {
 
  protected:
   using Contact = run::ScaledContact<N>;
-
-  template <class State>
-  contact::ContactFrame frame_at(std::size_t i, const State& state) const {
-    const Eigen::Index n = system_.coordinates();
-    return contact_frame(system_.contacts[i], ConstMap(&state[0], n), ConstMap(&state[0] + n, n));
-  }
 
   /// Derivatives of the holding forces by u and by u', one contact per row, from those of the acceleration
   /// without these forces. They follow from the sticking constraint of small changes: with the tangent t and
