@@ -147,16 +147,14 @@ bool Rows::next() {
 
 bool Rows::next_reading() {
   while (read_line()) {
-    const bool as_usual = fits() && begins_a_number(cells_[0]);
-    if (!as_usual && says_words_alone(cells_, layout_.separator)) {
+    const bool fitting = fits();
+    if (!(fitting && begins_a_number(cells_[0])) && says_words_alone(cells_, layout_.separator)) {
       notes_.push_back(line_);
       continue;
     }
-    if (fits()) {
-      cells_.resize(std::min(cells_.size(), layout_.columns.size()));
-      return true;
-    }
-    refuse_count();
+    if (!fitting) refuse_count();
+    cells_.resize(std::min(cells_.size(), layout_.columns.size()));
+    return true;
   }
   return false;
 }
