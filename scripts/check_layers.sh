@@ -80,7 +80,7 @@ declare -A below=(
   # shaft, faults.
   [recording]='config matlab response/spectrum'
   # The motion of a recording: period, lines, shape and whirl with their uncertainty.
-  [scope]='batch linear recording response/spectrum'
+  [scope]='batch recording response/spectrum'
   # Machines with stops drawn from ranges, rotor kits drawn from the keys that a fit leaves open, and their settled
   # motions.
   [diagnose]='batch response'
@@ -130,14 +130,14 @@ declare -A below=(
   [design]='linear sweep'
   # Cells along a line: each from its kick, or from the motion of its neighbour; section and spectrum of the settled
   # motion.
-  [line]='report trace'
+  [line]='sweep trace'
   # Run-up and run-down through rub by the adaptive solver; envelope, orbits, spectrogram of orders.
-  [ramp]='integrate line response/spectrum'
+  [ramp]='integrate response/spectrum'
   # Loads rubbing on an elastic ring: matrices, eigenvalues, onsets, closed forms, stability charts.
   [ring]='config numerics'
   # Documents, values, sections and the printer, the only folder that knows yaml-cpp; the readers of JSON and TOML.
   [config/yaml]='batch config/keys'
-  # Forms of keys; the list of keys and the JSON Schema made of them.
+  # Forms of keys: names, ranges, defaults, and which of them exclude each other.
   [config/keys]='model'
   # Readers of rotors, stops, files of ROSS, matrices and tables.
   [config/machine]='config/keys config/yaml contact matlab structure table'

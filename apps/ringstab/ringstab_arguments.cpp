@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "keys/key_questions.hpp"
 #include "rubsweep/ring/read_ring_config.hpp"
 #include "shared/command_line.hpp"
-#include "shared/key_questions.hpp"
 
 namespace rubsweep::apps {
 namespace {

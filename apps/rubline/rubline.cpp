@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "rubline/line_tables.hpp"
 #include "rubline_arguments.hpp"
 #include "rubsweep/analysis/line/follow_line.hpp"
 #include "rubsweep/core/error.hpp"
@@ -29,7 +30,6 @@
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/kept_files.hpp"
-#include "shared/line_tables.hpp"
 #include "shared/premises.hpp"
 #include "shared/program.hpp"
 #include "shared/result_directory.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "no_report.hpp"
 #include "rubsweep/maps/batch/parallel_run.hpp"
 #include "rubsweep/maps/batch/progress.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
@@ -16,7 +17,6 @@
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
 #include "shared/map_of_study.hpp"
-#include "shared/no_report.hpp"
 #include "shared/program.hpp"
 #include "shared/run_summary.hpp"
 

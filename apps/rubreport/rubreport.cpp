@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "html_report.hpp"
+#include "no_report.hpp"
 #include "report_file.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
@@ -14,7 +15,6 @@
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
-#include "shared/no_report.hpp"
 #include "shared/program.hpp"
 #include "shared/writable.hpp"
 

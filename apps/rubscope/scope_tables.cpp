@@ -171,7 +171,7 @@ std::string content_text(const Verdict& verdict, const model::ShownLengths& show
 
 std::string speed_text(const Recording& recording, const std::vector<double>& speeds_hz) {
   const auto [slowest, fastest] = std::ranges::minmax(speeds_hz);
-  const double mean_hz = recording.turns() / (recording.turn_begin_s.back() - recording.turn_begin_s.front());
+  const double mean_hz = recording.mean_speed_hz();
   return fmt::format("speed     {}, {}, {} turns, {:.4g} readings a turn\n", model::speed_text(mean_hz),
                      model::speed_range_text(slowest, fastest, 5), recording.turns(),
                      recording.sampling_rate_hz / mean_hz);
@@ -201,8 +201,7 @@ Ramp ramp_of(const std::vector<OrderPoint>& points) {
           .largest_error = numerics::largest_distance(line, t_s, speed_hz) / change_hz};
 }
 
-/// Text about the largest 1X in one direction and, where the speed changes evenly, about the mode that causes
-/// it.
+/// Text about the largest 1X in one direction and, where the speed changes evenly, about its mode.
 std::string run_text(const std::vector<OrderPoint>& points, bool y, const model::ShownLengths& shown,
                      std::string& measures) {
   constexpr double even = 0.02;
@@ -230,22 +229,29 @@ std::string run_text(const std::vector<OrderPoint>& points, bool y, const model:
                             model::speed_range_text(fit->from_hz, fit->to_hz, 4), 100 * fit->misfit);
 }
 
+/// Tables of any recording.
+ScopeTables begin_tables(const Recording& recording, const std::vector<double>& orders) {
+  const std::vector<double> speeds_hz = recording::turn_speeds_hz(recording.turn_begin_s);
+  return {.turns_csv = turns_csv(recording, speeds_hz),
+          .orbit_csv = {},
+          .lines_csv = {},
+          .bode_csv = bode_csv(recording, orders),
+          .waterfall_csv = waterfall_csv(recording),
+          .measures_csv = "quantity,value,uncertainty\n",
+          .summary = speed_text(recording, speeds_hz)};
+}
+
 }  // namespace
 
 ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const std::vector<double>& orders,
                       const model::ShownLengths& shown) {
-  const std::vector<double> speeds_hz = recording::turn_speeds_hz(recording.turn_begin_s);
-  const double mean_hz = recording.turns() / (recording.turn_begin_s.back() - recording.turn_begin_s.front());
+  const double mean_hz = recording.mean_speed_hz();
   // A line measured by one probe has the noise of half as many numbers as with two.
   const double numbers = (recording.plane ? 1.0 : 2.0) * verdict.turns * samples_per_revolution;
   const double sample_noise_m = verdict.noise_m * std::sqrt(numbers);
-  ScopeTables tables{.turns_csv = turns_csv(recording, speeds_hz),
-                     .orbit_csv = orbit_csv(verdict, recording.plane),
-                     .lines_csv = lines_csv(verdict),
-                     .bode_csv = bode_csv(recording, orders),
-                     .waterfall_csv = waterfall_csv(recording),
-                     .measures_csv = "quantity,value,uncertainty\n",
-                     .summary = {}};
+  ScopeTables tables = begin_tables(recording, orders);
+  tables.orbit_csv = orbit_csv(verdict, recording.plane);
+  tables.lines_csv = lines_csv(verdict);
   const auto measure = [&](const char* quantity, double value, double uncertainty) {
     tables.measures_csv += fmt::format("{},{},{}\n", quantity, csv_number(value), csv_number(uncertainty));
   };
@@ -262,7 +268,6 @@ ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const 
   if (verdict.whirl) measure("forward_share", verdict.forward_share, verdict.forward_share_uncertainty);
   if (verdict.period) measure("slow_modulation_m", verdict.modulation_m, NAN);
   if (verdict.period) measure("largest_line_beside_m", verdict.beside_m, NAN);
-  tables.summary = speed_text(recording, speeds_hz);
   tables.summary +=
       fmt::format("motion    {}\n          {}", period_text(verdict), doubt_text(verdict, mean_hz, shown));
   tables.summary += fmt::format("size      {} peak to peak",
@@ -279,14 +284,7 @@ ScopeTables tables_of(const Recording& recording, const Verdict& verdict, const 
 
 ScopeTables tables_of_run(const Recording& recording, const std::vector<double>& orders,
                           const model::ShownLengths& shown) {
-  const std::vector<double> speeds_hz = recording::turn_speeds_hz(recording.turn_begin_s);
-  ScopeTables tables{.turns_csv = turns_csv(recording, speeds_hz),
-                     .orbit_csv = {},
-                     .lines_csv = {},
-                     .bode_csv = bode_csv(recording, orders),
-                     .waterfall_csv = waterfall_csv(recording),
-                     .measures_csv = "quantity,value,uncertainty\n",
-                     .summary = speed_text(recording, speeds_hz)};
+  ScopeTables tables = begin_tables(recording, orders);
   const std::vector<OrderPoint> one_x = order_history(recording, 1);
   const Ramp ramp = ramp_of(one_x);
   tables.measures_csv +=

@@ -14,13 +14,13 @@
 #include <utility>
 #include <vector>
 
+#include "rubreport/no_report.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/opened_file.hpp"
 #include "shared/child_process.hpp"
 #include "shared/command_line.hpp"
 #include "shared/exit_code.hpp"
 #include "shared/interrupt.hpp"
-#include "shared/no_report.hpp"
 #include "shared/program.hpp"
 #include "shared/run_summary.hpp"
 

@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "keys/key_questions.hpp"
 #include "map_options.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/templates/templates.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "shared/command_line.hpp"
-#include "shared/key_questions.hpp"
 #include "shared/program.hpp"
 #include "shared/table_columns.hpp"
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "rubline/line_tables.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/response/motion/classify.hpp"
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "shared/line_tables.hpp"
 
 namespace rubsweep::apps {
 

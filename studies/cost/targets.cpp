@@ -21,6 +21,7 @@
 #include "rubsweep/core/response/settle.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 #include "support/long_double_reference.hpp"
 #include "support/plain_dopri5.hpp"
 #include "support/set_a_cell.hpp"

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "rubsweep/maps/config/run_config.hpp"
-#include "rubsweep/maps/sweep/evaluate_cell.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 
 namespace rubsweep::machine_search {
 namespace {

@@ -25,3 +25,4 @@
 
 #include "rubsweep/maps/report/map_csv.hpp"
 #include "rubsweep/maps/sweep/evaluate_cell.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"

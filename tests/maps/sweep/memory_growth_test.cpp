@@ -11,7 +11,7 @@
 #include "rubsweep/maps/batch/journal.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/evaluate_cell.hpp"
+#include "rubsweep/maps/sweep/run_cells.hpp"
 
 namespace rubsweep::sweep {
 namespace {

@@ -35,6 +35,8 @@ TEST(TimeStampIn, KnowsZonesAndOtherOrdersOfADate) {
   EXPECT_EQ(time_stamp_in("1970-01-01T01:00:00+01:00", with_point), 0);
   EXPECT_EQ(time_stamp_in("1969-12-31 23:30:00.5 -0030", with_point), 0.5);
   EXPECT_EQ(time_stamp_in("1970-01-01 00:00:07 UTC", with_point), 7);
+  for (const char* no_zone : {"01:00:00+0175", "01:00:00+15:00", "01:00:00+1"})
+    EXPECT_FALSE(time_stamp_in(no_zone, with_point)) << no_zone;
   EXPECT_EQ(time_stamp_in("1970/01/02 00:00:00", with_point), 86400);
   EXPECT_EQ(time_stamp_in("13/01/1970 00:00:00", with_point), 12 * 86400);
   EXPECT_EQ(time_stamp_in("1/13/1970 00:00:00", with_point), 12 * 86400);

@@ -158,6 +158,8 @@ TEST(DelimitedText, SignalsMayLieInRows) {
   EXPECT_EQ(table.channels[0].unit, "ms");
   EXPECT_EQ(table.channels[1].values.size(), 20u);
   EXPECT_EQ(table.channels[1].values[19], 38);
+  EXPECT_FALSE(table.sampling_rate_hz);
+  EXPECT_EQ(read_delimited_text("Sample rate: 2 kHz\n" + x + '\n' + x + '\n', "f").sampling_rate_hz, 2000);
 }
 
 TEST(DelimitedText, ALongHeadIsPassedOver) {

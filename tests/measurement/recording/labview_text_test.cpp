@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "measurement/recording/instrument_files.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/recording/delimited_text.hpp"
@@ -86,6 +89,17 @@ TEST(LabviewText, SegmentsFollowEachOtherByTheirInstants) {
   EXPECT_NEAR(gap.channels[0].values[40], 1, 1e-9);
   EXPECT_FALSE(gap.sampling_rate_hz);
   EXPECT_EQ(gap.line[40], gap.line[0] + 51);
+}
+
+TEST(LabviewText, AnotherStepForAnotherSignalIsRefusedAtItsPlace) {
+  std::string text = labview_head("No");
+  for (const char* time : {"10:15:30.100", "10:15:31"})
+    text += labview_segment(40, time, labview_names, two_signals);
+  const std::size_t step = text.rfind("\nDelta_X\t") + 1;
+  text.insert(text.find('\n', step), "\t0.002");
+  const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(step), '\n') + 1;
+  EXPECT_TRUE(labview_fault(text).starts_with(fmt::format("f.lvm:{}:", line))) << labview_fault(text);
+  EXPECT_NE(labview_fault(text).find("has another Delta_X for another signal"), std::string::npos);
 }
 
 TEST(LabviewText, RefusesSegmentsThatDoNotFollow) {

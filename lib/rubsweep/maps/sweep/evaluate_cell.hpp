@@ -1,9 +1,6 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
-#include <functional>
-#include <span>
 
 #include "rubsweep/core/response/motion/workspace.hpp"
 #include "rubsweep/core/response/settle.hpp"
@@ -26,12 +23,5 @@ Row evaluate_cell(const Study& study, const scene::PreparedMachine& prepared, st
 
 /// Runs a single cell, and prepares the machine for it.
 Row evaluate_cell(const Study& study, std::size_t cell, response::motion::Workspace& workspace);
-
-/// Evaluates the cells listed in `cells` on `threads` threads (0: all processors) and returns how many
-/// finished. `on_row` gets each finished row, one at a time, in any order. A row depends on its cell alone,
-/// and no row is kept. An exception in on_row ends the run. Once `stop` is true no new cell starts.
-std::size_t run_cells(const Study& study, std::span<const std::size_t> cells, int threads,
-                      const std::function<void(std::size_t cell, const Row&)>& on_row,
-                      const std::atomic<bool>& stop);
 
 }  // namespace rubsweep::sweep

@@ -11,8 +11,15 @@
 
 namespace rubsweep::sweep {
 
-/// As the other `run_cells`, where study.machine is prepared already, which of a rotor kit takes as long as a
-/// hundred cells.
+/// Evaluates the cells listed in `cells` on `threads` threads (0: all processors) and returns how many
+/// finished. `on_row` gets each finished row, one at a time, in any order. A row depends on its cell alone,
+/// and no row is kept. An exception in on_row ends the run. Once `stop` is true no new cell starts.
+std::size_t run_cells(const Study& study, std::span<const std::size_t> cells, int threads,
+                      const std::function<void(std::size_t cell, const Row&)>& on_row,
+                      const std::atomic<bool>& stop);
+
+/// Evaluates them where study.machine is prepared already, which takes as long as a hundred cells of a rotor
+/// kit.
 std::size_t run_cells(const Study& study, const scene::PreparedMachine& prepared,
                       std::span<const std::size_t> cells, int threads,
                       const std::function<void(std::size_t cell, const Row&)>& on_row,

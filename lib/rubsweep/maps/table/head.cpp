@@ -46,9 +46,7 @@ std::optional<Amount> quantity_in(std::string_view cell) {
     if (may_part_thousands(cell.substr(0, end))) return std::nullopt;
     for (const bool comma : {false, true}) {
       const auto number = number_in(cell.substr(0, end), {';', comma});
-      if (!number || !std::isfinite(*number)) continue;
-      Amount found{*number, plain_unit(cell.substr(end))};
-      return found;
+      if (number && std::isfinite(*number)) return Amount{*number, plain_unit(cell.substr(end))};
     }
   }
   return std::nullopt;
@@ -58,9 +56,9 @@ std::optional<Amount> quantity_in(std::string_view cell) {
 std::optional<double> frequency_in(std::string_view cell) {
   if (cell.find(':') != std::string_view::npos) return std::nullopt;
   const auto quantity = quantity_in(cell);
-  const bool frequency =
-      quantity && in_small_letters(quantity->unit).ends_with("hz") && unit_of(quantity->unit);
-  return frequency ? std::optional(quantity->number * unit_of(quantity->unit)->in_si) : std::nullopt;
+  if (!quantity || !in_small_letters(quantity->unit).ends_with("hz")) return std::nullopt;
+  const auto unit = unit_of(quantity->unit);
+  return unit ? std::optional(quantity->number * unit->in_si) : std::nullopt;
 }
 
 /// All rates that a line says, of which `below` is the next one.

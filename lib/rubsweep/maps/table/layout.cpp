@@ -158,8 +158,7 @@ bool is_comment(std::string_view line) {
 Layout layout_of(std::string_view text) {
   std::vector<Line> lines;
   Lines rest(text);
-  // A long head is passed over: most or the last of the lines that were read must have
-  // numbers.
+  // A long head is passed over: most or the last of the lines that were read must have numbers.
   const auto has_number = [](const Line& line) {
     return !is_comment(line.text) && std::ranges::any_of(separators, [&](char separator) {
       const auto numbers = std::ranges::count(numbers_in(cells_of(line.text, separator), separator), true);

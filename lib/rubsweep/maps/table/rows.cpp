@@ -125,38 +125,24 @@ bool Rows::read_line() {
   return true;
 }
 
-bool Rows::fits() const {
+bool Rows::take_cells() {
   const auto filled =
       std::ranges::find_if(cells_.rbegin(), cells_.rend(), [](auto cell) { return !cell.empty(); });
-  return cells_.size() >= layout_.fewest_cells && cells_.rend() - filled <= std::ssize(layout_.columns);
-}
-
-void Rows::refuse_count() const {
-  throw Fault{line_, 1, "has another number of cells, " + std::to_string(cells_.size()),
-              std::to_string(layout_.columns.size()) + (first_line_ == line_
-                                                            ? ", as many as there are names"
-                                                            : " as in line " + std::to_string(first_line_))};
-}
-
-bool Rows::next() {
-  if (!read_line()) return false;
-  if (!fits()) refuse_count();
+  if (cells_.size() < layout_.fewest_cells || cells_.rend() - filled > std::ssize(layout_.columns))
+    throw Fault{line_, 1, "has another number of cells, " + std::to_string(cells_.size()),
+                std::to_string(layout_.columns.size()) +
+                    (first_line_ == line_ ? ", as many as there are names"
+                                          : " as in line " + std::to_string(first_line_))};
   cells_.resize(std::min(cells_.size(), layout_.columns.size()));
   return true;
 }
 
+bool Rows::next() { return read_line() && take_cells(); }
+
 bool Rows::next_reading() {
   while (read_line()) {
-    const bool as_usual = fits() && begins_a_number(cells_[0]);
-    if (!as_usual && says_words_alone(cells_, layout_.separator)) {
-      notes_.push_back(line_);
-      continue;
-    }
-    if (fits()) {
-      cells_.resize(std::min(cells_.size(), layout_.columns.size()));
-      return true;
-    }
-    refuse_count();
+    if (begins_a_number(cells_[0]) || !says_words_alone(cells_, layout_.separator)) return take_cells();
+    notes_.push_back(line_);
   }
   return false;
 }

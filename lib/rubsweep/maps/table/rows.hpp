@@ -45,8 +45,8 @@ class Rows {
  private:
   /// Reads the cells of the next line that counts; false where there is none.
   bool read_line();
-  bool fits() const;
-  [[noreturn]] void refuse_count() const;
+  /// Refuses a line with too few or too many cells; else true.
+  bool take_cells();
   /// Takes note of how decimals are written.
   void look_at(std::string_view cell, std::size_t column);
 

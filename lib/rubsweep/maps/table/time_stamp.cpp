@@ -80,7 +80,8 @@ double take_zone(std::string_view& time) {
   if (digits.size() == 2) digits += "00";
   const auto number = digits.size() == 4 ? whole_number(digits) : std::nullopt;
   if (!number) return 0;
-  const auto minutes = static_cast<int>(*number);
+  const auto minutes = static_cast<int>(*number);  // two digits of hours, two of minutes
+  if (minutes / 100 > 14 || minutes % 100 >= 60) return 0;
   const double ahead_s = hour_s * (minutes / 100) + minute_s * (minutes % 100);
   const bool behind = time[sign] == '-';
   time = time.substr(0, sign);

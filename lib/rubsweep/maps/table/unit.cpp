@@ -17,7 +17,7 @@ struct Named {
   Unit unit;
 };
 
-constexpr double inch = 0.0254, pound = 4.4482216152605, standard_gravity = 9.80665;
+constexpr double inch = metres_per_inch, pound = newtons_per_lbf, standard_gravity = 9.80665;
 
 constexpr std::array<Named, 78> units{{
     {"s", {Quantity::time, 1}},

@@ -106,6 +106,7 @@ bool lies_in_rows(std::string_view text, const table::Layout& layout) {
 Channels read_rows_as_signals(std::string_view text, const table::Layout& layout) {
   table::Rows rows(text, layout);
   Channels table;
+  table.sampling_rate_hz = table::sampling_rate_in(text, layout);
   const bool named = layout.columns.front().is_text;
   while (rows.next()) {
     table::Heading heading;

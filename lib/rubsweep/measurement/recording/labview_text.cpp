@@ -147,10 +147,15 @@ Channels read_segment(const Segment& segment) {
   const auto step = head.number("Delta_X");
   for (const char* key : {"Delta_X", "X0"}) {
     const auto cells = head.cells(key);
-    if (std::ranges::any_of(cells, [&](auto cell) { return !cell.empty() && cell != cells.front(); }) &&
-        std::ranges::none_of(table.channels, is_times))
-      throw Fault{1, 1, "has another " + std::string(key) + " for another signal",
-                  "one for all, or a column of times"};
+    const auto other =
+        std::ranges::find_if(cells, [&](auto cell) { return !cell.empty() && cell != cells.front(); });
+    if (other == cells.end() || std::ranges::any_of(table.channels, is_times)) continue;
+    const std::string_view above =
+        segment.text.substr(0, static_cast<std::size_t>(other->data() - segment.text.data()));
+    const auto lines = static_cast<std::size_t>(std::ranges::count(above, '\n'));
+    throw Fault{segment.lines_before + lines + 1, above.size() - above.rfind('\n'),
+                "has another " + std::string(key) + " for another signal",
+                "one for all, or a column of times"};
   }
   if (std::ranges::none_of(table.channels, is_times) && step && *step > 0) {
     Channel times{std::string(times_name), "s", {}, 1};

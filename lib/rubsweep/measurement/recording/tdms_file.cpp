@@ -161,7 +161,8 @@ class Reader {
         const auto parts = parts_of(path);
         objects.push_back(
             {.group = parts.empty() ? "" : parts[0], .name = parts.size() == 2 ? parts[1] : ""});
-        if (objects.size() > most_tdms_channels) refuse("has more than 4096 channels", "fewer");
+        if (objects.size() > most_tdms_channels)
+          refuse(fmt::format("has more than {} channels", most_tdms_channels), "fewer");
       }
       Object& object = objects[found->second];
       read_index(in, object);

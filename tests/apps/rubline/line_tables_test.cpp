@@ -1,4 +1,4 @@
-#include "shared/line_tables.hpp"
+#include "rubline/line_tables.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shared/key_list.hpp"
+#include "keys/key_list.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
-#include "shared/key_questions.hpp"
+#include "keys/key_questions.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "keys/key_list.hpp"
+#include "keys/schema.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
-#include "shared/key_list.hpp"
 #include "shared/program.hpp"
-#include "shared/schema.hpp"
 
 namespace rubsweep::apps {
 namespace {

@@ -1,4 +1,4 @@
-#include "shared/schema.hpp"
+#include "keys/schema.hpp"
 
 #include <gtest/gtest.h>
 
