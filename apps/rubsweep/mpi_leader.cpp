@@ -27,19 +27,21 @@ MpiLeader::MpiLeader(MapJob& job, int ranks)
               job.config.study.grid.refinement.has_value()),
       log_(*job.directory, job.arguments.quiet ? batch::ProgressMode::never : job.arguments.progress) {
   const int threads = batch::thread_count(job.arguments.threads);
-  if (job.config.study.grid.refinement) {
-    refined_.emplace(job.config.study.grid);
+  const sweep::Study& study = job.config.study;
+  if (!job.prepared) job.prepared = scene::prepare_machine(study.machine);
+  if (study.grid.refinement) {
+    refined_.emplace(study.grid);
     refined_->read(*job.directory);
     chunks_.begin_round(refined_->wanted());
-    log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks}));
+    log_.progress().say(report::describe_footprint(study, *job.prepared, {threads, ranks}));
     return;
   }
-  const sweep::Grid& grid = job.config.study.grid;
+  const sweep::Grid& grid = study.grid;
   const std::size_t cells = job.directory->missing().size(), speeds = grid.speed_hz.size();
   log_.progress().expect({speeds, sweep::cell_count(grid) / speeds, job.directory->missing()});
   // The first cells are spread over the whole map, to forecast the computing time for a reader of the
   // progress.
-  if (log_.progress().say(report::describe_footprint(job.config.study, {threads, ranks})))
+  if (log_.progress().say(report::describe_footprint(study, *job.prepared, {threads, ranks})))
     pilots_ = batch::pilot_count(cells, static_cast<std::size_t>(threads) * static_cast<std::size_t>(ranks));
 }
 
@@ -146,12 +148,10 @@ bool MpiLeader::serve() {
 
 void MpiLeader::compute() {
   const sweep::Study& study = job_.config.study;
-  std::optional<scene::PreparedMachine> prepared;
   for (batch::Chunk chunk = own_chunk(); !chunk.empty(); chunk = own_chunk()) {
-    if (!prepared) prepared = scene::prepare_machine(study.machine);
     const batch::LapTime time;
     sweep::run_cells(
-        study, *prepared, chunk, job_.arguments.threads,
+        study, *job_.prepared, chunk, job_.arguments.threads,
         [&](std::size_t cell, const sweep::Row& row) {
           const double seconds = time.lap_s();
           const std::string line = report::map_line(row, study);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "chunk_rounds.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/map/map_directory.hpp"
 #include "rubsweep/maps/map/missing_cells.hpp"
@@ -25,6 +26,7 @@ struct MapJob {
   RubsweepArguments arguments;
   config::RunConfig config;
   std::optional<map::MapDirectory> directory;
+  std::optional<scene::PreparedMachine> prepared;  ///< machine of the study; empty: not prepared yet
 };
 
 /// The first rank: deals out chunks to all ranks including itself, and shows progress.

@@ -102,7 +102,8 @@ int prepare(int argc, char** argv, int ranks, std::size_t memory_bytes, std::opt
     return code;
   }
   const sweep::Study& study = job->config.study;
-  if (!job->arguments.quiet) warn_of_premises(mpi_program_name, study, scene::prepare_machine(study.machine));
+  if (!job->arguments.quiet)
+    warn_of_premises(mpi_program_name, study, job->prepared.emplace(scene::prepare_machine(study.machine)));
   return done;
 }
 

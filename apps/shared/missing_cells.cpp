@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <optional>
+#include <utility>
 
 #include "rubsweep/core/scene/prepared_machine.hpp"
 #include "rubsweep/maps/map/missing_cells.hpp"
@@ -19,11 +21,14 @@ std::optional<std::size_t> compute_missing_cells(const SweepRun& how, const swee
                     directory.cells()));
   }
   if (directory.missing().empty() && !study.grid.refinement) return 0;
-  if (!how.quiet) warn_of_premises(how.program, study, scene::prepare_machine(study.machine));
+  std::optional<scene::PreparedMachine> prepared;
+  if (!how.quiet)
+    warn_of_premises(how.program, study, prepared.emplace(scene::prepare_machine(study.machine)));
   map::MissingCells missing({.threads = how.threads,
                              .stop = &catch_interrupts(),
                              .progress = how.quiet ? batch::ProgressMode::never : how.progress,
-                             .program = how.program},
+                             .program = how.program,
+                             .prepared = std::move(prepared)},
                             study, directory);
   bool finished = false;
   {

@@ -5,9 +5,12 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <variant>
 
 #include "maps/batch/read_whole_file.hpp"
 #include "maps/map/small_map.hpp"
+#include "rubsweep/core/scene/prepared_machine.hpp"
 
 namespace rubsweep::map {
 namespace {
@@ -41,6 +44,25 @@ TEST(MissingCells, NothingIsGivenUpOnceEveryCellIsFinished) {
   MissingCells missing({}, config.study, directory);
   ASSERT_TRUE(missing.run());
   EXPECT_FALSE(missing.give_up());
+}
+
+TEST(MissingCells, AMachineThatIsPreparedAlreadyIsNotPreparedAgain) {
+  const SmallMap map;
+  const config::RunConfig config = SmallMap::config();
+  MapDirectory directory = map.begin();
+  // Its damping tells in the rows which machine was taken.
+  model::Machine other = config.study.machine;
+  std::get<model::JeffcottRotor>(other.rotor).damping_ratio = 0.3;
+  MissingCells missing({.prepared = scene::prepare_machine(other)}, config.study, directory);
+  ASSERT_TRUE(missing.run());
+  directory.write_map();
+  const SmallMap damped;
+  ASSERT_TRUE(compute(SmallMap::config({"rotor.damping_ratio=0.3"}), damped.path));
+  const auto rows = [](const SmallMap& of) {
+    const std::string table = batch::read_whole_file(of.path / "map.csv");
+    return table.substr(table.find("\nspeed_hz"));
+  };
+  EXPECT_EQ(rows(map), rows(damped));
 }
 
 TEST(MissingCellsCellLog, ACellIsInTheJournalAndInThePartialMapAtOnce) {

@@ -12,7 +12,6 @@
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/explain_rotor.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
-#include "rubsweep/maps/sweep/footprint.hpp"
 #include "rubsweep/maps/sweep/run_cells.hpp"
 #include "rubsweep/maps/sweep/study_warnings.hpp"
 
@@ -65,6 +64,7 @@ std::string interrupted_map(std::string_view program, const MapDirectory& direct
 MissingCells::MissingCells(const ComputeOptions& options, const sweep::Study& study, MapDirectory& directory)
     : threads_(options.threads),
       study_(study),
+      prepared_(options.prepared),
       directory_(directory),
       program_(options.program),
       stop_(options.stop ? *options.stop : never_),

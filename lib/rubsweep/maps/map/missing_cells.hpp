@@ -66,6 +66,7 @@ struct ComputeOptions {
   const std::atomic<bool>* stop = nullptr;                    ///< once it is true, no further cell begins
   batch::ProgressMode progress = batch::ProgressMode::never;  ///< progress on stderr
   std::string program = "rubsweep";                           ///< name in locks and messages
+  std::optional<scene::PreparedMachine> prepared{};  ///< machine of the study; empty: prepared when needed
 };
 
 /// Computes the missing cells of a directory and writes each as it is finished. `run` uses the calling thread
@@ -97,7 +98,6 @@ class MissingCells {
   const std::string& description() const { return description_; }
 
  private:
-  /// Made once for all rounds.
   const scene::PreparedMachine& prepared();
   bool all_finished() const { return log_.finished() == directory_.missing().size(); }
   bool run_refined();
