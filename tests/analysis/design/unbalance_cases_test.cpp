@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/scene/kit_machine.hpp"
+#include "rubsweep/analysis/design/static_line.hpp"
 
 namespace rubsweep::design {
 namespace {

@@ -35,6 +35,12 @@ struct Decrement {
 std::optional<Decrement> first_forward(const linear::FreeRotor& rotor, std::span<const double> speeds_hz,
                                        double up_to_hz, Eigen::Index place = 0, double coupling_n_per_m = 0);
 
+/// The decrement at one speed for each of these couplings, ascending: the first forward whirl without
+/// coupling, followed as the coupling grows. Fewer where it is lost; empty where no whirl below `up_to_hz` is
+/// forward.
+std::vector<Decrement> over_coupling(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz,
+                                     Eigen::Index place, std::span<const double> couplings_n_per_m);
+
 /// Coupling at which the first forward whirl neither decays nor grows; 0 where it grows without any, empty
 /// where none up to 1e12 N/m makes it grow.
 std::optional<double> threshold_n_per_m(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rubsweep/analysis/design/separation.hpp"
+#include "rubsweep/analysis/design/static_line.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 

@@ -14,10 +14,6 @@ namespace rubsweep::design {
 /// the largest residual unbalance.
 inline constexpr double unbalance_g_mm_rpm_per_kg = 4 * 6350;
 
-/// Whether a support holds nothing: by the name of its element in a file of another program, or because it is
-/// a hundred times softer than the stiffest bearing.
-bool is_seal(const model::RotorKit& kit, std::size_t support);
-
 /// A bearing of a kit; seals are none.
 struct Bearing {
   std::size_t support = 0;
