@@ -15,6 +15,7 @@
 #include "experiment_questions.hpp"
 #include "experiment_tables.hpp"
 #include "motion_summary.hpp"
+#include "rotor_report.hpp"
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
 #include "rubsweep/analysis/trace/probe.hpp"
@@ -224,9 +225,11 @@ int perform(RubtraceArguments arguments) {
     const scene::Unbalance unbalance = unbalance_of(arguments.place, config.study.machine);
     ramp->eccentricity_m = std::get<scene::Eccentricity>(unbalance).value_m;
   }
-  if (arguments.design_check || arguments.free_response || arguments.run_up || arguments.campbell) {
+  if (arguments.design_check || arguments.free_response || arguments.run_up || arguments.campbell ||
+      arguments.rotor_report) {
     return act(arguments, experiment_actions(arguments, config, [&] {
                  const fs::path directory = directory_of(arguments, config);
+                 if (arguments.rotor_report) return run_rotor_report(arguments, config, directory);
                  return arguments.design_check ? run_design_check(arguments, config, directory)
                                                : run_experiment(arguments, config, directory);
                }));

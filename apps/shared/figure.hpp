@@ -15,9 +15,13 @@ void add_figure(po::options_description& options, const char* meaning);
 /// one in the source tree.
 class Figure {
  public:
-  /// `file`, the value of --OPTION, must end with .png, .svg or .pdf, else UsageError. Throws IoError, before
-  /// anything is computed, where gnuplot, Python or rubplot are missing, or the file cannot be written.
-  Figure(std::filesystem::path file, const std::string& option);
+  /// A picture, or a page of HTML with several ones.
+  enum class Kind { picture, page };
+
+  /// A picture's `file`, the value of --OPTION, must end with .png, .svg or .pdf, else UsageError. Throws
+  /// IoError, before anything is computed, where gnuplot, Python or rubplot are missing, or the file cannot
+  /// be written.
+  Figure(std::filesystem::path file, const std::string& option, Kind kind = Kind::picture);
 
   const std::filesystem::path& file() const { return file_; }
 
