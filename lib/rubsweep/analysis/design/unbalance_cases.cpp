@@ -26,14 +26,15 @@ double held_by(const model::Support& support) {
   return std::min(support.stiffness_x_n_per_m, support.stiffness_y_n_per_m);
 }
 
-/// A vector of one plane among the coordinates of both.
+/// Places a vector of one plane among the coordinates of both planes.
 Eigen::VectorXd in_plane(const Eigen::VectorXd& of_plane, Index plane) {
   Eigen::VectorXd both = Eigen::VectorXd::Zero(2 * of_plane.size());
   both(Eigen::seqN(plane, of_plane.size(), 2)) = of_plane;
   return both;
 }
 
-/// Static loads of the bearings: by the shaft on its bearings alone, since seals run where the rotor stands.
+/// Sets the static loads of the bearings. Only the bearings carry the shaft here, since seals adapt to the
+/// position of the rotor.
 void load_bearings(const structure::BeamShaft& shaft, const model::RotorKit& kit,
                    std::vector<Bearing>& bearings) {
   Eigen::MatrixXd stiffness = shaft.plane_stiffness(1);
