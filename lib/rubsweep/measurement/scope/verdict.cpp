@@ -171,7 +171,7 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
   for (int n = 1; n <= verdict.longest_period; ++n) {
     std::vector<Complex> samples = motion.repeating_after(n);
     const Levelled once = motion.levelled_once(samples, n);
-    // Of a longer period's lines, first only the amplitudes may vary slowly, then the phases, too.
+    // First only the amplitudes of a longer period's lines may vary slowly, then also their phases.
     const Levelled steady = n == 1 ? once : motion.levelled(once.samples, {.period = n, .in_phase = true});
     const Levelled levelled = n == 1 ? once : motion.levelled(steady.samples, {.period = n});
     if (n == 1) verdict.refused_modulation_m = once.refused_m;
