@@ -31,7 +31,7 @@ class Lines {
   std::size_t number_ = 1;
 };
 
-/// Whether a cell is a number in either writing, or a time stamp.
+/// Whether a cell is a number, with decimal point or decimal comma, or a time stamp.
 bool is_number(std::string_view cell, char separator);
 
 std::vector<bool> numbers_in(const std::vector<std::string_view>& cells, char separator);

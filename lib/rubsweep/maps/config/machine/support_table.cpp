@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::string_view table_forms =
     "a map with file, or one with speed_hz, speed_rpm or speed_rad_per_s, kxx, kyy and others";
-/// Ending of a column's name, and the size of its unit in SI units. `second` is the unit as printed.
+/// Ending of a column's name, and the size of its unit in SI units.
 struct Ending {
   std::string_view ending;
   double in_si = 0;

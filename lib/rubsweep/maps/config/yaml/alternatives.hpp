@@ -10,8 +10,8 @@
 
 namespace rubsweep::config::yaml {
 
-/// Keys of maps that exclude each other (stribeck and coefficient, values and from/to/count, ...), as the
-/// form of a configuration says: a value written over a map replaces them.
+/// Keys of maps that exclude each other (stribeck and coefficient, values and from/to/count, ...), taken from
+/// the form of a configuration. A value written over a map replaces the keys that it excludes.
 class Alternatives {
  public:
   /// Nothing excludes anything.

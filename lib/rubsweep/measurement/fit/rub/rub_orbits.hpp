@@ -13,7 +13,7 @@
 
 namespace rubsweep::fit::rub {
 
-/// Lines of a rub that a caller asks for.
+/// Spectral lines of a rub that a caller requests.
 struct AskedLines {
   double speed_hz = 0;
   double eccentricity_m = 0;
