@@ -136,7 +136,7 @@ bool asks_for_probes(const po::variables_map& given) {
   return !given["sample-s"].defaulted() || !given["noise-m"].defaulted();
 }
 
-/// Reads the arguments of the design check, and of that alone.
+/// Reads the arguments of the design check, and nothing else.
 void read_design_check(const po::variables_map& given, RubtraceArguments& arguments) {
   const bool in_hz = given.count("operating-hz") != 0, in_rpm = given.count("operating-rpm") != 0;
   if (given.count("design-check") == 0) {

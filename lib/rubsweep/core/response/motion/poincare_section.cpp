@@ -26,8 +26,8 @@ std::optional<double> return_error(std::span<const double> rows, std::size_t lag
 enum class ReturnLimit { apart, nothing, undecided };
 
 /// Root mean square of the return error at the distance `lag` (in numbers) in three successive parts at the
-/// end of the rows. Each part has the same count of whole periods of `period` numbers, so that variations
-/// within a period do not affect the comparison. Zeros where none fits.
+/// end of the rows. Each part has the same number of whole periods of `period` numbers, so that variations
+/// within a period do not affect the comparison. Zeros where not even one period fits.
 std::array<double, 3> returns_by_thirds(std::span<const double> rows, std::size_t lag, std::size_t period) {
   std::array<double, 3> means{};
   const std::size_t third = (rows.size() - lag) / period / 3 * period;

@@ -77,10 +77,9 @@ struct TurnTube {
   /// Largest length of the fast (slow) part of end_norm DF W y, per unit of each part of y.
   Parts to_fast, to_slow;
 
-  /// Whether the tube with these radii holds. If so, for every y within t times the radii, t <= 1, both parts
-  /// of
-  ///   end_norm (F(reference + W y) - F(reference) - DF W y)
-  /// are at most deviation(radii) t^2 long. A tube that holds also holds for all smaller radii.
+  /// Whether the tube with these radii meets the conditions of the lemma. If so, for every y within t times
+  /// the radii, t <= 1, both parts of end_norm (F(reference + W y) - F(reference) - DF W y) have at most the
+  /// length deviation(radii) t^2. The conditions are then met also for all smaller radii.
   bool holds(const Parts& radii) const;
 
   /// Bound of the deviation at the end of the turn; infinite for radii for which holds() is false.
