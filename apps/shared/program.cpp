@@ -96,7 +96,7 @@ int run_guarded(std::string_view name, const std::function<int()>& body) {
   } catch (const LockedError& error) {
     complain(error);
     return directory_in_use;
-  } catch (const std::system_error& error) {  // from the file system or {fmt}
+  } catch (const std::system_error& error) {  // thrown by the file system or by {fmt}
     if (error.code() == std::errc::not_enough_memory) throw std::bad_alloc();
     if (error.code() == std::errc::broken_pipe)
       return 128 + SIGPIPE;  // nobody reads any more: same exit code as if the signal had ended the program

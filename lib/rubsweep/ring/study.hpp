@@ -30,7 +30,7 @@ struct ChartAxis {
   std::optional<std::size_t>
       load;  ///< index of the load; empty: all loads. Not used for the friction coefficient
   std::vector<double> values;
-  std::optional<batch::Spacing> spacing{};  ///< spacing in which the values were written; empty for a list
+  std::optional<batch::Spacing> spacing{};  ///< spacing of a range of values; empty for a list of values
 };
 
 /// System with the parameter set to this value.
@@ -48,7 +48,8 @@ struct ChartLine {
   double value = 0;
   std::vector<ChartPoint> points;  ///< empty when `status` is not ok
   std::vector<Onset>
-      onsets;  ///< onsets between these speeds, without mode names; couplings are those without friction
+      /// onsets between these speeds, without mode names; the couplings of modes are those without friction
+      onsets;
   std::string status = "ok";  ///< singular_mass or not_converged
 };
 

@@ -45,7 +45,7 @@ FreeRotor free_kit(const model::RotorKit& kit, const std::vector<model::Stop>& s
     free.x(node, system.index(0, 2 * node)) = 1;
     free.y(node, system.index(1, 2 * node)) = 1;
   }
-  // Mean of the masses of both planes, where they differ.
+  // If the masses of the two planes differ, their mean is used.
   const Eigen::MatrixXd mass = (shaft.plane_mass(0) + shaft.plane_mass(1)) / 2;
   free.spin = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < mass.rows(); ++i) {

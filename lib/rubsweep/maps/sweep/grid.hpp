@@ -34,11 +34,12 @@ std::vector<KeyValue> keys_at(const KeyAxis& axis, double value);
 
 /// Key and unit in which a person wrote speeds or unbalances, for output. No number of a map depends on them.
 struct WrittenAxis {
-  std::string key{};                        ///< such as speed_rpm; empty: in SI units
-  std::string unit{};                       ///< such as "rpm" or "g mm"
-  double units_per_si = 1;                  ///< 1 SI unit in that unit, such as 60 for rpm
-  std::optional<batch::Spacing> spacing{};  ///< spacing in that unit; empty where values were listed
-  double rated_speed_hz = 0;                ///< rated speed of a balance grade
+  std::string key{};        ///< such as speed_rpm; empty: in SI units
+  std::string unit{};       ///< such as "rpm" or "g mm"
+  double units_per_si = 1;  ///< 1 SI unit in that unit, such as 60 for rpm
+  /// spacing of the values in the written unit; empty where values were listed
+  std::optional<batch::Spacing> spacing{};
+  double rated_speed_hz = 0;  ///< rated speed of a balance grade
 
   bool is_si() const { return key.empty(); }
 };

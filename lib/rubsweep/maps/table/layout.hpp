@@ -13,7 +13,7 @@ namespace rubsweep::table {
 struct Column {
   Heading heading;            ///< heading; its name is empty where the table gives none
   std::size_t column = 1;     ///< first byte of its name in the line, counted from 1
-  bool is_text = false;       ///< true: cells are words and no numbers: a comment, a status
+  bool is_text = false;       ///< true: cells are words, such as a comment or a status, and not numbers
   std::size_t text_line = 0;  ///< line of one such cell
   bool is_stamp = false;      ///< true: cells are time stamps
   bool is_empty = false;      ///< true: none of the first lines has a cell there

@@ -97,7 +97,8 @@ bool is_cut_at(std::span<const double> readings, double value, double step, bool
   return false;
 }
 
-/// Root mean square distance of each mark from the cubic through two neighbours on either side, in intervals.
+/// Root mean square distance of the marks from the cubic through two neighbours on either side, divided by
+/// the interval of marks.
 double off_neighbours(std::span<const double> marks_s) {
   double squares = 0, count = 0;
   for (std::size_t k = 2; k + 2 < marks_s.size(); ++k) {

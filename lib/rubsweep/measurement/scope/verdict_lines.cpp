@@ -17,7 +17,7 @@ double leak_at(const Verdict& verdict, double order) {
   double leak = 0;
   for (const DiscreteLine& line : verdict.discrete_lines) {
     const double bins = std::abs(order - line.order) * verdict.turns;
-    // Leakage over this many bins without a window function.
+    // Leakage of the line at a distance of `bins` bins, without a window function.
     leak += line.amplitude_m * std::abs(std::sin(std::numbers::pi * bins)) / (std::numbers::pi * bins);
   }
   return leak;

@@ -126,7 +126,7 @@ class StepTangents final : public RightHandSide {
     law::cross(release_gradient_, release_rate_, before, after, changes());
   }
 
-  /// After an impulse: neighbouring motions of a motion that sticks also stick.
+  /// Called after an impulse. If a contact sticks, it also sticks in neighbouring motions.
   void keep_sticking(const State& state) { law_.keep_sticking(state, changes()); }
 
   /// The turn is over.

@@ -138,7 +138,7 @@ class Resolver {
     } else if (chain.size() > static_cast<std::size_t>(max_base_generations)) {
       refuse(name, "too many bases of bases", fmt::format("at most {}", max_base_generations));
     } else if (++files_ > max_base_files) {
-      // Reported only once, for the first base above the limit.
+      // The problem is reported only once, for the first base above the limit.
       if (files_ == max_base_files + 1)
         refuse(name, "too many bases", fmt::format("at most {} in all", max_base_files));
     } else {
