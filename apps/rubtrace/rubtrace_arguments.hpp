@@ -19,7 +19,7 @@ struct DesignCheckArguments {
   int kick_speeds = 11;
   int threads = 0;
   std::optional<std::vector<design::Stage>> stages = {};  ///< see design::LateralQuestions
-  bool require_pass = false;  ///< another answer than "pass" ends with exit code 4
+  bool require_pass = false;  ///< every answer except "pass" ends with exit code 4
 };
 
 /// Arguments of a rotor report, whose directory is the one of the results.

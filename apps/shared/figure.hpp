@@ -11,8 +11,8 @@ namespace rubsweep::apps {
 
 void add_figure(po::options_description& options, const char* meaning);
 
-/// A figure of a program's results, drawn by rubplot: the installed copy in share/rubsweep/rubplot, else the
-/// one in the source tree.
+/// A figure of a program's results, drawn by rubplot: by the installed copy in share/rubsweep/rubplot, or
+/// else by the copy in the source tree.
 class Figure {
  public:
   /// A picture, or a page of HTML with several ones.

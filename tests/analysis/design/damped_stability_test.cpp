@@ -20,8 +20,8 @@ TEST(DampedStability, CrossCouplingIsPowerBySpeedAndSizes) {
   EXPECT_NEAR(cross_coupling_n_per_m({true, 1e6, 1, 0.4, 0.02}, 100), 1.5 * 1591.549 / (0.4 * 0.02), 1);
 }
 
-/// A disc with z = x + i y moves as m z'' + c z' + (k - i coupling) z = 0: it neither decays nor grows where
-/// the coupling is c w, w its natural frequency.
+/// The motion z = x + i y of a disc obeys m z'' + c z' + (k - i coupling) z = 0. It neither decays nor grows
+/// if the coupling is c w, with the natural frequency w.
 TEST(DampedStability, OfADiscIsItsClosedForm) {
   const linear::FreeRotor disc = linear::free_rotor(scene::one_side_machine());
   const double zeta = 0.02, w = 2 * pi * 30, mass_kg = 0.8, threshold = 2 * zeta * mass_kg * w * w;

@@ -87,7 +87,8 @@ TEST(Recording, ASpeedStandsInForTheKeyphasorAndARateForTimes) {
   EXPECT_EQ(recording.displacement_m.front().imag(), 0);
 }
 
-/// A wheel of five teeth: one of them passes unseen in one turn, and noise makes another pulse.
+/// A wheel with five teeth. In one turn the pulse of one tooth is missing, and noise makes an additional
+/// pulse.
 TEST(Recording, PulsesAreCountedToTurns) {
   Channels channels = ellipse();
   std::vector<double>& wheel = channels.channels[3].values;

@@ -27,14 +27,10 @@ std::optional<linear::WhirlMode> forward_mode(const linear::WhirlProblem& proble
   return std::nullopt;
 }
 
-double decrement_of(const linear::WhirlMode& mode) {
-  return -2 * pi * mode.root_per_s.real() / mode.root_per_s.imag();
-}
-
-/// Replaces a whirl by the one that continues it under another coupling; false where it is lost.
-bool continues_under(const structure::SpeedMatrices& without, const linear::FreeRotor& rotor,
-                     Eigen::Index place, double coupling_n_per_m, linear::WhirlMode& mode) {
-  constexpr double precision = 1e-11;  // rounding of the elements of a shaft is not far below
+/// Growth rate of the whirl `mode` under another coupling; `mode` becomes the whirl under this coupling.
+double growth_under(const structure::SpeedMatrices& without, const linear::FreeRotor& rotor,
+                    Eigen::Index place, double coupling_n_per_m, linear::WhirlMode& mode) {
+  constexpr double precision = 1e-11;  // the rounding of shaft elements is only slightly smaller
   structure::SpeedMatrices matrices = without;
   couple(matrices.stiffness, rotor, place, coupling_n_per_m);
   return structure::follow_free_mode(matrices, mode.root_per_s, mode.shape, precision);

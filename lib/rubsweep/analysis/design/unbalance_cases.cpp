@@ -20,11 +20,34 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-/// A vector of one plane among the coordinates of both.
+constexpr double standard_gravity_m_per_s2 = 9.80665;
+
+double held_by(const model::Support& support) {
+  return std::min(support.stiffness_x_n_per_m, support.stiffness_y_n_per_m);
+}
+
+/// Places a vector of one plane among the coordinates of both planes.
 Eigen::VectorXd in_plane(const Eigen::VectorXd& of_plane, Index plane) {
   Eigen::VectorXd both = Eigen::VectorXd::Zero(2 * of_plane.size());
   both(Eigen::seqN(plane, of_plane.size(), 2)) = of_plane;
   return both;
+}
+
+/// Sets the static loads of the bearings. Only the bearings carry the shaft here, since seals adapt to the
+/// position of the rotor.
+void load_bearings(const structure::BeamShaft& shaft, const model::RotorKit& kit,
+                   std::vector<Bearing>& bearings) {
+  Eigen::MatrixXd stiffness = shaft.plane_stiffness(1);
+  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
+    if (!is_seal(kit, i)) continue;
+    const Eigen::VectorXd gap = structure::support_gap(shaft, kit, i);
+    stiffness -= kit.supports[i].stiffness_y_n_per_m * gap * gap.transpose();
+  }
+  const Eigen::VectorXd sag =
+      numerics::dense::solve(stiffness, Eigen::VectorXd(standard_gravity_m_per_s2 * shaft.weight_kg));
+  for (Bearing& bearing : bearings)
+    bearing.static_load_n = kit.supports[bearing.support].stiffness_y_n_per_m *
+                            structure::support_gap(shaft, kit, bearing.support).dot(sag);
 }
 
 double residual_kg_m(double mass_kg, double max_continuous_hz) {

@@ -57,7 +57,7 @@ void draw_motion(const DataStudy& study, const MachineDraw& machine, LabelledRec
           recording.force_ratio <= study.rub.force_ratio)
         return;
     } catch (const ConfigError&) {
-      // Each of these numbers is allowed, but their combination is not.
+      // Each of these numbers is allowed, but the machine that they make together is not.
     }
   }
   throw SolverError(
@@ -70,7 +70,7 @@ std::vector<double> read(const std::vector<std::complex<double>>& motion, bool y
                          const std::vector<double>& turns) {
   std::vector<double> signal;
   for (const std::complex<double> z : motion) signal.push_back(y ? z.imag() : z.real());
-  // Each reading is the first sample of a stretch of its own, so one more instant must end the last stretch.
+  // Each reading is the first sample of its own interval, so one more instant must end the last interval.
   std::vector<double> ends = turns;
   ends.push_back(2 * turns.back() - turns[turns.size() - 2]);
   return recording::at_equal_angles(signal, 0, samples_per_revolution, ends, 1);
@@ -97,7 +97,8 @@ MachineDraw draw_machine(const DataStudy& study, std::size_t machine) {
                                                                        : "test";
   for (int probe = 0; probe < study.measurement.probes; ++probe)
     drawn.gain.push_back(1 + study.measurement.gain_error * random.normal());
-  // The last number of the stream, so that sets of springs stay what they were.
+  // Drawn last from the stream, so that sets of linear springs keep the numbers that they had before
+  // exponents existed.
   drawn.unit[static_cast<std::size_t>(Unknown::exponent)] = random.uniform();
   return drawn;
 }

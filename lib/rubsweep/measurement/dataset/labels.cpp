@@ -27,7 +27,7 @@ bool touches(const DataStudy& study, const LabelledRecording& recording) {
   return study.candidates[recording.candidate].cause != Cause::no_rub;
 }
 
-/// Value of an unknown that only machines with stops have; empty for the others.
+/// Value of a parameter that only machines with stops have; an empty cell for machines without stops.
 template <Unknown unknown>
 std::string of_stop(const DataStudy& study, const LabelledRecording& recording) {
   return touches(study, recording) ? number(value_of(recording.values, unknown)) : "";

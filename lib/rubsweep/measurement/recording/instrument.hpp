@@ -26,14 +26,14 @@ struct Keyphasor {
   Mark mark = Mark::dark;
   std::optional<double> threshold{};  ///< threshold in the column's unit; empty: middle_threshold
   double hysteresis = 0;              ///< hysteresis in the column's unit, >= 0
-  int pulses_per_turn = 1;            ///< marks that pass in a turn; the first one is the shaft's
+  int pulses_per_turn = 1;            ///< number of marks per turn; the first mark is the shaft's
 };
 
 /// A column of the shaft's speed.
 struct SpeedColumn {
   std::string column;
-  std::optional<std::string> unit{};  ///< instead of what the file says or does not say
-  double factor = 1;                  ///< speed over that of the column
+  std::optional<std::string> unit{};  ///< replaces the unit in the file, or supplies a missing one
+  double factor = 1;                  ///< speed of the shaft / speed in the column
 };
 
 /// Interval at slow speed, in the recording's time, in which the probes see the shaft's run-out but no
@@ -43,9 +43,9 @@ struct RunOut {
   bool vector = false;  ///< subtracts only its 1X, not the whole waveform
 };
 
-/// All that has to be known of a recording beside its numbers. Times come from the column `time`, from the
-/// sampling rate or, where neither is given, from the file; turns from the keyphasor, from the speed or from
-/// a column of the speed: one of these.
+/// Everything about a recording that its numbers do not contain. Times come from the column `time`, from the
+/// sampling rate or, where neither is given, from the file. Turns come from one source: the keyphasor, a
+/// constant speed, or a column of speeds.
 struct Instrument {
   std::optional<std::string> time{};
   std::optional<double> sampling_rate_hz{};  ///< > 0
@@ -61,10 +61,10 @@ struct Instrument {
 
 namespace rubsweep::config::recording {
 
-/// Reads what has to be known of a recording: probes (a list of one or two, each with column, angle_deg and
+/// Reads the description of a recording: probes (a list of one or two, each with column, angle_deg and
 /// perhaps gain_mv_per_um, unit, range_v), keyphasor (column, mark, threshold, hysteresis, pulses_per_turn),
-/// speed_hz or speed (a column, or column and unit), time (the name of a column) or sampling_rate_hz or none
-/// of both; from_s, to_s; run_out (from_s, to_s, subtract). `name` stands for the file in messages. Throws
+/// speed_hz or speed (a column, or column and unit), time (the name of a column) or sampling_rate_hz or
+/// neither; from_s, to_s; run_out (from_s, to_s, subtract). `name` stands for the file in messages. Throws
 /// ConfigError with every problem.
 rubsweep::recording::Instrument read_instrument_text(std::string_view text, const std::string& name);
 

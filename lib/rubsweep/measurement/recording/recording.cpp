@@ -123,8 +123,8 @@ std::vector<std::vector<double>> stretch_of(const std::vector<Readings>& all, co
   return stretch;
 }
 
-/// Adds the faults that show when probes are compared, and removes the stretch where one of them is stuck, if
-/// enough turns are left.
+/// Adds the faults that a comparison of the probes shows, and removes the stretch where a probe is stuck, if
+/// enough turns remain.
 void look_for_faults(std::vector<Readings>& all, const Recording& recording, const SampleClock& clock,
                      std::vector<std::string>& findings) {
   const std::size_t first = place_of(recording.turn_begin_s.front(), clock, all[0].values_m.size()),

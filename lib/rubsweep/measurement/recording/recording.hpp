@@ -18,10 +18,11 @@ inline constexpr int samples_per_revolution = 128;
 struct Recording {
   double sampling_rate_hz = 0;
   std::vector<double> turn_begin_s{};  ///< instants at which turns begin, and the end of the last one
-  /// Displacement x + iy in metres, samples_per_revolution values per turn; with one probe its reading, real.
+  /// Displacement x + iy in metres, samples_per_revolution values per turn. With one probe, its reading as a
+  /// real number.
   std::vector<std::complex<double>> displacement_m{};
   bool plane = false;      ///< measured by two probes
-  bool from_rest = false;  ///< displacements count from the rest position of the rotor
+  bool from_rest = false;  ///< whether displacements are measured from the rest position of the rotor
   AngleDoubt angle_doubt{};
   std::vector<std::string> findings{};  ///< faults of the data: sentences without a full stop
 
@@ -33,17 +34,17 @@ struct Recording {
 inline constexpr int fewest_turns = 4;
 
 /// Makes a recording from the columns and the instrument's description, and subtracts the run-out of the
-/// shaft where a slow interval is given. Of the turns without gaps the longest stretch is kept. Findings:
-/// gaps, a clipped signal (its extreme value too often in a row, or too often in all), a dead probe, a speed
+/// shaft where a slow interval is given. Only the longest stretch of turns without gaps is kept. Findings:
+/// gaps, a clipped signal (its extreme value occurs too often in a row or in total), a dead probe, a speed
 /// that changes by more than 1 % from turn to turn, vibration near half the sampling rate. Throws
 /// ConfigError, with `name`:line where a row is at fault: for missing columns, unknown units, uneven times,
 /// and fewer turns than `fewest_turns`.
 Recording make_recording(const Channels& channels, const Instrument& instrument, const std::string& name);
 
-/// Run-out of a shaft: the mean turn of a slow stretch, whose `displacement_m` has samples_per_turn values
-/// per whole turn; its mean, the gap, is subtracted. `vector`: only the components at +1X and -1X, like
-/// instruments with a slow-roll vector. Turns with a gap in the data (NaN) are left out. Throws ConfigError
-/// where every turn has one.
+/// Run-out of a shaft: the mean turn of a slow stretch, minus the mean of that turn (the gap).
+/// `displacement_m` has samples_per_turn values per whole turn. `vector`: only the components at +1X and -1X,
+/// like instruments with a slow-roll vector. Turns with a gap in the data (NaN) are left out. Throws
+/// ConfigError where every turn has a gap.
 std::vector<std::complex<double>> run_out_of(std::span<const std::complex<double>> displacement_m,
                                              int samples_per_turn, bool vector);
 

@@ -19,17 +19,17 @@ using response::spectrum::SpectrumWorkspace;
 
 constexpr int fewest_periods = 3;
 constexpr double false_alarm = 0.01;
-/// False-alarm probability of a suspicious line, which is not large enough to be visible.
+/// False-alarm probability of a suspicious line, which is too small to count as visible.
 constexpr double suspicion = 0.2;
 
 int longest_period_in(int turns) { return std::min(max_period, turns / fewest_periods); }
 
-/// A spectrum, of which only lines up to an order count.
+/// A spectrum of which only the lines up to a given order are used.
 struct Lines : FullSpectrum {
   double most_order = 0, least_share = 0;
 };
 
-/// Calls `look` for each line that counts, except 0X.
+/// Calls `look` for each line that is used, except 0X.
 template <class Look>
 void for_lines(const Lines& spectrum, Look look) {
   const int last = static_cast<int>(spectrum.most_order * spectrum.turns);
@@ -66,7 +66,7 @@ Noise noise_of(const Lines& spectrum) {
 
 struct Threshold {
   double noise_m = 0, suspicious_m = 0, visible_m = 0, largest_m = 0;
-  double seen_m = 0;  ///< smallest line that exceeds the noise, however small a part of the motion it is
+  double seen_m = 0;  ///< smallest line that exceeds the noise, even if it is a tiny part of the motion
 };
 
 Threshold threshold_of(const Lines& spectrum) {
@@ -77,8 +77,9 @@ Threshold threshold_of(const Lines& spectrum) {
     ++count;
     threshold.largest_m = std::max(threshold.largest_m, amplitude);
   });
-  // Noise exceeds s sqrt(2 ln(count / p)) in one of the lines with probability p. As s is an estimate with
-  // relative variance v, the mean of exp(-t^2 s^2 / 2) requires t^2 / (1 + t^2 v) in place of t^2.
+  // The largest of `count` noise lines exceeds s sqrt(2 ln(count / p)) with probability p. As s is an
+  // estimate with relative variance v, the mean of exp(-t^2 s^2 / 2) requires t^2 / (1 + t^2 v) in place of
+  // t^2.
   const auto reached = [&](double probability) {
     constexpr double most = 0.75;
     const double square = 2 * std::log(count / probability);
@@ -91,7 +92,7 @@ Threshold threshold_of(const Lines& spectrum) {
   return threshold;
 }
 
-/// Largest line that is no multiple of 1/n; if a period is given, only multiples of 1 / period count.
+/// Largest line that is no multiple of 1/n. If a period is given, only multiples of 1 / period are searched.
 double largest_beside(const Lines& spectrum, int n, int period = 0) {
   double largest = 0;
   for_lines(spectrum, [&](int k, double amplitude) {
@@ -116,7 +117,8 @@ std::optional<DoubtfulPeriod> doubtful_period(const Lines& spectrum, int period,
     if (spectrum.turns % n != 0) continue;
     const double amplitude = largest_beside(spectrum, period, n);
     if (!(amplitude > threshold.suspicious_m)) continue;
-    // The noise of a line, and the smallest visible line, fall with the square root of the recording length.
+    // The noise of a line falls with the square root of the recording's length, and so does the smallest
+    // visible line.
     const double ratio = threshold.visible_m / amplitude;
     return DoubtfulPeriod{n, amplitude, spectrum.turns * (ratio * ratio - 1)};
   }
@@ -134,8 +136,8 @@ struct Motion {
     return at_repeating_angles(samples, static_cast<int>(per_turn), turns, most_order_looked_at(),
                                reading.angle_doubt);
   }
-  /// Samples without the slow modulation of their lines at whole orders; keeps variations that repeat after
-  /// `turns` turns.
+  /// Samples without the slow modulation of their lines at whole orders. Variations that repeat after `turns`
+  /// turns are kept.
   Levelled levelled_once(std::span<const Complex> motion, int turns) const {
     return levelled(motion, {.repeats = turns});
   }
@@ -155,7 +157,7 @@ Lines spectrum_of_periods(const Motion& motion, std::span<const Complex> samples
           motion.reading.thresholds.least_share};
 }
 
-/// Whether both halves of a motion, without slow modulation, have the same lines.
+/// Whether the first and the second half of a motion, without slow modulation, have the same lines.
 bool keeps_lines(const Motion& motion, std::span<const Complex> samples, SpectrumWorkspace& workspace) {
   const std::vector<Complex> all = motion.levelled_once(samples, 1).samples;
   const auto halves = std::span(all);
@@ -163,13 +165,13 @@ bool keeps_lines(const Motion& motion, std::span<const Complex> samples, Spectru
                                                  workspace);
 }
 
-/// Finds the shortest period outside of which no line is visible, a longer period that cannot be ruled out,
-/// if there is one, and the class. Returns the samples in which they show.
+/// Finds the class and the shortest period outside of whose lines nothing is visible, and a longer period, if
+/// one cannot be ruled out. Returns the corrected samples that show this period.
 std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& workspace, Verdict& verdict) {
   for (int n = 1; n <= verdict.longest_period; ++n) {
     std::vector<Complex> samples = motion.repeating_after(n);
     const Levelled once = motion.levelled_once(samples, n);
-    // First only the amplitudes of a longer period's lines may vary slowly, then their phases, too.
+    // First only the amplitudes of a longer period's lines may vary slowly, then also their phases.
     const Levelled steady = n == 1 ? once : motion.levelled(once.samples, {.period = n, .in_phase = true});
     const Levelled levelled = n == 1 ? once : motion.levelled(steady.samples, {.period = n});
     if (n == 1) verdict.refused_modulation_m = once.refused_m;
@@ -199,8 +201,8 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
     }
     return samples;
   }
-  // Where no line is bound to the shaft, the angles of best repetition are arbitrary, so the original samples
-  // decide.
+  // Where no line is locked to the shaft, the angles of best repetition are arbitrary, so the original
+  // samples are classified.
   verdict.motion = MeasuredClass::quasi_periodic;
   if (!keeps_lines(motion, motion.samples, workspace)) {
     std::vector<Complex> moved = motion.repeating_after(1);
@@ -210,8 +212,8 @@ std::vector<Complex> find_period(const Motion& motion, SpectrumWorkspace& worksp
   return {motion.samples.begin(), motion.samples.end()};
 }
 
-/// Sets the mean orbit of a period and its lines. Without a period: the last turns, with as many lines as a
-/// figure can show, whose noise is larger because they are fewer turns.
+/// Sets the mean orbit of a period and its lines. Without a period, the orbit has only the last turns, as
+/// many as a figure can show. Because these turns are fewer, their noise is larger.
 void take_orbit(std::span<const Complex> samples, std::size_t per_turn, Verdict& verdict) {
   if (verdict.period) {
     const int n = *verdict.period;
@@ -240,7 +242,7 @@ void measure_whirl(Verdict& verdict) {
   const double all = forward + backward;
   verdict.whirl = response::spectrum::whirl_kind(forward, backward);
   verdict.forward_share = forward / all;
-  // Error propagation for f / (f + b), with df = 2 sqrt(f) s and db = 2 sqrt(b) s.
+  // Error propagation for f / (f + b), with the errors df = 2 sqrt(f) s and db = 2 sqrt(b) s of the energies.
   verdict.forward_share_uncertainty = 2 * verdict.noise_m * std::sqrt(forward * backward / all) / all;
 }
 
@@ -261,7 +263,7 @@ Verdict judge(std::span<const Complex> displacement_m, int samples_per_revolutio
                   .visible_m = first.visible_m,
                   .thresholds = reading.thresholds};
   std::vector<Complex> samples;
-  // Rounding of the numbers may leave a small line of a shaft that stands still.
+  // Rounding may leave a small line in the recording of a shaft at standstill.
   const Complex farthest = std::ranges::max(displacement_m, {}, [](Complex z) { return std::abs(z); });
   if (first.largest_m <= std::max(first.visible_m, 1e-12 * std::abs(farthest))) {
     samples.assign(displacement_m.begin(), displacement_m.end());

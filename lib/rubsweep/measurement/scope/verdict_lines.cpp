@@ -12,27 +12,27 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Largest leakage of the lines between the bins into a bin without a line of its own.
+/// Largest leakage of the lines between the bins into a bin that has no line of its own.
 double leak_at(const Verdict& verdict, double order) {
   double leak = 0;
   for (const DiscreteLine& line : verdict.discrete_lines) {
     const double bins = std::abs(order - line.order) * verdict.turns;
-    // Leakage over this many bins without a window function.
+    // Leakage of the line at a distance of `bins` bins, without a window function.
     leak += line.amplitude_m * std::abs(std::sin(std::numbers::pi * bins)) / (std::numbers::pi * bins);
   }
   return leak;
 }
 
-/// Scale factor of the orders of lines, because the recording's angles may be wrong.
+/// Scale factor for the orders of lines, because the recording's angles may be wrong.
 struct Scale {
   double factor = 1, uncertainty = 0;
 };
 
-/// Scale from the line that turns with the shaft, where the marks allow it; else with the uncertainty that
-/// the marks leave.
+/// Scale from the line locked to the shaft, where the marks permit it; otherwise 1, with the uncertainty of
+/// the marks.
 Scale scale_of(std::span<const response::spectrum::ResolvedLine> lines, double per_turn, std::size_t turns,
                const recording::AngleDoubt& doubt) {
-  // Noise of the keyphasor moves even marks that have readings on their edges.
+  // Noise of the keyphasor shifts even those marks that have readings on their edges.
   constexpr double most_noise_turns = 0.02;
   double room = 0;
   for (std::size_t k = 0; k < doubt.low_turns.size(); ++k)
@@ -82,7 +82,7 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const Complex> samples,
     lines.push_back(
         {order, std::hypot(line.frequency_uncertainty * per_turn, order * scale.uncertainty), size,
          std::hypot(line.amplitude_uncertainty, reading.missed_share(order) * size),
-         // Phase at the beginning of the turns that the orbit shows.
+         // Phase at the beginning of the turns shown by the orbit.
          std::arg(line.amplitude) +
              2 * std::numbers::pi * order *
                  static_cast<double>(turns - std::min(turns, std::size_t{most_aperiodic_turns}))});
@@ -96,8 +96,8 @@ std::optional<double> room_of_period(std::span<const Complex> samples, std::size
   constexpr double hann_noise = 1.23;  // noise of a line under a Hann window / without a window
   const auto lines =
       discrete_lines_of(samples, samples_per_revolution, reading, hann_noise * visible_m, workspace);
-  // Limits up to which the lines of a motion locked to the shaft may rotate relative to it during the
-  // recording.
+  // Limits of the angle by which the lines of a motion locked to the shaft may turn relative to the shaft
+  // during the recording.
   constexpr double most_deviations = 2, most_turned = 0.02;
   const double bin = bin_of(samples.size() / samples_per_revolution);
   const auto nearest = [&](const DiscreteLine& line) { return std::lround(line.order * period); };
@@ -113,7 +113,7 @@ std::optional<double> room_of_period(std::span<const Complex> samples, std::size
       continue;
     const double doubt = most_deviations * line.order_uncertainty;
     if (off > doubt + most_turned * bin) return std::nullopt;
-    // Only multiples that no shorter period has tell something about this period.
+    // A multiple that a shorter period has, too, says nothing about this period.
     if (std::gcd(nearest(line), static_cast<long>(period)) == 1) room = std::min(room, off + doubt);
   }
   return room;
