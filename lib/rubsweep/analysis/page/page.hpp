@@ -9,7 +9,6 @@
 #include "rubsweep/analysis/page/orbits.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
-#include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::page {
 
