@@ -91,7 +91,7 @@ declare -A below=(
   [diagnose/forest]='batch diagnose'
   # Cases from priors and proposals, their table on the disk, the posterior in rounds, the use of a further
   # measurement.
-  [diagnose/inference]='diagnose/features diagnose/forest'
+  [diagnose/inference]='diagnose/features diagnose/forest matlab'
   # The answer of `rubdiagnose`: text, JSON, tables, the recording laid over the closest case.
   [diagnose/answer]='diagnose/inference'
   # Sets of labelled recordings: readings, labels, files, datasheet.
@@ -114,7 +114,7 @@ declare -A below=(
   # functions of events, grazes, doubled branches.
   [branch/continuation]='branch/orbits numerics/spectral'
   # Lines of the rubs of machines whose numbers differ little, for a fit.
-  [fit/rub]='branch/continuation'
+  [fit/rub]='branch/continuation fit'
   # `follow_curve`: folds, doublings, tori, branch points and grazes in two parameters, by their extended systems,
   # and their meetings.
   [branch/curves]='branch/continuation'
