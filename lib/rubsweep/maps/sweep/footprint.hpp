@@ -28,8 +28,6 @@ struct Footprint {
 /// machine, more over networks. Disk: 340 bytes a row, three times. Flows are counted as if every thread met
 /// all speeds and every contact mode, up to the limit of the cache. Throws ConfigError where the machine
 /// cannot be built.
-Footprint footprint(const Study& study, const Workers& workers);
-/// Footprint for a machine that is built already; building a rotor kit takes 70 ms.
 Footprint footprint(const Study& study, const scene::PreparedMachine& prepared, const Workers& workers);
 
 /// Upper bound of the memory of any footprint of this study; needs no built machine.
