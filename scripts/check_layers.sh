@@ -154,8 +154,7 @@ declare -A below=(
   [map]='config report'
   # The journal of `rubbranch --map`.
   [branch/journal]='branch/families map'
-  # `report.html`: settled motions recorded, thinned and compressed; `page/template` is the page itself (HTML, CSS,
-  # JavaScript), which the build embeds together with the chart library D3.
+  # Inputs of `report.html`: the table of a map as numbers, and the motion on which a cell of it settled.
   [page]='report trace'
 )
 

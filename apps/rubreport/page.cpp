@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/page/page.hpp"
+#include "rubreport/page.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "rubsweep/analysis/page/compressed.hpp"
+#include "rubreport/compressed.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
 
 namespace rubsweep::page {
