@@ -91,7 +91,7 @@ declare -A below=(
   [diagnose/forest]='batch diagnose'
   # Cases from priors and proposals, their table on the disk, the posterior in rounds, the use of a further
   # measurement.
-  [diagnose/inference]='diagnose/features diagnose/forest'
+  [diagnose/inference]='diagnose/features diagnose/forest matlab'
   # The answer of `rubdiagnose`: text, JSON, tables, the recording laid over the closest case.
   [diagnose/answer]='diagnose/inference'
   # Sets of labelled recordings: readings, labels, files, datasheet.
@@ -114,7 +114,7 @@ declare -A below=(
   # functions of events, grazes, doubled branches.
   [branch/continuation]='branch/orbits numerics/spectral'
   # Lines of the rubs of machines whose numbers differ little, for a fit.
-  [fit/rub]='branch/continuation'
+  [fit/rub]='branch/continuation fit'
   # `follow_curve`: folds, doublings, tori, branch points and grazes in two parameters, by their extended systems,
   # and their meetings.
   [branch/curves]='branch/continuation'
@@ -154,8 +154,7 @@ declare -A below=(
   [map]='config report'
   # The journal of `rubbranch --map`.
   [branch/journal]='branch/families map'
-  # `report.html`: settled motions recorded, thinned and compressed; `page/template` is the page itself (HTML, CSS,
-  # JavaScript), which the build embeds together with the chart library D3.
+  # Inputs of `report.html`: the table of a map as numbers, and the motion on which a cell of it settled.
   [page]='report trace'
 )
 

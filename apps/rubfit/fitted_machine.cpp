@@ -174,10 +174,6 @@ auto machine_of(std::string text, std::vector<fit::Parameter> parameters,
   };
 }
 
-fit::rub::AskedLines asked_of(const fit::RubLines& rub, double eccentricity_m) {
-  return {rub.speed_hz, eccentricity_m, rub.turns, rub.order};
-}
-
 }  // namespace
 
 FittedMachine fitted_machine_of(const RubfitArguments& arguments, const config::RunConfig& config) {
@@ -207,12 +203,10 @@ FittedMachine fitted_machine_of(const RubfitArguments& arguments, const config::
   const auto orbits = std::make_shared<fit::rub::RubOrbits>(config.study.solver, config.study.response);
   problem.rub_lines = [orbits](const scene::PreparedMachine& machine, const fit::RubLines& rub,
                                double eccentricity_m) {
-    return orbits->lines_m(machine, asked_of(rub, eccentricity_m));
+    return orbits->lines_m(machine, rub, eccentricity_m);
   };
   problem.follow_rub = [orbits](const scene::PreparedMachine& machine, const fit::RubLines& rub,
-                                double eccentricity_m) {
-    orbits->follow(machine, asked_of(rub, eccentricity_m));
-  };
+                                double eccentricity_m) { orbits->follow(machine, rub, eccentricity_m); };
   return fitted;
 }
 

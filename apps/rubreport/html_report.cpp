@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "rubsweep/analysis/page/findings.hpp"
-#include "rubsweep/analysis/page/page.hpp"
+#include "rubreport/findings.hpp"
+#include "rubreport/page.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/explain_study.hpp"

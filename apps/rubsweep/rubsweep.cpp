@@ -136,7 +136,8 @@ int perform(const RubsweepArguments& arguments) {
   const int threads = batch::thread_count(arguments.threads);
   StudyActions actions = study_actions("rubsweep", arguments, config, [&] { return run(arguments, config); });
   actions.explanation = [&] {
-    return report::explain_study(study) + report::describe_footprint(study, {threads}) + "\n";
+    return report::explain_study(study) +
+           report::describe_footprint(study, scene::prepare_machine(study.machine), {threads}) + "\n";
   };
   return act(arguments, actions);
 }

@@ -286,9 +286,6 @@ void rub() {
   for (Complex& line : data.line_m.reshaped())
     line += Complex(noise(line_noise_m), noise(line_noise_m)) / std::sqrt(2.0);
   fit::rub::RubOrbits orbits({}, {});
-  const auto asked = [](const fit::RubLines& lines, double eccentricity_m) {
-    return fit::rub::AskedLines{lines.speed_hz, eccentricity_m, lines.turns, lines.order};
-  };
   const fit::MachineFit problem{
       .parameters = {{"clearance_m", 1e-3, 9e-4, 1.2e-3, 1e-3},
                      {"stiffness_n_per_m", 2e6, 1e6, 4e6, 2e6},
@@ -297,9 +294,9 @@ void rub() {
       .data = {{"rub", data, false}},
       .machine = [](const Eigen::VectorXd& at) { return rubbing(at(0), at(1)); },
       .rub_lines = [&](const scene::PreparedMachine& machine, const fit::RubLines& lines,
-                       double e) { return orbits.lines_m(machine, asked(lines, e)); },
+                       double e) { return orbits.lines_m(machine, lines, e); },
       .follow_rub = [&](const scene::PreparedMachine& machine, const fit::RubLines& lines,
-                        double e) { orbits.follow(machine, asked(lines, e)); }};
+                        double e) { orbits.follow(machine, lines, e); }};
   // The run begins with the quiet whirl at the screw; the shaft is ahead of the whirl by the lag of the
   // response.
   const auto rotor = std::get<model::JeffcottRotor>(scene::one_side_machine().rotor);

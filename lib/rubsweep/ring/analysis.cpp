@@ -7,7 +7,6 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>

@@ -119,9 +119,8 @@ rubsweep::ring::Ring read_modal(yaml::Section& section, int diameters) {
 
 std::vector<Load> read_ring_loads(const yaml::Value& value, const std::optional<double>& ring_radius_m) {
   std::vector<Load> loads;
-  const auto items = read_list(value, max_ring_loads);
-  if (!items) return loads;
-  for (const yaml::Value& item : *items) loads.push_back(read_load(item, ring_radius_m));
+  for (const yaml::Value& item : read_list(value, max_ring_loads))
+    loads.push_back(read_load(item, ring_radius_m));
   return loads;
 }
 

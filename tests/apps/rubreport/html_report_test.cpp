@@ -7,10 +7,10 @@
 #include <fstream>
 #include <regex>
 
-#include "analysis/page/decoded.hpp"
+#include "apps/rubreport/decoded.hpp"
 #include "maps/batch/temporary_directory.hpp"
 #include "maps/sweep/one_side_study.hpp"
-#include "rubsweep/analysis/page/page.hpp"
+#include "rubreport/page.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"

@@ -43,19 +43,19 @@ TEST(DescribeGridDescribeFootprint, OfTheLargestGridStaysSmallAndIsSaidInWords) 
   sweep::Study study = sweep::one_side_study({50}, {0.1});
   study.grid.speed_hz.resize(2000);
   study.grid.unbalance.resize(2000);
-  EXPECT_EQ(describe_footprint(study, {2}),
+  EXPECT_EQ(describe_footprint(study, scene::prepare_machine(study.machine), {2}),
             "4000000 cells on 2 threads: up to 111 MB of memory, 4.08 GB of disk");
 }
 
 TEST(DescribeGridDescribeFootprint, OfRanksIsThatOfEach) {
   const sweep::Study study = sweep::one_side_study({50, 60}, {0.1});
-  EXPECT_EQ(describe_footprint(study, {2, 9}),
+  EXPECT_EQ(describe_footprint(study, scene::prepare_machine(study.machine), {2, 9}),
             "2 cells on 9 ranks of 2 threads: up to 45 MB of memory each, 0.1 MB of disk");
 }
 
 TEST(DescribeGridDescribeFootprint, WhatDoesNotFitIsRefused) {
   const sweep::Study study = sweep::one_side_study({50, 60}, {0.1});
-  const std::size_t needed = sweep::footprint(study, {2}).memory_bytes;
+  const std::size_t needed = sweep::footprint(study, scene::prepare_machine(study.machine), {2}).memory_bytes;
   refuse_more_memory_than(needed, study, {2});
   EXPECT_EQ(message_of<ConfigError>([&] { refuse_more_memory_than(needed - 1, study, {2}); }),
             "2 cells on 2 threads: up to 15 MB of memory, 0.1 MB of disk, this machine has 14 MB, allowed: "

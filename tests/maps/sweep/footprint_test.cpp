@@ -14,6 +14,10 @@ namespace {
 
 using Cells = std::vector<std::size_t>;
 
+Footprint footprint(const Study& study, const Workers& workers) {
+  return sweep::footprint(study, scene::prepare_machine(study.machine), workers);
+}
+
 TEST(Footprint, GrowsWithThreadsWindowsAndCells) {
   Study study = one_side_study({50, 60}, {0.1});
   const Footprint one = footprint(study, {1});

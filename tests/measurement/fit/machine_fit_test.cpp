@@ -51,8 +51,8 @@ MeasuredData run_up(double noise_m) {
   RunUp data{.ramp = {20, 4}, .t_s = {}, .phasor_m = {}, .window_turns = 2};
   for (int k = 0; k < 90; ++k) data.t_s.push_back(0.06 * k);
   const scene::PreparedMachine machine = rotor(truth);
-  data.phasor_m = std::polar(1.0, 0.5) *
-                  ramp_phasors(machine, linear::sensor_rows(machine).rows, 2e-5, data.ramp, data.t_s, 2);
+  const RampParts parts = ramp_parts(machine, linear::sensor_rows(machine).rows, data.ramp, data.t_s, 2);
+  data.phasor_m = std::polar(1.0, 0.5) * (2e-5 * parts.per_eccentricity + parts.bow_m);
   for (auto& value : data.phasor_m.reshaped()) value += std::complex<double>(noise(noise_m), noise(noise_m));
   return {"run", data, false};
 }

@@ -17,6 +17,14 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// 1X with this eccentricity.
+Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
+                              double eccentricity_m, const Ramp& ramp, const std::vector<double>& t_s,
+                              double window_turns) {
+  const RampParts parts = ramp_parts(prepared, rows, ramp, t_s, window_turns);
+  return eccentricity_m * parts.per_eccentricity + parts.bow_m;
+}
+
 /// A kit with a bow and gyroscopic discs away from midspan.
 model::Machine bowed_kit() {
   model::Machine machine = scene::light_shaft_machine();

@@ -83,7 +83,7 @@ std::vector<KickThreshold> kick_thresholds(const sweep::Study& study, const scen
         KickedCell cell(study, prepared, {speeds_hz[k], scene::Eccentricity{eccentricity_m}});
         found[k] = threshold_at(speeds_hz[k], force_n, cell);
       },
-      [](std::size_t) {}, stop);
+      {}, stop);
   return found;
 }
 

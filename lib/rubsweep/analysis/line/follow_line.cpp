@@ -229,7 +229,7 @@ std::size_t follow_line(std::span<const LineCell> cells, std::span<const Pass> p
           deliver(run_cell(cells[number], Pass::kick, number, std::nullopt));
         }
       },
-      [](std::size_t) {}, stop);
+      {}, stop);
   return finished;
 }
 

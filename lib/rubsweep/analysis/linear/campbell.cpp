@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
-#include <cstdint>
 #include <optional>
 #include <utility>
 

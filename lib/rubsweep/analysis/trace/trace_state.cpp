@@ -8,7 +8,6 @@
 #include <limits>
 #include <numbers>
 
-#include "rubsweep/core/contact/force_law.hpp"
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/law/dynamics.hpp"

@@ -2,7 +2,6 @@
 
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <string>
 

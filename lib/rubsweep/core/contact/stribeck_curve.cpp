@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
-#include <cstdint>
 
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/error.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
 

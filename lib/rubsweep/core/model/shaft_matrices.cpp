@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/model/physical_range.hpp"
 
 namespace rubsweep::model {
 namespace {

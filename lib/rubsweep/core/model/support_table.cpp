@@ -4,7 +4,6 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/physical_range.hpp"
-#include "rubsweep/core/model/range.hpp"
 
 namespace rubsweep::model {
 

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "rubsweep/core/response/motion/poincare_section.hpp"
-#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response {
 namespace {

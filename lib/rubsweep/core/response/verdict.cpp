@@ -10,7 +10,6 @@
 #include "rubsweep/core/response/proof/section_map.hpp"
 #include "rubsweep/core/response/rotating/rotating_frame.hpp"
 #include "rubsweep/core/response/spectrum/comb.hpp"
-#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response {
 namespace {

@@ -5,7 +5,6 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <complex>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>

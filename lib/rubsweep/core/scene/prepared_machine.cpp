@@ -8,7 +8,6 @@
 
 #include "rubsweep/core/contact/friction_bounds.hpp"
 #include "rubsweep/core/overloaded.hpp"
-#include "rubsweep/core/structure/assembly.hpp"
 #include "rubsweep/core/structure/kit_assembly.hpp"
 
 namespace rubsweep::scene {

@@ -4,7 +4,6 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <complex>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <utility>

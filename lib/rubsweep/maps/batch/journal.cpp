@@ -11,8 +11,6 @@
 #include <optional>
 #include <utility>
 
-#include "rubsweep/maps/batch/whole_file.hpp"
-
 namespace rubsweep::batch {
 namespace {
 

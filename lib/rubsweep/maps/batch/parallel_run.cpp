@@ -155,7 +155,7 @@ std::size_t parallel_run(std::size_t count, int threads,
     }
     const std::lock_guard lock(one_at_a_time);
     ++finished;
-    on_finished(cell);
+    if (on_finished) on_finished(cell);
   };
 
   // Both are needed: an arena alone has at most one thread per processor, and with the control alone the

@@ -25,9 +25,9 @@ void require_threads(int threads, int beside = 0);
 /// Each cell is a separate task, since costs of cells differ without limit. A cell must write only to its own
 /// slot; then results do not depend on the number of threads.
 ///
-/// `on_finished(cell)` is called after each cell that did not throw, on the same thread, one call at a time,
-/// in any order. An exception in it ends the run: no new cell starts, and the exception is rethrown
-/// unchanged.
+/// `on_finished(cell)`, if given, is called after each cell that did not throw, on the same thread, one call
+/// at a time, in any order. An exception in it ends the run: no new cell starts, and the exception is
+/// rethrown unchanged.
 ///
 /// Once `stop` is true no new cell starts; cells already running finish and are counted.
 ///
@@ -36,8 +36,8 @@ void require_threads(int threads, int beside = 0);
 /// type, any other std::exception becomes a SolverError. Throws ConfigError where threads < 0.
 std::size_t parallel_run(std::size_t count, int threads,
                          const std::function<void(std::size_t cell)>& run_cell,
-                         const std::function<void(std::size_t cell)>& on_finished,
-                         const std::atomic<bool>& stop);
+                         const std::function<void(std::size_t cell)>& on_finished = {},
+                         const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 /// Cells that a worker computes before it requests more.
 using Chunk = std::vector<std::size_t>;

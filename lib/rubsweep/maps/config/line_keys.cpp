@@ -8,7 +8,6 @@
 
 #include "rubsweep/maps/batch/csv_table.hpp"
 #include "rubsweep/maps/config/file.hpp"
-#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/study/axis.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/maps/config/yaml/diagnostics.hpp"
@@ -104,9 +103,7 @@ std::optional<double> number_at(const RunConfig& config, std::string_view path) 
   yaml::Diagnostics diagnostics("", {});
   const auto root = parse_document(print_config(config), -1, "", diagnostics);
   const yaml::Node* node = root ? find_node(*root, path) : nullptr;
-  if (node == nullptr || node->kind != yaml::Node::Kind::scalar || node->quoted) return std::nullopt;
-  const yaml::ParsedNumber number = yaml::parse_number(node->text);
-  return number.error == yaml::NumberError::none ? std::optional(number.value) : std::nullopt;
+  return node == nullptr ? std::nullopt : yaml::number_of(*node);
 }
 
 }  // namespace rubsweep::config

@@ -15,7 +15,6 @@
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/core/scene/prepared_machine.hpp"
-#include "rubsweep/maps/config/study/sweep.hpp"
 
 namespace rubsweep::config {
 namespace {

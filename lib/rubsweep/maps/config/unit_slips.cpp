@@ -91,9 +91,7 @@ class Search {
     for (std::size_t i = 0; i < value.node.items.size(); ++i) {
       const bool list = value.node.kind == yaml::Node::Kind::list;
       if (list != (name == "*") || (!list && value.node.keys[i].text != name)) continue;
-      const std::string key = list ? std::to_string(i) : value.node.keys[i].text;
-      walk({value.node.items[i], yaml::child_path(value.path, key), value.diagnostics}, rest, quantity,
-           list ? i : index);
+      walk(value.at(i), rest, quantity, list ? i : index);
     }
   }
 
@@ -106,9 +104,7 @@ class Search {
     for (const std::string_view end : {"from", "to"}) walk_to(value, end, quantity, index);
     walk_to(value, "values", quantity, index);
     if (value.node.kind != yaml::Node::Kind::list) return;
-    for (std::size_t i = 0; i < value.node.items.size(); ++i) {
-      judge({value.node.items[i], fmt::format("{}.{}", value.path, i), value.diagnostics}, quantity, index);
-    }
+    for (std::size_t i = 0; i < value.node.items.size(); ++i) judge(value.at(i), quantity, index);
   }
 
   void walk_to(const yaml::Value& value, std::string_view name, Quantity quantity, std::size_t index) {
@@ -116,10 +112,9 @@ class Search {
   }
 
   void judge(const yaml::Value& value, Quantity quantity, std::size_t index) {
-    if (value.node.kind != yaml::Node::Kind::scalar) return;
-    const yaml::ParsedNumber parsed = yaml::parse_number(value.node.text);
-    if (parsed.error != yaml::NumberError::none) return;
-    if (auto slip = slip_of(quantity, parsed.value, machine_, index); slip && slip->certain == certain_)
+    const auto number = yaml::number_of(value.node);
+    if (!number) return;
+    if (auto slip = slip_of(quantity, *number, machine_, index); slip && slip->certain == certain_)
       found_.push_back({value, *std::move(slip)});
   }
 
@@ -137,9 +132,7 @@ std::vector<Found> search(const yaml::Value& root, const model::Machine* machine
 double largest_of(const yaml::Node* axis) {
   double largest = -std::numeric_limits<double>::infinity();
   const auto add = [&](const yaml::Node& node) {
-    const yaml::ParsedNumber number = yaml::parse_number(node.text);
-    if (node.kind == yaml::Node::Kind::scalar && number.error == yaml::NumberError::none)
-      largest = std::max(largest, number.value);
+    largest = std::max(largest, yaml::number_of(node).value_or(largest));
   };
   if (axis == nullptr) return largest;
   add(*axis);

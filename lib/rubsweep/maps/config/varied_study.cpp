@@ -64,11 +64,6 @@ void place_all(yaml::Node& node, const yaml::SourcePosition& place) {
   for (yaml::Node& item : node.items) place_all(item, place);
 }
 
-bool holds_a_number(const yaml::Node& node) {
-  return node.kind == yaml::Node::Kind::scalar && !node.quoted &&
-         yaml::parse_number(node.text).error == yaml::NumberError::none;
-}
-
 bool is_part_of_the_mass(const std::string& key) {
   return key == "rotor.mass_kg" || key.starts_with("rotor.discs.") || key.starts_with("rotor.shaft.") ||
          key.starts_with("rotor.unbalance.");
@@ -95,7 +90,7 @@ bool may_be_swept(const yaml::Node& document, const std::string& key, std::strin
     return problem(fmt::format("is part of the mass that sweep.{} takes its eccentricities from", by_mass),
                    "another key, or sweep.eccentricity_m or sweep.whirl_ratio");
   const yaml::Node* node = find_node(document, key);
-  if (node != nullptr && !holds_a_number(*node))
+  if (node != nullptr && !yaml::number_of(*node))
     return problem(fmt::format("{}, no number", describe(*node)), allowed_keys);
   return true;
 }

@@ -10,7 +10,6 @@
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
-#include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 #include "rubsweep/maps/map/refined_cells.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"

@@ -49,10 +49,6 @@ std::string describe_refinement(const sweep::Grid& grid, std::span<const int> la
   return text;
 }
 
-std::string describe_footprint(const sweep::Study& study, const sweep::Workers& workers) {
-  return describe_footprint(study, scene::prepare_machine(study.machine), workers);
-}
-
 std::string describe_footprint(const sweep::Study& study, const scene::PreparedMachine& prepared,
                                const sweep::Workers& workers) {
   const sweep::Footprint needed = sweep::footprint(study, prepared, workers);
@@ -65,12 +61,14 @@ std::string describe_footprint(const sweep::Study& study, const scene::PreparedM
 
 void refuse_more_memory_than(std::size_t bytes, const sweep::Study& study, const sweep::Workers& workers) {
   if (sweep::most_memory_bytes(study, workers) <= bytes) return;
-  if (sweep::footprint(study, workers).memory_bytes <= bytes) return;
+  const scene::PreparedMachine prepared = scene::prepare_machine(study.machine);
+  if (sweep::footprint(study, prepared, workers).memory_bytes <= bytes) return;
   const bool mpi = workers.ranks > 0;
-  throw ConfigError(fmt::format(
-      "{}, this machine has {} MB{}, allowed: fewer {}--threads, response.window_revolutions or "
-      "response.samples_per_revolution",
-      describe_footprint(study, workers), bytes / 1'000'000, mpi ? " for each" : "", mpi ? "ranks, " : ""));
+  throw ConfigError(
+      fmt::format("{}, this machine has {} MB{}, allowed: fewer {}--threads, response.window_revolutions or "
+                  "response.samples_per_revolution",
+                  describe_footprint(study, prepared, workers), bytes / 1'000'000, mpi ? " for each" : "",
+                  mpi ? "ranks, " : ""));
 }
 
 }  // namespace rubsweep::report

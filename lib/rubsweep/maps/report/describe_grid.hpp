@@ -23,7 +23,6 @@ std::string describe_refinement(const sweep::Grid& grid, std::span<const int> la
 
 /// Memory and disk space in words: "1320 cells on 2 threads: up to 21 MB of memory, 1.4 MB of disk". With
 /// MPI: "1320 cells on 8 ranks of 2 threads: up to 51 MB of memory each, 1.4 MB of disk".
-std::string describe_footprint(const sweep::Study& study, const sweep::Workers& workers);
 std::string describe_footprint(const sweep::Study& study, const scene::PreparedMachine& prepared,
                                const sweep::Workers& workers);
 

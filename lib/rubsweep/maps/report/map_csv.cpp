@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <concepts>
 #include <functional>
 #include <optional>
@@ -132,6 +133,18 @@ std::size_t place_of_column(std::string_view name) {
   const auto column = std::ranges::find(columns, name, &MapColumn::name);
   if (column == columns.end()) throw SolverError(fmt::format("map.csv has no column '{}'", name));
   return static_cast<std::size_t>(column - columns.begin());
+}
+
+std::string_view cell_in(std::string_view map_line, std::size_t column) {
+  for (; column > 0; --column) map_line.remove_prefix(map_line.find(',') + 1);
+  return map_line.substr(0, map_line.find(','));
+}
+
+double number_in(std::string_view map_line, std::size_t column) {
+  const std::string_view cell = cell_in(map_line, column);
+  double value = 0;
+  std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return value;
 }
 
 std::string describe_map_columns() {

@@ -36,6 +36,12 @@ std::span<const MapColumn> map_columns();
 /// Place of the column called `name`, from 0. Throws SolverError where there is none.
 std::size_t place_of_column(std::string_view name);
 
+/// Text in a column of a line. The columns of every map are never quoted.
+std::string_view cell_in(std::string_view map_line, std::size_t column);
+
+/// Number in a column of a line; 0 where there is none.
+double number_in(std::string_view map_line, std::size_t column);
+
 /// Descriptions of all columns and classes of motion, for --help; lines end with '\n'.
 std::string describe_map_columns();
 

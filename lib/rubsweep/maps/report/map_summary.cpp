@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 #include <vector>
 
 #include "rubsweep/core/error.hpp"
-#include "rubsweep/core/response/motion/motion_class.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
 
 namespace rubsweep::report {
@@ -16,20 +14,7 @@ namespace {
 
 using response::motion::MotionClass;
 
-/// Text of a column of a line. None of the columns used here is ever quoted.
-std::string_view cell(std::string_view line, std::size_t column) {
-  for (; column > 0; --column) line.remove_prefix(line.find(',') + 1);
-  return line.substr(0, line.find(','));
-}
-
-/// Number in a cell; 0 where there is none.
-double number_in(std::string_view cell) {
-  double value = 0;
-  std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return value;
-}
-
-/// Name of a motion from `name`, class and order; the kind is added where the class has several kinds.
+/// Name of a motion from `name`, its class and order, with the kind added where it needs one.
 std::string name_of(std::string name, std::string_view motion_class, bool circle, bool comb,
                     std::string_view whirl) {
   if (motion_class == to_string(MotionClass::synchronous) && circle)
@@ -53,21 +38,21 @@ std::string motion_name(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), order_column = place_of_column("order"),
                            orbit_column = place_of_column("orbit"), whirl_column = place_of_column("whirl"),
                            comb_column = place_of_column("comb_spacing");
-  const std::string_view word = cell(map_line, class_column), order = cell(map_line, order_column);
+  const std::string_view word = cell_in(map_line, class_column), order = cell_in(map_line, order_column);
   return name_of(order.empty() || order == "1" ? std::string(word) : fmt::format("{} 1/{}", word, order),
-                 word, cell(map_line, orbit_column) == "circle", !cell(map_line, comb_column).empty(),
-                 cell(map_line, whirl_column));
+                 word, cell_in(map_line, orbit_column) == "circle", !cell_in(map_line, comb_column).empty(),
+                 cell_in(map_line, whirl_column));
 }
 
 const response::motion::MotionKind& kind_in(std::string_view map_line) {
   static const std::size_t column = place_of_column("kind");
-  if (const auto* kind = response::motion::motion_kind_of(cell(map_line, column))) return *kind;
-  throw IoError(fmt::format("map.csv: '{}' is no kind of motion", cell(map_line, column)));
+  if (const auto* kind = response::motion::motion_kind_of(cell_in(map_line, column))) return *kind;
+  throw IoError(fmt::format("map.csv: '{}' is no kind of motion", cell_in(map_line, column)));
 }
 
 std::string label_of(std::string_view map_line) {
   static const std::size_t class_column = place_of_column("class"), order_column = place_of_column("order");
-  return fmt::format("{},{}", cell(map_line, class_column), cell(map_line, order_column));
+  return fmt::format("{},{}", cell_in(map_line, class_column), cell_in(map_line, order_column));
 }
 
 void MapSummary::add(std::string_view map_line) {
@@ -77,13 +62,13 @@ void MapSummary::add(std::string_view map_line) {
                            peak_column = place_of_column("peak_over_clearance");
   ++total_;
   ++by_name_[motion_name(map_line)];
-  const std::string_view status = cell(map_line, status_column);
+  const std::string_view status = cell_in(map_line, status_column);
   if (status != "ok") ++by_status_[std::string(status)];
-  if (cell(map_line, class_column) == to_string(MotionClass::non_contact)) ++non_contact_;
-  if (cell(map_line, start_column) == to_string(sweep::RunStart::kick)) ++kicked_;
-  if (cell(map_line, start_column) == to_string(sweep::RunStart::state)) ++stated_;
-  if (!cell(map_line, last_column).empty()) ++touched_;
-  const double peak = number_in(cell(map_line, peak_column));
+  if (cell_in(map_line, class_column) == to_string(MotionClass::non_contact)) ++non_contact_;
+  if (cell_in(map_line, start_column) == to_string(sweep::RunStart::kick)) ++kicked_;
+  if (cell_in(map_line, start_column) == to_string(sweep::RunStart::state)) ++stated_;
+  if (!cell_in(map_line, last_column).empty()) ++touched_;
+  const double peak = number_in(map_line, peak_column);
   largest_over_clearance_ = std::max(largest_over_clearance_, peak);
   if (peak > warn_over_clearances_) ++far_;
 }
@@ -94,8 +79,7 @@ bool MapSummary::has_failed_cells() const {
 
 std::string MapSummary::text() const {
   std::vector<std::pair<std::string, std::size_t>> sorted(by_name_.begin(), by_name_.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::ranges::stable_sort(sorted, std::ranges::greater(), &std::pair<std::string, std::size_t>::second);
   std::string text;
   for (const auto& [name, count] : sorted) {
     const double percent = 100.0 * static_cast<double>(count) / static_cast<double>(total_);

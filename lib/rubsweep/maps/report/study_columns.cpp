@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <charconv>
 #include <concepts>
-#include <functional>
 #include <numbers>
 
 #include "rubsweep/maps/batch/csv_table.hpp"
@@ -167,25 +165,14 @@ constexpr std::array unit_columns{
     UnitColumn{"balance_grade_mm_per_s", "balance quality grade at the rated speed, in mm/s"},
 };
 
-/// Function that gives the number in the column called `name` of a row.
-using CellOf = std::function<double(std::string_view name)>;
-
-std::string cells_by(const CellOf& cell, const sweep::Grid& grid) {
+std::string cells(double speed_hz, double eccentricity_m, const sweep::Grid& grid) {
   std::string text;
-  if (!grid.written_speed.is_si())
-    text.append(",").append(sweep::in_units(grid.written_speed, cell("speed_hz")));
-  if (!grid.written_unbalance.is_si())
-    text.append(",").append(sweep::in_units(grid.written_unbalance, cell("eccentricity_m")));
+  if (!grid.written_speed.is_si()) text += "," + sweep::in_units(grid.written_speed, speed_hz);
+  if (!grid.written_unbalance.is_si()) text += "," + sweep::in_units(grid.written_unbalance, eccentricity_m);
   return text;
 }
 
 }  // namespace
-
-std::vector<StudyColumn> all_study_columns() {
-  std::vector<StudyColumn> columns;
-  for (const Group& group : groups) columns.insert(columns.end(), group.columns.begin(), group.columns.end());
-  return columns;
-}
 
 std::vector<StudyColumn> study_columns(const sweep::Study& study) {
   std::vector<StudyColumn> columns;
@@ -214,21 +201,12 @@ std::string unit_header(const sweep::Grid& grid) {
 }
 
 std::string unit_cells(const sweep::Row& row, const sweep::Grid& grid) {
-  return cells_by(
-      [&](std::string_view name) { return name == "speed_hz" ? row.speed_hz : row.eccentricity_m; }, grid);
+  return cells(row.speed_hz, row.eccentricity_m, grid);
 }
 
 std::string unit_cells(std::string_view map_line, const sweep::Grid& grid) {
-  return cells_by(
-      [&](std::string_view name) {
-        std::string_view rest = map_line;
-        for (std::size_t column = place_of_column(name); column > 0; --column)
-          rest.remove_prefix(rest.find(',') + 1);
-        double value = 0;
-        std::from_chars(rest.data(), rest.data() + rest.size(), value);
-        return value;
-      },
-      grid);
+  return cells(number_in(map_line, place_of_column("speed_hz")),
+               number_in(map_line, place_of_column("eccentricity_m")), grid);
 }
 
 std::string_view without_unit_columns(std::string_view header) {

@@ -17,10 +17,8 @@ struct StudyColumn {
   std::string (*text)(const sweep::Row&) = nullptr;  ///< text of the cell; empty: does not apply
 };
 
-/// Columns for torsion, iterated secants, robustness as a probability, refined maps, thresholds, and basins.
-std::vector<StudyColumn> all_study_columns();
-
-/// Columns of all_study_columns that a map of this study has.
+/// Columns that a map of this study has: those for torsion, iterated secants, robustness as a probability,
+/// refined maps, thresholds, and basins.
 std::vector<StudyColumn> study_columns(const sweep::Study& study);
 
 /// Descriptions of all columns that only some studies have, for --help; lines end with '\n'.

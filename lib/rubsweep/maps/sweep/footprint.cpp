@@ -61,10 +61,6 @@ std::size_t memory_bytes(const Study& study, const Workers& workers, std::size_t
 
 }  // namespace
 
-Footprint footprint(const Study& study, const Workers& workers) {
-  return footprint(study, scene::prepare_machine(study.machine), workers);
-}
-
 Footprint footprint(const Study& study, const scene::PreparedMachine& prepared, const Workers& workers) {
   return {memory_bytes(study, workers, flow_bytes(study, prepared.assembly)),
           row_bytes * cell_count(study.grid)};

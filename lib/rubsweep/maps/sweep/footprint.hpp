@@ -24,11 +24,9 @@ struct Footprint {
 
 /// Footprint of all cells of a study. The constants were measured. Memory: 72 bytes a window sample for a
 /// single wall, 175 where a comb is searched for in an annular stop; 24 bytes a cell; 9 MB for MPI on one
-/// machine, more over networks. Disk: 340 bytes a row, three times. Flows are counted as if every thread
-/// needed all speeds and every contact mode, up to the limit of the cache. Throws ConfigError where the
-/// machine cannot be built.
-Footprint footprint(const Study& study, const Workers& workers);
-/// Footprint for a machine that is already built; to build a rotor kit takes 70 ms.
+/// machine, more over networks. Disk: 340 bytes a row, three times. Flows are counted as if every thread met
+/// all speeds and every contact mode, up to the limit of the cache. Throws ConfigError where the machine
+/// cannot be built.
 Footprint footprint(const Study& study, const scene::PreparedMachine& prepared, const Workers& workers);
 
 /// Upper bound of the memory of any footprint of this study; needs no built machine.

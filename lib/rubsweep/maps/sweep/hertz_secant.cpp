@@ -1,7 +1,6 @@
 #include "rubsweep/maps/sweep/hertz_secant.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "rubsweep/core/contact/hertz_line.hpp"

@@ -1,10 +1,8 @@
 #include "rubsweep/measurement/dataset/labelled_recording.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <optional>
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/measurement/recording/shaft_turns.hpp"

@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "rubsweep/maps/batch/csv_table.hpp"
-#include "rubsweep/measurement/dataset/labelled_recording.hpp"
 #include "rubsweep/measurement/diagnose/simulated_motion.hpp"
 
 namespace rubsweep::dataset {

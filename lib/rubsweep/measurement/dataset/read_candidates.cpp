@@ -174,9 +174,7 @@ CandidateFile read_candidate_file_text(std::string_view text, const std::string&
 std::vector<Candidate> read_candidates(const yaml::Value& value, bool of_any_rotor) {
   constexpr std::size_t most = 20;
   std::vector<Candidate> candidates;
-  const auto items = yaml::read_list(value, most);
-  if (!items) return candidates;
-  for (const yaml::Value& item : *items) {
+  for (const yaml::Value& item : yaml::read_list(value, most)) {
     auto candidate = read_candidate(item, of_any_rotor);
     if (!candidate) continue;
     if (std::ranges::count(candidates, candidate->name, &Candidate::name) > 0)

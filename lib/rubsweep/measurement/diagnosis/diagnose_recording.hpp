@@ -11,7 +11,6 @@
 
 #include "rubsweep/measurement/dataset/read_candidates.hpp"
 #include "rubsweep/measurement/diagnose/answer/answer.hpp"
-#include "rubsweep/measurement/diagnose/inference/diagnosis.hpp"
 #include "rubsweep/measurement/diagnose/observed_lines.hpp"
 #include "rubsweep/measurement/diagnosis/diagnosed_machine.hpp"
 #include "rubsweep/measurement/recording/instrument.hpp"

@@ -10,7 +10,6 @@
 #include "rubsweep/maps/config/run_config.hpp"
 #include "rubsweep/maps/config/yaml/base.hpp"
 #include "rubsweep/measurement/diagnose/fitted_parameters.hpp"
-#include "rubsweep/measurement/diagnose/random_stream.hpp"
 
 namespace rubsweep::diagnosis {
 namespace {

@@ -244,13 +244,6 @@ RampParts ramp_parts(const scene::PreparedMachine& prepared, const Eigen::Matrix
   return parts;
 }
 
-Eigen::MatrixXcd ramp_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
-                              double eccentricity_m, const Ramp& ramp, const std::vector<double>& t_s,
-                              double window_turns) {
-  const RampParts parts = ramp_parts(prepared, rows, ramp, t_s, window_turns);
-  return eccentricity_m * parts.per_eccentricity + parts.bow_m;
-}
-
 Eigen::RowVectorXcd steady_phasors(const scene::PreparedMachine& prepared, const Eigen::MatrixXd& rows,
                                    double eccentricity_m, double speed_hz) {
   structure::refuse_beyond_tables(prepared.machine, speed_hz, speed_hz);

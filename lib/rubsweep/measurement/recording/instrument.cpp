@@ -39,8 +39,7 @@ Probe read_probe(const yaml::Value& value) {
   read_column(section, "column", probe.column);
   section.field("angle_deg", probe.angle_deg, model::any_finite);
   section.field("gain_mv_per_um", probe.gain_mv_per_um, model::any_finite);
-  if (probe.gain_mv_per_um == 0)
-    section.refuse_together("gain_mv_per_um", {"gain_mv_per_um"}, "is 0", "a number other than 0");
+  if (probe.gain_mv_per_um == 0) section.refuse("gain_mv_per_um", "is 0", "a number other than 0");
   if (const auto unit = section.find("unit")) probe.unit = read_text(*unit);
   section.field("range_v", probe.range_v, model::positive);
   section.field("rest", probe.rest, model::any_finite);
@@ -100,9 +99,7 @@ Instrument read_root(const yaml::Value& root) {
   if (const auto value = section.find("speed")) instrument.speed = read_speed(*value);
   if (const auto value = section.find("run_out")) instrument.run_out = read_run_out(*value);
   if (const auto value = section.require("probes", "a list of one or two maps")) {
-    if (const auto items = read_list(*value, 2)) {
-      for (const yaml::Value& item : *items) instrument.probes.push_back(read_probe(item));
-    }
+    for (const yaml::Value& item : read_list(*value, 2)) instrument.probes.push_back(read_probe(item));
   }
   section.refuse_unknown_keys();
   if (section.is_sound() && instrument.run_out && !instrument.keyphasor)
@@ -110,15 +107,13 @@ Instrument read_root(const yaml::Value& root) {
                             "with keyphasor");
   if (section.is_sound() && instrument.probes.size() == 2 &&
       instrument.probes[0].rest.has_value() != instrument.probes[1].rest.has_value())
-    section.refuse_together("probes", {"probes"}, "have a reading at rest of one alone",
-                            "rest of both, or of none");
+    section.refuse("probes", "have a reading at rest of one alone", "rest of both, or of none");
   if (section.is_sound() && instrument.probes.size() == 2) {
     const double apart_rad =
         (instrument.probes[1].angle_deg - instrument.probes[0].angle_deg) * std::numbers::pi / 180;
     if (std::abs(std::sin(apart_rad)) < std::sin(least_angle_deg * std::numbers::pi / 180)) {
-      section.refuse_together(
-          "probes", {"probes"}, "look along one line",
-          fmt::format("directions {} degrees or more off each other's line", least_angle_deg));
+      section.refuse("probes", "look along one line",
+                     fmt::format("directions {} degrees or more off each other's line", least_angle_deg));
     }
   }
   return instrument;

@@ -130,7 +130,8 @@ const Families& half_orbit() {
   static const Families families = [] {
     const std::atomic<bool> stop{false};
     const std::vector<std::size_t> proven{2};
-    return families_of(study_of_one_ratio(), proven, 1, stop);
+    FamilyRecords records;
+    return families_of(study_of_one_ratio(), proven, 1, stop, records);
   }();
   return families;
 }

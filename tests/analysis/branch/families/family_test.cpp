@@ -18,6 +18,13 @@
 namespace rubsweep::branch::families {
 namespace {
 
+/// Families without records of an earlier run.
+Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
+                     const std::atomic<bool>& stop) {
+  FamilyRecords records;
+  return families_of(study, proven, threads, stop, records);
+}
+
 sweep::Study study_of_two_ratios() { return test::half_orbit_study({0.3, 0.4}); }
 
 /// The half orbit of parameter set A at a whirl ratio of 0.4 exists from 61.6455 to 90.9129 Hz. The family

@@ -31,7 +31,7 @@ std::vector<double> half_orders() {
   return orders;
 }
 
-AskedLines asked() { return {speed_hz, eccentricity_m, turns, half_orders()}; }
+RubLines asked() { return {.speed_hz = speed_hz, .turns = turns, .order = half_orders(), .line_m = {}}; }
 
 /// Lines of the last turns of a long run from the kick, without Newton corrections.
 Eigen::VectorXcd lines_of_a_long_run(const scene::PreparedMachine& machine) {
@@ -91,7 +91,7 @@ double apart(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
 
 TEST(RubOrbits, LinesAreThoseOfALongRun) {
   const scene::PreparedMachine machine = scene::prepare_machine(scene::one_side_machine());
-  const Eigen::VectorXcd found = RubOrbits({}, {}).lines_m(machine, asked());
+  const Eigen::VectorXcd found = RubOrbits({}, {}).lines_m(machine, asked(), eccentricity_m);
   const Eigen::VectorXcd run = turned(lines_of_a_long_run(machine), -begin_rad(scene::one_side_machine()));
   EXPECT_GT(std::abs(run(6)), 1e-5) << "the motion is no 1/2";
   EXPECT_LT(apart(found, run), 1e-6 * run.norm());
@@ -106,36 +106,38 @@ scene::PreparedMachine with_clearance(double factor) {
 
 TEST(RubOrbits, ANextMachineIsReachedFromTheLastAsFromItsKick) {
   RubOrbits followed({}, {});
-  followed.follow(with_clearance(1), asked());
-  const Eigen::VectorXcd far = RubOrbits({}, {}).lines_m(with_clearance(1.01), asked());
-  EXPECT_LT(apart(followed.lines_m(with_clearance(1.01), asked()), far), 1e-8 * far.norm());
+  followed.follow(with_clearance(1), asked(), eccentricity_m);
+  const Eigen::VectorXcd far = RubOrbits({}, {}).lines_m(with_clearance(1.01), asked(), eccentricity_m);
+  EXPECT_LT(apart(followed.lines_m(with_clearance(1.01), asked(), eccentricity_m), far), 1e-8 * far.norm());
 }
 
 TEST(RubOrbits, LinesDoNotDependOnWhoElseAsked) {
   RubOrbits one({}, {}), other({}, {});
-  AskedLines faster = asked();
+  RubLines faster = asked();
   faster.speed_hz = 71;
-  one.follow(with_clearance(1), asked());
-  one.follow(with_clearance(1), faster);
-  other.follow(with_clearance(1), faster);
-  other.follow(with_clearance(1), asked());
-  const Eigen::VectorXcd first = one.lines_m(with_clearance(1.001), asked()),
-                         second = one.lines_m(with_clearance(0.999), asked()),
-                         other_speed = one.lines_m(with_clearance(1.001), faster);
-  EXPECT_EQ(other.lines_m(with_clearance(1.001), faster), other_speed);
-  EXPECT_EQ(other.lines_m(with_clearance(0.999), asked()), second);
-  EXPECT_EQ(other.lines_m(with_clearance(1.001), asked()), first);
+  one.follow(with_clearance(1), asked(), eccentricity_m);
+  one.follow(with_clearance(1), faster, eccentricity_m);
+  other.follow(with_clearance(1), faster, eccentricity_m);
+  other.follow(with_clearance(1), asked(), eccentricity_m);
+  const Eigen::VectorXcd first = one.lines_m(with_clearance(1.001), asked(), eccentricity_m),
+                         second = one.lines_m(with_clearance(0.999), asked(), eccentricity_m),
+                         other_speed = one.lines_m(with_clearance(1.001), faster, eccentricity_m);
+  EXPECT_EQ(other.lines_m(with_clearance(1.001), faster, eccentricity_m), other_speed);
+  EXPECT_EQ(other.lines_m(with_clearance(0.999), asked(), eccentricity_m), second);
+  EXPECT_EQ(other.lines_m(with_clearance(1.001), asked(), eccentricity_m), first);
   // The lines do not depend on a call from a second thread.
-  auto beside = std::async(std::launch::async, [&] { return one.lines_m(with_clearance(1.001), asked()); });
-  EXPECT_EQ(one.lines_m(with_clearance(0.999), asked()), second);
+  auto beside = std::async(std::launch::async,
+                           [&] { return one.lines_m(with_clearance(1.001), asked(), eccentricity_m); });
+  EXPECT_EQ(one.lines_m(with_clearance(0.999), asked(), eccentricity_m), second);
   EXPECT_EQ(beside.get(), first);
 }
 
 TEST(RubOrbits, RefusesAMotionThatRepeatsSooner) {
-  AskedLines twice = asked();
+  RubLines twice = asked();
   twice.turns = 2 * turns;
   RubOrbits orbits({}, {});
-  const std::string message = message_of<ConfigError>([&] { orbits.lines_m(with_clearance(1), twice); });
+  const std::string message =
+      message_of<ConfigError>([&] { orbits.lines_m(with_clearance(1), twice, eccentricity_m); });
   EXPECT_NE(
       message.find("a motion that is subharmonic 1/2, allowed: one in contact that repeats after 4 turns"),
       std::string::npos)
@@ -146,7 +148,7 @@ TEST(RubOrbits, RefusesAMachineThatDoesNotRub) {
   model::Machine quiet = scene::one_side_machine();
   quiet.kick.reset();
   RubOrbits orbits({}, {});
-  EXPECT_THROW(orbits.lines_m(scene::prepare_machine(quiet), asked()), ConfigError);
+  EXPECT_THROW(orbits.lines_m(scene::prepare_machine(quiet), asked(), eccentricity_m), ConfigError);
 }
 
 TEST(RubOrbits, AFitFindsWhatTheStopIs) {
@@ -169,14 +171,10 @@ TEST(RubOrbits, AFitFindsWhatTheStopIs) {
                                     {mark_name, 0, -180, 180, 30}},
                      .data = {{"rub", data, false}},
                      .machine = [&](const Eigen::VectorXd& at) { return with(at(0), at(1)); },
-                     .rub_lines =
-                         [&](const scene::PreparedMachine& machine, const RubLines& rub, double e) {
-                           return orbits.lines_m(machine, {rub.speed_hz, e, rub.turns, rub.order});
-                         },
-                     .follow_rub =
-                         [&](const scene::PreparedMachine& machine, const RubLines& rub, double e) {
-                           orbits.follow(machine, {rub.speed_hz, e, rub.turns, rub.order});
-                         }};
+                     .rub_lines = [&](const scene::PreparedMachine& machine, const RubLines& rub,
+                                      double e) { return orbits.lines_m(machine, rub, e); },
+                     .follow_rub = [&](const scene::PreparedMachine& machine, const RubLines& rub,
+                                       double e) { orbits.follow(machine, rub, e); }};
   const MachineFitResult result = fit_machine(problem, {});
   EXPECT_TRUE(result.fit.converged);
   EXPECT_NEAR(result.fit.value(0), clearance_m, 1e-5 * clearance_m);

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>

@@ -275,12 +275,6 @@ Families families_of(const sweep::Study& study, std::span<const std::size_t> pro
   return families;
 }
 
-Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
-                     const std::atomic<bool>& stop) {
-  FamilyRecords records;
-  return families_of(study, proven, threads, stop, records);
-}
-
 std::vector<OutlineLine> outline_of(const sweep::Grid& grid, const Family& family) {
   return Tracer(grid, family).trace();
 }

@@ -55,10 +55,6 @@ struct Families {
 Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
                      const std::atomic<bool>& stop, FamilyRecords& records);
 
-/// Follows all families of the cells `proven`, without records of an earlier run.
-Families families_of(const sweep::Study& study, std::span<const std::size_t> proven, int threads,
-                     const std::atomic<bool>& stop);
-
 /// Part of the boundary of a family with the same kind of end.
 struct OutlineLine {
   std::string_view kind;

@@ -12,7 +12,6 @@
 #include "rubsweep/core/response/proof/section_map.hpp"
 #include "rubsweep/core/response/rotating/rotating_flow.hpp"
 #include "rubsweep/core/response/rotating/rotating_frame.hpp"
-#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::branch::orbits {
 namespace {

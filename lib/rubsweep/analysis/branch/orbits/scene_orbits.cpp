@@ -15,7 +15,6 @@
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/numerics/recently_used.hpp"
 #include "rubsweep/core/response/proof/section_map.hpp"
-#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::branch::orbits {
 namespace {

@@ -1,13 +1,11 @@
 #include "rubsweep/core/integrate/run/scaled_system.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/run/second_harmonic.hpp"
 #include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/scene/quiet_motion.hpp"
-#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::integrate::run {
 namespace {

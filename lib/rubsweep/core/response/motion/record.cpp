@@ -6,7 +6,6 @@
 #include "rubsweep/core/integrate/run/work_bound.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/response/motion/poincare_section.hpp"
-#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response::motion {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "rubsweep/core/numerics/full_turn.hpp"
 #include "rubsweep/core/response/rotating/rotating_frame.hpp"
-#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {

@@ -10,7 +10,6 @@
 #include "rubsweep/core/response/motion/classify.hpp"
 #include "rubsweep/core/response/spectrum/full_spectrum.hpp"
 #include "rubsweep/core/response/spectrum/orbit_shape.hpp"
-#include "rubsweep/core/scene/scene.hpp"
 
 namespace rubsweep::response::rotating {
 namespace {

@@ -53,7 +53,6 @@ constexpr std::array units{
     Unit{"_nm_per_rad", "N m/rad"},
     Unit{"_ns_per_m", "N s/m"},
     Unit{"_n_per_m_n", "N/m^n"},
-    Unit{"_n_per_m_n", "N/m^n"},
     Unit{"_n_per_m", "N/m"},
     Unit{"_mm_per_s", "mm/s"},
     Unit{"_m_per_s2", "m/s2"},

@@ -16,18 +16,18 @@ using matlab::Variable;
 
 constexpr std::string_view allowed_matrix = "a square matrix of real numbers, full or sparse";
 
-void refuse_missing(const std::vector<Variable>& variables, const std::string& variable,
-                    const yaml::Value& value) {
+std::nullopt_t refuse_missing(const std::vector<Variable>& variables, const std::string& variable,
+                              const yaml::Value& value) {
   std::vector<std::string_view> known;
   for (const Variable& one : variables) known.push_back(one.name);
   const auto meant = yaml::nearest(variable, known);
   std::string list;
   for (const std::string_view name : known)
     list += fmt::format("{}{}", list.empty() ? "" : ", ", yaml::shown(name));
-  refuse(value,
-         fmt::format("the file holds no '{}'{}", yaml::shown(variable),
-                     meant ? fmt::format(" (did you mean '{}'?)", yaml::shown(*meant)) : ""),
-         list.empty() ? "a file that holds one" : "variable: with one of " + yaml::shown(list, 200));
+  return refuse(value,
+                fmt::format("the file holds no '{}'{}", yaml::shown(variable),
+                            meant ? fmt::format(" (did you mean '{}'?)", yaml::shown(*meant)) : ""),
+                list.empty() ? "a file that holds one" : "variable: with one of " + yaml::shown(list, 200));
 }
 
 }  // namespace
@@ -42,17 +42,12 @@ std::optional<Eigen::MatrixXd> read_matlab_matrix(std::string_view bytes, const 
              one.dims[0] <= most;
     });
   } catch (const matlab::FileError& error) {
-    refuse(value, "the file " + error.wrong, error.allowed);
-    return std::nullopt;
+    return refuse(value, "the file " + error.wrong, error.allowed);
   }
   const auto found = std::ranges::find(variables, variable, &Variable::name);
-  if (found == variables.end()) {
-    refuse_missing(variables, variable, value);
-    return std::nullopt;
-  }
+  if (found == variables.end()) return refuse_missing(variables, variable, value);
   const auto refuse_it = [&](const std::string& why) {
-    refuse(value, fmt::format("'{}' {}", yaml::shown(variable), why), allowed_matrix);
-    return std::nullopt;
+    return refuse(value, fmt::format("'{}' {}", yaml::shown(variable), why), allowed_matrix);
   };
   if (found->dims.size() != 2) return refuse_it("is no matrix");
   if (found->complex) return refuse_it("is complex");

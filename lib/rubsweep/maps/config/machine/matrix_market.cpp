@@ -216,10 +216,8 @@ Symmetry symmetry_of(const Eigen::MatrixXd& matrix) {
 }  // namespace
 
 std::optional<Eigen::MatrixXd> read_matrix_market(const yaml::Value& value) {
-  if (value.node.kind != yaml::Node::Kind::scalar) {
-    refuse(value, yaml::describe(value.node), "a map with file, or the text of a Matrix Market file");
-    return std::nullopt;
-  }
+  if (value.node.kind != yaml::Node::Kind::scalar)
+    return refuse(value, yaml::describe(value.node), "a map with file, or the text of a Matrix Market file");
   try {
     return MatrixReader(value.node.text).read();
   } catch (const Problem& problem) {

@@ -115,21 +115,19 @@ bool is_excluded_by_matrices(std::string_view name) {
 void refuse_between_nodes(const yaml::Value& value, const model::RotorKit& kit) {
   if (!kit.matrices) return;
   if (value.node.kind == yaml::Node::Kind::list) {
-    for (std::size_t i = 0; i < value.node.items.size(); ++i)
-      refuse_between_nodes({value.node.items[i], fmt::format("{}.{}", value.path, i), value.diagnostics},
-                           kit);
+    for (std::size_t i = 0; i < value.node.items.size(); ++i) refuse_between_nodes(value.at(i), kit);
     return;
   }
   const yaml::Node* place = yaml::entry(value.node, "position_m");
   if (place == nullptr) return;
-  const yaml::ParsedNumber wanted = yaml::parse_number(place->text);
-  if (wanted.error != yaml::NumberError::none) return;  // refused where it was read
+  const auto wanted = yaml::number_of(*place);
+  if (!wanted) return;  // refused where it was read
   double nearest = INFINITY;
   for (const model::DegreeOfFreedom& one : kit.matrices->degrees_of_freedom) {
-    if (one.position_m && std::abs(*one.position_m - wanted.value) < std::abs(nearest - wanted.value))
+    if (one.position_m && std::abs(*one.position_m - *wanted) < std::abs(nearest - *wanted))
       nearest = *one.position_m;
   }
-  if (std::abs(nearest - wanted.value) <= same_place * model::shaft_length_m(kit)) return;
+  if (std::abs(nearest - *wanted) <= same_place * model::shaft_length_m(kit)) return;
   yaml::refuse({*place, value.path + ".position_m", value.diagnostics},
                fmt::format("at {} m stands no node", place->text),
                fmt::format("a position_m of degrees_of_freedom, of which {} is the nearest", nearest));

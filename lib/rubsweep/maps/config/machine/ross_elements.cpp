@@ -42,7 +42,7 @@ void field(yaml::Section& section, std::string_view name, double& target, const 
 void refuse_unless_zero(yaml::Section& section, std::string_view name, std::string_view wrong) {
   double value = 0;
   field(section, name, value, model::any_finite);
-  if (value != 0) section.refuse_together(name, {name}, wrong, "0");
+  if (value != 0) section.refuse(name, wrong, "0");
 }
 
 void read_material(const yaml::Value& value, model::ShaftLayer& layer) {
@@ -68,8 +68,7 @@ void read_material(const yaml::Value& value, model::ShaftLayer& layer) {
   if (std::isnan(young) || std::isnan(shear)) {
     refuse(value, "does not say how stiff it is", "two of E, G_s and Poisson");
   } else if (!std::isnan(poisson) && std::abs(young - 2 * shear * (1 + poisson)) > 1e-6 * young) {
-    material.refuse_together("Poisson", {"Poisson"}, "contradicts E and G_s",
-                             "E / (2 G_s) - 1, or two of the three");
+    material.refuse("Poisson", "contradicts E and G_s", "E / (2 G_s) - 1, or two of the three");
   }
   layer.youngs_modulus_pa = young;
   layer.shear_modulus_pa = shear;
@@ -93,13 +92,7 @@ std::vector<double> read_numbers_or_one(yaml::Section& section, std::string_view
     const auto number = read_number(*value, range);
     return number ? std::vector{*number} : std::vector<double>{};
   }
-  std::vector<double> numbers;
-  const auto items = read_list(*value, model::SupportTable::most_points);
-  if (!items) return {};
-  for (const yaml::Value& item : *items) {
-    if (const auto number = read_number(item, range)) numbers.push_back(*number);
-  }
-  return numbers;
+  return read_number_list(*value, range, model::SupportTable::most_points);
 }
 
 /// Speed in Hz. Tables are made at whole revolutions per minute, but saved in rad/s with about ten digits. A
@@ -126,7 +119,7 @@ std::vector<double> read_speeds_hz(yaml::Section& section) {
   }
   for (std::size_t i = 1; i < speeds.size(); ++i) {
     if (speeds[i] > speeds[i - 1]) continue;
-    section.refuse_together(found, {found}, "its speeds do not ascend", "each speed once, the slowest first");
+    section.refuse(found, "its speeds do not ascend", "each speed once, the slowest first");
     return {};
   }
   return speeds;
@@ -150,7 +143,7 @@ Columns read_columns(yaml::Section& section) {
   for (const std::string_view cross : {"mxy", "myx"}) {
     for (const double number : read_numbers_or_one(section, cross, model::any_finite)) {
       if (number == 0) continue;
-      section.refuse_together(cross, {cross}, "a mass that couples x and y cannot be represented", "0");
+      section.refuse(cross, "a mass that couples x and y cannot be represented", "0");
       break;
     }
   }
@@ -163,8 +156,8 @@ void spread(yaml::Section& section, Columns& columns, std::size_t count) {
     if (columns[c].size() == 1) columns[c].resize(count, columns[c].front());
     if (columns[c].size() == count) continue;
     const std::string_view name = model::support_coefficients[c];
-    section.refuse_together(name, {name}, fmt::format("has {} numbers", columns[c].size()),
-                            fmt::format("{}, one for each speed, or one for all", count));
+    section.refuse(name, fmt::format("has {} numbers", columns[c].size()),
+                   fmt::format("{}, one for each speed, or one for all", count));
     columns[c].assign(count, 0);
   }
 }
@@ -186,8 +179,7 @@ void read_coefficients(yaml::Section& section, model::Support& support) {
   std::size_t longest = 1;
   for (const auto& column : columns) longest = std::max(longest, column.size());
   if (longest > 1 && speeds.empty() && section.is_sound())
-    section.refuse_together("kxx", {"kxx"}, "has several numbers, and there are no speeds",
-                            "frequency in rad/s");
+    section.refuse("kxx", "has several numbers, and there are no speeds", "frequency in rad/s");
   if (!section.is_sound()) return;
   if (speeds.size() > 1) {
     spread(section, columns, speeds.size());
@@ -242,7 +234,7 @@ AtNode<model::Disc> read_ross_disc(const RossElement& element) {
   field(section, "Id", disc.part.diametral_inertia_kg_m2, model::physical::inertia_kg_m2);
   section.refuse_unknown_keys();
   if (section.is_sound() && disc.part.polar_inertia_kg_m2 > model::largest_polar_inertia_kg_m2(disc.part))
-    section.refuse_together("Ip", {"Ip"}, "is more than twice Id, which no body has", "at most 2 Id");
+    section.refuse("Ip", "is more than twice Id, which no body has", "at most 2 Id");
   return disc;
 }
 

@@ -143,9 +143,9 @@ class KitOfElements {
   std::optional<int> housing_at(const RossElement& element, int node) const {
     const auto found = housing_of_node_.find(node);
     if (found != housing_of_node_.end()) return found->second;
-    refuse(element.value, fmt::format("names node {}, where neither the shaft nor a PointMass stands", node),
-           fmt::format("a node of the shaft, 0 to {}, or one with a PointMass", last_node()));
-    return std::nullopt;
+    return refuse(element.value,
+                  fmt::format("names node {}, where neither the shaft nor a PointMass stands", node),
+                  fmt::format("a node of the shaft, 0 to {}, or one with a PointMass", last_node()));
   }
 
   void add_support(AtNode<RossSupport> read) {
@@ -206,11 +206,11 @@ void visit_unbalance(auto& disc, auto&& visit) {
 /// Reads the unbalance of discs, named by their tags. Discs that are not named become balanced.
 void read_unbalance(const yaml::Value& list, const RossSections& elements, model::RotorKit& kit) {
   const auto items = read_list(list, model::RotorKit::most_parts);
-  if (!items || kit.discs.size() != elements.discs.size()) return;
+  if (items.empty() || kit.discs.size() != elements.discs.size()) return;
   std::vector<std::string_view> tags;
   for (const RossElement& disc : elements.discs) tags.push_back(disc.tag);
   for (model::Disc& disc : kit.discs) disc.eccentricity_ratio = 0;
-  for (const yaml::Value& item : *items) {
+  for (const yaml::Value& item : items) {
     yaml::Section section(item);
     const auto tag = section.require("disc", yaml::describe(tags));
     model::Disc unbalance;
@@ -228,26 +228,19 @@ void read_unbalance(const yaml::Value& list, const RossSections& elements, model
 
 std::optional<yaml::Node> parse(const yaml::Value& name, const std::filesystem::path& file) {
   const yaml::FileBytes bytes = yaml::read_bytes(file);
-  if (!bytes.problem.empty()) {
-    refuse(name, fmt::format("'{}' cannot be read: {}", yaml::shown(name.node.text), bytes.problem),
-           allowed_ross_file);
-    return std::nullopt;
-  }
+  if (!bytes.problem.empty())
+    return refuse(name, fmt::format("'{}' cannot be read: {}", yaml::shown(name.node.text), bytes.problem),
+                  allowed_ross_file);
   const bool json = file.extension() == ".json";
-  if (!json && file.extension() != ".toml") {
-    refuse(name, fmt::format("'{}' ends neither in .toml nor in .json", yaml::shown(name.node.text)),
-           allowed_ross_file);
-    return std::nullopt;
-  }
+  if (!json && file.extension() != ".toml")
+    return refuse(name, fmt::format("'{}' ends neither in .toml nor in .json", yaml::shown(name.node.text)),
+                  allowed_ross_file);
   const int index = name.diagnostics.add_file(yaml::shown(file.string(), yaml::max_text_bytes));
   auto root = json ? yaml::parse_json(bytes.text, name.path, name.diagnostics, index)
                    : yaml::parse_toml(bytes.text, name.path, name.diagnostics, index);
-  if (root && root->kind != yaml::Node::Kind::map) {
-    yaml::refuse({*root, name.path, name.diagnostics}, yaml::describe(*root) + " and no rotor",
-                 "a map of elements");
-    return std::nullopt;
-  }
-  return root;
+  if (!root || root->kind == yaml::Node::Kind::map) return root;
+  return yaml::refuse({*root, name.path, name.diagnostics}, yaml::describe(*root) + " and no rotor",
+                      "a map of elements");
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ RossSettings read_ross_settings(const yaml::Value& file) {
   RossSettings settings;
   for (std::size_t i = 0; i < file.node.items.size(); ++i) {
     const std::string& name = file.node.keys[i].text;
-    const yaml::Value value{file.node.items[i], yaml::child_path(file.path, name), file.diagnostics};
+    const yaml::Value value = file.at(i);
     if (name == "ross_version") settings.whirl_tables = read_version(value) >= first_with_whirl_tables;
     if (name != "parameters") continue;
     yaml::Section parameters(value);
@@ -116,7 +116,7 @@ RossSections read_ross_sections(const yaml::Value& root) {
   for (std::size_t i = 0; i < root.node.items.size(); ++i) {
     const std::string& name = root.node.keys[i].text;
     if (is_ross_setting(name)) continue;
-    const yaml::Value value{root.node.items[i], yaml::child_path(root.path, name), root.diagnostics};
+    const yaml::Value value = root.at(i);
     RossElement element = element_of(value, name);
     if (value.node.kind != yaml::Node::Kind::map) {
       refuse(value, yaml::describe(value.node) + " and no element", yaml::describe(known_classes));

@@ -6,7 +6,6 @@
 #include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/machine/printed_matrices.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"
-#include "rubsweep/maps/config/yaml/section.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 
 namespace rubsweep::config::machine {

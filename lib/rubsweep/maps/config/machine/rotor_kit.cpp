@@ -52,9 +52,7 @@ void read_part(yaml::Section& section, Part& part, const model::Range& range) {
 template <class Part, class More>
 std::vector<Part> read_parts(const yaml::Value& list, const model::Range& range, More more) {
   std::vector<Part> parts;
-  const auto items = read_list(list, most_parts);
-  if (!items) return parts;
-  for (const yaml::Value& item : *items) {
+  for (const yaml::Value& item : read_list(list, most_parts)) {
     yaml::Section section(item);
     Part& part = parts.emplace_back();
     read_part(section, part, range);
@@ -76,8 +74,7 @@ void read_inertia(yaml::Section& section, const model::Disc& disc) {
 }
 
 void refuse_problem(yaml::Section& section, const std::optional<model::PartProblem>& problem) {
-  if (problem && section.is_sound())
-    section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
+  if (problem && section.is_sound()) section.refuse(problem->key, problem->wrong, problem->allowed);
 }
 
 template <class Part>

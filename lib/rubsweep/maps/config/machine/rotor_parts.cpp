@@ -14,7 +14,7 @@ void read_words(yaml::Section& section, model::ShaftLayer& layer) {
   model::ShaftLayer::visit_words(layer, model::fields_into(section));
   if (!section.is_sound()) return;
   if (const auto problem = model::diameter_problem(layer))
-    section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
+    section.refuse(problem->key, problem->wrong, problem->allowed);
 }
 
 model::BowPoints read_bow_points(yaml::Section& section, const model::Range& range) {
@@ -49,9 +49,7 @@ void read_segment(yaml::Section& section, model::ShaftSegment& segment) {
   read_words(section, segment);
   const auto list = section.find("layers");
   if (!list) return;
-  const auto items = read_list(*list, most_layers);
-  if (!items) return;
-  for (const yaml::Value& item : *items) {
+  for (const yaml::Value& item : read_list(*list, most_layers)) {
     yaml::Section layer(item);
     read_fields(layer, segment.layers.emplace_back());
     read_words(layer, segment.layers.back());
@@ -114,8 +112,7 @@ void read_disc_geometry(yaml::Section& section, model::Disc& disc) {
   read_fields(inner, geometry);
   inner.refuse_unknown_keys();
   if (inner.is_sound() && geometry.inner_diameter_m >= geometry.outer_diameter_m) {
-    inner.refuse_together("inner_diameter_m", {"inner_diameter_m"}, "no disc is left",
-                          "a number below outer_diameter_m");
+    inner.refuse("inner_diameter_m", "no disc is left", "a number below outer_diameter_m");
   }
   // After a problem the disc is not used. Zeros are then returned, because they cause no further problem.
   const bool sound = inner.is_sound();

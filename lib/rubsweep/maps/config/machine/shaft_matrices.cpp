@@ -58,8 +58,10 @@ void resolve_matrix(yaml::Node& matrix, std::string_view key, yaml::Diagnostics&
     if (read) matrix = {yaml::Node::Kind::scalar, name.node.place, matrix_market(*read), true};
     return;
   }
-  if (variable)
-    return refuse(*variable, "is given for a file that is not MATLAB's", "a file that ends in .mat");
+  if (variable) {
+    refuse(*variable, "is given for a file that is not MATLAB's", "a file that ends in .mat");
+    return;
+  }
   const int index = diagnostics.add_file(yaml::shown(path.string(), yaml::max_text_bytes));
   matrix = {yaml::Node::Kind::scalar, {-1, 1, 1, index}, bytes->text};
 }
@@ -70,11 +72,10 @@ bool is_still_a_file(const yaml::Value& value) { return yaml::entry(value.node, 
 /// Columns of a table, each as long as the first; empty after a problem.
 std::vector<yaml::Value> items_of(yaml::Section& section, std::string_view name, std::size_t& rows) {
   const auto list = section.require(name, "a list");
-  auto items = list ? read_list(*list, most) : std::nullopt;
-  if (!items) return {};
-  if (rows == 0) rows = items->size();
-  if (items->size() == rows) return *std::move(items);
-  refuse(*list, fmt::format("holds {} values", items->size()),
+  auto items = list ? read_list(*list, most) : std::vector<yaml::Value>{};
+  if (rows == 0) rows = items.size();
+  if (items.size() == rows || items.empty()) return items;
+  refuse(*list, fmt::format("holds {} values", items.size()),
          fmt::format("{}, as many as the first column", rows));
   return {};
 }
@@ -199,19 +200,19 @@ void read_node_unbalance(const yaml::Value& item, const Freedoms& freedoms, Shaf
   }
   if (!section.is_sound()) return;
   const yaml::Value& where = node ? *node : *place;
-  if (!found)
-    return refuse(where, fmt::format("'{}' is no node of the shaft", yaml::shown(where.node.text)),
-                  "a node of degrees_of_freedom with a position_m");
-  unbalance.node = *found;
-  matrices.unbalance.push_back(unbalance);
+  if (found) {
+    unbalance.node = *found;
+    matrices.unbalance.push_back(unbalance);
+  } else {
+    refuse(where, fmt::format("'{}' is no node of the shaft", yaml::shown(where.node.text)),
+           "a node of degrees_of_freedom with a position_m");
+  }
 }
 
 void read_unbalance(const yaml::Value& value, const Freedoms& freedoms, ShaftMatrices& matrices) {
   if (is_still_a_file(value)) return;
   if (value.node.kind != yaml::Node::Kind::list) return read_unbalance_columns(value, freedoms, matrices);
-  const auto items = read_list(value, most);
-  if (!items) return;
-  for (const yaml::Value& item : *items) read_node_unbalance(item, freedoms, matrices);
+  for (const yaml::Value& item : read_list(value, most)) read_node_unbalance(item, freedoms, matrices);
 }
 
 /// Reads the matrices. A matrix that is left out is zero. A needed matrix that is missing or cannot be read

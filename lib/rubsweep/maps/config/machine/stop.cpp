@@ -233,9 +233,7 @@ void print_stop(yaml::Printer& printer, const model::Stop& stop) {
 
 std::vector<model::Stop> read_stops(const yaml::Value& value, const std::optional<model::Range>& places) {
   std::vector<model::Stop> stops;
-  const auto items = read_list(value, max_stops);
-  if (!items) return stops;
-  for (const yaml::Value& item : *items) stops.push_back(read_stop(item, places));
+  for (const yaml::Value& item : read_list(value, max_stops)) stops.push_back(read_stop(item, places));
   return stops;
 }
 

@@ -59,9 +59,7 @@ bool is_needed(std::string_view column) { return column == "kxx" || column == "k
 
 std::vector<double> read_column(const yaml::Value& value, const model::Range& range, double in_si) {
   std::vector<double> numbers;
-  const auto items = read_list(value, model::SupportTable::most_points);
-  if (!items) return numbers;
-  for (const yaml::Value& item : *items) {
+  for (const yaml::Value& item : read_list(value, model::SupportTable::most_points)) {
     const auto number = read_number(item, model::any_finite);
     if (!number) continue;
     if (!model::contains(range, *number * in_si))
@@ -104,12 +102,12 @@ void order_rows(model::SupportTable& table, const yaml::Value& speeds) {
     if (!repeats) {
       const auto items = speeds.node.items.size();
       const std::size_t place = i + items - hz.size();
-      const yaml::Value item{speeds.node.items[place], fmt::format("{}.{}", speeds.path, place),
-                             speeds.diagnostics};
-      return refuse(item,
-                    fmt::format("{} is not {} the speed before it", yaml::shown(item.node.text),
-                                falling ? "below" : "above"),
-                    falling ? "speeds that rise, or that fall" : "speeds that rise");
+      const yaml::Value item = speeds.at(place);
+      refuse(item,
+             fmt::format("{} is not {} the speed before it", yaml::shown(item.node.text),
+                         falling ? "below" : "above"),
+             falling ? "speeds that rise, or that fall" : "speeds that rise");
+      return;
     }
     const auto row = static_cast<std::ptrdiff_t>(i--);
     hz.erase(hz.begin() + row);
@@ -217,12 +215,13 @@ void resolve_table(yaml::Node& table, const std::string& path, yaml::Diagnostics
   const yaml::Value value{written, path + ".speed_unit", diagnostics};
   const auto unit = read_text(value);
   const auto place = given - table.items.data();
-  table.keys.erase(table.keys.begin() + place);
-  table.items.erase(table.items.begin() + place);
+  drop_entry(table, static_cast<std::size_t>(place));
   constexpr std::array<std::string_view, 3> units{"rpm", "Hz", "rad/s"};
   if (!unit) return;
-  if (std::ranges::find(units, *unit) == units.end())
-    return refuse(value, fmt::format("'{}' is no unit of speeds", yaml::shown(*unit)), "rpm, Hz or rad/s");
+  if (std::ranges::find(units, *unit) == units.end()) {
+    refuse(value, fmt::format("'{}' is no unit of speeds", yaml::shown(*unit)), "rpm, Hz or rad/s");
+    return;
+  }
   bool is_needed = false;
   const auto key_of = [&](const table::Heading& heading) {
     ColumnKey key = key_of_support(heading);

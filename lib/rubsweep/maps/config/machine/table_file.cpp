@@ -126,8 +126,7 @@ class TableFile {
       const bool empty = std::ranges::all_of(cells, [](const yaml::Node& cell) { return cell.text.empty(); });
       const bool comment = key_of_(layout.columns[i].heading).key.empty() && (words || empty);
       if (!comment || read.items.size() == 1) continue;
-      read.keys.erase(read.keys.begin() + static_cast<std::ptrdiff_t>(i));
-      read.items.erase(read.items.begin() + static_cast<std::ptrdiff_t>(i));
+      drop_entry(read, i);
     }
   }
 
@@ -187,8 +186,8 @@ std::optional<yaml::FileBytes> read_named_file(const yaml::Value& name, std::fil
   if (bytes.problem.empty() && bytes.text.size() > yaml::max_document_bytes)
     bytes.problem = fmt::format("more than {} bytes", yaml::max_document_bytes);
   if (bytes.problem.empty()) return bytes;
-  refuse(name, fmt::format("'{}' cannot be read: {}", yaml::shown(*text), bytes.problem), allowed_table_file);
-  return std::nullopt;
+  return refuse(name, fmt::format("'{}' cannot be read: {}", yaml::shown(*text), bytes.problem),
+                allowed_table_file);
 }
 
 void resolve_table_file(yaml::Node& table, const std::string& path, const KeyOf& key_of,
@@ -196,9 +195,9 @@ void resolve_table_file(yaml::Node& table, const std::string& path, const KeyOf&
   if (yaml::entry(table, "file") == nullptr) return;
   const yaml::Node name = *yaml::entry(table, "file");
   const yaml::Value value{name, path + ".file", diagnostics};
-  if (table.keys.size() > 1) return refuse(value, "is given beside other keys", "file alone");
   std::filesystem::path file;
-  const auto bytes = read_named_file(value, file);
+  const auto bytes = table.keys.size() > 1 ? refuse(value, "is given beside other keys", "file alone")
+                                           : read_named_file(value, file);
   if (!bytes) return;
   const int index = diagnostics.add_file(yaml::shown(file.string(), yaml::max_text_bytes));
   const std::size_t problems = diagnostics.count();

@@ -13,10 +13,8 @@ namespace {
 
 std::vector<double> read_values(const yaml::Value& value, const model::Range& range, double units_per_si) {
   std::vector<double> values;
-  const auto items = read_list(value, static_cast<std::size_t>(max_axis_values));
-  if (!items) return values;
   std::set<double> seen;
-  for (const yaml::Value& item : *items) {
+  for (const yaml::Value& item : read_list(value, static_cast<std::size_t>(max_axis_values))) {
     const auto number = read_number(item, range);
     if (!number) continue;
     if (!seen.insert(*number / units_per_si).second) {
@@ -73,7 +71,7 @@ AxisValues read_stepped(yaml::Section& section, const model::Range& range, doubl
   section.field("to", spacing.to, range);
   section.field("step", spacing.step, model::positive);
   for (const std::string_view name : {"count", "scale"})
-    if (section.find(name)) section.refuse_together(name, {name}, "given beside step", axis_forms);
+    if (section.find(name)) section.refuse(name, "given beside step", axis_forms);
   if (!section.is_sound()) return {};
   const auto steps = batch::whole_steps(spacing.from, spacing.to, spacing.step);
   if (!steps) {
@@ -106,7 +104,7 @@ void read_keys(yaml::Section& section, sweep::KeyAxis& axis) {
     if (auto text = read_text(*key)) axis.keys.push_back(*std::move(text));
   }
   if (const auto keys = section.find("keys")) {
-    for (const yaml::Value& item : read_list(*keys, most_keys).value_or(std::vector<yaml::Value>{})) {
+    for (const yaml::Value& item : read_list(*keys, most_keys)) {
       if (auto text = read_text(item)) axis.keys.push_back(*std::move(text));
     }
   }
@@ -122,8 +120,7 @@ void refuse_repeated_keys_of_axis(const yaml::Section& section, const sweep::Key
   std::set<std::string> taken;
   for (const std::string& key : axis.keys) {
     if (!taken.insert(key).second)
-      section.refuse_together("keys", {"keys"}, fmt::format("'{}' is there twice", yaml::shown(key)),
-                              "every key once");
+      section.refuse("keys", fmt::format("'{}' is there twice", yaml::shown(key)), "every key once");
   }
 }
 
@@ -141,7 +138,7 @@ AxisValues read_axis_values(yaml::Section& section, const model::Range& range, d
   AxisValues result;
   if (const auto values = section.find("values")) {
     for (const std::string_view name : {"from", "to", "count", "step", "scale"}) {
-      if (section.find(name)) section.refuse_together(name, {name}, "given beside values", axis_forms);
+      if (section.find(name)) section.refuse(name, "given beside values", axis_forms);
     }
     result.values = read_values(*values, range, units_per_si);
   } else if (section.find("step")) {

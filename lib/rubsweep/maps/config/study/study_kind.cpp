@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <set>
 #include <string>
 
@@ -69,8 +68,7 @@ sweep::BasinSampling read_basin(yaml::Section& section) {
   const auto over = section.require("over", "a list of {key: PATH, from, to}");
   if (!over) return sampling;
   std::set<std::string> taken;
-  for (const yaml::Value& item :
-       read_list(*over, basin::most_dimensions).value_or(std::vector<yaml::Value>{})) {
+  for (const yaml::Value& item : read_list(*over, basin::most_dimensions)) {
     sampling.over.push_back(read_drawn_key(item));
     const std::string& key = sampling.over.back().key;
     if (!taken.insert(key).second)

@@ -46,8 +46,8 @@ void refuse_rated_speed(yaml::Section& sweep) {
 /// Refuses unsorted values together with `refine`, because a refined map compares neighbours.
 void refuse_disorder(const yaml::Section& section, const sweep::Grid& grid) {
   if (const auto axis = sweep::disordered_axis(grid)) {
-    section.refuse_together("refine", {"refine"}, fmt::format("beside values of {} in no order", *axis),
-                            "values that rise, or fall, all along");
+    section.refuse("refine", fmt::format("beside values of {} in no order", *axis),
+                   "values that rise, or fall, all along");
   }
 }
 

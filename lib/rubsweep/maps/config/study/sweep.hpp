@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "rubsweep/core/model/machine.hpp"
-#include "rubsweep/core/model/speed_text.hpp"
 #include "rubsweep/maps/config/keys/form.hpp"
 #include "rubsweep/maps/config/study/axis.hpp"
 #include "rubsweep/maps/config/yaml/printer.hpp"

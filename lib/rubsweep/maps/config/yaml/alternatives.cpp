@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <string>
 
 #include "rubsweep/maps/config/yaml/text.hpp"
 

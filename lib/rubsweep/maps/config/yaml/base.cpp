@@ -16,29 +16,20 @@
 namespace rubsweep::config::yaml {
 namespace {
 
-/// Index of a key in a map; the number of keys where it is missing.
-std::size_t index_of(const Node& map, std::string_view name) {
-  const auto found =
-      std::find_if(map.keys.begin(), map.keys.end(), [&](const Node::Key& key) { return key.text == name; });
-  return static_cast<std::size_t>(found - map.keys.begin());
-}
-
 bool is_of_another_kind(const Node& base, const Node& over) {
-  const std::size_t in_base = index_of(base, "kind"), in_over = index_of(over, "kind");
-  return in_base < base.keys.size() && in_over < over.keys.size() &&
-         base.items[in_base].text != over.items[in_over].text;
+  const Node *in_base = entry(base, "kind"), *in_over = entry(over, "kind");
+  return in_base != nullptr && in_over != nullptr && in_base->text != in_over->text;
 }
 
 void write_over(Node& base, Node::Key key, Node item, std::string_view path, const Alternatives& alternatives,
                 Diagnostics& diagnostics) {
-  const std::size_t index = index_of(base, key.text);
-  if (index == base.keys.size()) {
+  if (Node* found = entry(base, key.text)) {
+    *found =
+        merged(std::move(*found), std::move(item), child_path(path, key.text), alternatives, diagnostics);
+    base.keys[static_cast<std::size_t>(found - base.items.data())] = std::move(key);
+  } else {
     base.keys.push_back(std::move(key));
     base.items.push_back(std::move(item));
-  } else {
-    base.items[index] = merged(std::move(base.items[index]), std::move(item), child_path(path, key.text),
-                               alternatives, diagnostics);
-    base.keys[index] = std::move(key);
   }
 }
 
@@ -46,9 +37,9 @@ void write_over(Node& base, Node::Key key, Node item, std::string_view path, con
 /// removed.
 void take_back(Node& base, Node& over) {
   for (std::size_t i = over.keys.size(); i-- > 0;) {
-    const std::size_t index = index_of(base, over.keys[i].text);
-    if (over.items[i].kind != Node::Kind::null || index == base.keys.size()) continue;
-    drop_entry(base, index);
+    const Node* found = entry(base, over.keys[i].text);
+    if (over.items[i].kind != Node::Kind::null || found == nullptr) continue;
+    drop_entry(base, static_cast<std::size_t>(found - base.items.data()));
     drop_entry(over, i);
   }
 }
@@ -78,10 +69,8 @@ class Resolver {
   /// `chain`: identities of the files from the root to `file`; each file names the next one as its base.
   void resolve(Node& node, const std::string& path, const fs::path& file, std::vector<fs::path>& chain) {
     for (std::size_t i = 0; i < node.items.size(); ++i) {
-      const std::string name = node.kind == Node::Kind::map ? child_path(path, node.keys[i].text)
-                                                            : child_path(path, std::to_string(i));
-      if (node.kind == Node::Kind::map && node.keys[i].text == base_key) continue;
-      resolve(node.items[i], name, file, chain);
+      const std::string name = node.kind == Node::Kind::map ? node.keys[i].text : std::to_string(i);
+      if (name != base_key) resolve(node.items[i], child_path(path, name), file, chain);
     }
     if (auto name = take_base(node, path)) {
       auto base = read({*name, child_path(path, base_key), diagnostics_}, path, file, chain);
@@ -96,15 +85,12 @@ class Resolver {
  private:
   /// Removes the key `base` from a map and returns its value; empty where there is none.
   std::optional<Node> take_base(Node& node, const std::string& path) {
-    if (node.kind != Node::Kind::map) return std::nullopt;
-    const auto names_base = [](const Node::Key& key) { return key.text == base_key; };
-    if (std::none_of(node.keys.begin(), node.keys.end(), names_base)) return std::nullopt;
+    if (entry(node, base_key) == nullptr) return std::nullopt;
     refuse_repeated_keys(node, path, diagnostics_);
     drop_repeated_keys(node);
-    const auto found = std::find_if(node.keys.begin(), node.keys.end(), names_base);
-    const auto index = static_cast<std::size_t>(found - node.keys.begin());
-    Node name = std::move(node.items[index]);
-    drop_entry(node, index);
+    Node* found = entry(node, base_key);
+    Node name = std::move(*found);
+    drop_entry(node, static_cast<std::size_t>(found - node.items.data()));
     return name;
   }
 
@@ -116,10 +102,8 @@ class Resolver {
     const fs::path base = file.parent_path() / *text;
     if (!may_be_read(name, base, chain)) return std::nullopt;
     const FileBytes bytes = read_bytes(base);
-    if (!bytes.problem.empty()) {
-      refuse(name, fmt::format("'{}' cannot be read: {}", shown(*text), bytes.problem), allowed_base);
-      return std::nullopt;
-    }
+    if (!bytes.problem.empty())
+      return refuse(name, fmt::format("'{}' cannot be read: {}", shown(*text), bytes.problem), allowed_base);
     const int index = diagnostics_.add_file(shown(base.string(), max_text_bytes));
     auto node = parse_document(bytes.text, -1, path, diagnostics_, index);
     if (!node || !is_map(*node, path) || !counts(name, *node)) return std::nullopt;
@@ -215,10 +199,10 @@ bool resolve_bases(Node& root, const fs::path& file, const Alternatives& alterna
 }
 
 void refuse_base_of_override(const Node& root, Diagnostics& diagnostics) {
-  for (const Node::Key& key : root.keys) {
-    if (key.text != base_key) continue;
-    diagnostics.add(key.place, base_key, "an override is no file and has no base", "a base named in a file");
-  }
+  for (const Node::Key& key : root.keys)
+    if (key.text == base_key)
+      diagnostics.add(key.place, base_key, "an override is no file and has no base",
+                      "a base named in a file");
 }
 
 }  // namespace rubsweep::config::yaml

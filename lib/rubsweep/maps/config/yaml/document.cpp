@@ -187,7 +187,7 @@ void refuse_unreadable(std::string_view text, const Source& source) {
   const auto offset = first_unreadable_byte(text);
   if (!offset) return;
   YAML::Mark mark;
-  mark.line = static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(*offset), '\n'));
+  mark.line = static_cast<int>(std::ranges::count(text.substr(0, *offset), '\n'));
   // Without a line end rfind gives npos, and npos + 1 is 0, the begin of the first line.
   mark.column = static_cast<int>(*offset - (text.substr(0, *offset).rfind('\n') + 1));
   const char byte = text[*offset];
@@ -211,7 +211,7 @@ Node parse(std::string_view text, const Source& source) {
 /// Cause of a YAML error that the user cannot see, such as a tab or a no-break space.
 struct InvisibleCause {
   YAML::Mark mark;
-  std::string wrong, allowed;
+  std::string wrong, allowed{};
 };
 
 /// Whether YAML expects a blank or nothing after `before`: at the begin of a line, or after a sign such as a
@@ -271,11 +271,9 @@ std::optional<Node> parse_document(std::string_view text, int override_index, st
   } catch (const Refusal& refusal) {
     diagnostics.add(refusal.place, path, refusal.wrong, refusal.allowed);
   } catch (const YAML::Exception& error) {
-    if (const auto cause = invisible_cause(text, error.mark)) {
-      diagnostics.add(place_of(cause->mark, source), path, cause->wrong, cause->allowed);
-      return std::nullopt;
-    }
-    diagnostics.add(place_of(error.mark, source), path, describe(error), "");
+    const auto cause =
+        invisible_cause(text, error.mark).value_or(InvisibleCause{error.mark, describe(error)});
+    diagnostics.add(place_of(cause.mark, source), path, cause.wrong, cause.allowed);
   }
   return std::nullopt;
 }

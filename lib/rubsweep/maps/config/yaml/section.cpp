@@ -17,8 +17,9 @@ Section::Section(const Value& value, std::string_view allowed)
   if (kind == Node::Kind::map) {
     refuse_repeated_keys(value.node, value.path, value.diagnostics);
   } else {
-    refuse(value, kind == Node::Kind::scalar ? describe(value.node) + " is not a map" : describe(value.node),
-           allowed);
+    yaml::refuse(value,
+                 kind == Node::Kind::scalar ? describe(value.node) + " is not a map" : describe(value.node),
+                 allowed);
   }
 }
 
@@ -44,7 +45,7 @@ void Section::require_exactly_one(std::span<const std::string_view> names) {
   for (const std::string_view name : names) {
     if (lookup(name) != nullptr) given.push_back(name);
   }
-  if (given.empty()) refuse(value_, "one key is missing", allowed);
+  if (given.empty()) yaml::refuse(value_, "one key is missing", allowed);
   if (given.size() < 2) return;
   std::stable_sort(given.begin(), given.end(), [this](std::string_view a, std::string_view b) {
     return lookup(a)->place < lookup(b)->place;

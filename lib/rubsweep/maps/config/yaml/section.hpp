@@ -95,6 +95,9 @@ class Section {
   /// last of the keys `involved`.
   void refuse_together(std::string_view name, std::initializer_list<std::string_view> involved,
                        std::string_view wrong, std::string_view allowed) const;
+  void refuse(std::string_view name, std::string_view wrong, std::string_view allowed) const {
+    refuse_together(name, {name}, wrong, allowed);
+  }
 
   /// True as long as the value is a map in which nothing was refused. Only then can its fields be checked
   /// together.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rubsweep/core/model/range.hpp"
 #include "rubsweep/maps/config/yaml/text.hpp"
 
 namespace rubsweep::config::yaml {
@@ -23,37 +22,38 @@ std::optional<std::string> with_decimal_point(std::string text) {
 
 std::optional<double> read_finite(const Value& value, std::string_view noun, std::string_view allowed) {
   const Node& node = value.node;
-  if (node.kind != Node::Kind::scalar) {
-    refuse(value, describe(node), allowed);
-    return std::nullopt;
-  }
-  if (node.quoted) {
-    refuse(value, fmt::format("{} is text in quotes, not {}", describe(node), noun), allowed);
-    return std::nullopt;
-  }
+  if (node.kind != Node::Kind::scalar) return refuse(value, describe(node), allowed);
+  if (node.quoted)
+    return refuse(value, fmt::format("{} is text in quotes, not {}", describe(node), noun), allowed);
   const ParsedNumber number = parse_number(node.text);
   switch (number.error) {
     case NumberError::none:
       return number.value;
     case NumberError::not_a_number:
-      if (const auto meant = with_decimal_point(node.text)) {
-        refuse(value, fmt::format("{} has a decimal comma", describe(node)),
-               fmt::format("{}, as in {}", allowed, *meant));
-        break;
-      }
-      refuse(value, fmt::format("{} is not {}", describe(node), noun), allowed);
-      break;
+      if (const auto meant = with_decimal_point(node.text))
+        return refuse(value, fmt::format("{} has a decimal comma", describe(node)),
+                      fmt::format("{}, as in {}", allowed, *meant));
+      return refuse(value, fmt::format("{} is not {}", describe(node), noun), allowed);
     case NumberError::not_finite:
-      refuse(value, fmt::format("{} is not finite", describe(node)), allowed);
-      break;
+      return refuse(value, fmt::format("{} is not finite", describe(node)), allowed);
     case NumberError::does_not_fit:
-      refuse(value, fmt::format("{} does not fit a double", describe(node)), allowed);
       break;
   }
-  return std::nullopt;
+  return refuse(value, fmt::format("{} does not fit a double", describe(node)), allowed);
+}
+
+/// Description of a node where a list was wanted.
+std::string describe_no_list(const Node& node) {
+  return node.kind == Node::Kind::scalar ? describe(node) + " is not a list" : describe(node);
 }
 
 }  // namespace
+
+Value Value::at(std::size_t index) const {
+  const bool map = node.kind == Node::Kind::map;
+  return {node.items[index], child_path(path, map ? node.keys[index].text : std::to_string(index)),
+          diagnostics};
+}
 
 std::string describe(const IntegerRange& range) {
   return fmt::format("{} from {} to {}", range.even ? "an even integer" : "an integer", range.low,
@@ -64,9 +64,10 @@ std::string describe(std::span<const std::string_view> words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-void refuse(const Value& value, std::string_view wrong, std::string_view allowed) {
+std::nullopt_t refuse(const Value& value, std::string_view wrong, std::string_view allowed) {
   const std::string subject = value.path.empty() ? "the configuration " : "";
   value.diagnostics.add(value.node.place, value.path, subject + std::string(wrong), allowed);
+  return std::nullopt;
 }
 
 std::string describe(const Node& node) {
@@ -87,6 +88,12 @@ std::string describe(const Node& node) {
   return "has no value";
 }
 
+std::optional<double> number_of(const Node& node) {
+  const ParsedNumber number = parse_number(node.text);
+  const bool found = node.kind == Node::Kind::scalar && !node.quoted && number.error == NumberError::none;
+  return found ? std::optional(number.value) : std::nullopt;
+}
+
 std::string describe_unknown(std::string_view text, std::span<const std::string_view> names) {
   const auto meant = nearest(text, names);
   return fmt::format("'{}' is unknown{}", shown(text),
@@ -95,11 +102,9 @@ std::string describe_unknown(std::string_view text, std::span<const std::string_
 
 std::optional<double> read_number(const Value& value, const model::Range& range) {
   const auto number = read_finite(value, "a number", model::describe(range));
-  if (number && !model::contains(range, *number)) {
-    refuse(value, fmt::format("{} is out of range", shown(value.node.text)), model::describe(range, *number));
-    return std::nullopt;
-  }
-  return number;
+  if (!number || model::contains(range, *number)) return number;
+  return refuse(value, fmt::format("{} is out of range", shown(value.node.text)),
+                model::describe(range, *number));
 }
 
 std::optional<long> read_integer(const Value& value, const IntegerRange& range) {
@@ -107,32 +112,26 @@ std::optional<long> read_integer(const Value& value, const IntegerRange& range) 
   const auto number = read_finite(value, "an integer", allowed);
   if (!number) return std::nullopt;
   const std::string text = shown(value.node.text);
-  if (std::trunc(*number) != *number) {
-    refuse(value, fmt::format("{} is not an integer", text), allowed);
-  } else if (*number < static_cast<double>(range.low) || *number > static_cast<double>(range.high)) {
-    refuse(value, fmt::format("{} is out of range", text), allowed);
-  } else if (range.even && std::fmod(*number, 2) != 0) {
-    refuse(value, fmt::format("{} is odd", text), allowed);
-  } else {
-    return static_cast<long>(*number);
-  }
-  return std::nullopt;
+  if (std::trunc(*number) != *number)
+    return refuse(value, fmt::format("{} is not an integer", text), allowed);
+  if (*number < static_cast<double>(range.low) || *number > static_cast<double>(range.high))
+    return refuse(value, fmt::format("{} is out of range", text), allowed);
+  if (range.even && std::fmod(*number, 2) != 0) return refuse(value, fmt::format("{} is odd", text), allowed);
+  return static_cast<long>(*number);
 }
 
 bool read_numbers(const Value& value, std::span<double> target) {
   const Node& node = value.node;
   if (node.kind != Node::Kind::list || node.items.size() != target.size()) {
-    const std::string wrong = node.kind == Node::Kind::list
-                                  ? fmt::format("holds {} values", node.items.size())
-                              : node.kind == Node::Kind::scalar ? describe(node) + " is not a list"
-                                                                : describe(node);
-    refuse(value, wrong, fmt::format("a list of {} numbers", target.size()));
+    refuse(value,
+           node.kind == Node::Kind::list ? fmt::format("holds {} values", node.items.size())
+                                         : describe_no_list(node),
+           fmt::format("a list of {} numbers", target.size()));
     return false;
   }
   bool good = true;
   for (std::size_t i = 0; i < target.size(); ++i) {
-    const Value item{node.items[i], fmt::format("{}.{}", value.path, i), value.diagnostics};
-    const auto number = read_number(item, model::any_finite);
+    const auto number = read_number(value.at(i), model::any_finite);
     if (number) target[i] = *number;
     good = good && number.has_value();
   }
@@ -146,56 +145,40 @@ std::optional<std::size_t> read_word(const Value& value, std::span<const std::st
 std::optional<std::size_t> read_word(const Value& value, std::span<const std::string_view> words,
                                      std::string_view allowed) {
   const Node& node = value.node;
-  if (node.kind != Node::Kind::scalar) {
-    refuse(value, describe(node), allowed);
-    return std::nullopt;
-  }
+  if (node.kind != Node::Kind::scalar) return refuse(value, describe(node), allowed);
   const auto found = std::find(words.begin(), words.end(), node.text);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  refuse(value, describe_unknown(node.text, words), allowed);
-  return std::nullopt;
+  return refuse(value, describe_unknown(node.text, words), allowed);
 }
 
 std::optional<std::string> read_text(const Value& value) {
   const Node& node = value.node;
   const std::string allowed = fmt::format("a text of 1 to {} bytes", max_text_bytes);
-  if (node.kind != Node::Kind::scalar) {
-    refuse(value, describe(node), allowed);
-  } else if (node.text.empty() || node.text.size() > max_text_bytes) {
-    refuse(value, node.text.empty() ? "is empty" : "is too long", allowed);
-  } else if (node.text.find('\0') != std::string::npos) {
-    refuse(value, "holds a NUL byte", allowed);
-  } else {
-    return node.text;
-  }
-  return std::nullopt;
+  if (node.kind != Node::Kind::scalar) return refuse(value, describe(node), allowed);
+  if (node.text.empty() || node.text.size() > max_text_bytes)
+    return refuse(value, node.text.empty() ? "is empty" : "is too long", allowed);
+  if (node.text.find('\0') != std::string::npos) return refuse(value, "holds a NUL byte", allowed);
+  return node.text;
 }
 
-std::optional<std::vector<Value>> read_list(const Value& value, std::size_t longest) {
+std::vector<Value> read_list(const Value& value, std::size_t longest) {
   const Node& node = value.node;
   const std::string allowed = fmt::format("a list of 1 to {} values", longest);
+  std::vector<Value> items;
   if (node.kind != Node::Kind::list) {
-    refuse(value, node.kind == Node::Kind::scalar ? describe(node) + " is not a list" : describe(node),
-           allowed);
-    return std::nullopt;
-  }
-  if (node.items.empty() || node.items.size() > longest) {
+    refuse(value, describe_no_list(node), allowed);
+  } else if (node.items.empty() || node.items.size() > longest) {
     refuse(value, node.items.empty() ? "is empty" : fmt::format("holds {} values", node.items.size()),
            allowed);
-    return std::nullopt;
-  }
-  std::vector<Value> items;
-  for (std::size_t i = 0; i < node.items.size(); ++i) {
-    items.push_back({node.items[i], fmt::format("{}.{}", value.path, i), value.diagnostics});
+  } else {
+    for (std::size_t i = 0; i < node.items.size(); ++i) items.push_back(value.at(i));
   }
   return items;
 }
 
 std::vector<double> read_number_list(const Value& value, const model::Range& range, std::size_t longest) {
   std::vector<double> numbers;
-  const auto items = read_list(value, longest);
-  if (!items) return numbers;
-  for (const Value& item : *items) {
+  for (const Value& item : read_list(value, longest)) {
     if (const auto number = read_number(item, range)) numbers.push_back(*number);
   }
   return numbers;

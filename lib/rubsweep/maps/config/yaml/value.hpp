@@ -19,6 +19,9 @@ struct Value {
   const Node& node;
   std::string path;
   Diagnostics& diagnostics;
+
+  /// Value number `index` of a list or a map.
+  Value at(std::size_t index) const;
 };
 
 using model::IntegerRange;
@@ -27,11 +30,15 @@ using model::IntegerRange;
 std::string describe(const IntegerRange& range);
 std::string describe(std::span<const std::string_view> words);
 
-/// Adds a problem at the value's place. `wrong` is the rest of a sentence about the value.
-void refuse(const Value& value, std::string_view wrong, std::string_view allowed);
+/// Adds a problem at the value's place, and returns an empty result. `wrong` is the rest of a sentence about
+/// the value.
+std::nullopt_t refuse(const Value& value, std::string_view wrong, std::string_view allowed);
 
 /// Description of a node that is not what was wanted: "has no value", "is a list", "is a map" or "'text'".
 std::string describe(const Node& node);
+
+/// Number in a scalar that is not quoted; empty for anything else.
+std::optional<double> number_of(const Node& node);
 
 /// Text of a problem, such as "'wrod' is unknown (did you mean 'word'?)".
 std::string describe_unknown(std::string_view text, std::span<const std::string_view> names);
@@ -53,8 +60,8 @@ std::optional<std::size_t> read_word(const Value& value, std::span<const std::st
 std::optional<std::string> read_text(const Value& value);
 inline constexpr std::size_t max_text_bytes = 4096;
 
-/// Items of a list of 1 to `longest` values, with the paths "list.0", "list.1", ...
-std::optional<std::vector<Value>> read_list(const Value& value, std::size_t longest);
+/// Items of a list of 1 to `longest` values; none after a problem.
+std::vector<Value> read_list(const Value& value, std::size_t longest);
 
 /// Numbers of a list of 1 to `longest` values, each within `range`. Numbers that added a problem are left
 /// out.

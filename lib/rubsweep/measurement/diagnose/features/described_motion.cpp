@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "rubsweep/measurement/diagnose/features/line_features.hpp"
-
 namespace rubsweep::diagnose::features {
 namespace {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -225,12 +224,9 @@ Forest::Forest(const LabelledSamples& samples, const ForestOptions& options)
   const BinnedFeatures bins = binned(features_);
   const TreeOptions tree_options{std::max(1, static_cast<int>(features_.cols()) / 3), options.least_leaf};
   std::vector<std::optional<Tree>> grown(static_cast<std::size_t>(options.trees));
-  batch::parallel_run(
-      grown.size(), threads_,
-      [&](std::size_t k) {
-        grown[k].emplace(samples, bins, tree_options, RandomStream(options.seed, k, DrawPurpose::of_tree));
-      },
-      [](std::size_t) {}, std::atomic<bool>{false});
+  batch::parallel_run(grown.size(), threads_, [&](std::size_t k) {
+    grown[k].emplace(samples, bins, tree_options, RandomStream(options.seed, k, DrawPurpose::of_tree));
+  });
   for (auto& tree : grown) trees_.push_back(*std::move(tree));
 }
 
@@ -259,14 +255,11 @@ Eigen::VectorXd Forest::out_of_bag_weights(int sample) const {
 
 Eigen::MatrixXd Forest::out_of_bag_probabilities() const {
   Eigen::MatrixXd probability = Eigen::MatrixXd::Zero(features_.rows(), classes_);
-  batch::parallel_run(
-      static_cast<std::size_t>(features_.rows()), threads_,
-      [&](std::size_t i) {
-        const Eigen::VectorXd weight = out_of_bag_weights(static_cast<int>(i));
-        for (Eigen::Index j = 0; j < weight.size(); ++j)
-          probability(static_cast<Eigen::Index>(i), label_[static_cast<std::size_t>(j)]) += weight(j);
-      },
-      [](std::size_t) {}, std::atomic<bool>{false});
+  batch::parallel_run(static_cast<std::size_t>(features_.rows()), threads_, [&](std::size_t i) {
+    const Eigen::VectorXd weight = out_of_bag_weights(static_cast<int>(i));
+    for (Eigen::Index j = 0; j < weight.size(); ++j)
+      probability(static_cast<Eigen::Index>(i), label_[static_cast<std::size_t>(j)]) += weight(j);
+  });
   return probability;
 }
 

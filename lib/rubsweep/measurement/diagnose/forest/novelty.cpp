@@ -1,7 +1,6 @@
 #include "rubsweep/measurement/diagnose/forest/novelty.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "rubsweep/maps/batch/parallel_run.hpp"
@@ -35,13 +34,10 @@ Novelty::Novelty(const Eigen::MatrixXd& cases, int threads)
     spread_(j) = std::max({quantile(values, 0.84) - quantile(values, 0.16), least_share * all, 1e-12});
   }
   for (Eigen::Index i = 0; i < cases.rows(); ++i) cases_.col(i) = scaled(cases.row(i));
-  batch::parallel_run(
-      static_cast<std::size_t>(cases.rows()), threads,
-      [&](std::size_t i) {
-        const auto k = static_cast<Eigen::Index>(i);
-        of_cases_[i] = nearest(cases_.col(k), k);
-      },
-      [](std::size_t) {}, std::atomic<bool>{false});
+  batch::parallel_run(static_cast<std::size_t>(cases.rows()), threads, [&](std::size_t i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    of_cases_[i] = nearest(cases_.col(k), k);
+  });
   for (std::size_t i = 0; i < of_cases_.size(); ++i)
     apartness_.push_back(apartness(of_cases_[i], static_cast<Eigen::Index>(i)));
   std::ranges::sort(apartness_);

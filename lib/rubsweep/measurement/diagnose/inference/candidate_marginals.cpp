@@ -1,7 +1,6 @@
 #include "rubsweep/measurement/diagnose/inference/candidate_marginals.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/minima.hpp>
@@ -105,22 +104,19 @@ Eigen::MatrixXd out_of_bag_ranks(const std::vector<QuantityCases>& quantities,
   Eigen::MatrixXd ranks = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(rows.size()),
                                                     static_cast<Eigen::Index>(quantities.size()),
                                                     std::numeric_limits<double>::quiet_NaN());
-  batch::parallel_run(
-      ranked.size(), threads,
-      [&](std::size_t place) {
-        const std::size_t k = ranked[place];
-        const Eigen::VectorXd all = posterior.forest->out_of_bag_weights(static_cast<int>(rows[k]));
-        if (all.size() == 0) return;
-        const auto row = static_cast<Eigen::Index>(k);
-        const Eigen::VectorXd weight = all(rows).cwiseProduct(posterior.size_density(rows));
-        if (weight.sum() == 0) return;
-        constexpr double golden = 0.6180339887498949;
-        const double fraction = golden * static_cast<double>(k) - std::floor(golden * static_cast<double>(k));
-        for (std::size_t q = 0; q < quantities.size(); ++q)
-          ranks(row, static_cast<Eigen::Index>(q)) =
-              rank_in(quantities[q].marginal(weight, prior), quantities[q].values(row), fraction);
-      },
-      [](std::size_t) {}, std::atomic<bool>{false});
+  batch::parallel_run(ranked.size(), threads, [&](std::size_t place) {
+    const std::size_t k = ranked[place];
+    const Eigen::VectorXd all = posterior.forest->out_of_bag_weights(static_cast<int>(rows[k]));
+    if (all.size() == 0) return;
+    const auto row = static_cast<Eigen::Index>(k);
+    const Eigen::VectorXd weight = all(rows).cwiseProduct(posterior.size_density(rows));
+    if (weight.sum() == 0) return;
+    constexpr double golden = 0.6180339887498949;
+    const double fraction = golden * static_cast<double>(k) - std::floor(golden * static_cast<double>(k));
+    for (std::size_t q = 0; q < quantities.size(); ++q)
+      ranks(row, static_cast<Eigen::Index>(q)) =
+          rank_in(quantities[q].marginal(weight, prior), quantities[q].values(row), fraction);
+  });
   return ranks;
 }
 

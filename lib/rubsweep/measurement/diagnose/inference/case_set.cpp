@@ -54,7 +54,7 @@ void simulate_draws(const DiagnosisProblem& problem, std::size_t candidate, int 
         thread_local response::spectrum::SpectrumWorkspace workspace;
         simulated[k] = simulate_case(problem, candidate, point_of(static_cast<long>(k)), workspace);
       },
-      [](std::size_t) {}, options.stop ? *options.stop : go_on);
+      {}, options.stop ? *options.stop : go_on);
   for (auto& one : simulated)
     if (one) cases.push_back(*std::move(one));
 }

@@ -15,6 +15,7 @@
 #include "rubsweep/maps/batch/opened_file.hpp"
 #include "rubsweep/maps/batch/sha256.hpp"
 #include "rubsweep/maps/batch/whole_file.hpp"
+#include "rubsweep/maps/matlab/bytes.hpp"
 
 namespace rubsweep::diagnose::inference {
 namespace {
@@ -28,29 +29,6 @@ void put(std::string& bytes, Number number) {
   std::memcpy(raw, &number, sizeof number);
   bytes.append(raw, sizeof number);
 }
-
-/// Reads binary numbers one after another; `whole` becomes false where the bytes end too early.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : left_(bytes) {}
-  template <class Number>
-  Number get() {
-    Number number{};
-    if (left_.size() < sizeof number) {
-      whole_ = false;
-      return number;
-    }
-    std::memcpy(&number, left_.data(), sizeof number);
-    left_.remove_prefix(sizeof number);
-    return number;
-  }
-  bool whole() const { return whole_; }
-  bool ended() const { return whole_ && left_.empty(); }
-
- private:
-  std::string_view left_;
-  bool whole_ = true;
-};
 
 std::filesystem::path file_of(const std::filesystem::path& directory, const std::string& digest) {
   return directory / (digest.substr(0, 16) + ".cases");
@@ -75,19 +53,19 @@ void put_case(const SimulatedCase& one, std::string& bytes) {
   }
 }
 
-SimulatedCase get_case(Reader& reader, int turns) {
+SimulatedCase get_case(matlab::Bytes& bytes, int turns) {
   SimulatedCase one;
-  one.candidate = reader.get<std::uint32_t>();
-  for (double& place : one.unit) place = reader.get<double>();
+  one.candidate = bytes.number<std::uint32_t>();
+  for (double& place : one.unit) place = bytes.number<double>();
   response::motion::ContactFacts& facts = one.motion.contact;
-  facts.hits = reader.get<std::int32_t>();
+  facts.hits = bytes.number<std::int32_t>();
   for (double* number : {&facts.contact_fraction, &facts.peak_displacement_m, &facts.peak_contact_force_n,
                          &facts.peak_casing_displacement_m, &one.motion.eccentricity_m})
-    *number = reader.get<double>();
+    *number = bytes.number<double>();
   one.motion.lines = {turns, Eigen::VectorXcd(2 * static_cast<int>(most_order * turns) + 1)};
   for (std::complex<double>& line : one.motion.lines.amplitude) {
-    const double real = reader.get<double>();
-    line = {real, reader.get<double>()};
+    const double real = bytes.number<double>();
+    line = {real, bytes.number<double>()};
   }
   return one;
 }
@@ -138,17 +116,18 @@ std::optional<CaseSet> kept_cases(const std::filesystem::path& directory, const 
   if (end == std::string::npos) return std::nullopt;
   const std::string_view body = std::string_view(bytes).substr(end + 1);
   if (std::string_view(bytes).substr(0, end + 1) != head_of(digest, body)) return std::nullopt;
-  Reader reader(body);
-  CaseSet set;
-  const auto candidates = reader.get<std::uint64_t>();
-  if (candidates != problem.candidates.size()) return std::nullopt;
-  for (std::size_t c = 0; c < candidates; ++c)
-    set.draws.push_back({c, static_cast<long>(reader.get<std::int64_t>()), std::nullopt});
-  const auto count = reader.get<std::uint64_t>();
-  for (std::uint64_t i = 0; i < count && reader.whole(); ++i)
-    set.cases.push_back(get_case(reader, problem.turns));
-  if (!reader.ended()) return std::nullopt;
-  return set;
+  try {
+    matlab::Bytes numbers(body, false);
+    CaseSet set;
+    if (numbers.number<std::uint64_t>() != problem.candidates.size()) return std::nullopt;
+    for (std::size_t c = 0; c < problem.candidates.size(); ++c)
+      set.draws.push_back({c, static_cast<long>(numbers.number<std::int64_t>()), std::nullopt});
+    for (auto left = numbers.number<std::uint64_t>(); left > 0; --left)
+      set.cases.push_back(get_case(numbers, problem.turns));
+    if (numbers.left() == 0) return set;
+  } catch (const matlab::FileError&) {
+  }
+  return std::nullopt;
 }
 
 }  // namespace rubsweep::diagnose::inference

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -73,17 +72,14 @@ std::optional<LastingMotion> run_again(const DiagnosisProblem& problem, const Si
 double information_of(const DiagnosisProblem& changed, const Diagnosis& diagnosis,
                       const std::vector<std::size_t>& drawn, int threads) {
   std::vector<std::optional<Eigen::VectorXd>> seen(drawn.size());
-  batch::parallel_run(
-      drawn.size(), threads,
-      [&](std::size_t k) {
-        thread_local response::spectrum::SpectrumWorkspace workspace;
-        SimulatedCase again = diagnosis.set.cases[drawn[k]];
-        auto motion = run_again(changed, again, workspace);
-        if (!motion) return;
-        again.motion = *std::move(motion);
-        seen[k] = features::values_of(observe(changed, again, k, workspace).seen.features);
-      },
-      [](std::size_t) {}, std::atomic<bool>{false});
+  batch::parallel_run(drawn.size(), threads, [&](std::size_t k) {
+    thread_local response::spectrum::SpectrumWorkspace workspace;
+    SimulatedCase again = diagnosis.set.cases[drawn[k]];
+    auto motion = run_again(changed, again, workspace);
+    if (!motion) return;
+    again.motion = *std::move(motion);
+    seen[k] = features::values_of(observe(changed, again, k, workspace).seen.features);
+  });
   forest::LabelledSamples samples{.classes = static_cast<int>(changed.candidates.size())};
   std::vector<Eigen::VectorXd> rows;
   for (std::size_t k = 0; k < drawn.size(); ++k) {

@@ -1,7 +1,6 @@
 #include "rubsweep/measurement/diagnose/inference/posterior.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -85,20 +84,16 @@ std::complex<double> mean_of_another_cause(std::uint64_t seed, std::uint64_t ind
 /// Features of vibrations of other causes as the instrument measures them, one row each.
 Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::size_t count, int threads) {
   std::vector<Eigen::VectorXd> rows(count);
-  batch::parallel_run(
-      count, threads,
-      [&](std::size_t k) {
-        thread_local response::spectrum::SpectrumWorkspace workspace;
-        RandomStream random(problem.seed, k, DrawPurpose::of_another_cause);
-        MotionLines lines = up_to(vibration_of_another_cause(problem.turns, random, workspace),
-                                  seen_order(problem.measuring));
-        if (problem.measuring.from_rest) lines.at(0) = mean_of_another_cause(problem.seed, k);
-        double probe_angle_rad = 0;
-        const MotionLines seen = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
-        rows[k] =
-            features::values_of(features::describe(seen, view_of(problem.measuring), workspace).features);
-      },
-      [](std::size_t) {}, std::atomic<bool>{false});
+  batch::parallel_run(count, threads, [&](std::size_t k) {
+    thread_local response::spectrum::SpectrumWorkspace workspace;
+    RandomStream random(problem.seed, k, DrawPurpose::of_another_cause);
+    MotionLines lines =
+        up_to(vibration_of_another_cause(problem.turns, random, workspace), seen_order(problem.measuring));
+    if (problem.measuring.from_rest) lines.at(0) = mean_of_another_cause(problem.seed, k);
+    double probe_angle_rad = 0;
+    const MotionLines seen = diagnose::observed(lines, problem.measuring, random, probe_angle_rad);
+    rows[k] = features::values_of(features::describe(seen, view_of(problem.measuring), workspace).features);
+  });
   Eigen::MatrixXd features(static_cast<Eigen::Index>(count), rows.front().size());
   for (std::size_t k = 0; k < count; ++k) features.row(static_cast<Eigen::Index>(k)) = rows[k].transpose();
   return features;
@@ -157,13 +152,10 @@ void observe_cases(const DiagnosisProblem& problem, const CaseSet& set, int thre
   const std::size_t added = set.cases.size() - before;
   if (added == 0) return;
   std::vector<ObservedCase> seen(added);
-  batch::parallel_run(
-      added, threads,
-      [&](std::size_t k) {
-        thread_local response::spectrum::SpectrumWorkspace workspace;
-        seen[k] = observe(problem, set.cases[before + k], before + k, workspace);
-      },
-      [](std::size_t) {}, std::atomic<bool>{false});
+  batch::parallel_run(added, threads, [&](std::size_t k) {
+    thread_local response::spectrum::SpectrumWorkspace workspace;
+    seen[k] = observe(problem, set.cases[before + k], before + k, workspace);
+  });
   const auto all = static_cast<Eigen::Index>(set.cases.size());
   observed.features.conservativeResize(all, static_cast<Eigen::Index>(seen.front().seen.features.size()));
   for (auto* column : {&observed.size_m, &observed.direction_rad, &observed.probe_angle_rad})

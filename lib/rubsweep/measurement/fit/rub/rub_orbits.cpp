@@ -45,10 +45,10 @@ std::vector<Complex> sampled(const scene::Scene& scene, const integrate::run::So
 /// Shaft angle at which a run of the scene begins. (The scene rotates the shaft's forces, so that a run
 /// begins with the smallest gap.)
 double shaft_angle_at_start_rad(const scene::PreparedMachine& machine, const scene::Cell& cell,
-                                const AskedLines& asked) {
-  const double speed_rad_per_s = 2 * std::numbers::pi * asked.speed_hz;
+                                double speed_hz, double eccentricity_m) {
+  const double speed_rad_per_s = 2 * std::numbers::pi * speed_hz;
   Eigen::VectorXcd force =
-      asked.eccentricity_m * speed_rad_per_s * speed_rad_per_s * machine.assembly.system.unbalance_kg;
+      eccentricity_m * speed_rad_per_s * speed_rad_per_s * machine.assembly.system.unbalance_kg;
   if (machine.assembly.bow_n.size() > 0) force += machine.assembly.bow_n;
   // Without forces at 1X, the force at 2X gives the angle up to half a turn, after which this force repeats.
   if (force.isZero(0) && machine.assembly.second_n.size() > 0)
@@ -56,11 +56,12 @@ double shaft_angle_at_start_rad(const scene::PreparedMachine& machine, const sce
   return std::arg(force.dot(cell.scene.harmonic_n));
 }
 
-Eigen::VectorXcd lines_of(const std::vector<Complex>& places_m, const AskedLines& asked, double begin_rad) {
-  Eigen::VectorXcd lines(static_cast<Eigen::Index>(asked.order.size()));
+Eigen::VectorXcd lines_of(const std::vector<Complex>& places_m, const std::vector<double>& orders,
+                          double begin_rad) {
+  Eigen::VectorXcd lines(static_cast<Eigen::Index>(orders.size()));
   const auto count = static_cast<double>(places_m.size());
-  for (std::size_t i = 0; i < asked.order.size(); ++i) {
-    const double order = asked.order[i];
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    const double order = orders[i];
     Complex sum = 0;
     for (std::size_t k = 0; k < places_m.size(); ++k)
       sum += places_m[k] *
@@ -81,57 +82,59 @@ struct RubOrbits::Orbit {
 RubOrbits::RubOrbits(integrate::run::SolverOptions solver, response::motion::ResponseOptions options)
     : solver_(std::move(solver)), options_(std::move(options)) {}
 
-std::optional<Eigen::VectorXd> RubOrbits::followed_m(const AskedLines& asked) const {
+std::optional<Eigen::VectorXd> RubOrbits::followed_m(const RubLines& rub) const {
   const std::lock_guard lock(mutex_);
-  const auto found = followed_m_.find({asked.speed_hz, asked.turns});
+  const auto found = followed_m_.find({rub.speed_hz, rub.turns});
   return found == followed_m_.end() ? std::nullopt : std::optional(found->second);
 }
 
-RubOrbits::Orbit RubOrbits::orbit_of(const scene::PreparedMachine& machine, const AskedLines& asked) const {
-  const scene::PreparedMachine there = scene::prepared_at(machine, asked.speed_hz);
-  const scene::Cell cell =
-      scene::build_cell(there, asked.speed_hz, scene::Eccentricity{asked.eccentricity_m});
+RubOrbits::Orbit RubOrbits::orbit_of(const scene::PreparedMachine& machine, const RubLines& rub,
+                                     double eccentricity_m) const {
+  const scene::PreparedMachine there = scene::prepared_at(machine, rub.speed_hz);
+  const scene::Cell cell = scene::build_cell(there, rub.speed_hz, scene::Eccentricity{eccentricity_m});
   response::motion::Workspace workspace;
   const branch::orbits::OrbitProblem problem = branch::orbits::scene_orbits(
-      [&](double) { return std::optional(cell.scene); }, asked.turns, solver_, workspace.modes);
-  Orbit orbit{.section_m = {}, .places_m = {}, .begin_rad = shaft_angle_at_start_rad(there, cell, asked)};
+      [&](double) { return std::optional(cell.scene); }, rub.turns, solver_, workspace.modes);
+  Orbit orbit{.section_m = {},
+              .places_m = {},
+              .begin_rad = shaft_angle_at_start_rad(there, cell, rub.speed_hz, eccentricity_m)};
   const auto take = [&](const Eigen::VectorXd& near) {
     const auto found = branch::continuation::correct_at(problem, near, 0);
     if (!found.converged) return;
     orbit.section_m = found.point.state * cell.scene.length_scale_m;
-    orbit.places_m = sampled(cell.scene, solver_, workspace.modes, found.point.state, asked.turns);
+    orbit.places_m = sampled(cell.scene, solver_, workspace.modes, found.point.state, rub.turns);
   };
   const Eigen::Index states = 2 * cell.scene.structure.coordinates();
-  if (const auto near = followed_m(asked); near && near->size() == states)
+  if (const auto near = followed_m(rub); near && near->size() == states)
     take(*near / cell.scene.length_scale_m);
   if (!orbit.places_m.empty()) return orbit;
   if (!scene::can_run(cell.start))
     throw ConfigError(
         fmt::format("rub: there is no motion at {} and an eccentricity of {:.6g} m, allowed: a "
                     "machine whose quiet whirl does not touch",
-                    model::speed_text(asked.speed_hz), asked.eccentricity_m));
+                    model::speed_text(rub.speed_hz), eccentricity_m));
   const branch::orbits::SettledStart start =
       branch::orbits::settle_on_orbit(cell, solver_, options_, workspace);
-  if (start.order == asked.turns && start.closing == branch::orbits::Closing::with_the_shaft)
-    take(start.state);
+  if (start.order == rub.turns && start.closing == branch::orbits::Closing::with_the_shaft) take(start.state);
   if (orbit.places_m.empty())
     throw ConfigError(
         fmt::format("rub: at {} and an eccentricity of {:.6g} m the kick leads to a motion that "
                     "is {}{}, allowed: one in contact that repeats after {} turns as the recorded one",
-                    model::speed_text(asked.speed_hz), asked.eccentricity_m, to_string(start.motion_class),
-                    start.order && *start.order > 1 ? fmt::format(" 1/{}", *start.order) : "", asked.turns));
+                    model::speed_text(rub.speed_hz), eccentricity_m, to_string(start.motion_class),
+                    start.order && *start.order > 1 ? fmt::format(" 1/{}", *start.order) : "", rub.turns));
   return orbit;
 }
 
-Eigen::VectorXcd RubOrbits::lines_m(const scene::PreparedMachine& machine, const AskedLines& asked) const {
-  const Orbit orbit = orbit_of(machine, asked);
-  return lines_of(orbit.places_m, asked, orbit.begin_rad);
+Eigen::VectorXcd RubOrbits::lines_m(const scene::PreparedMachine& machine, const RubLines& rub,
+                                    double eccentricity_m) const {
+  const Orbit orbit = orbit_of(machine, rub, eccentricity_m);
+  return lines_of(orbit.places_m, rub.order, orbit.begin_rad);
 }
 
-void RubOrbits::follow(const scene::PreparedMachine& machine, const AskedLines& asked) {
-  Orbit orbit = orbit_of(machine, asked);
+void RubOrbits::follow(const scene::PreparedMachine& machine, const RubLines& rub, double eccentricity_m) {
+  Orbit orbit = orbit_of(machine, rub, eccentricity_m);
   const std::lock_guard lock(mutex_);
-  followed_m_.insert_or_assign({asked.speed_hz, asked.turns}, std::move(orbit.section_m));
+  followed_m_.insert_or_assign({rub.speed_hz, rub.turns}, std::move(orbit.section_m));
 }
 
 }  // namespace rubsweep::fit::rub

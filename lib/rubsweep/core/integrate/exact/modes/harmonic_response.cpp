@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "rubsweep/core/numerics/dense/factors.hpp"
-#include "rubsweep/core/numerics/exponential_series.hpp"
 
 namespace rubsweep::integrate::exact::modes {
 namespace {

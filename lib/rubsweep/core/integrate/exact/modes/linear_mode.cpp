@@ -3,17 +3,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <type_traits>
 #include <utility>
 
 #include "rubsweep/core/integrate/exact/modes/mode_flow.hpp"
 #include "rubsweep/core/integrate/exact/modes/mode_views.hpp"
 #include "rubsweep/core/numerics/dense/eigenvalues.hpp"
 #include "rubsweep/core/numerics/dense/factors.hpp"
-#include "rubsweep/core/numerics/exponential_series.hpp"
-#include "rubsweep/core/numerics/matrix_flow.hpp"
-#include "rubsweep/core/numerics/modal_form.hpp"
 
 namespace rubsweep::integrate::exact::modes {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "rubsweep/core/numerics/exponential_series.hpp"
 #include "rubsweep/core/numerics/matrix_flow.hpp"
 
 namespace rubsweep::integrate::exact::modes {

@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/page/findings.hpp"
+#include "rubreport/findings.hpp"
 
 #include <gtest/gtest.h>
 

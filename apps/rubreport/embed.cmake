@@ -1,7 +1,7 @@
 # cmake -DASSETS=NAME=FILE+FILE,NAME=FILE... -DOUTPUT=FILE.cpp -P embed.cmake: writes the definitions that page.hpp
 # declares. Files of one name are put together in their order.
 string(REPLACE "," ";" assets "${ASSETS}")
-set(source "#include \"rubsweep/analysis/page/page.hpp\"\n\nnamespace rubsweep::page {\n")
+set(source "#include \"rubreport/page.hpp\"\n\nnamespace rubsweep::page {\n")
 foreach(asset IN LISTS assets)
   string(REPLACE "=" ";" asset "${asset}")
   list(GET asset 0 name)

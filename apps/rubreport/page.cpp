@@ -1,8 +1,9 @@
-#include "rubsweep/analysis/page/page.hpp"
+#include "rubreport/page.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/json/array.hpp>
 #include <boost/json/object.hpp>
 #include <boost/json/src.hpp>  // compiles the library's code, in this file only
@@ -11,7 +12,7 @@
 #include <map>
 #include <unordered_map>
 
-#include "rubsweep/analysis/page/compressed.hpp"
+#include "rubreport/compressed.hpp"
 #include "rubsweep/core/response/motion/motion_class.hpp"
 
 namespace rubsweep::page {
@@ -19,41 +20,17 @@ namespace {
 
 /// `value` as JSON that is safe inside an HTML script element: no character of it opens a tag.
 std::string json_text(const boost::json::value& value) {
-  std::string text;
-  for (const char c : boost::json::serialize(value)) {
-    // JSON has '<' only inside strings.
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
+  // JSON has '<' only inside strings.
+  return boost::algorithm::replace_all_copy(boost::json::serialize(value), "<", "\\u003c");
 }
 
 namespace json = boost::json;
 
-std::string html_text(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
+std::string html_text(std::string text) {
+  for (const auto& [letter, entity] :
+       {std::pair("&", "&amp;"), {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}})
+    boost::algorithm::replace_all(text, letter, entity);
+  return text;
 }
 
 /// Hash "sha256-..." by which a content security policy allows a script.
@@ -130,7 +107,7 @@ json::array shown_axes(const PageContents& contents) {
   json::array axes;
   for (std::size_t i = 0; i < 2; ++i) {
     const std::vector<double>& values = contents.plane[i].values;
-    axes.push_back(shown_axis(contents.written[i], *std::min_element(values.begin(), values.end())));
+    axes.push_back(shown_axis(contents.written[i], std::ranges::min(values)));
   }
   return axes;
 }
@@ -253,7 +230,7 @@ std::string page_text(const PageContents& contents) {
                  {"configuration", html_text(contents.configuration)},
                  {"version", html_text(contents.version)},
                  {"digest", html_text(contents.map.digest)},
-                 {"licence", html_text(library_licence.text)}});
+                 {"licence", html_text(std::string(library_licence.text))}});
 }
 
 }  // namespace rubsweep::page

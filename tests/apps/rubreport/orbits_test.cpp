@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/page/orbits.hpp"
+#include "rubreport/orbits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/page/decoded.hpp"
+#include "apps/rubreport/decoded.hpp"
 #include "maps/sweep/one_side_study.hpp"
 #include "rubsweep/core/error.hpp"
 

@@ -5,11 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "rubreport/orbits.hpp"
 #include "rubsweep/analysis/page/map_table.hpp"
-#include "rubsweep/analysis/page/orbits.hpp"
 #include "rubsweep/maps/batch/table_file.hpp"
 #include "rubsweep/maps/sweep/grid.hpp"
-#include "rubsweep/maps/sweep/study.hpp"
 
 namespace rubsweep::page {
 

@@ -1,11 +1,11 @@
-#include "rubsweep/analysis/page/orbits.hpp"
+#include "rubreport/orbits.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
-#include "rubsweep/analysis/page/compressed.hpp"
+#include "rubreport/compressed.hpp"
 #include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"

@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/page/compressed.hpp"
+#include "rubreport/compressed.hpp"
 
 #include <zlib.h>
 

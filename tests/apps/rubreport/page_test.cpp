@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/page/page.hpp"
+#include "rubreport/page.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/page/decoded.hpp"
+#include "apps/rubreport/decoded.hpp"
 
 namespace rubsweep::page {
 namespace {

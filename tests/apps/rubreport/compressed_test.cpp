@@ -1,8 +1,8 @@
-#include "rubsweep/analysis/page/compressed.hpp"
+#include "rubreport/compressed.hpp"
 
 #include <gtest/gtest.h>
 
-#include "analysis/page/decoded.hpp"
+#include "apps/rubreport/decoded.hpp"
 
 namespace rubsweep::page {
 namespace {
