@@ -40,8 +40,8 @@ constexpr bool can_run(Start start) { return start == Start::quiet || start == S
 struct Cell {
   Scene scene;
   QuietMotion quiet;
-  /// One of the two is given, the other is computed. NaN where it does not exist: at an undamped resonance,
-  /// or where static forces leave no clearance at the first stop.
+  /// Eccentricity or whirl ratio is given, and the other number is computed. NaN where it does not exist: at
+  /// an undamped resonance, or where static forces leave no clearance at the first stop.
   double eccentricity_m = 0, whirl_ratio = 0;
   Start start = Start::quiet;
 };

@@ -160,8 +160,8 @@ Eigen::VectorXcd slow_part(const Eigen::MatrixXd& part_of, const Eigen::VectorXc
   return (part_of * size) * phase;
 }
 
-/// Removes the component of the amplitudes that repeats after `repeats` values, but keeps its mean. Lines of
-/// a longer period would appear as such a repetition.
+/// Removes the component of the amplitudes that repeats after `repeats` values, but keeps its mean. A line of
+/// a longer period would appear as this component.
 Eigen::VectorXcd without_repetition(const Eigen::VectorXcd& amplitudes, Eigen::Index repeats) {
   Eigen::VectorXcd left = amplitudes.array() + amplitudes.mean();
   for (Eigen::Index first = 0; first < std::min(repeats, left.size()); ++first) {
