@@ -18,8 +18,8 @@ enum class ProgressMode { automatic, always, never };
 
 /// Predicts the time for the remaining cells of a map. Quiet cells take milliseconds, rubbing cells a hundred
 /// times as long, and chaotic cells ten times as long as rubbing ones; but neighbours on the map take similar
-/// times. For a remaining cell the mean time of the finished cells near it is assumed, weighted by closeness,
-/// or the mean of all finished cells where none is near. Only one thread at a time may use it.
+/// times. The assumed time of a remaining cell is the mean of the finished cells near it, weighted by
+/// closeness. If none is near, it is the mean of all finished cells. Only one thread at a time may use it.
 class CellsLeft {
  public:
   /// Map of `rows` rows of `columns` cells, numbered along the rows. `cells` are the cells to be computed.

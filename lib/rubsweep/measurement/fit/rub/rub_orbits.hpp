@@ -22,9 +22,9 @@ struct AskedLines {
 };
 
 /// Periodic rubs of machines with slightly different parameters. The first rub settles from its kick. Once a
-/// rub of the same speed and period was followed, its orbit is corrected by Newton's method on the section,
-/// with the solver's derivatives, so that the lines are smooth in the parameters. The lines depend on the
-/// followed machines alone, not on other calls, their order or their threads.
+/// rub of the same speed and period was followed, Newton's method on the section corrects its orbit, with the
+/// solver's derivatives. So the lines are smooth in the parameters. The lines depend on the followed machines
+/// alone, not on other calls, their order or their threads.
 class RubOrbits {
  public:
   RubOrbits(integrate::run::SolverOptions solver, response::motion::ResponseOptions options);
