@@ -58,7 +58,7 @@ void count_in_summary(const std::string& name, std::size_t number) {
 std::string take_summary(std::string printed) {
   if (!printed.ends_with('\n')) return printed;
   printed.pop_back();
-  const std::size_t begin = printed.rfind('\n') + 1;  // 0 where there is none
+  const std::size_t begin = printed.rfind('\n') + 1;  // 0 if no line end is there
   config::yaml::Diagnostics problems("summary", {});
   const std::optional<Node> summary =
       config::yaml::parse_json(std::string_view(printed).substr(begin), "", problems, 0);

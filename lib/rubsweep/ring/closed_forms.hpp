@@ -11,7 +11,7 @@
 
 namespace rubsweep::ring {
 
-/// Speed known in closed form, and beside it the numerical speed from the eigenvalues.
+/// Speed known in closed form, and for comparison the numerical speed from the eigenvalues.
 struct CriticalSpeed {
   std::string name;
   double closed_form_rad_per_s = 0;

@@ -15,7 +15,7 @@
 
 namespace rubsweep::ring {
 
-/// Parameter that a stability chart varies beside the speed.
+/// Parameter that a stability chart varies in addition to the speed.
 enum class Parameter {
   friction_coefficient,
   angle_deg,

@@ -383,7 +383,7 @@ INSTANTIATE_TEST_SUITE_P(Stops, DryFrictionRandom,
                          testing::Values(std::pair{false, 1}, std::pair{false, 2}, std::pair{true, 1}));
 
 TEST(DryFriction, RollingHasTheDerivativeOfDifferences) {
-  // The start is off the rolling motion, so the slip stops first; the rank drops there.
+  // The rotor does not roll at the start. When its slip comes to zero, the rank of the derivative drops.
   scene::Scene scene = rolling(1.02);
   exact::modes::ModeCache modes;
   const run::Run run = start(scene, {}, modes);

@@ -132,7 +132,8 @@ TEST(StaticFriction, PeriodAndAmplitudeAreThoseOfTheClosedForm) {
     }
     EXPECT_NEAR(turn.section[1], closed.at(0).first, 1e-13);
     EXPECT_NEAR((high - low) / 2, closed.amplitude(), 1e-6);
-    EXPECT_NEAR(static_cast<double>(turn.effort.switches), 2 * (k + 1), 1);  // one is at the section
+    // one switch may be exactly at the section
+    EXPECT_NEAR(static_cast<double>(turn.effort.switches), 2 * (k + 1), 1);
   }
 }
 

@@ -36,7 +36,7 @@ TEST(ModalForm, TurnsTheGeneratorIntoPairs) {
   k << 5e4, -4e4, -6e5, 7e5;
   c << 10, -3, -60, 80;
   expect_similar(k, c);
-  c *= 100;  // real eigenvalues as well
+  c *= 100;  // this matrix also has real eigenvalues
   expect_similar(k, c);
   expect_similar(k, Matrix2d::Zero());
 }

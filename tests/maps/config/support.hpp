@@ -31,7 +31,7 @@ inline std::string message_of(const std::string& text, const std::vector<std::st
   return "no error";
 }
 
-/// The same for the rotor kit of rotor_kit.yaml.
+/// Message of the ConfigError for the rotor kit of rotor_kit.yaml with these overrides.
 inline std::string kit_message(const std::vector<std::string>& overrides) {
   return message_of(test_file("rotor_kit.yaml"), overrides, "kit.yaml");
 }

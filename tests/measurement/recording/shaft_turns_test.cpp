@@ -134,7 +134,7 @@ TEST(ShaftTurnsMarkFit, FewMarksComeBackToAShareOfASample) {
   std::ranges::sort(errors);
   EXPECT_LT(errors[errors.size() / 2], 0.12);
   EXPECT_LT(errors[errors.size() * 9 / 10], 0.45);
-  // At most half a sample between mark and curve, plus half a sample between mark and truth.
+  // The error is at most half a sample between mark and curve, plus half a sample between mark and truth.
   EXPECT_LT(errors.back(), 0.5 + smoothing_bound);
 }
 

@@ -178,7 +178,7 @@ struct Inside {
     bins.push_back(line->order_uncertainty * put.turns);
     shares.push_back(line->amplitude_uncertainty_m / size_m);
   }
-  /// Expects 95 % inside; among a few lines, at most one outside.
+  /// Expects 95 % of the true values inside their intervals; of a few values at most one may be outside.
   void expect_most(const std::string& name, double most_uncertainty = 1.2e-3) {
     const unsigned least = std::min(found - 1, (found * 95 + 99) / 100);
     EXPECT_GE(found, recordings() * 9 / 10) << name;

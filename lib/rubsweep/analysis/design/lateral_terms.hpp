@@ -22,7 +22,7 @@ struct Term {
   std::string unit = {};
   std::optional<double> margin = {};  ///< remaining share of the limit; for a separation, share of the speed
   std::optional<bool> met = {};
-  std::string not_told = {};  ///< reason why a term with a limit is unknown; else empty
+  std::string not_told = {};  ///< reason why a term with a limit is unknown; otherwise empty
 };
 
 /// Input of the lateral analysis of API 617.

@@ -11,7 +11,7 @@ namespace rubsweep::linear {
 /// and Friswell, Proc. R. Soc. A 472, 2016, 20160303). Whirl frequencies w are positive forward and negative
 /// backward; in the rotating frame they are w - W. The modes lock where p (w_first - W) = q (w_second - W),
 /// that is, W = (p w_first - q w_second) / (p - q): one mode then whirls p times and the other q times until
-/// both meet the wall again at the same place of the shaft.
+/// both touch the wall again with the same place of the shaft.
 struct LockSpeed {
   int first = 0, second = 0;  ///< numbers of the modes
   int p = 0, q = 0;

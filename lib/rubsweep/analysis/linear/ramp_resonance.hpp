@@ -19,8 +19,8 @@ struct RampResonance {
 /// a fast ramp, where the response lags. `plot` has amplitude and phase at points of a speed that changes at
 /// the constant rate `rate_hz_per_s`, not 0. The fit uses the part whose amplitude is above a quarter of the
 /// largest value. Besides the unbalance the model has a bow, earlier free vibration, and other modes without
-/// resonance. Empty where the part has fewer than 16 points, where the speed turns back, and where no mode
-/// with a damping ratio between 0 and 1 fits best at a speed inside the part. See docs/method/fits.md,
+/// resonance. Empty if the part has fewer than 16 points or the speed turns back. Also empty if the best fit
+/// is not a mode with a damping ratio between 0 and 1 at a speed inside the part. See docs/method/fits.md,
 /// "Resonance of a ramp".
 std::optional<RampResonance> fit_ramp_resonance(std::span<const BodePoint> plot, double rate_hz_per_s);
 

@@ -92,7 +92,8 @@ bool never_grows(const structure::SpeedMatrices& matrices) {
 /// `fastest`, the two slowest whirls, and all growing motions.
 std::vector<Complex> wanted_rates(const structure::SpeedMatrices& matrices, double fastest) {
   constexpr std::size_t slowest = 2;
-  // Larger rates belong to single elements; smaller growth may be rounding.
+  // `far`: larger rates (in units of `fastest`) belong to single elements. `growth`: smaller growth may be
+  // rounding.
   constexpr double far = 1e3, growth = 1e-7;
   const bool dissipating = never_grows(matrices);
   std::vector<Complex> found, wanted;

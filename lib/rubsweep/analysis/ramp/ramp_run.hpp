@@ -52,10 +52,11 @@ struct RampStretch {
 /// Runs a machine with its stops while its shaft speed changes, by dopri5 with every change of contact mode
 /// located. `on_stretch` gets each stretch with `samples` samples. The unbalance forces are e Re(U (phi'^2 -
 /// i phi'') e^{i phi}). Gyroscopic moment, rotating damping and speed of the rubbing surfaces follow phi'.
-/// The run starts on the quiet motion of the first speed, with the mark of the shaft along +x; if that motion
-/// touches, it starts at rest in the static position. The machine's kick is left out. Returns how the run
-/// ended; no stretch follows after a failure. Throws ConfigError for machines that a ramp cannot handle:
-/// faulty bearings, static forces that press the rotor through a wall, a speed without quiet motion.
+/// The run starts on the quiet motion of the first speed, with the mark of the shaft along +x. If the quiet
+/// motion touches a stop, the run starts at rest in the static position. The machine's kick is left out.
+/// Returns how the run ended; no stretch follows after a failure. Throws ConfigError for machines that a ramp
+/// cannot handle: faulty bearings, static forces that press the rotor through a wall, a speed without quiet
+/// motion.
 integrate::run::Outcome run_ramp(const scene::PreparedMachine& machine, const SpeedRamp& ramp,
                                  const integrate::run::SolverOptions& solver, int samples,
                                  const std::function<void(const RampStretch&)>& on_stretch);

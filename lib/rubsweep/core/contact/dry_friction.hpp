@@ -57,8 +57,8 @@ SettledSlips settle_slips(const StickMobility& mobility, const StickVector& acce
                           const StickVector& limit);
 
 /// Decides stick or slip as above, for surfaces that slip with the friction `sliding` <= limit. As many
-/// surfaces as possible stick. A surface that cannot be held even by its limit gets its sliding friction as
-/// its new limit, and all surfaces are settled again, in at most as many rounds as there are surfaces. In the
+/// surfaces as possible stick. If a surface needs more than its limit to stick, its sliding friction becomes
+/// its new limit, and all surfaces are settled again. There are at most as many rounds as surfaces. In the
 /// end a sticking surface needs at most its limit, and the load on a slipping surface exceeds its friction.
 /// `more` is added to the accelerations in the first round, so that a surface at its limit comes loose or is
 /// poised.

@@ -78,7 +78,7 @@ bool keeps_its_direction(const model::Friction& friction);
 /// surfaces may stick. Zero for other kinds of friction.
 double dry_coefficient(const model::Friction& friction);
 
-/// Largest coefficient of such a friction at slip zero, >= the sliding one. Zero for other kinds.
+/// Largest coefficient of a set-valued friction at slip zero, >= the sliding one. Zero for other kinds.
 double holding_coefficient(const model::Friction& friction);
 
 /// Kind of friction: "none", "dry", "one-way", "Stribeck", "static and sliding", "falling from static".

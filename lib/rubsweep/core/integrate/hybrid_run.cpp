@@ -195,7 +195,7 @@ class HybridRun {
            run::work_of_a_step * (sticking_ ? static_cast<double>(sticking_->steps()) : 0);
   }
 
-  /// Leaves closed forms for the method that replaces them, for a number of turns.
+  /// Uses Taylor pieces or a stepper instead of closed forms for a number of turns.
   void leave() {
     absent_ = 0;
     absence_ = std::min(2 * absence_, longest_absence);

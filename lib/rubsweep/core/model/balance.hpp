@@ -4,8 +4,8 @@
 
 namespace rubsweep::model {
 
-/// Unbalance of a rotor per metre of a cell's eccentricity, in kg. For a Jeffcott rotor this is its mass; for
-/// a rotor kit, the sum of mass_kg |eccentricity_ratio| over its discs without regard to phase, so that
+/// Unbalance of a rotor per metre of a cell's eccentricity, in kg. For a Jeffcott rotor this is its mass. For
+/// a rotor kit it is the sum of mass_kg |eccentricity_ratio| over its discs; phases are ignored, so that
 /// opposite unbalances do not cancel. 0 where all discs are centred.
 double unbalanced_mass_kg(const Machine& machine);
 

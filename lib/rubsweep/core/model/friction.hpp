@@ -47,8 +47,8 @@ struct OneWayFriction {
   }
 };
 
-/// A friction curve given by measurable numbers: the largest coefficient and the slip speed of this peak, the
-/// slip speed at which the fall after the peak ends, the coefficient there (kinetic), and the slope beyond
+/// A friction curve given by measurable numbers. These are the largest coefficient and its slip speed, the
+/// slip speed at which the fall after this peak ends, the coefficient there (kinetic), and the slope beyond
 /// (viscous).
 struct StribeckCurve {
   double static_coefficient = required;

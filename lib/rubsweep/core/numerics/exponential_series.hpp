@@ -18,8 +18,8 @@ inline constexpr double longest_series = 1;
 /// the table of flows.
 inline constexpr double short_series = 0.14;
 
-/// Order of the last term of the series of e^x, |x| = `size` <= longest_series, above double rounding:
-/// size^(n + 1) / (n + 1)! < 2e-17.
+/// Order of the last term of the series of e^x that exceeds double rounding, for |x| = `size` <=
+/// longest_series: size^(n + 1) / (n + 1)! < 2e-17.
 inline int series_terms(double size) {
   if (size > 0.74) return 18;
   if (size > 0.49) return 16;

@@ -164,8 +164,8 @@ double value_at_one(std::span<const double> c) {
   return (k < c.size() ? even + c[k] : even) + odd;
 }
 
-/// For a polynomial that starts below zero and ends above it: whether it has a single root because it rises
-/// everywhere or its second derivative keeps its sign.
+/// Whether a polynomial that starts below zero and ends above zero has a single root. True if it rises
+/// everywhere, or if its second derivative keeps its sign.
 bool clearly_one_root(std::span<const double> c) {
   std::array<double, most> falls, bends;  // -p', then p'' or -p''
   const std::size_t slopes = c.size() - 1;

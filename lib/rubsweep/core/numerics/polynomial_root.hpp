@@ -33,7 +33,7 @@ using Quartic = std::array<double, 5>;
 Quartic quartic_through(double start, double start_slope, double middle, double end, double end_slope);
 
 /// Whether a cubic with these end values and slopes stays below zero by at least a quarter of its hull's
-/// height, so that a guard function with this Hermite interpolant needs no closer search.
+/// height. A guard function with this Hermite interpolant then needs no closer search.
 bool clearly_below_zero(double start, double start_slope, double end, double end_slope);
 
 /// Smallest argument in (0, 1] at which the quartic rises from below zero to zero or above; empty when it

@@ -53,11 +53,11 @@ Aperiodic classify_aperiodic(const Growth& turn, const std::function<bool()>& to
                              const Eigen::Matrix<double, 2, Eigen::Dynamic>& observed, int window,
                              spectrum::SpectrumWorkspace& workspace);
 
-/// Early detection of a torus, which has no period that could be proven, so that each run would take its full
-/// length. From turn `settled_after` on, a tangent vector is carried along. The first test comes 200 turns
-/// later. Each further test comes when the number of turns has grown by a quarter, as long as the confirming
-/// window ends before the last two windows of the run. Chaos may be transient and ends no run, but the growth
-/// of the tangent vector is used at the end of the run.
+/// Early detection of a torus. A torus has no period that could be proven, so that without this detection
+/// each run would take its full length. From turn `settled_after` on, a tangent vector is carried along. The
+/// first test comes 200 turns later. Each further test comes when the number of turns has grown by a quarter.
+/// Tests end when the confirming window would reach into the last two windows of the run. Chaos may be
+/// transient and ends no run, but the growth of the tangent vector is used at the end of the run.
 class TorusWatch {
  public:
   static constexpr long settled_after = 100;
@@ -78,8 +78,8 @@ class TorusWatch {
   /// scheduled.
   void look(spectrum::SpectrumWorkspace& workspace);
 
-  /// Revolutions after which recording for the verdict begins: two windows before the end, or only one after
-  /// a torus was found, because its section has already shown what the first window would show.
+  /// Number of revolutions after which recording for the verdict begins: two windows before the end. After a
+  /// torus was found it is only one window, because the first window would show nothing new.
   long record_begin() const { return record_begin_; }
   /// Exponent of the torus that was found; otherwise empty.
   const std::optional<motion::Exponent>& torus() const { return torus_; }

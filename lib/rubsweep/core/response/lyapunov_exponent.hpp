@@ -29,11 +29,11 @@ inline constexpr double separation = 1e-5;
 /// axis would never leave an invariant subspace, such as the tangential motion at a flat wall.
 Eigen::VectorXd first_disturbance(std::size_t states);
 
-/// Growth of a disturbance. Where the turn has closed forms it is a tangent vector, moved by the exact
-/// derivative of the section: no accuracy is lost to a finite distance, and no second run is needed. Other
-/// turns use the difference to a second run that starts at `separation`. The mean of the returned values
-/// tends to the largest exponent (G. Benettin, L. Galgani, J.-M. Strelcyn, Phys. Rev. A 14 (1976) 2338).
-/// `map` must outlive the result.
+/// Growth of a disturbance. In turns with closed forms the disturbance is a tangent vector, moved by the
+/// exact derivative of the section. No accuracy is lost to a finite distance, and no second run is needed.
+/// Other turns use the difference to a second run that starts at `separation`. The mean of the returned
+/// values tends to the largest exponent (G. Benettin, L. Galgani, J.-M. Strelcyn, Phys. Rev. A 14 (1976)
+/// 2338). `map` must outlive the result.
 Growth tangent_growth(proof::SceneMap& map);
 
 /// Returns ln of the length of `direction` after a turn that began with unit length, and normalises

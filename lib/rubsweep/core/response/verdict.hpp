@@ -66,8 +66,8 @@ struct Verdict {
 bool may_be_aperiodic(const motion::WindowVerdict& verdict);
 
 /// Verdict at the end of the run; `section` is that of its last turn, `watch` the result of the search for a
-/// torus. Class and measures belong to one motion: if the motion that was followed for its class differs from
-/// that of the windows in `record`, it is measured again in its own last windows.
+/// torus. Class and measures belong to one motion. The motion that was followed for its class may differ from
+/// that in `record`; it is then measured again in its own last windows.
 Verdict verdict_of(const scene::Scene& scene, const SceneFacts& facts,
                    const integrate::run::SolverOptions& solver, const motion::ResponseOptions& options,
                    const motion::Record& record, std::span<const double> section, const TorusWatch& watch,

@@ -19,8 +19,8 @@ struct Local {
   double value = 0, slope = 0, curvature = 0;
 };
 
-/// Newton's iteration from a bracketed maximum, whose position follows from values alone to only half the
-/// digits.
+/// Refines the phase of a maximum by Newton's iteration. Values of the function alone give this phase to only
+/// half the digits.
 template <class Function>
 double polished(const Function& at, double phase_rad) {
   for (int step = 0; step < 3; ++step) {

@@ -168,8 +168,8 @@ FreeModes free_modes(const SpeedMatrices& matrices, const RateDisc& disc) {
   const ShiftedInverse inverse(matrices, disc);
   KrylovSpace space(inverse);
   for (Index states = first_states;; states += states / 2) {
-    // To build most of the space step by step costs more than the whole space at once, and only the full
-    // space closes.
+    // Building most of the space step by step is more expensive than computing the whole space at once.
+    // Moreover, only the whole space is certainly closed.
     space.grow_to(4 * states > 3 * inverse.states() ? inverse.states() : states);
     if (auto found = settled_modes(inverse, space, disc)) return std::move(*found);
   }

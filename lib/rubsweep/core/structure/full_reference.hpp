@@ -9,8 +9,9 @@
 
 namespace rubsweep::structure {
 
-/// Weight of two kinds of difference: those at resonances, which shift with the last digits of a frequency,
-/// and those under a load away from all attachment modes, where the response depends on the modes alone.
+/// Weight of two kinds of difference. The first are at resonances, which shift with the last digits of a
+/// frequency. The second are under a load away from all attachment modes, where the response depends on the
+/// modes alone.
 inline constexpr double share_beside = 0.2;
 
 /// Reference for reductions of one kit: its full matrices with dampers, cross-coupling, gyroscopic moments

@@ -54,7 +54,8 @@ void refuse_what_matrices_cannot_say(const model::RotorKit& kit) {
 /// Coordinates of a beam shaft in the order of the exported degrees of freedom.
 struct Exported {
   model::ShaftMatrices matrices;
-  std::vector<std::pair<std::size_t, Eigen::Index>> source;  ///< plane and coordinate of each
+  /// plane and coordinate of each degree of freedom
+  std::vector<std::pair<std::size_t, Eigen::Index>> source;
   std::vector<double> sign;
 
   void add(const std::string& node, Direction direction, std::optional<double> position_m,

@@ -10,10 +10,10 @@
 namespace rubsweep::structure {
 
 /// Reduced basis of a beam shaft: the lowest modes that the motion needs (study_planes), and one attachment
-/// mode per stop, the static deflection under a force at the stop minus its components along the modes.
-/// Attachment modes have their own part in the projected mass matrix. They make the static compliance between
-/// the stops exact, however few modes are kept (MacNeal, Computers & Structures 1, 1971; Craig, Structural
-/// Dynamics, 1981, section 19.2).
+/// mode per stop. An attachment mode is the static deflection under a force at the stop, minus its components
+/// along the modes. Attachment modes have their own part in the projected mass matrix. They make the static
+/// compliance between the stops exact, however few modes are kept (MacNeal, Computers & Structures 1, 1971;
+/// Craig, Structural Dynamics, 1981, section 19.2).
 struct Reduction {
   PlaneBases bases;  ///< columns: modes, then attachment modes; largest deflection 1
   std::array<Eigen::VectorXd, 2> frequency_hz;  ///< frequency of each column, undamped, at rest

@@ -6,10 +6,10 @@
 
 namespace rubsweep::structure {
 
-/// Whether it is proven that no free vibration mass q'' + damping q' + stiffness q = 0 grows: the stiffness
-/// is symmetric and positive definite, so that it stores energy, and the symmetric part of the damping
-/// supplies none. A skew part of the damping (gyroscopic moments) does no work. `rounding`: share of the
-/// diagonal below which a number counts as rounding. False proves nothing: vibrations may still decay.
+/// Whether it is proven that no free vibration mass q'' + damping q' + stiffness q = 0 grows. The proof holds
+/// if the stiffness is symmetric and positive definite, so that it stores energy, and the symmetric part of
+/// the damping supplies none. A skew part of the damping (gyroscopic moments) does no work. `rounding`: share
+/// of the diagonal below which a number counts as rounding. False proves nothing: vibrations may still decay.
 bool dissipates(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& damping, const Eigen::MatrixXd& stiffness,
                 double rounding);
 

@@ -40,9 +40,9 @@ struct JournalRecord {
   std::uint64_t offset;   ///< place of the text in the file
 };
 
-/// Reads the header above the records. Damage to one part is ignored where the other parts suffice: to the
-/// first line, to the line above the records, to the study if its digest is intact, or to the digest (then
-/// left empty) if the study is intact. Throws DamagedJournal where more is damaged, or IoError.
+/// Reads the header above the records. Damage to one of these parts is ignored, because the others suffice:
+/// the first line; the line above the records; the study if its digest is intact; the digest (then left
+/// empty) if the study is intact. Throws DamagedJournal where more is damaged, or IoError.
 JournalHeader read_journal_header(const std::filesystem::path& path);
 
 /// Calls `on_record` with every undamaged record, in the order of the file, and returns the number of damaged

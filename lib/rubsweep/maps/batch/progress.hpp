@@ -18,8 +18,8 @@ enum class ProgressMode { automatic, always, never };
 
 /// Predicts the time for the remaining cells of a map. Quiet cells take milliseconds, rubbing cells a hundred
 /// times as long, and chaotic cells ten times as long as rubbing ones; but neighbours on the map take similar
-/// times. For a remaining cell the mean time of the finished cells near it is assumed, weighted by closeness,
-/// or the mean of all finished cells where none is near. Only one thread at a time may use it.
+/// times. The assumed time of a remaining cell is the mean of the finished cells near it, weighted by
+/// closeness. If none is near, it is the mean of all finished cells. Only one thread at a time may use it.
 class CellsLeft {
  public:
   /// Map of `rows` rows of `columns` cells, numbered along the rows. `cells` are the cells to be computed.
@@ -67,8 +67,8 @@ std::string progress_line(std::size_t done, std::size_t total, double elapsed_s,
                           double recent_s_per_cell = 0, std::optional<double> left_s = {});
 
 /// Time in s until the remaining cells are finished, predicted from their neighbours. They are assumed to
-/// occupy as many threads as the finished cells did in `elapsed_s` s, if there are enough cells. A wait of
-/// `waited_s` s without a finished cell is added once more. Empty where nothing was measured.
+/// occupy as many threads as the finished cells did in `elapsed_s` s, if there are enough cells. Not less
+/// than `waited_s`, the time since the last cell was finished. Empty where nothing was measured.
 std::optional<double> time_left_s(const CellsLeft& cells, double elapsed_s, double waited_s);
 
 /// Number of `cells` that are run first to predict the total time: a few for each thread. It is at most a

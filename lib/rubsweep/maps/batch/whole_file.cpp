@@ -187,7 +187,7 @@ bool is_temporary(std::string_view name) {
 
 void remove_leftovers(const std::filesystem::path& directory,
                       const std::function<bool(std::string_view name)>& is_ours) {
-  std::error_code none;  // files of an unreadable directory stay
+  std::error_code none;  // ignored: files of an unreadable directory are not removed
   for (std::filesystem::directory_iterator entry(directory.empty() ? "." : directory, none), end;
        !none && entry != end; entry.increment(none)) {
     const std::string name = entry->path().filename();

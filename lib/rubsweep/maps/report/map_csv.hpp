@@ -15,7 +15,7 @@ enum class Comparison {
   ignored,
   key,     ///< identifies the cell
   label,   ///< part of the name of the motion: must be equal in every cell
-  text,    ///< must be equal where the motion repeats
+  text,    ///< must be equal in cells whose motion repeats
   number,  ///< must agree to the tolerance where the motion repeats; lengths relative to the cell's
            ///< peak
 };

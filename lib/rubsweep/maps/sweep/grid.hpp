@@ -26,7 +26,7 @@ struct KeyAxis {
   std::vector<std::string> keys;            ///< keys, at least one
   std::vector<double> factors;              ///< factor of each key
   std::vector<double> values;               ///< values, at least one, all different
-  std::optional<batch::Spacing> spacing{};  ///< spacing in which the values were written; empty for a list
+  std::optional<batch::Spacing> spacing{};  ///< spacing of a range of values; empty for a list of values
 };
 
 /// Numbers of all keys of an axis at one value of the axis.

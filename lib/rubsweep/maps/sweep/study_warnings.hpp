@@ -9,8 +9,8 @@
 namespace rubsweep::sweep {
 
 /// One line with the reason why no cell below a whirl ratio of 1 will ever touch a wall: there is no kick, or
-/// it is too weak. Empty where a bound cannot exclude contact. The bound takes the whole impulse in an
-/// instant and adds the amplitudes of the free modes, so that it may fail to notice a weak kick that is much
+/// it is too weak. Empty where a bound cannot exclude contact. The bound assumes that the whole impulse acts
+/// in an instant, and adds the amplitudes of the free modes. So it may not report a weak kick that is much
 /// longer than the rotor's period. Checks every speed of a small grid, or some speeds spread over a large
 /// one, each at the largest unbalance that leaves a clearance. Empty also where the grid has axes over keys.
 std::string why_walls_stay_untouched(const Study& study, const scene::PreparedMachine& prepared);

@@ -38,9 +38,9 @@ bool is_comment(std::string_view line);
 
 /// Layout of a table of numbers in UTF-8. The numbers begin in the first line with the layout that most lines
 /// of numbers have. Lines of units may stand above it. The names are the nearest line above with a different
-/// name for each column, none of them a number or a unit; above units it may also be a line that numbers the
-/// columns. A comment is used where there is no other line. Keys and values may also stand beside the first
-/// rows. Throws Fault for a text without numbers.
+/// name for each column, none of them a number or a unit. Above a line of units, this may also be a line that
+/// numbers the columns. A comment is used where there is no other line. Keys and values may also stand beside
+/// the first rows. Throws Fault for a text without numbers.
 Layout layout_of(std::string_view text);
 
 /// Finds the layout of a table by a line of names, some of which `is_name` knows. The table begins with this

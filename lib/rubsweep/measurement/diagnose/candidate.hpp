@@ -19,7 +19,7 @@ enum class Cause {
   one_side,       ///< one flat stop
   two_sides,      ///< two flat stops that face each other
   annular,        ///< a round stop about the rest position
-  annular_offset  ///< a round stop whose centre is somewhere else
+  annular_offset  ///< a round stop whose centre is not that of the rotor
 };
 constexpr std::string_view to_string(Cause cause) { return enumerator_word(cause); }
 inline constexpr auto cause_words = words_of<Cause>();

@@ -71,8 +71,8 @@ struct SimulatedMotion {
   bool rubs = false;  ///< touched a stop in the recorded turns
 };
 
-/// Runs a machine with a Jeffcott rotor from its start until its motion is classified, goes on until the free
-/// vibration has decayed, and then records `turns` turns. Empty where the run fails or cannot start.
+/// Runs a machine with a Jeffcott rotor from its start until its motion is classified, and further until the
+/// free vibration has decayed. Then records `turns` turns. Empty where the run fails or cannot start.
 std::optional<SimulatedMotion> simulate_motion(const model::Machine& machine, double speed_hz,
                                                const scene::Unbalance& unbalance, int turns,
                                                response::motion::Workspace& workspace);

@@ -29,7 +29,7 @@ struct RecordedProblem {
   std::string text{};                  ///< text of the machine's files as they were when read
 };
 
-/// Input of a diagnosis beside the recording.
+/// Input of a diagnosis in addition to the recording.
 struct DiagnosisQuestions {
   std::string name{};               ///< name of the recording, in messages and in the answer
   std::filesystem::path machine{};  ///< machine's configuration, with the files of a fit beside it if any

@@ -64,8 +64,8 @@ Eigen::VectorXd start_of(const MachineFit& problem) {
   return start;
 }
 
-/// Removes the bounds of angles that may have any value of a turn, so that a descent does not end at a bound
-/// while the solution lies beyond it.
+/// Removes the bounds of angles that may have any value of a turn. Otherwise a descent might end at a bound
+/// although the solution lies beyond this bound.
 void open_whole_turns(LeastSquares& squares) {
   constexpr double turn_deg = 360;
   for (Parameter& angle : squares.parameters) {

@@ -26,7 +26,8 @@ struct Keyphasor {
   Mark mark = Mark::dark;
   std::optional<double> threshold{};  ///< threshold in the column's unit; empty: middle_threshold
   double hysteresis = 0;              ///< hysteresis in the column's unit, >= 0
-  int pulses_per_turn = 1;            ///< number of marks per turn; the first mark is the shaft's
+  /// number of marks per turn; the first mark of a recording is the mark of the shaft
+  int pulses_per_turn = 1;
 };
 
 /// A column of the shaft's speed.

@@ -133,10 +133,10 @@ Eigen::MatrixXd projection_on(const Eigen::MatrixXd& functions) {
   return unit * unit.transpose();
 }
 
-/// Matrix that extracts the slow part of a sequence of values, one value per period, taken about their mean:
-/// a polynomial, and cosines of the remainder. A sum of cosines alone converges slowly where the two ends
-/// differ; a polynomial of high degree picks up other lines at the ends. Only the part in phase may therefore
-/// have a degree above 1.
+/// Matrix that extracts the slow part of a sequence of values, one value per period, without their mean. The
+/// slow part is a polynomial, plus cosines fitted to the remainder. A sum of cosines alone converges slowly
+/// where the two ends differ. A polynomial of high degree includes other lines near the ends; therefore only
+/// the part in phase may have a degree above 1.
 Eigen::MatrixXd slow_part_of(Eigen::Index count, bool in_phase) {
   const Eigen::Index degree = in_phase ? std::clamp<Eigen::Index>(count / 8, 1, 3) : 1,
                      waves = count / (in_phase ? 4 : 8);
@@ -160,8 +160,8 @@ Eigen::VectorXcd slow_part(const Eigen::MatrixXd& part_of, const Eigen::VectorXc
   return (part_of * size) * phase;
 }
 
-/// Removes the component of the amplitudes that repeats after `repeats` values, but keeps its mean. Lines of
-/// a longer period would appear as such a repetition.
+/// Removes the component of the amplitudes that repeats after `repeats` values, but keeps its mean. A line of
+/// a longer period would appear as this component.
 Eigen::VectorXcd without_repetition(const Eigen::VectorXcd& amplitudes, Eigen::Index repeats) {
   Eigen::VectorXcd left = amplitudes.array() + amplitudes.mean();
   for (Eigen::Index first = 0; first < std::min(repeats, left.size()); ++first) {

@@ -36,7 +36,8 @@ std::optional<ApexReturnSearch::Return> search_for(const std::function<Complex(d
   return search.candidate();
 }
 
-/// Approaches 1 + 0.2 cos with `spacing` as its order; `alternation` decays while changing its sign.
+/// A motion that approaches an oval about the point 1, with lines at multiples of `spacing`. `alternation`:
+/// amplitude at half of this spacing.
 std::function<Complex(double)> oval(double spacing, double alternation = 0) {
   return [=](double phase) {
     return Complex(1 + (0.2 + 0.02 * std::exp(-0.02 * phase)) * std::cos(spacing * phase) +

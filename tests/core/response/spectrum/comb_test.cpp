@@ -131,7 +131,7 @@ TEST(CombFind, DoesNotLookForPeriodsAboveAQuarterOfTheSamples) {
 TEST(CombFind, NeedsAMotionThatMovesInTheRotatingFrame) {
   EXPECT_FALSE(comb_of([](double) { return Complex(0); }));
   const auto circle = comb_of([](double turn) { return 0.8 * phasor(1, turn); });
-  // Only rounding moves, and it does not return.
+  // In the rotating frame only rounding errors move, and these do not return.
   EXPECT_FALSE(circle && circle->closed);
 }
 

@@ -41,7 +41,8 @@ TEST(Novelty, OfThePopulationIsEvenlyDistributed) {
 
 TEST(Novelty, FindsWhatStandsBesideADenseCloud) {
   const Novelty novelty(population(800));
-  // Closer to the dense cloud than members of the wide cloud are to each other, but still novel.
+  // This point is closer to the dense cloud than members of the wide cloud are to each other, but is still
+  // novel.
   EXPECT_LT(novelty.p_value(Eigen::Vector4d(1.5, 0, 0, 0)), 0.01);
   EXPECT_GT(novelty.p_value(Eigen::Vector4d(0, 0.1, 0, 0)), 0.05);
 }

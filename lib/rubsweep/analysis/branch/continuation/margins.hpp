@@ -22,8 +22,8 @@ struct StepEnds {
   double begin_slope = 0, end_slope = 0;
 };
 
-/// Place in the step, as a share of its `length` > 0, at which a function may have two more roots than its
-/// signs at the ends show. If the function is positive at the begin, the place is the local minimum of the
+/// Place in the step, as a share of its `length` > 0, near which a function may have two roots that its signs
+/// at the ends do not show. If the function is positive at the begin, the place is the local minimum of the
 /// cubic through `ends`. Empty unless the value there is below half the value at the end nearer to zero.
 std::optional<double> dip_of_cubic(const StepEnds& ends, double length);
 

@@ -45,7 +45,7 @@ Eigen::VectorXd state_of(const ExtendedSystem& system, const continuation::Posit
 struct Critical {
   Eigen::VectorXd left, right;  ///< null vectors for the multiplier +-1, of arbitrary sign
   double quadratic = 0;    ///< left . second derivative along right; zero at a cusp; sign depends on left
-  double cubic = 0;        ///< normal form coefficient of the next order; sign depends on left and right
+  double cubic = 0;        ///< normal form coefficient of third order; its sign depends on `left` and `right`
   double pair_sum = 0;     ///< torus: 2 cos of the angle of its multipliers
   double curvature = 0;    ///< second derivative of a grazing guard
   double open_defect = 0;  ///< branch point: closing error of the orbit along `left`

@@ -86,8 +86,7 @@ struct OrbitProblem {
   double parameter_scale = 1;
 };
 
-/// Largest relative tolerance of a stepper that follows an orbit. The other constant is the number of samples
-/// in a turn.
+/// Two numbers for following orbits: the largest relative tolerance of a stepper, and the samples in a turn.
 inline constexpr double tolerance_of_orbits = 1e-11;
 inline constexpr int samples_per_turn = 128;
 

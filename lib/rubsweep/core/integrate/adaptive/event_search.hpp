@@ -232,7 +232,8 @@ struct CrossingSearch {
     const auto close_enough = [](double a, double b) { return std::abs(b - a) < 1e-15; };
     const auto bracket =
         boost::math::tools::toms748_solve(value, low, high, at_low, at_high, close_enough, iterations);
-    return step.start_phase + bracket.second * h;  // the end of the bracket beyond zero
+    // the upper end of the bracket, where the value is at or beyond zero
+    return step.start_phase + bracket.second * h;
   }
 };
 

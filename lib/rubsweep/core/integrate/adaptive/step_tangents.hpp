@@ -41,9 +41,9 @@ class StepTangents final : public RightHandSide {
   /// Work since the start of the run, as a number of evaluations of the right-hand side.
   long work() const { return work_; }
 
-  /// Begins a turn at `state`. Where a contact still touches whose damping depends on its approach speed,
-  /// only a vector that continues the last vector of the turn before (times any factor) can be moved, because
-  /// it includes the change of that damping.
+  /// Begins a turn at `state`. A contact whose damping depends on its approach speed may still touch at the
+  /// start of the turn. Then only a vector that continues the last vector of the turn before (times any
+  /// factor) can be moved, because it includes the change of this damping.
   void begin(const run::TurnRequest& request, double tolerance, const State& state) {
     const double length = any_remembers() ? length_of_last(request.tangent_vectors) : 0;
     count_ = moves_ && (length > 0 || !any_remembers()) ? request.tangent_vectors.cols() : 0;

@@ -15,9 +15,9 @@
 namespace rubsweep::integrate::exact {
 
 /// A run between flat stops with saturated friction, without truncation error. Inside a contact mode the
-/// state follows the mode's exact flow. Certified steps find the mode switches: with a bound M on the second
-/// derivative of every guard function g, g + g' t + M t^2 / 2 stays negative over the whole step, so that no
-/// guard is missed, graze or not. A crossing is accepted where M proves g monotone up to it. Annular stops
+/// state follows the mode's exact flow. Certified steps find the mode switches. With a bound M on the second
+/// derivative of every guard function g, g + g' t + M t^2 / 2 stays negative over the whole step. So no guard
+/// is missed, not even in a graze. A crossing is accepted where M proves g monotone up to it. Annular stops
 /// are supported while they are not touched.
 template <int N>
 class ExactRun {

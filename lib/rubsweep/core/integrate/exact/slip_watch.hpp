@@ -112,8 +112,8 @@ class SlipWatch {
   /// every speed, so it never ends a stretch.)
   bool may_reverse() const { return may_reverse_; }
 
-  /// Whether such a slip reached zero in a step of `duration_s` that lies inside the stretch and ends at
-  /// `physical`, by the cubic through its values and rates at both ends.
+  /// Whether a slip with one-way friction reached zero in a step of `duration_s` that lies inside the stretch
+  /// and ends at `physical`. The slip is a cubic through its values and rates at both ends.
   bool reversed_in(const ExactMotion<N>& motion, const State& physical, double duration_s) {
     bool reversed = false;
     const auto before = [this](const modes::TouchWatch<N>& touch) { return contacts_[touch.contact].last; };

@@ -214,8 +214,8 @@ double StickingStretch::peak_step_rad() const {
   return std::min(peak_step, fast_peak_step / fastest);
 }
 
-/// Upper bound of a peak within `duration_rad` of `motion`: slow parts are taken as straight lines plus their
-/// curvature, and vibrations over more than a radian at their full amplitude.
+/// Upper bound of a peak within `duration_rad` of `motion`. Slow parts are taken as straight lines plus their
+/// curvature. Vibrations that turn by more than a radian are taken at their full amplitude.
 double StickingStretch::bound(const Watched& watched, double duration_rad) const {
   const Eigen::Index k = mode_->pairs();
   const double grown = std::exp(std::max(0.0, mode_->growth()) * duration_rad);

@@ -22,8 +22,8 @@ inline double work(const Effort& effort) {
          work_of_an_expansion * effort.taylor_work;
 }
 
-/// Largest number of evaluations in an adaptive turn, for its steps and for event searches inside them: that
-/// of the largest allowed number of dopri5 steps, plus a third.
+/// Largest number of evaluations in an adaptive turn, for its steps and the event searches inside them. It is
+/// the number for the most dopri5 steps that are allowed, plus a third.
 inline long most_evaluations_of_a_turn(const SolverOptions& options) {
   return 8 * options.max_steps_per_revolution;
 }

@@ -114,7 +114,8 @@ struct NoContact {
   }
 };
 
-/// AxisDirections where possible; both give the same bits.
+/// Directions of a contact: AxisDirections if they are parallel to the coordinates, otherwise AnyDirections.
+/// Both give the same bits.
 template <int N>
 using ContactDirections = std::variant<AnyDirections<N>, AxisDirections<N>>;
 

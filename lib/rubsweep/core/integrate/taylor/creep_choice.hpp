@@ -23,8 +23,8 @@ double friction_ratio(const Expansion<N>& motion, const law::Dynamics<N, false>&
   return largest;
 }
 
-/// Chooses the pieces of a run that are expanded with creeping contacts: those with steep friction, where the
-/// slip's own transient has decayed and a piece is long enough to justify the sweeps.
+/// Chooses the pieces of a run that are expanded with creeping contacts. In these pieces friction is steep,
+/// the slip's own transient has decayed, and the piece is long enough to justify the sweeps.
 template <int N>
 class CreepChoice {
  public:

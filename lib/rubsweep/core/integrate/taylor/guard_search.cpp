@@ -22,9 +22,9 @@ double noise_of(double accuracy) { return 1e-13 / rounding_of_series * accuracy;
 constexpr double just_below_zero = -1e-30;
 
 /// First rise of an armed guard, which counts as below zero at the start of the piece. If the guard is at
-/// zero there (or slightly beyond by rounding) and still rising, its root is at the start: this is the end of
-/// the piece before, which was not searched. If its rate is zero as well, it is set just below zero. Its
-/// first non-zero derivative then decides, as where a rotor starts at rest at a wall.
+/// zero there (or slightly beyond by rounding) and still rising, its root is at the start. The previous
+/// piece, which ends at this instant, was not searched there. If its rate is zero as well, it is set just
+/// below zero. Its first non-zero derivative then decides, as where a rotor starts at rest at a wall.
 std::optional<double> first_rise_of_armed(std::span<double> c, double noise) {
   if (c[0] >= 0 && c.size() > 1) {
     if (c[1] > 0) return 0;

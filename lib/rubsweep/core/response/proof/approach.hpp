@@ -62,11 +62,11 @@ integrate::exact::tube::Parts parts_of(const SplitNorms& norms, std::size_t turn
 /// derivative of the return map predicts well: with an error of at most a tenth of what a return gains. This
 /// error is of second order in the distance and shrinks on the way. Once several returns in a row pass and
 /// half of the distance is gone, the transient converges to the orbit. Near a fold or torus bifurcation the
-/// orbit attracts very weakly, and the error may stay larger for long: it speeds up the approach, or turns it
-/// by an angle that depends on the distance. The predicted point is then far off, although it is equally near
-/// to the orbit. In this case each of several returns in a row must gain at least nine tenths of the promised
-/// rate, as many as are needed to halve the distance. A transient beyond the unstable orbit or torus of the
-/// bifurcation gains nothing.
+/// orbit attracts very weakly, and the error may stay larger for long. It then only speeds up the approach,
+/// or turns it by an angle that depends on the distance. The predicted point is then far off, although it is
+/// equally near to the orbit. In this case each of several successive returns must gain at least nine tenths
+/// of the predicted rate. The returns must be so many that this rate halves the distance. A transient beyond
+/// the unstable orbit or torus of the bifurcation gains nothing.
 class LinearConvergenceTest {
  public:
   /// `in_a_row`: number of successive returns (or of their turns) that must be predicted.
@@ -96,8 +96,8 @@ class LinearConvergenceTest {
   double halving_ = 0;
 };
 
-/// Largest number of turns (or returns) for which a transient towards an orbit is followed: three times what
-/// the norm promises near the orbit, plus some for the start, where the transient is still far away.
+/// Largest number of turns (or returns) for which a transient towards an orbit is followed. It is three times
+/// the number that the norm predicts near the orbit, plus some turns for the start far away.
 struct Patience {
   double start = 0;
   double most = 0;

@@ -46,7 +46,8 @@ class OrbitTubes {
       if (!draws_together(halved(most_halvings))) return std::nullopt;
       known = most_halvings;
     }
-    // Searches from the known number in doubling steps; ends at once where no larger ball contracts.
+    // Searches downwards from the known number of halvings, in doubling steps. Ends at once if no larger ball
+    // contracts.
     int too_large = known - 1;
     for (int step = 1; too_large >= 0 && draws_together(halved(too_large)); step *= 2) {
       known = too_large;

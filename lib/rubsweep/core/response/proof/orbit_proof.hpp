@@ -53,8 +53,8 @@ class OrbitProof {
 
 /// The scene with equal stops merged: contacts of one point of the rotor with the same wall at the same
 /// clearance, on rigid casings, with the same ratio of damping to stiffness and the same friction. Their
-/// guards are the same function of the state, so that they change mode together, and the sum of their forces
-/// is that of a single stop with the sum of stiffnesses and dampings. Motions differ only by rounding. Stops
+/// guards are the same function of the state, so that they change mode together. Their forces add up to the
+/// force of a single stop with the sum of stiffnesses and dampings. Motions differ only by rounding. Stops
 /// with a casing each are two bodies and are not merged.
 scene::Scene with_equal_stops_as_one(scene::Scene scene);
 

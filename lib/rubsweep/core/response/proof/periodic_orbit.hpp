@@ -18,7 +18,7 @@ class PeriodSearch {
   void add(std::span<const double> section, bool touched);
 
   /// A number of turns after which the section has recently returned closer than after any smaller number,
-  /// and closer than one period earlier, with contact in between; usually empty.
+  /// with contact in between. The return must also be closer than one period earlier. Usually empty.
   std::optional<int> candidate() const;
 
   /// Marks `order` as not proven. It is proposed again when the return is much closer, or much later.

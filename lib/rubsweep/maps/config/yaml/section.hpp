@@ -79,7 +79,7 @@ class Section {
     inner.refuse_unknown_keys();
   }
 
-  /// Reads keys that are allowed only where `holds`, that is, beside certain words of another key.
+  /// Reads keys that are allowed only if `holds` is true: only with certain words of another key.
   template <class Visit>
   void beside(std::string_view, std::initializer_list<std::string>, bool holds, Visit&& visit) {
     if (holds) visit();

@@ -9,11 +9,11 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Weight of a case by its size: the density of the logarithm of its size, taken at the recording's size,
-/// relative to a density that depends on the candidate's clearances alone. The logarithms of clearances are
-/// uniform, so all clearances that give the recording's size have equal weight, and others none. For a quiet
-/// whirl, the whirl ratios take the place of the clearances. A known unbalance restricts the size of a case
-/// as well.
+/// Weight of a case by its size. It is the density of the logarithm of the case's size at the recording's
+/// size, divided by a density that depends only on the candidate's clearances. The logarithms of clearances
+/// are uniform, so all clearances that give the recording's size have equal weight, and others none. For a
+/// quiet whirl, the whirl ratios take the place of the clearances. A known unbalance restricts the size of a
+/// case as well.
 double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one, double case_size_m,
                        double seen_size_m);
 

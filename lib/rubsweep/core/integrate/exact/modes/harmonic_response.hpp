@@ -55,7 +55,7 @@ struct HarmonicResponse {
     }
   }
 
-  /// Factor e^{i rate h} of a step of the mode's table.
+  /// Factor e^{i rate h} by which a step of the mode's table, of length h, turns the phasor.
   Complex turned_by(std::size_t table_step, double longest_step_s) {
     Complex& turn = steps[table_step];
     if (turn == Complex{})

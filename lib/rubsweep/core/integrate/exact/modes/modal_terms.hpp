@@ -47,8 +47,8 @@ struct ModalTerms {
   }
 };
 
-/// A sum of such terms: value, time derivative, and a bound of the second derivative. Parts from z_u and from
-/// z_v are summed separately, because the processor adds both at once.
+/// A sum of modal terms: value, time derivative, and a bound of the second derivative. Parts from z_u and
+/// from z_v are summed separately, because the processor adds both at once.
 class ModalSum {
  public:
   /// `paired`: whether z has a modal form.
@@ -80,7 +80,7 @@ inline ModalSum sum_of(std::span<const ModalTerm> pairs, const double* z, bool p
   return sum;
 }
 
-/// Such sums for many states, one number per state.
+/// Sums of modal terms for many states, one number per state.
 struct ModalSums {
   std::vector<double> value, rate, curvature;
 

@@ -58,8 +58,8 @@ class TubeReference {
   /// Writes these projections into an existing object.
   void see(std::size_t e, Seen& seen) { see_by(motion_.mode().guards[e].terms, 1, seen); }
 
-  /// Slip margin of a touching contact in m/s, as a guard that rises through zero where friction leaves
-  /// saturation; projections of the disturbances onto it; and its row on the state.
+  /// Slip margin of a touching contact in m/s: a guard that rises through zero where friction leaves
+  /// saturation. Includes the projections of the disturbances onto this guard, and its row on the state.
   struct SlipGuard {
     typename ExactMotion<N>::GuardValue value;
     Seen seen;

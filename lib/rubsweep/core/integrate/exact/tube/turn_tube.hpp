@@ -15,8 +15,8 @@ struct Parts {
 
 /// Bounds for all motions that start a turn near a reference motion: x(0) = reference + W y with y = (y_fast,
 /// y_slow) and |y_fast| <= radii.fast, |y_slow| <= radii.slow (Euclidean). For given radii the tube shows
-/// whether all these motions pass the same changes of contact mode in the same order, and how much their ends
-/// can differ from the linear map about the reference, up to rounding. `turn_tubes` fills it.
+/// whether all these motions pass the same changes of contact mode in the same order. It also bounds, up to
+/// rounding, how much their ends differ from the linear map about the reference. `turn_tubes` fills it.
 ///
 /// Lemma. Inside a mode the law is linear, and at a change of mode it is continuous: the two right-hand sides
 /// differ by b g, where g is the guard that rises through zero there. For some time one of two motions (the
