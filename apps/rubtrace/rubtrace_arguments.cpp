@@ -193,21 +193,18 @@ bool read_experiment(const po::variables_map& given, RubtraceArguments& argument
   if (given.count("figure") != 0 && (arguments.free_response || arguments.rotor_report))
     throw UsageError("--figure belongs to a trace, to --campbell, to --run-up or to --design-check");
   const bool sampled = arguments.free_response || (arguments.run_up && !arguments.with_stops);
-  if (static_cast<int>(arguments.free_response) + arguments.run_up.has_value() +
-          arguments.campbell.has_value() + arguments.design_check.has_value() >
-      1)
+  const int others = static_cast<int>(arguments.free_response) + arguments.run_up.has_value() +
+                     arguments.campbell.has_value() + arguments.design_check.has_value();
+  if (others > 1)
     throw UsageError("--free-response, --run-up, --campbell and --design-check exclude each other");
-  if (arguments.rotor_report &&
-      (arguments.free_response || arguments.run_up || arguments.campbell || arguments.design_check))
+  if (arguments.rotor_report && others > 0)
     throw UsageError("--rotor-report excludes --free-response, --run-up, --campbell and --design-check");
   arguments.duration_s = positive_number(given, "duration-s").value();
   arguments.sample_s = positive_number(given, "sample-s").value();
   arguments.noise_m = not_negative_number(given, "noise-m").value();
   refuse_options_of_others(given, arguments);
   arguments.probes = !sampled && asks_for_probes(given);
-  if (!arguments.free_response && !arguments.campbell && !arguments.run_up && !arguments.design_check &&
-      !arguments.rotor_report)
-    return false;
+  if (others == 0 && !arguments.rotor_report) return false;
   for (const std::string name : {"speed-hz", "speed-rpm", "whirl-ratio", "revolutions", "last-revolutions"}) {
     if (arguments.rotor_report && name.starts_with("speed")) continue;  // of the deflected shape
     if (given.count(name) != 0)

@@ -27,7 +27,7 @@ def operating_hz(directory):
 
 
 def note_text(directory, picture):
-    """Caption of a picture, in one line."""
+    """All remarks on a picture in one line."""
     return "; ".join(row["note"] for row in notes(directory).get(picture, []))
 
 

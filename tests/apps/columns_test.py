@@ -32,7 +32,7 @@ MAP = ["sweep.speed_hz={values: [74, 75, 76]}", "sweep.whirl_ratio={values: [0.4
 PLACES = {"N": r"\d+", "K": r"\d+", "UNBALANCE": "(?:whirl_ratio|eccentricity_m)", "PARAMETER": r"\w+"}
 # Words that no small run meets; each of them is said by a test of its own part.
 RARE = {"status", "from", "to", "kind", "meeting", "finding", "attribution", "verdict", "proof", "closing", "start", "orbit",
-        "whirl", "state", "pass", "quantity", "check", "reference", "source"}
+        "whirl", "state", "pass", "quantity", "check", "reference", "source", "element"}
 # Tables whose further columns are those of a map, keys or numbers of the study.
 OPEN = {("rubtrace", "motion.csv"), ("rubline", "line.csv"), ("rubbasin", "map.csv"), ("rubbasin", "slice.csv"),
         ("rubbasin", "attractors.csv"), ("rubfit", "correlation.csv")}
