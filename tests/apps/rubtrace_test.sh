@@ -185,6 +185,13 @@ expect_files above "${files[@]}"
 expect_exit 0 "$minimal" --speed-hz 90 --whirl-ratio 1.2 --revolutions 20 --set kick.force_n=9999 --output harder
 expect_same <(grep -v '^#' above/trajectory.csv) <(grep -v '^#' harder/trajectory.csv)
 
+# At an undamped resonance there is no quiet whirl, and a run from rest needs none, at one speed or on a ramp.
+resonance=("$minimal" --eccentricity-m 2e-5 --set rotor.damping_ratio=0)
+expect_exit 4 "${resonance[@]}" --speed-hz 30 --output none --quiet
+expect_exit 0 "${resonance[@]}" --speed-hz 30 --set start=rest --revolutions 40 --output rest
+[[ $(cells rest/motion.csv status start) == ok,state ]] || fail 'a run from rest at a resonance does not run'
+expect_exit 0 "${resonance[@]}" --run-up 30:34:4 --with-stops --set start=rest --output ramp --quiet
+
 # Nothing to run: the row says so, and nothing of an older trace stays.
 expect_exit 4 "$minimal" --speed-hz 90 --whirl-ratio 1.2 --set gravity_m_per_s2=99 --set stops.0.angle_deg=-90 --output short
 expect_matches stderr '^rubtrace: static forces press the rotor on the wall'

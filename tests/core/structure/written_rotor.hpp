@@ -105,6 +105,7 @@ class WrittenRotor {
   /// 2 ratio (K M^-1)^(1/2) M: damping with the same ratio for all modes.
   static Eigen::MatrixXd of_all_modes(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass,
                                       double ratio) {
+    if (ratio == 0) return Eigen::MatrixXd::Zero(mass.rows(), mass.cols());
     const numerics::dense::CholeskyFactors factor(mass);
     const Eigen::MatrixXd half = factor.solve_lower(stiffness), lower = factor.upper().transpose();
     const Eigen::MatrixXd normal = factor.solve_lower(Eigen::MatrixXd(half.transpose()));

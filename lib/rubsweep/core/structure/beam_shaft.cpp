@@ -8,6 +8,7 @@
 #include "rubsweep/core/numerics/dense/factors.hpp"
 #include "rubsweep/core/structure/beam_element.hpp"
 #include "rubsweep/core/structure/matrix_shaft.hpp"
+#include "rubsweep/core/structure/support_mass.hpp"
 
 namespace rubsweep::structure {
 namespace {
@@ -144,6 +145,7 @@ BeamShaft assemble_matrices(const model::RotorKit& kit, std::vector<double> stat
   for (std::size_t i = 0; i < kit.supports.size(); ++i) {
     if (const auto at = shaft.pedestals[i]) shaft.weight_kg(*at) = kit.supports[i].pedestal->mass_kg;
   }
+  keep_mass_positive(kit, shaft);
   return shaft;
 }
 
@@ -187,6 +189,7 @@ BeamShaft assemble_beam_shaft(const model::RotorKit& kit, const std::vector<doub
   for (Eigen::Index s = 1; s < on_shaft; s += 2) translation(s) = 0;
   // Weight along y, without the fluid in supports, whose mass adds no weight.
   shaft.weight_kg = (shaft.mass + of_points) * translation;
+  keep_mass_positive(kit, shaft);
   return shaft;
 }
 
