@@ -37,8 +37,7 @@ struct RingConfig {
 /// chart (optional), output. Problems, overrides and errors are as in run_config.hpp. Speeds are sorted.
 RingConfig read_ring_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// All keys of a configuration of `ringstab`.
-keys::Form ring_form();
+keys::Form ring_form();  ///< All keys of a configuration of `ringstab`.
 
 /// Reads a configuration of `ringstab` from a text; `name` stands for the file in messages. Throws
 /// ConfigError.

@@ -69,8 +69,7 @@ struct Study {
   std::optional<batch::Spacing> spacing{};  ///< spacing in which the speeds were written; empty for a list
 };
 
-/// One revolution per minute in rad/s.
-inline constexpr double rad_per_s_of_rpm = std::numbers::pi / 30;
+inline constexpr double rad_per_s_of_rpm = std::numbers::pi / 30;  ///< One revolution per minute in rad/s.
 
 inline std::vector<double> speeds_rad_per_s(const Study& study) {
   std::vector<double> speeds;

@@ -64,8 +64,7 @@ struct FrictionTerms {
 /// Terms of a friction law: tanh terms of equal steepness are merged, those without effect left out.
 FrictionTerms friction_terms(const model::Friction& friction);
 
-/// Whether there is friction at any slip speed.
-bool acts(const model::Friction& friction);
+bool acts(const model::Friction& friction);  ///< Whether there is friction at any slip speed.
 
 /// Whether the coefficient depends on the slip speed.
 bool depends_on_slip(const model::Friction& friction);

@@ -65,11 +65,9 @@ using Wall = std::variant<FlatWall, AnnularWall>;
 /// x into y.
 Eigen::Vector2d direction(double angle_deg);
 
-/// Wall of a geometry in a configuration, in metres.
-Wall wall_of(const model::StopGeometry& geometry);
+Wall wall_of(const model::StopGeometry& geometry);  ///< Wall of a geometry in a configuration, in metres.
 
-/// The wall with its lengths divided by `unit`.
-Wall in_units(const Wall& wall, double unit);
+Wall in_units(const Wall& wall, double unit);  ///< The wall with its lengths divided by `unit`.
 
 bool same(const Wall& a, const Wall& b);
 

@@ -61,8 +61,7 @@ struct ShaftMatrices {
   static constexpr std::size_t most_degrees_of_freedom = 2000;
 };
 
-/// Position of the last node on the shaft, in metres.
-double shaft_length_m(const ShaftMatrices& matrices);
+double shaft_length_m(const ShaftMatrices& matrices);  ///< Position of the last node on the shaft, in metres.
 
 /// Sum of mass times eccentricity of all nodes per eccentricity of a cell, in kg, without regard to phases.
 double unbalanced_mass_kg(const ShaftMatrices& matrices);

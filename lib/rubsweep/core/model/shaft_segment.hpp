@@ -98,11 +98,9 @@ Diameters diameters(const ShaftLayer& layer, double at);
 /// Diameters for bending and shear at the share `at` of the segment's length.
 Diameters stiffness_diameters(const ShaftLayer& layer, double at);
 
-/// Whether the diameters change along the segment.
-bool is_tapered(const ShaftLayer& layer);
+bool is_tapered(const ShaftLayer& layer);  ///< Whether the diameters change along the segment.
 
-/// Mass of a segment including its layers, in kg.
-double mass_kg(const ShaftSegment& segment);
+double mass_kg(const ShaftSegment& segment);  ///< Mass of a segment including its layers, in kg.
 
 /// Checks diameters that are each in range: the wall thickness must be positive, and a taper must have no
 /// separate stiffness diameters. Empty: no problem.

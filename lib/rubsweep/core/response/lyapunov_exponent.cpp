@@ -12,8 +12,7 @@
 namespace rubsweep::response {
 namespace {
 
-/// A disturbance that shrinks to less than this in one turn starts anew.
-constexpr double lost = 1e-10;
+constexpr double lost = 1e-10;  ///< A disturbance that shrinks to less than this in one turn starts anew.
 
 struct Tangent {
   proof::SceneMap& map;

@@ -24,8 +24,7 @@ class Sha256 {
   std::uint64_t bytes_ = 0;
 };
 
-/// Digest of a whole text.
-std::string sha256_of(std::string_view text);
+std::string sha256_of(std::string_view text);  ///< Digest of a whole text.
 
 /// HTML page with the line `<!-- sha256 DIGITS -->` inserted as its second line. The digits are the SHA-256
 /// of all other lines: `sed '/^<!-- sha256 /d' FILE | sha256sum`.

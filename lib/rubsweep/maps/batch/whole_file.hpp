@@ -35,8 +35,7 @@ class WholeFile {
   /// afterwards.
   void finish();
 
-  /// Finishes and renames, then waits until the new name is on the disk, too.
-  void commit();
+  void commit();  ///< Finishes and renames, then waits until the new name is on the disk, too.
 
   /// Finishes and renames without waiting for the disk: for several files of a directory that is synced after
   /// the last file.
@@ -91,8 +90,7 @@ class LineLog {
 
   /// Syncs appended lines to the disk once `interval` is over. After a failure the next `append` throws.
   void refresh();
-  /// Syncs at once, without waiting for the interval.
-  void sync();
+  void sync();  ///< Syncs at once, without waiting for the interval.
 
  private:
   std::filesystem::path path_;

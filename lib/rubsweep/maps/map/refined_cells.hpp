@@ -22,8 +22,7 @@ class RefinedCells {
   /// Reads all cells in the journals of the directory. Throws IoError.
   void read(const MapDirectory& directory);
 
-  /// Adds a finished cell with its line of the map.
-  void add(std::size_t cell, const std::string& line);
+  void add(std::size_t cell, const std::string& line);  ///< Adds a finished cell with its line of the map.
 
   /// Cells that the map needs next, ascending; none when it is complete.
   std::vector<std::size_t> wanted() const;

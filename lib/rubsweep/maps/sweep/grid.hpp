@@ -103,7 +103,6 @@ std::vector<SweptAxis> swept_axes(const Grid& grid);
 /// on the axis. Empty where there is no such axis.
 std::optional<std::string> disordered_axis(const Grid& grid);
 
-/// Grid with the single cell at `place`.
-Grid grid_of(const scene::Place& place);
+Grid grid_of(const scene::Place& place);  ///< Grid with the single cell at `place`.
 
 }  // namespace rubsweep::sweep

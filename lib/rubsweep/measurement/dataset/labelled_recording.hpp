@@ -41,8 +41,7 @@ struct LabelledRecording {
   std::vector<double> gain{};                     ///< gain of each probe
   double penetration_ratio = 0, force_ratio = 0;  ///< ratios as defined in RubBounds
   diagnose::SimulatedMotion motion{};             ///< label; its samples are replaced by the readings
-  /// digest of the recording's file, once the file is written
-  std::string sha256{};
+  std::string sha256{};  ///< digest of the recording's file, once the file is written
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: empty with one probe
 };
 

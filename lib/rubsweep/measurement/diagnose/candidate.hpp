@@ -78,8 +78,7 @@ const Spread& spread_of(const Candidate& candidate, Unknown unknown);
 /// counts as known.
 Candidate usual_candidate(Cause cause);
 
-/// One usual candidate for every cause.
-std::vector<Candidate> usual_candidates();
+std::vector<Candidate> usual_candidates();  ///< One usual candidate for every cause.
 
 /// Values of the unknowns at a point of the unit cube.
 Point values_at(const Candidate& candidate, const Point& unit);

@@ -21,8 +21,7 @@ using Fitted = std::optional<diagnose::FittedParameters>;
 /// Relative half widths of the intervals of parameters for which a fit gives none.
 constexpr double frequency_share = 0.01, damping_share = 0.2;
 
-/// Number of kits that represent all likely ones.
-constexpr std::size_t likely_kits = 60;
+constexpr std::size_t likely_kits = 60;  ///< Number of kits that represent all likely ones.
 
 /// Relative margin on both sides of the fitted unbalance, because the unbalance may change from run to run.
 constexpr double unbalance_share = 0.25;

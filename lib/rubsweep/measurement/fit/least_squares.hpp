@@ -13,8 +13,7 @@ struct Parameter {
   std::string name;
   double start = 0;
   double low = 0, high = 0;  ///< low < high; `start` lies between them
-  /// Typical size of a change; the step of the derivatives is 1e-5 of it.
-  double scale = 1;
+  double scale = 1;          ///< Typical size of a change; the step of the derivatives is 1e-5 of it.
 };
 
 struct LeastSquares {

@@ -17,8 +17,7 @@ namespace {
 
 using table::Fault;
 
-/// Most numbers of one text.
-constexpr std::size_t most_text_numbers = std::size_t{1} << 28;
+constexpr std::size_t most_text_numbers = std::size_t{1} << 28;  ///< Most numbers of one text.
 
 /// Converts stamps to seconds since the first one. Stamps without a date restart at midnight; a day is then
 /// added.

@@ -11,8 +11,7 @@
 
 namespace rubsweep::recording {
 
-/// Number of samples per turn of the shaft.
-inline constexpr int samples_per_revolution = 128;
+inline constexpr int samples_per_revolution = 128;  ///< Number of samples per turn of the shaft.
 
 /// Measured motion over whole turns of the shaft, sampled at equal angles.
 struct Recording {
@@ -30,8 +29,7 @@ struct Recording {
   double mean_speed_hz() const { return turns() / (turn_begin_s.back() - turn_begin_s.front()); }
 };
 
-/// Fewest whole turns that are evaluated.
-inline constexpr int fewest_turns = 4;
+inline constexpr int fewest_turns = 4;  ///< Fewest whole turns that are evaluated.
 
 /// Makes a recording from the columns and the instrument's description, and subtracts the run-out of the
 /// shaft where a slow interval is given. Only the longest stretch of turns without gaps is kept. Findings:

@@ -24,8 +24,7 @@ using response::rotating::RotatingField;
 using response::rotating::RotatingFlow;
 
 constexpr double nearest_maximum = 0.2;  ///< share of a loop; a maximum farther away is not the expected one
-/// tolerance; a small step along the motion covers the remaining angle
-constexpr double landed_rad = 1e-9;
+constexpr double landed_rad = 1e-9;  ///< tolerance; a small step along the motion covers the remaining angle
 constexpr int most_steps = 12;
 
 integrate::run::SolverOptions exact(integrate::run::SolverOptions solver) {

@@ -37,8 +37,7 @@ class ExactRun {
     std::vector<contact::Mode> modes;  ///< mode of each contact
     Eigen::MatrixXd tangent_vectors;   ///< vectors as in TurnRequest::tangent_vectors
   };
-  /// State after `unsaturated`. Its memory is reused.
-  const Handover& handover();
+  const Handover& handover();  ///< State after `unsaturated`. Its memory is reused.
 
   /// Continues a turn of another solver, which made `report` up to this point. False, with nothing changed,
   /// where friction is not saturated, or would be for a moment only.

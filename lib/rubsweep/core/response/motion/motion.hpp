@@ -23,8 +23,7 @@ struct ContactFacts {
   double peak_torque_nm = 0;              ///< largest torque in the drive
 };
 
-/// Facts of one complete turn.
-ContactFacts facts_of(const integrate::run::TurnReport& turn);
+ContactFacts facts_of(const integrate::run::TurnReport& turn);  ///< Facts of one complete turn.
 
 /// Facts of several turns: sum of hits, mean share of contact, largest peaks.
 ContactFacts together(std::span<const ContactFacts> turns);

@@ -31,8 +31,7 @@ class Record {
   /// Adds a turn with `samples_per_revolution` samples and peaks; two windows of turns fill the record.
   void add(const integrate::run::TurnReport& turn);
 
-  /// Window 0 is the older, 1 the newer.
-  Window window(std::size_t which) const;
+  Window window(std::size_t which) const;  ///< Window 0 is the older, 1 the newer.
 
   /// Samples of the observed point over both windows, in metres.
   std::span<const std::complex<double>> displacement_m() const { return displacement_m_; }

@@ -33,8 +33,7 @@ struct DescribedMotion {
 
 /// Parts of a recording that can be interpreted.
 struct View {
-  /// true: two probes; false: one probe, and only lines of order 0 and above are used
-  bool plane = true;
+  bool plane = true;  ///< true: two probes; false: one probe, and only lines of order 0 and above are used
   bool directions = false;  ///< whether the machine is anisotropic, so that directions carry information
   /// whether readings are measured from the rest position, so that their mean carries information
   bool from_rest = false;

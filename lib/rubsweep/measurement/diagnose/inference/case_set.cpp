@@ -16,8 +16,7 @@ namespace {
 /// Smallest kernel width in the unit cube: draws from a narrower kernel would almost repeat its case.
 constexpr double least_deviation = 0.02;
 
-/// Share of the prior's density that a kernel may leave out.
-constexpr double negligible = 1e-6;
+constexpr double negligible = 1e-6;  ///< Share of the prior's density that a kernel may leave out.
 
 /// Reflects a number at 0 and 1 until it lies in [0, 1].
 double folded(double x) {

@@ -34,8 +34,7 @@ std::string_view to_string(Quantity quantity);
 /// position has no direction; a Jeffcott rotor has no positions along the shaft.
 bool has_quantity(const DiagnosisProblem& problem, std::size_t candidate, Quantity quantity);
 
-/// Equivalent angle in [-180, 180].
-double wrapped_deg(double angle_deg);
+double wrapped_deg(double angle_deg);  ///< Equivalent angle in [-180, 180].
 
 /// Value of the quantity in every case, after the case was scaled and rotated to the recording. With two
 /// probes, or on an anisotropic machine, stop angles are measured from +x, in [-180, 180]. Otherwise they are
