@@ -48,8 +48,7 @@ struct ChartLine {
   double value = 0;
   std::vector<ChartPoint> points;  ///< empty when `status` is not ok
   std::vector<Onset>
-      /// onsets between these speeds, without mode names; the couplings of modes are those without friction
-      onsets;
+      onsets;  ///< onsets between these speeds, without mode names; mode couplings without friction
   std::string status = "ok";  ///< singular_mass or not_converged
 };
 

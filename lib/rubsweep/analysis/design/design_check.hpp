@@ -106,9 +106,8 @@ struct DesignCheck {
   std::vector<ResponseCurve> curves;     ///< probes first, then stops
   std::vector<Term> lateral;             ///< clearances up to trip speed, then lateral_terms
 
-  const ProbeResponse& worst_probe() const;  ///< Probe with the largest response.
-  /// Kick that starts a rub with the smallest force; null where none does.
-  const KickThreshold* smallest_kick() const;
+  const ProbeResponse& worst_probe() const;    ///< Probe with the largest response.
+  const KickThreshold* smallest_kick() const;  ///< The smallest kick that starts a rub; null if none does.
 };
 
 /// Range of speeds for unbalance response and modes. Without tables the range begins at a thousandth of the

@@ -26,8 +26,7 @@ struct LinearRun {
   double from_hz = 0;  ///< > 0: starts on the quiet motion of this speed; 0: starts at rest
   double rate_hz_per_s = 0;
   double eccentricity_m = 0;
-  /// true: kick at t = 0, in the direction of the first stop's wall unless it has an angle
-  bool kick = false;
+  bool kick = false;  ///< true: kick at t = 0, towards the first stop's wall unless it has an angle
   Driven driven = Driven::by_all;
   double sample_s = 1e-3;
   int samples = 0;  ///< number of samples, at t = 0, sample_s, ...

@@ -262,8 +262,7 @@ bool has_misalignment(const RotorKit& kit);
 
 bool has_standing_misalignment(const RotorKit& kit);  ///< Whether some coupling joins misaligned machines.
 
-/// Whether the stiffness of a coupling depends on the direction.
-bool is_asymmetric(const Coupling& coupling);
+bool is_asymmetric(const Coupling& coupling);  ///< Whether a coupling's stiffness depends on the direction.
 
 bool has_tables(const RotorKit& kit);  ///< Whether some support has coefficients from a table.
 

@@ -77,8 +77,7 @@ struct ShaftLayer {
 /// segment.
 struct ShaftSegment : ShaftLayer {
   double length_m = required;
-  /// layers in addition to the segment's own section, over its whole length
-  std::vector<ShaftLayer> layers{};
+  std::vector<ShaftLayer> layers{};  ///< layers on top of the segment's own section, over its whole length
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("length_m", self.length_m, key(physical::length_m, "length of the segment"));

@@ -47,7 +47,7 @@ bool is_file_at(int descriptor, const std::filesystem::path& path);
 /// Protects files whose names others could guess.
 void refuse_link(std::string_view action, const std::filesystem::path& path);
 
-/// Writes everything; returns 0 or the system's error number.
+/// Writes all; returns 0 or the system's error number.
 int write_all(int descriptor, std::string_view text);
 
 /// Waits until the names in a directory are on the disk, after files were renamed, created or removed there.

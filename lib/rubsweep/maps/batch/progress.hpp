@@ -46,7 +46,7 @@ class CellsLeft {
 
   std::size_t tile_of(std::size_t cell) const;
 
-  /// Sums over all tiles above and to the left of each corner of a tile.
+  /// Sums over the tiles above and to the left of each tile's corner.
   std::vector<Tile> corner_sums() const;
 
   std::size_t columns_, left_, finished_ = 0;

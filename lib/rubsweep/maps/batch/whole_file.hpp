@@ -28,8 +28,7 @@ class WholeFile {
   /// Descriptor for another process that writes the file as its standard output.
   int descriptor() const { return descriptor_.get(); }
 
-  /// Overwrites text written earlier, from `offset` on.
-  void write_at(std::size_t offset, std::string_view text);
+  void write_at(std::size_t offset, std::string_view text);  ///< Overwrites earlier text from `offset` on.
 
   /// Waits until everything is on the disk, still under the temporary name. Nothing may be written
   /// afterwards.

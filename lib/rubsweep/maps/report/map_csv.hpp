@@ -39,8 +39,7 @@ std::size_t place_of_column(std::string_view name);
 /// Descriptions of all columns and classes of motion, for --help; lines end with '\n'.
 std::string describe_map_columns();
 
-/// Names of the columns with this comparison, joined by ", ".
-std::string columns_compared(Comparison comparison);
+std::string columns_compared(Comparison comparison);  ///< Names of the columns compared like this, with ", ".
 
 /// Column names of map.csv as one line without its end: first those of every map, then those that only this
 /// kind of study has.

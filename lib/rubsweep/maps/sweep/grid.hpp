@@ -96,8 +96,7 @@ struct SweptAxis {
   std::vector<double> values;
 };
 
-/// All axes with more than one value, the fastest first.
-std::vector<SweptAxis> swept_axes(const Grid& grid);
+std::vector<SweptAxis> swept_axes(const Grid& grid);  ///< All axes of several values, the fastest first.
 
 /// First axis whose values neither rise nor fall throughout, so that neighbours in the grid are no neighbours
 /// on the axis. Empty where there is no such axis.

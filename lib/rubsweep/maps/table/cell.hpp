@@ -45,7 +45,7 @@ Heading heading_of(std::string_view cell);  ///< Splits "name (unit)" or "name [
 /// signs for micro become u.
 std::string plain_unit(std::string_view unit);
 
-/// Whether a cell holds only a unit: a known one, or anything in brackets.
+/// Whether a cell is only a unit: a known one, or anything in brackets.
 bool is_unit(std::string_view cell);
 
 /// A text of a file fit for names and messages: control characters become question marks.

@@ -52,8 +52,7 @@ void add_other_lines(std::span<std::complex<double>> samples, const OtherLines& 
 struct Measuring {
   int probes = 2;  ///< 2: x and y; 1: in one direction only
   double readings_per_turn = 0;
-  /// Whether the machine is anisotropic and the directions of the probes are known.
-  bool directions = false;
+  bool directions = false;     ///< Whether the machine is anisotropic and probe directions are known.
   double probe_angle_rad = 0;  ///< direction of a single probe where it is known, from +x to +y
   bool from_rest = false;      ///< whether readings are measured from the rest position of the rotor
   Spread noise_share{1e-3, 3e-2,

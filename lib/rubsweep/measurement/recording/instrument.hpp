@@ -26,8 +26,7 @@ struct Keyphasor {
   Mark mark = Mark::dark;
   std::optional<double> threshold{};  ///< threshold in the column's unit; empty: middle_threshold
   double hysteresis = 0;              ///< hysteresis in the column's unit, >= 0
-  /// number of marks per turn; the first mark of a recording is the mark of the shaft
-  int pulses_per_turn = 1;
+  int pulses_per_turn = 1;  ///< number of marks per turn; the first mark of a recording is the shaft's
 };
 
 /// A column of the shaft's speed.

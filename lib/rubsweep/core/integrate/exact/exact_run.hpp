@@ -55,7 +55,7 @@ class ExactRun {
     book_.revolution = 0;
   }
 
-  /// Scaled state at the start of the next revolution, as TurnReport::section.
+  /// Scaled state at the start of the next turn, as TurnReport::section.
   std::vector<double> section() const;
   /// Writes the section without an allocation, once `section` is large enough.
   void put_section(std::vector<double>& section) const;

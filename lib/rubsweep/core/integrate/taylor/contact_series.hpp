@@ -73,8 +73,7 @@ class ContactSeries {
     return (law_->annular ? length_ : distance_).number(k) - (k == 0 ? law_->clearance : 0);
   }
   void make_open_penetration(int order);
-  /// Writes the coefficients of `penetration_term` up to `order`.
-  void put_penetration(int order, double* to) const;
+  void put_penetration(int order, double* to) const;  ///< Writes `penetration_term` up to `order`.
   void make_sliding(int order);  ///< Computes the coefficients of d' . t up to order - 1, for `slip_term`.
   double slip_term(int k) const;
   /// Steepness of the tanh that leaves saturation first, zero if none is saturated; and the slip's sign.

@@ -43,8 +43,7 @@ constexpr std::string_view to_string(MotionStatus status) { return enumerator_wo
 
 /// Measures of one window, for a motion of any class.
 struct Measures {
-  /// Number of last turns of the window used for all measures; whole periods where there is a period.
-  int turns = 0;
+  int turns = 0;  ///< Number of last turns used for all measures: whole periods if there is a period.
   ContactFacts contact;
   double amplitude_1x_forward_m = 0;
   double amplitude_1x_backward_m = 0;

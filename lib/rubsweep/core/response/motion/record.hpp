@@ -54,8 +54,7 @@ struct Settling {
   /// The run is abandoned after more than this number of successive turns without contact, because its motion
   /// has ended.
   std::optional<int> longest_flight{};
-  /// limit of the run's work, including the recording
-  double most_work = std::numeric_limits<double>::infinity();
+  double most_work = std::numeric_limits<double>::infinity();  ///< limit of the work, including the recording
 };
 
 /// Lets a run settle from `turn`, whose section is the current state. Returns the number of turns passed;

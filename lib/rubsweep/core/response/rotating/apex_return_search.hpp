@@ -28,8 +28,7 @@ class ApexReturnSearch {
                                       ///< interpolation)
   };
 
-  /// Return in the latest turn that is worth a proof; usually empty.
-  std::optional<Return> candidate() const;
+  std::optional<Return> candidate() const;  ///< Return in the last turn that is worth a proof; usually empty.
 
   void refuse(const Return& candidate);  ///< Excludes a candidate that could not be proven.
 

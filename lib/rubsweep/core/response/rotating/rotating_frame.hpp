@@ -33,8 +33,7 @@ class RotatingField {
 
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& state) const;  ///< d(rate)/d(state), 2n x 2n.
 
-  /// Largest normal force of any contact, in newtons.
-  double contact_force_n(const Eigen::VectorXd& state) const;
+  double contact_force_n(const Eigen::VectorXd& state) const;  ///< Largest normal force of a contact, in N.
 
   /// Largest distance of any casing from its unloaded position, in metres.
   double casing_displacement_m(const Eigen::VectorXd& state) const;

@@ -85,9 +85,8 @@ Form any_of(std::vector<Form> forms);
 Key must(std::string name, Form form, std::string meaning);  ///< A key that must be given.
 /// A key with this default: as written in a file, or in words in parentheses; empty: no default.
 Key may(std::string name, Form form, std::string meaning, std::string fallback = "");
-Key beside(Key key, Condition when);  ///< Returns the key with the condition `when`.
-/// Returns the keys, marked as introduced after version 0.1.0.
-std::vector<Key> newer(std::vector<Key> keys);
+Key beside(Key key, Condition when);            ///< Returns the key with the condition `when`.
+std::vector<Key> newer(std::vector<Key> keys);  ///< The keys, marked as introduced after version 0.1.0.
 Key newer_key(Key key);
 
 Choice either(std::span<const std::string_view> names);  ///< Ways of one key each.

@@ -12,8 +12,7 @@ namespace rubsweep::diagnose::answer {
 /// A simulated motion fitted onto a recorded one.
 struct Overlay {
   MotionLines simulated{};  ///< scaled, rotated, phases counted from the recording's mark, m
-  /// share of the recorded energy that the simulated motion does not explain, from 0 to 1
-  double unexplained = 0;
+  double unexplained = 0;   ///< share of the recorded energy, 0 to 1, that the simulated motion lacks
 };
 
 /// Fits a simulated motion onto the recorded one: scales it to the same size, shifts its start by the shaft

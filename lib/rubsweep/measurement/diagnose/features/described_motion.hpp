@@ -45,7 +45,6 @@ struct View {
 DescribedMotion describe(const MotionLines& lines, const View& view,
                          response::spectrum::SpectrumWorkspace& workspace);
 
-/// Values of the features as a vector, in the same order.
-Eigen::VectorXd values_of(const Features& features);
+Eigen::VectorXd values_of(const Features& features);  ///< Values of the features, in the same order.
 
 }  // namespace rubsweep::diagnose::features

@@ -27,8 +27,7 @@ inline constexpr std::array all_quantities{
     Quantity::peak_force,  Quantity::eccentricity, Quantity::whirl_ratio, Quantity::stiffness,
     Quantity::restitution, Quantity::friction};
 
-/// Name with its unit, such as clearance_m or stop_angle_deg.
-std::string_view to_string(Quantity quantity);
+std::string_view to_string(Quantity quantity);  ///< Name with unit, such as clearance_m or stop_angle_deg.
 
 /// Whether a candidate has this quantity. Without a rub there are no quantities; a round stop about the rest
 /// position has no direction; a Jeffcott rotor has no positions along the shaft.
