@@ -24,7 +24,7 @@ struct Tangent {
     before.assign(section.begin(), section.end());
     bool moved = false;
     if (!map.carry_exactly(section, direction, moved, growth_accuracy)) return std::nullopt;
-    // A second run would not contain the speed at which a contact began.
+    // If contacts remember the speed at which they began, a second run is no substitute: it lacks this speed.
     if (!moved && (map.remembers() || !by_second_run(before, section))) return std::nullopt;
     return take_growth(direction);
   }
