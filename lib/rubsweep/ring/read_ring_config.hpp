@@ -15,8 +15,7 @@
 namespace rubsweep::config::ring {
 
 inline constexpr auto parameters = words_of<rubsweep::ring::Parameter>();
-/// Allowed speeds, up to more than any rotor reaches. At much higher speeds, eigenvalues would be only
-/// rounding.
+/// Allowed speeds, up to more than any rotor reaches. At much higher speeds eigenvalues are only rounding.
 inline constexpr model::Range speeds_rpm{.low = 0, .high = 1e7};
 
 /// Reads `chart`: {parameter, load, over}. `load` counts from 0; without it all loads are varied. `over` is

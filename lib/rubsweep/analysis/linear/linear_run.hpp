@@ -32,8 +32,7 @@ struct LinearRun {
   int samples = 0;  ///< number of samples, at t = 0, sample_s, ...
 };
 
-/// Measured displacements: the sensors of a rotor kit, each along its direction, or for a Jeffcott rotor x
-/// and y.
+/// Measured displacements: the sensors of a rotor kit, each along its direction; of a Jeffcott rotor x, y.
 struct SensorRows {
   Eigen::MatrixXd rows;           ///< sensors x n: displacement in metres = row * q
   std::vector<double> angle_deg;  ///< direction of each sensor

@@ -25,8 +25,7 @@ std::vector<std::size_t> needed_samples(std::span<const std::vector<double>> sig
 
 inline constexpr int levels = 4095;  ///< Number of levels from the smallest to the largest value.
 
-/// Largest error of straight lines between the kept samples, as a share of the larger extent of the orbit in
-/// x and y.
+/// Largest error of straight lines between kept samples, as a share of the orbit's larger extent in x, y.
 inline constexpr double drawing_tolerance = 1.0 / 400;
 
 /// Highest order of the spectral lines that are kept, and smallest amplitude as a share of the largest line.

@@ -91,8 +91,7 @@ std::vector<std::string> overrides_of(const diagnose::FittedParameters& fitted,
   return overrides;
 }
 
-/// Kits with parameters drawn from the errors of the fit, the best fit first. Draws with forbidden values are
-/// left out.
+/// Kits with parameters drawn from the errors of the fit, the best fit first, without forbidden values.
 std::vector<model::RotorKit> fitted_kits(const std::string& text, const fs::path& file,
                                          const diagnose::FittedParameters& fitted, std::uint64_t seed) {
   std::vector<model::RotorKit> kits;

@@ -33,7 +33,7 @@ void count_from_first(std::vector<double>& stamps_s) {
   }
 }
 
-/// Unit at the end of a name: any unit behind a comma or a slash, usual units also behind a blank or an
+/// Unit at the end of a name: any unit behind a comma or slash, usual units also behind a blank or
 /// underscore.
 std::string unit_in_name(std::string_view name) {
   if (std::string unit = unit_in_ending(name); !unit.empty()) return unit;

@@ -36,8 +36,7 @@ struct SpeedColumn {
   double factor = 1;                  ///< speed of the shaft / speed in the column
 };
 
-/// Interval at slow speed, in the recording's time, in which the probes see the shaft's run-out but no
-/// vibration.
+/// Interval at slow speed, in the recording's time, in which the probes see run-out but no vibration.
 struct RunOut {
   double from_s = 0, to_s = 0;
   bool vector = false;  ///< subtracts only its 1X, not the whole waveform

@@ -17,8 +17,7 @@ inline constexpr int samples_per_revolution = 128;  ///< Number of samples per t
 struct Recording {
   double sampling_rate_hz = 0;
   std::vector<double> turn_begin_s{};  ///< instants at which turns begin, and the end of the last one
-  /// Displacement x + iy in metres, samples_per_revolution values per turn. With one probe, its reading as a
-  /// real number.
+  /// Displacement x + iy in metres, samples_per_revolution values per turn. With one probe, its real reading.
   std::vector<std::complex<double>> displacement_m{};
   bool plane = false;      ///< measured by two probes
   bool from_rest = false;  ///< whether displacements are measured from the rest position of the rotor

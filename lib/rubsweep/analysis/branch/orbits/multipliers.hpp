@@ -12,8 +12,8 @@ std::string multiplier_columns();
 /// one, the largest modulus first.
 std::string multiplier_cells(const Eigen::VectorXcd& multipliers);
 
-/// Eigenvalues of a monodromy matrix, the largest modulus first; in a complex pair the positive imaginary
-/// part first.
+/// Eigenvalues of a monodromy matrix, the largest modulus first; of a pair, the positive imaginary part
+/// first.
 Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy);
 
 int count_outside(const Eigen::VectorXcd& multipliers);

@@ -60,8 +60,7 @@ struct OvalScene {
     return slope;
   }
 
-  /// Angle of shaft rotation from `y` to the nearest maximum, by one Newton step; NaN where the extreme is no
-  /// maximum.
+  /// Angle of shaft rotation from `y` to the nearest maximum, by one Newton step; NaN if it is no maximum.
   double angle_to_maximum(const VectorXd& y) const {
     const double curvature = outward_slope(y).dot(field.rate(y));
     return curvature < 0 ? -outward(y) / curvature : std::numeric_limits<double>::quiet_NaN();

@@ -36,8 +36,7 @@ struct CandidateAnswer {
   std::optional<double> standard_error{};  ///< empty where more motions would not change the probability
 };
 
-/// A feature of the recording, with its weighted means and spreads in the cases of the two likeliest
-/// candidates.
+/// A feature of the recording, with its weighted mean and spread in the cases of both likeliest candidates.
 struct DecidingFeature {
   std::string name;
   double recorded = 0, first = 0, first_spread = 0, second = 0, second_spread = 0;

@@ -28,8 +28,7 @@ double gaussian(double x, double deviation) {
   return std::exp(-x * x / (2 * deviation * deviation)) / (deviation * std::sqrt(2 * std::numbers::pi));
 }
 
-/// Density of the folded kernel. Both ends reflect it like mirrors, and only the nearest mirror images
-/// matter.
+/// Density of the folded kernel. Both ends reflect it like mirrors; only the nearest images matter.
 double folded_density(double x, double centre, double deviation) {
   double sum = 0;
   for (const double image : {centre, -centre, 2 - centre, centre - 2, centre + 2})
