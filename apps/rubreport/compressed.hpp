@@ -30,8 +30,7 @@ inline void append_planes(std::string& bytes, const std::string& records, std::s
     for (std::size_t i = plane; i < records.size(); i += width) bytes.push_back(records[i]);
 }
 
-/// Text of `bytes` in base64 (RFC 4648), with padding.
-std::string base64(std::string_view bytes);
+std::string base64(std::string_view bytes);  ///< Text of `bytes` in base64 (RFC 4648), with padding.
 
 /// Text of `bytes`, compressed in the zlib format and then in base64. A browser decodes it by atob and
 /// DecompressionStream("deflate"). Equal bytes give equal texts. Throws std::bad_alloc.

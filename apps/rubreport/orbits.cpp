@@ -160,8 +160,7 @@ std::vector<std::size_t> needed_samples(std::span<const std::vector<double>> sig
 
 void append_levels(std::string& bytes, std::span<const double> values) {
   const double low = values.empty() ? 0 : *std::min_element(values.begin(), values.end());
-  // Levels are measured from the rounded floats that are written, so that the rounding does not shift the
-  // values.
+  // Levels are measured from the rounded floats that are written, so that rounding shifts no values.
   const auto base = static_cast<float>(low);
   const auto width = static_cast<float>(values.empty() ? 0 : extent(values) / levels);
   append(bytes, base);

@@ -23,11 +23,9 @@ namespace rubsweep::page {
 std::vector<std::size_t> needed_samples(std::span<const std::vector<double>> signals, double tolerance,
                                         std::span<const std::size_t> always);
 
-/// Number of levels between the smallest and the largest value of a signal.
-inline constexpr int levels = 4095;
+inline constexpr int levels = 4095;  ///< Number of levels from the smallest to the largest value.
 
-/// Largest error of straight lines between the kept samples, as a share of the larger extent of the orbit in
-/// x and y.
+/// Largest error of straight lines between kept samples, as a share of the orbit's larger extent in x, y.
 inline constexpr double drawing_tolerance = 1.0 / 400;
 
 /// Highest order of the spectral lines that are kept, and smallest amplitude as a share of the largest line.
@@ -57,15 +55,13 @@ struct ThinnedGrid {
 
   bool whole() const { return speed_stride == 1 && unbalance_stride == 1; }
 
-  /// Cells of this part, ascending; cell = i_unbalance x speeds + i_speed.
-  std::vector<std::size_t> cells() const;
+  std::vector<std::size_t> cells() const;  ///< Cells of this part, ascending: i_unbalance x speeds + i_speed.
 };
 
 /// Densest part of a grid that has at most `most` cells (>= 1) and similar strides on both axes.
 ThinnedGrid thinned_grid(std::size_t speeds, std::size_t unbalances, std::size_t most);
 
-/// Number of cells whose motions are compressed together.
-inline constexpr std::size_t cells_per_block = 32;
+inline constexpr std::size_t cells_per_block = 32;  ///< Number of cells whose motions are compressed at once.
 
 /// The settled motions of a map.
 struct Orbits {

@@ -41,8 +41,7 @@ std::string policy_hash(const Asset& asset) {
   return fmt::format("'sha256-{}'", base64(bytes));
 }
 
-/// Content security policy. It allows the data: and blob: addresses that pictures use, which stay inside the
-/// page.
+/// Content security policy. It allows the data: and blob: addresses of pictures, which stay inside the page.
 std::string policy() {
   return fmt::format(
       "default-src 'none'; script-src {} {}; style-src {}; img-src data: blob:; base-uri 'none'; "

@@ -48,8 +48,7 @@ struct StaticLoad {
   std::vector<double> normal_n;  ///< force of the load on the ring in the steady state; > 0: the load presses
   std::vector<double> slip_m_per_s;  ///< steady speed of the tip relative to the ring's surface
 
-  /// Whether every load presses on the ring and slips forward, as the model assumes.
-  bool valid() const;
+  bool valid() const;  ///< Whether every load presses on the ring and slips forward, as the model assumes.
 };
 
 /// Steady state under preload and centrifugal force. Forces are not finite where K is singular. The ring must
@@ -69,8 +68,7 @@ struct Spectrum {
 };
 Spectrum spectrum(const NormalForm& form, double speed_rad_per_s);
 
-/// Largest |lambda| in 1/s.
-double size_of(const Eigen::VectorXcd& values);
+double size_of(const Eigen::VectorXcd& values);  ///< Largest |lambda| in 1/s.
 
 /// Tolerance below which a real or imaginary part counts as zero, relative to the largest |lambda|. Without
 /// friction all stable roots are neutral and onsets are double roots, which are accurate only to the square

@@ -181,7 +181,7 @@ class Search {
     const auto [from, to] = boost::math::tools::toms748_solve(
         function, first, last, at_low, at_high, boost::math::tools::eps_tolerance<double>(51), steps);
     const double speed = from + 0.5 * (to - from);
-    // The bracket may contain another root of the same function, so that the signatures on both sides are
+    // The bracket may contain another root of the same function, so the signatures on both sides are
     // compared.
     const double aside = distance_to_tell(kind, function, speed);
     const bool before = speed - aside <= low.speed || signature_at(speed - aside) == low.signature;
@@ -229,7 +229,7 @@ void add_divergence(const NormalForm& form, std::vector<End>& ends) {
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.speed < b.speed; });
 }
 
-/// Removes two opposite changes at one speed: a grid point where a neutral pair crosses zero has its own
+/// Removes opposite changes at one speed: a grid point where a neutral pair crosses zero has its own
 /// signature.
 void drop_moments(std::vector<Change>& changes) {
   for (std::size_t i = 0; i + 1 < changes.size();) {

@@ -28,8 +28,7 @@ std::vector<rubsweep::ring::Load> read_ring_loads(const yaml::Value& value,
 /// Prints loads. Beams are printed as modal data, however they were given.
 void print_ring_loads(yaml::Printer& printer, const std::vector<rubsweep::ring::Load>& loads);
 
-/// Reads `ring`, given by modal data or by its geometry.
-rubsweep::ring::Ring read_ring(const yaml::Value& value);
+rubsweep::ring::Ring read_ring(const yaml::Value& value);  ///< Reads `ring`, by modal data or geometry.
 
 /// Prints a ring as modal data, however it was given.
 void print_ring(yaml::Printer& printer, const rubsweep::ring::Ring& ring);

@@ -15,8 +15,7 @@
 namespace rubsweep::config::ring {
 
 inline constexpr auto parameters = words_of<rubsweep::ring::Parameter>();
-/// Allowed speeds, up to more than any rotor reaches. At much higher speeds, eigenvalues would be only
-/// rounding.
+/// Allowed speeds, up to more than any rotor reaches. At much higher speeds eigenvalues are only rounding.
 inline constexpr model::Range speeds_rpm{.low = 0, .high = 1e7};
 
 /// Reads `chart`: {parameter, load, over}. `load` counts from 0; without it all loads are varied. `over` is
@@ -37,8 +36,7 @@ struct RingConfig {
 /// chart (optional), output. Problems, overrides and errors are as in run_config.hpp. Speeds are sorted.
 RingConfig read_ring_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
-/// All keys of a configuration of `ringstab`.
-keys::Form ring_form();
+keys::Form ring_form();  ///< All keys of a configuration of `ringstab`.
 
 /// Reads a configuration of `ringstab` from a text; `name` stands for the file in messages. Throws
 /// ConfigError.

@@ -48,8 +48,7 @@ struct ChartLine {
   double value = 0;
   std::vector<ChartPoint> points;  ///< empty when `status` is not ok
   std::vector<Onset>
-      /// onsets between these speeds, without mode names; the couplings of modes are those without friction
-      onsets;
+      onsets;  ///< onsets between these speeds, without mode names; mode couplings without friction
   std::string status = "ok";  ///< singular_mass or not_converged
 };
 
@@ -69,8 +68,7 @@ struct Study {
   std::optional<batch::Spacing> spacing{};  ///< spacing in which the speeds were written; empty for a list
 };
 
-/// One revolution per minute in rad/s.
-inline constexpr double rad_per_s_of_rpm = std::numbers::pi / 30;
+inline constexpr double rad_per_s_of_rpm = std::numbers::pi / 30;  ///< One revolution per minute in rad/s.
 
 inline std::vector<double> speeds_rad_per_s(const Study& study) {
   std::vector<double> speeds;

@@ -47,8 +47,7 @@ struct System {
   Ring ring;
   std::vector<Load> loads;
   double friction_coefficient = 0;  ///< mu of all loads; the friction force keeps its direction
-  /// N_U, which presses every load on the ring in addition to the centrifugal force
-  double preload_n = 0;
+  double preload_n = 0;  ///< N_U, which presses every load on the ring in addition to the centrifugal force
 };
 
 /// Load with equal masses in both motions (Appendix B). A massless load has mass 0 and only a radial motion.
@@ -90,8 +89,7 @@ struct RingGeometry {
 };
 Ring ring(const RingGeometry& geometry, int nodal_diameters);
 
-/// Modal mass of either amplitude A, B: a = M_stat (n^2 + 1).
-double amplitude_mass_kg(const Ring& ring);
+double amplitude_mass_kg(const Ring& ring);  ///< Modal mass of either amplitude A, B: a = M_stat (n^2 + 1).
 
 /// Critical speed in rad/s: Omega_c = sqrt(K_stat (n^2 - 1)^2 / a), at which the forward wave stands still in
 /// the rotating frame. The natural frequency of the mode is n Omega_c.

@@ -22,8 +22,8 @@ struct Stage {
 /// width), with the speed in rad/s. B is 3 for an impeller (Wachel) and 1.5 for blades (Alford).
 double cross_coupling_n_per_m(const Stage& stage, double speed_hz);
 
-/// Logarithmic decrement of the first forward whirl at a speed. Whirl with more than half of critical damping
-/// is left out.
+/// Logarithmic decrement of the first forward whirl at a speed. Whirl above half of critical damping is
+/// omitted.
 struct Decrement {
   double speed_hz = 0, frequency_hz = 0;
   double decrement = 0;  ///< 2 pi times damping ratio / sqrt(1 - ratio^2); negative: the whirl grows

@@ -91,8 +91,7 @@ struct ResponseCurve {
 /// Results of a design check. Lengths of major axes are diameters.
 struct DesignCheck {
   SpeedRange operating;
-  /// range from near standstill, or from the begin of the tables, to its upper end
-  SpeedRange whole;
+  SpeedRange whole;  ///< range from near standstill, or from the begin of the tables, to its upper end
   double eccentricity_m = 0;     ///< eccentricity before scaling
   double vibration_limit_m = 0;  ///< peak to peak
   std::vector<ProbeResponse> probes;
@@ -107,10 +106,8 @@ struct DesignCheck {
   std::vector<ResponseCurve> curves;     ///< probes first, then stops
   std::vector<Term> lateral;             ///< clearances up to trip speed, then lateral_terms
 
-  /// Probe with the largest response.
-  const ProbeResponse& worst_probe() const;
-  /// Kick that starts a rub with the smallest force; null where none does.
-  const KickThreshold* smallest_kick() const;
+  const ProbeResponse& worst_probe() const;    ///< Probe with the largest response.
+  const KickThreshold* smallest_kick() const;  ///< The smallest kick that starts a rub; null if none does.
 };
 
 /// Range of speeds for unbalance response and modes. Without tables the range begins at a thousandth of the

@@ -30,8 +30,7 @@ Term clearance_term(std::string check, const ClearanceMargin& margin) {
 
 std::vector<Term> terms_of(const DesignCheck& check) {
   std::vector<Term> terms;
-  // While a free vibration grows, the steady response does not last. A limit that this response meets is no
-  // verdict.
+  // While a free vibration grows, the steady response does not last. A limit that it meets is no verdict.
   const auto if_lasting = [](bool met, const linear::GrowthAt& growth) {
     return !met || growth.growth_per_s == 0 ? std::optional(met) : std::nullopt;
   };

@@ -64,8 +64,8 @@ std::vector<double> frequencies_rad_per_s(const WhirlInStop& whirl) {
 std::vector<double> whirls_up_to(double fastest, const WhirlInStop& whirl) {
   std::vector<double> ends = frequencies_rad_per_s(whirl);
   if (ends.empty()) return {};
-  // Damping and gyroscopic moments shift the frequencies a little, so that the first and the last interval
-  // are extended.
+  // Damping and gyroscopic moments shift the frequencies a little, so the first and last interval are
+  // extended.
   ends.insert(ends.begin(), ends.front() / 4);
   ends.push_back(2 * ends.back());
   // With many intervals, fewer steps suffice in each.

@@ -33,8 +33,7 @@ struct LateralQuestions {
   double scale = 1;           ///< factor of the unbalance, for the bearing forces
   double vibration_limit_m = 0;
   std::vector<linear::CriticalSpeed> critical_speeds = {};  ///< within `whole`
-  /// true: a free vibration grows, so that no response lasts and no limit counts as met
-  bool grows = false;
+  bool grows = false;  ///< true: a free vibration grows, so that no response lasts and no limit counts as met
   std::optional<std::vector<Stage>> stages;  ///< empty: not given; empty list: the rotor does no work
 };
 

@@ -29,8 +29,8 @@ std::vector<Resonance> resonances(std::span<const double> speeds_hz,
 /// Amplification below which a resonance counts as critically damped (API 617).
 inline constexpr double critically_damped = 2.5;
 
-/// Largest margin that API 617 requires of a resonance below the operating range, as a share of the range's
-/// lowest speed.
+/// Largest margin that API 617 requires of a resonance below the operating range, as a share of its lowest
+/// speed.
 inline constexpr double largest_separation_below = 0.16;
 
 /// Margin to the operating range that API 617 requires of a resonance, as a share of the nearer end of the

@@ -66,9 +66,8 @@ class WholeRotor {
   linear::FreeRotor rotor_;
   Eigen::VectorXcd configured_kg_;
   std::vector<Bearing> bearings_;
-  /// deflections of the first two undamped modes at the places; may be empty
-  Eigen::VectorXd first_, second_;
-  Eigen::VectorXd mass_kg_;  ///< share of the weight of each place
+  Eigen::VectorXd first_, second_;  ///< deflections of the first two undamped modes at the places, or empty
+  Eigen::VectorXd mass_kg_;         ///< share of the weight of each place
   double whole_mass_kg_ = 0;
   Eigen::Index band_ = 0;
 };

@@ -61,8 +61,7 @@ std::optional<std::size_t> place_of(const Branch& branch, double speed_hz) {
   return static_cast<std::size_t>(found - branch.speed_hz.begin());
 }
 
-/// Adds the speeds at which two modes lock: at most one root in each interval of the diagram that both modes
-/// have.
+/// Adds the speeds at which two modes lock: at most one root in each interval of the diagram with both modes.
 void add_roots(const Branch& first, const Branch& second, int p, int q, std::vector<LockSpeed>& found) {
   const auto excess = [&](double hz) {
     return (p - q) * hz - p * first.signed_hz(hz) + q * second.signed_hz(hz);

@@ -65,8 +65,7 @@ Eigen::MatrixXcd phasors(const scene::PreparedMachine& machine, LinearRun run, c
 using std::numbers::pi;
 using Samples = Eigen::Map<const Eigen::VectorXd>;
 
-/// Parameters of a decay: decay rate and damped angular frequency, both per sample; then cosine, sine,
-/// offset.
+/// Parameters of a decay: decay rate and damped angular frequency, per sample; then cosine, sine, offset.
 using Parameters = Eigen::Matrix<double, 5, 1>;
 
 /// Parameters with the best cosine, sine and offset for given decay and frequency.

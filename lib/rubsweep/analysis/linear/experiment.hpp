@@ -17,8 +17,7 @@ struct Sampling {
   double noise_m = 0;  ///< standard deviation of white noise on every sample; the same numbers in every run
 };
 
-/// Largest number of samples in one experiment.
-inline constexpr double most_samples = 1e6;
+inline constexpr double most_samples = 1e6;  ///< Largest number of samples in one experiment.
 
 /// Damped oscillation offset + e^{-ratio w t} amplitude cos(w sqrt(1 - ratio^2) t + phase) fitted to samples.
 struct FreeDecay {

@@ -26,15 +26,13 @@ struct LinearRun {
   double from_hz = 0;  ///< > 0: starts on the quiet motion of this speed; 0: starts at rest
   double rate_hz_per_s = 0;
   double eccentricity_m = 0;
-  /// true: kick at t = 0, in the direction of the first stop's wall unless it has an angle
-  bool kick = false;
+  bool kick = false;  ///< true: kick at t = 0, towards the first stop's wall unless it has an angle
   Driven driven = Driven::by_all;
   double sample_s = 1e-3;
   int samples = 0;  ///< number of samples, at t = 0, sample_s, ...
 };
 
-/// Measured displacements: the sensors of a rotor kit, each along its direction, or for a Jeffcott rotor x
-/// and y.
+/// Measured displacements: the sensors of a rotor kit, each along its direction; of a Jeffcott rotor x, y.
 struct SensorRows {
   Eigen::MatrixXd rows;           ///< sensors x n: displacement in metres = row * q
   std::vector<double> angle_deg;  ///< direction of each sensor

@@ -124,8 +124,7 @@ Eigen::MatrixXcd columns_of(const RampedOneX& data, const Eigen::Vector2d& log_f
 
 constexpr double largest_log_ratio = -1e-3, smallest_log_ratio = -14;
 
-/// Part of 1X that remains after the best linear combination of the columns; real parts come before imaginary
-/// parts.
+/// Part of 1X that remains after the best linear combination of the columns; real parts, then imaginary ones.
 Eigen::VectorXd residual(const RampedOneX& data, Eigen::Vector2d p) {
   p(1) = std::clamp(p(1), smallest_log_ratio, largest_log_ratio);
   const Eigen::MatrixXcd columns = columns_of(data, p);

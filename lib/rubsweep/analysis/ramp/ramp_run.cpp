@@ -29,8 +29,7 @@ void set_start(const scene::PreparedMachine& machine, const SpeedRamp& ramp, sce
   scene.displacement_m = cell.scene.displacement_m;
   scene.velocity_m_per_s = cell.scene.velocity_m_per_s;
   if (cell.start != scene::Start::quiet || machine.machine.start) return;
-  // The quiet motion of a map begins at the smallest gap, whereas a ramp begins with the mark of the shaft
-  // along +x.
+  // The quiet motion of a map begins at the smallest gap, a ramp begins with the mark of the shaft along +x.
   const double w = cell.scene.speed_rad_per_s;
   Eigen::VectorXcd force = ramp.eccentricity_m * w * w * machine.assembly.system.unbalance_kg;
   if (machine.assembly.bow_n.size() > 0) force += machine.assembly.bow_n;
@@ -40,8 +39,7 @@ void set_start(const scene::PreparedMachine& machine, const SpeedRamp& ramp, sce
   scene.velocity_m_per_s = w * quiet.velocity(0);
 }
 
-/// Scene of the machine at the fastest speed of the ramp, without the forces and terms that rotate with the
-/// shaft.
+/// Scene of the machine at the fastest speed of the ramp, without forces and terms that turn with the shaft.
 scene::Scene reference_scene(const scene::PreparedMachine& machine, const SpeedRamp& ramp) {
   if (!machine.assembly.impulses.empty())
     throw ConfigError(

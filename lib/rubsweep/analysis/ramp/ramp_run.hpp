@@ -13,8 +13,8 @@
 
 namespace rubsweep::ramp {
 
-/// Shaft speed that changes at a constant rate, with an unbalance. The shaft angle is phi = 2 pi (from t +
-/// rate t^2 / 2).
+/// Shaft speed that changes at a constant rate, and unbalance. Shaft angle: phi = 2 pi (from t + rate t^2 /
+/// 2).
 struct SpeedRamp {
   double from_hz = 0, to_hz = 0;  ///< > 0
   double rate_hz_per_s = 0;       ///< sign of to - from, not 0

@@ -64,11 +64,9 @@ std::vector<std::complex<double>> displacement_of(const Eigen::MatrixXd& reading
 /// Period of a pair's readings at the end of a run, found from the readings alone.
 struct ProbePeriod {
   int readings = 0;
-  /// Smallest n up to max_order for which lines at multiples of 1/n explain the readings; empty where no n
-  /// does.
+  /// Smallest n up to max_order for which lines at multiples of 1/n explain the readings; empty if none.
   std::optional<int> period;
-  /// Share of the energy, without 0X, that lines at multiples of 1/n do not explain (with the best n if none
-  /// suffices).
+  /// Share of the energy, without 0X, that lines at multiples of 1/n (or of the best n) do not explain.
   double unexplained_share = 0;
   double allowed_share = 0;  ///< largest unexplained share with which readings count as explained
 };

@@ -39,8 +39,7 @@ std::string trajectory_csv(const Trace& trace);
 /// stop casing_i_vx_m_per_s, casing_i_vy_m_per_s.
 std::string section_csv(const Trace& trace);
 
-/// Changes of contact mode, with the columns t_s, stop, from, to.
-std::string events_csv(const Trace& trace);
+std::string events_csv(const Trace& trace);  ///< Changes of contact mode, with columns t_s, stop, from, to.
 
 /// Columns `order`, `frequency_hz` and `amplitude_m`, a row for each line, from the most negative order
 /// upwards. The frequency has the sign of the order. An empty spectrum gives only the header.

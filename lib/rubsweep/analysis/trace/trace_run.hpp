@@ -53,10 +53,9 @@ struct Trace {
   std::vector<TracedState> section;     ///< states at t = 0, T, 2 T, ...: one more than revolutions
   std::vector<TracedSwitch> switches;   ///< empty where the law is smoothed, as no changes are located then
   std::vector<response::motion::ContactFacts> turns;  ///< facts of every whole revolution
-  /// Samples of the last window, or of the whole run if shorter.
-  std::vector<std::complex<double>> displacement_m;
-  Eigen::MatrixXd readings_m;                   ///< readings x probes in m, over all whole turns
-  std::optional<long> last_contact_revolution;  ///< counted from 1; empty: no wall was touched
+  std::vector<std::complex<double>> displacement_m;   ///< Samples of the last window, or of a shorter run.
+  Eigen::MatrixXd readings_m;                         ///< readings x probes in m, over all whole turns
+  std::optional<long> last_contact_revolution;        ///< counted from 1; empty: no wall was touched
   integrate::run::Effort effort;
 };
 

@@ -44,8 +44,7 @@ void enter(Law& law, const State& state) {
   }
 }
 
-/// Sum of the external forces on the structure. The forces of its own matrices and of contacts are not
-/// included.
+/// Sum of the external forces on the structure, without the forces of its own matrices and of contacts.
 Eigen::VectorXd forcing_n(const scene::Scene& scene, double turns) {
   const std::complex<double> turn = std::polar(1.0, 2 * std::numbers::pi * (turns - std::floor(turns)));
   Eigen::VectorXd force = scene.constant_n + (scene.harmonic_n * turn).real();

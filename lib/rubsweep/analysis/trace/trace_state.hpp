@@ -38,11 +38,10 @@ class DryForces {
 /// the sliding surfaces.
 struct Energy {
   double kinetic_j = 0;  ///< v M v / 2
-  /// q K q / 2 of rotor, supports and casings; the weight is one of the forces
-  double elastic_j = 0;
-  double contact_j = 0;          ///< energy in the springs of the contacts
-  double forcing_w = 0;          ///< power of unbalance, bow, weight and kick
-  double damping_w = 0;          ///< power of the structure's damping, and of asymmetric stiffness
+  double elastic_j = 0;  ///< q K q / 2 of rotor, supports and casings; the weight is one of the forces
+  double contact_j = 0;  ///< energy in the springs of the contacts
+  double forcing_w = 0;  ///< power of unbalance, bow, weight and kick
+  double damping_w = 0;  ///< power of the structure's damping, and of asymmetric stiffness
   double contact_damping_w = 0;  ///< power of the contacts' dampers, <= 0
   double friction_w = 0;         ///< power of friction on the coordinates: - friction times sliding speed
 };

@@ -42,8 +42,7 @@ struct SettledSlips {
   /// two walls of the same direction on one rigid casing.
   std::array<bool, most_sticking> poised{};
   StickVector force;
-  /// Whether the friction obeys the law; only then are the other members valid.
-  bool obeys_law = false;
+  bool obeys_law = false;  ///< Whether the friction obeys the law; only then are the other members valid.
 };
 
 /// Decides stick or slip for surfaces with zero slip. `acceleration`: slip acceleration of each surface

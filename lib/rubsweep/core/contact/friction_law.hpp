@@ -64,11 +64,9 @@ struct FrictionTerms {
 /// Terms of a friction law: tanh terms of equal steepness are merged, those without effect left out.
 FrictionTerms friction_terms(const model::Friction& friction);
 
-/// Whether there is friction at any slip speed.
-bool acts(const model::Friction& friction);
+bool acts(const model::Friction& friction);  ///< Whether there is friction at any slip speed.
 
-/// Whether the coefficient depends on the slip speed.
-bool depends_on_slip(const model::Friction& friction);
+bool depends_on_slip(const model::Friction& friction);  ///< Whether the coefficient depends on the slip.
 
 /// Whether the friction keeps its direction where the slip reverses. The status of a run reports where this
 /// happens.

@@ -21,8 +21,7 @@ struct RelativeMotion {
 /// tangent t = (-sine, cosine).
 struct ContactFrame {
   double cosine = 1, sine = 0;
-  /// 1 / |d|: how fast the normal turns with a tangential displacement; 0 for a flat wall.
-  double curvature = 0;
+  double curvature = 0;  ///< 1 / |d|: turn of the normal per tangential displacement; 0 for a flat wall
   double penetration = 0;
   double closing_speed = 0;
   double sliding_speed = 0;  ///< d' . t, along the tangent
@@ -65,11 +64,9 @@ using Wall = std::variant<FlatWall, AnnularWall>;
 /// x into y.
 Eigen::Vector2d direction(double angle_deg);
 
-/// Wall of a geometry in a configuration, in metres.
-Wall wall_of(const model::StopGeometry& geometry);
+Wall wall_of(const model::StopGeometry& geometry);  ///< Wall of a geometry in a configuration, in metres.
 
-/// The wall with its lengths divided by `unit`.
-Wall in_units(const Wall& wall, double unit);
+Wall in_units(const Wall& wall, double unit);  ///< The wall with its lengths divided by `unit`.
 
 bool same(const Wall& a, const Wall& b);
 
@@ -82,8 +79,7 @@ constexpr bool annular(const Wall& wall) {
       overloaded{[](const FlatWall&) { return false; }, [](const AnnularWall&) { return true; }}, wall);
 }
 
-/// Whether the wall is the same in all directions from the rotor's rest position.
-bool centred(const Wall& wall);
+bool centred(const Wall& wall);  ///< Whether the wall is the same in all directions from the rest position.
 
 /// Vector from the centre of an annular stop to the rotor's rest position; zero for a flat wall.
 Eigen::Vector2d offset(const Wall& wall);

@@ -87,7 +87,7 @@ class HybridRun {
  private:
   using TaylorRun = taylor::TaylorRun<N>;
 
-  /// State of the run: the method that makes the next turn.
+  /// The method that makes the next turn.
   enum class Maker { closed_forms, series, stepper };
 
   long pieces_so_far() const { return taylor_ ? taylor_->effort().steps : 0; }

@@ -13,8 +13,7 @@ constexpr long least_pieces = 2000;
 /// Number of pieces that one implicit step must replace on average. A step costs as much as two or three
 /// pieces. Where it follows the fast vibration, it is as short as a piece.
 constexpr long pieces_of_a_step = 8;
-/// Tolerance of the stepper, unless the options require a tighter one.
-constexpr double tolerance = 1e-9;
+constexpr double tolerance = 1e-9;  ///< Tolerance of the stepper, unless the options require a tighter one.
 constexpr int longest_wait = 64;
 /// Number of turns after which other solvers are tried again, because closed forms may then apply.
 constexpr int longest_stretch = 128;

@@ -24,8 +24,7 @@ class StiffTurns {
   /// would cost no more. The report is then invalid, and later attempts become rarer.
   bool advance(std::span<const double> section, long revolution, const run::TurnRequest& request,
                run::TurnReport& report);
-  /// Resets everything except the counted work.
-  void restart();
+  void restart();  ///< Resets everything except the counted work.
 
   /// Work of all turns made here.
   run::Effort effort() const { return past_ + present_; }

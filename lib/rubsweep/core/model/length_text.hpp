@@ -12,8 +12,7 @@ enum class LengthUnit { m, mm, um, mil };
 /// The unit that a command line calls "mm", "um" or "mil"; empty for any other word.
 std::optional<LengthUnit> length_unit_of(std::string_view word);
 
-/// Name of a unit, including "m".
-std::string_view word_of(LengthUnit unit);
+std::string_view word_of(LengthUnit unit);  ///< Name of a unit, including "m".
 
 /// How lengths are shown to the user.
 struct ShownLengths {

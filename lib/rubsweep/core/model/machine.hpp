@@ -77,8 +77,7 @@ struct BodyState {
 /// State in which a run begins; t = 0 is the instant of smallest gap at the first stop.
 struct Start {
   BodyState rotor{};
-  /// casings of the stops; an empty or missing entry: not given
-  std::vector<std::optional<BodyState>> casings{};
+  std::vector<std::optional<BodyState>> casings{};  ///< casings of the stops; empty or missing: not given
   /// True: the structure is at rest in its unloaded position, and the numbers above are ignored. The mark of
   /// the shaft points along +x at t = 0, and all forces act from then on.
   bool at_rest = false;

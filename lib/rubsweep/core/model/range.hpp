@@ -17,8 +17,7 @@ inline constexpr Range any_finite{};
 inline constexpr Range positive{.low = 0, .low_open = true};
 inline constexpr Range not_negative{.low = 0};
 
-/// True when `value` is finite and inside the interval.
-bool contains(const Range& range, double value);
+bool contains(const Range& range, double value);  ///< True when `value` is finite and inside the interval.
 
 /// Allowed values, in words that finish "allowed: ", e.g. "a number > 0" or "a number >= 0 and <= 1".
 std::string describe(const Range& range);

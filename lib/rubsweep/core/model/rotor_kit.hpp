@@ -255,26 +255,21 @@ bool supports_hold(const RotorKit& kit, int plane);
 /// Sum of the lengths of the segments, or the position of the last node of the matrices, in metres.
 double shaft_length_m(const RotorKit& kit);
 
-/// Whether some damping rotates with the shaft.
-bool has_rotating_damping(const RotorKit& kit);
+bool has_rotating_damping(const RotorKit& kit);  ///< Whether some damping rotates with the shaft.
 
 /// Whether some coupling has an offset or a tilt that turns with the shaft.
 bool has_misalignment(const RotorKit& kit);
 
-/// Whether some coupling joins misaligned machines.
-bool has_standing_misalignment(const RotorKit& kit);
+bool has_standing_misalignment(const RotorKit& kit);  ///< Whether some coupling joins misaligned machines.
 
-/// Whether the stiffness of a coupling depends on the direction.
-bool is_asymmetric(const Coupling& coupling);
+bool is_asymmetric(const Coupling& coupling);  ///< Whether a coupling's stiffness depends on the direction.
 
-/// Whether some support has coefficients from a table.
-bool has_tables(const RotorKit& kit);
+bool has_tables(const RotorKit& kit);  ///< Whether some support has coefficients from a table.
 
 /// Range of speeds that the tables of all supports have in common; low > high where there is none.
 Range table_speeds_hz(const RotorKit& kit);
 
-/// Whether some support has a pedestal with a mass.
-bool has_pedestals(const RotorKit& kit);
+bool has_pedestals(const RotorKit& kit);  ///< Whether some support has a pedestal with a mass.
 
 /// Allowed positions of a coupling: inside the shaft, with a piece of shaft on either side.
 Range coupling_places(const RotorKit& kit);

@@ -61,13 +61,12 @@ struct ShaftMatrices {
   static constexpr std::size_t most_degrees_of_freedom = 2000;
 };
 
-/// Position of the last node on the shaft, in metres.
-double shaft_length_m(const ShaftMatrices& matrices);
+double shaft_length_m(const ShaftMatrices& matrices);  ///< Position of the last node on the shaft, in metres.
 
 /// Sum of mass times eccentricity of all nodes per eccentricity of a cell, in kg, without regard to phases.
 double unbalanced_mass_kg(const ShaftMatrices& matrices);
 
-/// Mass of the nodes on the shaft in kg: their weight along y.
+/// Mass of the nodes on the shaft: their weight along y.
 double rotor_mass_kg(const ShaftMatrices& matrices);
 
 /// Weight along each degree of freedom in kg: as given, or else the force with which the mass matrix resists

@@ -77,8 +77,7 @@ struct ShaftLayer {
 /// segment.
 struct ShaftSegment : ShaftLayer {
   double length_m = required;
-  /// layers in addition to the segment's own section, over its whole length
-  std::vector<ShaftLayer> layers{};
+  std::vector<ShaftLayer> layers{};  ///< layers on top of the segment's own section, over its whole length
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("length_m", self.length_m, key(physical::length_m, "length of the segment"));
@@ -98,11 +97,9 @@ Diameters diameters(const ShaftLayer& layer, double at);
 /// Diameters for bending and shear at the share `at` of the segment's length.
 Diameters stiffness_diameters(const ShaftLayer& layer, double at);
 
-/// Whether the diameters change along the segment.
-bool is_tapered(const ShaftLayer& layer);
+bool is_tapered(const ShaftLayer& layer);  ///< Whether the diameters change along the segment.
 
-/// Mass of a segment including its layers, in kg.
-double mass_kg(const ShaftSegment& segment);
+double mass_kg(const ShaftSegment& segment);  ///< Mass of a segment including its layers, in kg.
 
 /// Checks diameters that are each in range: the wall thickness must be positive, and a taper must have no
 /// separate stiffness diameters. Empty: no problem.

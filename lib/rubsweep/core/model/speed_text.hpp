@@ -4,8 +4,7 @@
 
 namespace rubsweep::model {
 
-/// Revolutions per minute in one revolution per second.
-inline constexpr double rpm_per_hz = 60;
+inline constexpr double rpm_per_hz = 60;  ///< Revolutions per minute in one revolution per second.
 
 /// A shaft speed (Hz) as text: "75 Hz (4500 rpm)", each number rounded to `digits` significant digits.
 std::string speed_text(double speed_hz, int digits = 6);

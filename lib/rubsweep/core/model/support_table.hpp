@@ -27,8 +27,7 @@ struct SupportTable {
   static constexpr std::size_t most_points = 2000;
 };
 
-/// Allowed numbers of a column.
-Range range_of_column(std::size_t column);
+Range range_of_column(std::size_t column);  ///< Allowed numbers of a column.
 
 /// Throws ConfigError naming what is missing, out of range or out of order. `path` opens every message.
 void validate(const SupportTable& table, const std::string& path);

@@ -11,8 +11,7 @@
 
 namespace rubsweep::numerics {
 
-/// Size |A| t of a step up to which the series of e^{A t} is used.
-inline constexpr double longest_series = 1;
+inline constexpr double longest_series = 1;  ///< Size |A| t of a step up to which the series is used.
 
 /// Size of a step up to which the series, which has 12 terms at this size, costs no more than two steps with
 /// the table of flows.

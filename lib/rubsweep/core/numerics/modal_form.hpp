@@ -12,8 +12,7 @@ namespace rubsweep::numerics {
 struct ModalForm {
   Eigen::MatrixXd basis, inverse;  ///< matrices, 2n x 2n
   std::vector<Pair> pairs;         ///< n generators
-  /// Largest growth rate: the length of a pair (z_j, z_{n+j}) grows at most by e^{growth t}.
-  double growth = 0;
+  double growth = 0;               ///< Largest growth rate: a pair's length grows at most by e^{growth t}.
   LongMatrix unrounded_basis{}, unrounded_inverse{};  ///< basis and inverse before rounding to double
 };
 

@@ -16,8 +16,7 @@ class Pchip {
 
   /// Value at x, exactly y at a given point; beyond the ends the value of the end. Never allocates memory.
   double operator()(double x) const;
-  /// Derivative at x; beyond the ends the derivative of the end.
-  double slope(double x) const;
+  double slope(double x) const;  ///< Derivative at x; beyond the ends the derivative of the end.
 
  private:
   struct Place {

@@ -6,8 +6,7 @@
 
 namespace rubsweep::numerics {
 
-/// Highest degree of a polynomial in this file.
-inline constexpr int most_degree = 31;
+inline constexpr int most_degree = 31;  ///< Highest degree of a polynomial in this file.
 
 /// True when one of two cheap tests shows that sum c_k x^k < 0 on all of 0 <= x <= 1. The first test adds c_0
 /// and the positive coefficients. The second uses the hull of the cubic part plus the other positive

@@ -32,8 +32,7 @@ inline double root_below(double x, int k) {
   return below * power * std::bit_cast<double>(whole << digits);
 }
 
-/// Highest order of the power series in this file.
-inline constexpr int most_taylor_order = 24;
+inline constexpr int most_taylor_order = 24;  ///< Highest order of the power series in this file.
 
 /// Table of 1 / k, each entry twice: divisions would be the slowest part of the recurrences.
 inline constexpr auto taylor_reciprocals = [] {

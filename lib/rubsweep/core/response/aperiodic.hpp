@@ -29,8 +29,7 @@ struct Aperiodic {
   motion::MotionClass motion_class =
       motion::MotionClass::unsettled;        ///< quasi_periodic, chaotic or unsettled
   std::optional<motion::Exponent> exponent;  ///< empty when a turn failed or contact ended
-  /// number of turns after which the section returns, for class unsettled
-  std::optional<int> returns_after;
+  std::optional<int> returns_after;  ///< number of turns after which the section returns, for class unsettled
   /// True for transient chaos: the motion was chaotic at first, then lost its contact or became periodic.
   bool left_chaos = false;
   Followed motion;  ///< all turns for which the motion was followed
@@ -83,8 +82,7 @@ class TorusWatch {
   long record_begin() const { return record_begin_; }
   /// Exponent of the torus that was found; otherwise empty.
   const std::optional<motion::Exponent>& torus() const { return torus_; }
-  /// Ends the watch, because the confirming window shows something other than a torus.
-  void refuse();
+  void refuse();  ///< Ends the watch, because the confirming window shows something other than a torus.
 
   /// Exponent of a motion that has been chaotic since watching began, for at least 1280 turns; otherwise
   /// empty.

@@ -12,8 +12,7 @@
 namespace rubsweep::response {
 namespace {
 
-/// A disturbance that shrinks to less than this in one turn starts anew.
-constexpr double lost = 1e-10;
+constexpr double lost = 1e-10;  ///< A disturbance that shrinks to less than this in one turn starts anew.
 
 struct Tangent {
   proof::SceneMap& map;
@@ -25,7 +24,7 @@ struct Tangent {
     before.assign(section.begin(), section.end());
     bool moved = false;
     if (!map.carry_exactly(section, direction, moved, growth_accuracy)) return std::nullopt;
-    // A second run would not contain the speed at which a contact began.
+    // If contacts remember the speed at which they began, a second run is no substitute: it lacks this speed.
     if (!moved && (map.remembers() || !by_second_run(before, section))) return std::nullopt;
     return take_growth(direction);
   }

@@ -156,7 +156,7 @@ SettledRun settle(const scene::Cell& cell, const integrate::run::SolverOptions& 
     }
     run.outcome = motion.advance(request, turn);
     run.effort = turn.effort;
-    // A failed turn counts as well: the reversal may be the reason.
+    // A failed turn is included, because a slip reversal may be the reason of the failure.
     run.slip_reversed = run.slip_reversed || turn.slip_reversed;
     if (run.outcome == integrate::run::Outcome::ok && integrate::run::work(turn.effort) > most_work)
       run.outcome = integrate::run::Outcome::step_limit;

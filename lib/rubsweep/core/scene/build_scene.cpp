@@ -22,8 +22,8 @@ namespace rubsweep::scene {
 namespace {
 
 /// Largest e >= 0 at which the convex function excursion(e) = |bow + e unbalance| reaches `target_m`; empty
-/// where it stays above it. `slope` > 0: upper bound and limit of the growth of excursion per metre of e;
-/// `bow_m`: excursion(0).
+/// if the function is always above it. `slope` > 0: upper bound and limit of the growth of excursion per
+/// metre of e; `bow_m`: excursion(0).
 std::optional<double> eccentricity_reaching(double target_m, double bow_m, double slope,
                                             const std::function<double(double)>& excursion) {
   // excursion(e) >= slope e - bow: above the target for all e > `high`.

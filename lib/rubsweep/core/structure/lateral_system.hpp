@@ -20,8 +20,7 @@ struct LateralSystem {
   std::array<Eigen::Index, 2> shapes{0, 0};  ///< m_x and m_y, numbers of shapes
 
   Eigen::Index coordinates() const { return shapes[0] + shapes[1]; }
-  /// Index of the coordinate of shape `j` of a plane.
-  Eigen::Index index(std::size_t plane, Eigen::Index j) const;
+  Eigen::Index index(std::size_t plane, Eigen::Index j) const;  ///< Index of the coordinate of shape `j`.
   /// Vector of all coordinates from a vector that is given per shape of one plane; zeros elsewhere.
   Eigen::VectorXd scatter(std::size_t plane, const Eigen::VectorXd& per_shape) const;
 };

@@ -54,7 +54,7 @@ void refuse_what_matrices_cannot_say(const model::RotorKit& kit) {
 /// Coordinates of a beam shaft in the order of the exported degrees of freedom.
 struct Exported {
   model::ShaftMatrices matrices;
-  /// plane and coordinate of each degree of freedom
+  /// plane and coordinate of every degree of freedom
   std::vector<std::pair<std::size_t, Eigen::Index>> source;
   std::vector<double> sign;
 

@@ -43,7 +43,7 @@ struct MatrixNode {
 /// Nodes on the shaft by position (at equal positions in the order of the table), then the other nodes.
 std::vector<MatrixNode> nodes_of(const model::ShaftMatrices& matrices);
 
-/// Layout for matrices that pass model::validate.
+/// Layout of matrices that model::validate accepts.
 MatrixLayout layout_of(const model::ShaftMatrices& matrices);
 
 /// Block of a matrix between two planes, n x n: force in plane a by motion in plane b.

@@ -25,8 +25,7 @@ struct Reduction {
   double growth_error = 0;      ///< worst error of growing vibrations, see FullReference::growth
 };
 
-/// Largest receptance error of a converged reduction.
-inline constexpr double receptance_tolerance = 0.01;
+inline constexpr double receptance_tolerance = 0.01;  ///< Largest receptance error of a converged reduction.
 
 /// Reduces to kit.modes modes in each plane, or to the smallest number (at most RotorKit::most_modes) that
 /// agrees with the full matrices. Agreement means: the same growing vibrations, and receptances within the

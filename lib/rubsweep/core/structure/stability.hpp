@@ -19,8 +19,7 @@ double growth_per_s(const Assembly& assembly, double speed_rad_per_s);
 /// Growth rate of a system whose matrices already hold for one speed.
 double growth_per_s(const LinearSystem& system);
 
-/// Whether a free vibration grows at this speed.
-bool grows(const Assembly& assembly, double speed_rad_per_s);
+bool grows(const Assembly& assembly, double speed_rad_per_s);  ///< Whether a free vibration grows at a speed.
 bool grows(const LinearSystem& system);
 
 /// Lowest speed up to `highest_hz` at which a free vibration begins to grow, found on a grid of 200 speeds

@@ -30,8 +30,7 @@ struct TabledSupport {
   SupportMatrices lacking(double speed_rad_per_s) const;
 };
 
-/// Support with a table; its map is still empty.
-TabledSupport tabled_support(const model::Support& support);
+TabledSupport tabled_support(const model::Support& support);  ///< Support with a table and an empty map.
 
 /// Adds to the matrices of a system the part of a support that they lack at a speed.
 void add_lacking(const TabledSupport& support, double speed_rad_per_s, Eigen::MatrixXd& mass,

@@ -6,8 +6,7 @@
 
 namespace rubsweep::basin {
 
-/// Largest number of dimensions of a point.
-inline constexpr std::size_t most_dimensions = 10;
+inline constexpr std::size_t most_dimensions = 10;  ///< Largest number of dimensions of a point.
 
 /// Point `index`, from 0, of Halton's sequence in the open unit cube. Coordinates are the digits of index + 1
 /// in base 2, 3, 5, ..., mirrored at the decimal point. Any number of first points covers the cube evenly.

@@ -25,8 +25,7 @@ std::string csv_row(std::span<const std::string> cells);
 /// file:line for errors in the text, and DamagedTable where the table has a wrong checksum.
 class CsvReader {
  public:
-  /// Opens the file and reads it up to the header.
-  explicit CsvReader(std::filesystem::path path);
+  explicit CsvReader(std::filesystem::path path);  ///< Opens the file and reads it up to the header.
 
   const std::filesystem::path& path() const { return path_; }
   const std::vector<std::string>& comments() const {
@@ -40,8 +39,7 @@ class CsvReader {
     std::size_t line = 0;  ///< number of the line, from 1
   };
 
-  /// Reads the next row; false when there is none.
-  bool next();
+  bool next();  ///< Reads the next row; false when there is none.
 
   /// Reads the row at a position that place() returned earlier. `next` then continues with the following row.
   void read_at(const RowPosition& place);

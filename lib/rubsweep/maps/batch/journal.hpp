@@ -83,11 +83,9 @@ class FinishedCells {
   std::size_t count() const { return count_; }
   bool contains(std::size_t cell) const { return places_[cell] != nowhere; }
 
-  /// Cells that no journal holds, ascending.
-  std::vector<std::size_t> missing() const;
+  std::vector<std::size_t> missing() const;  ///< Cells that no journal holds, ascending.
 
-  /// Text of a finished cell, read from its journal. Throws IoError.
-  std::string text(std::size_t cell) const;
+  std::string text(std::size_t cell) const;  ///< Text of a finished cell from its journal. Throws IoError.
 
  private:
   static constexpr std::uint64_t nowhere = ~std::uint64_t{0};

@@ -26,8 +26,7 @@ class Descriptor {
 
   int get() const { return value_; }
 
-  /// Releases the descriptor without closing it; the caller must close it.
-  int release();
+  int release();  ///< Releases the descriptor without closing it; the caller must close it.
 
  private:
   int value_;
@@ -48,7 +47,7 @@ bool is_file_at(int descriptor, const std::filesystem::path& path);
 /// Protects files whose names others could guess.
 void refuse_link(std::string_view action, const std::filesystem::path& path);
 
-/// Writes everything; returns 0 or the system's error number.
+/// Writes all; returns 0 or the system's error number.
 int write_all(int descriptor, std::string_view text);
 
 /// Waits until the names in a directory are on the disk, after files were renamed, created or removed there.
@@ -79,8 +78,7 @@ Descriptor open_input(const std::filesystem::path& path);
 /// Lines of a file of any size, one at a time.
 class InputLines {
  public:
-  /// Throws IoError "cannot read PATH: ...".
-  explicit InputLines(std::filesystem::path path);
+  explicit InputLines(std::filesystem::path path);  ///< Throws IoError "cannot read PATH: ...".
   ~InputLines();
   InputLines(const InputLines&) = delete;
   InputLines& operator=(const InputLines&) = delete;
@@ -90,8 +88,7 @@ class InputLines {
   /// that does not fit into memory.
   std::string_view next();
 
-  /// Continues with the line that begins at this offset. Throws IoError.
-  void go_to(std::uint64_t offset);
+  void go_to(std::uint64_t offset);  ///< Continues with the line that begins at this offset. Throws IoError.
 
  private:
   std::filesystem::path path_;
@@ -100,8 +97,7 @@ class InputLines {
   std::size_t capacity_ = 0;
 };
 
-/// Reads all bytes of a file. Throws IoError.
-std::string read_input(const std::filesystem::path& path);
+std::string read_input(const std::filesystem::path& path);  ///< Reads all bytes of a file. Throws IoError.
 
 /// Appends at most `most` bytes of an open file to `text`; returns 0 or the system's error number.
 int read_bytes(int descriptor, std::size_t most, std::string& text);

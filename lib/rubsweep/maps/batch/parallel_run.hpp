@@ -13,8 +13,7 @@ namespace rubsweep::batch {
 /// Throws ConfigError where threads < 0.
 int thread_count(int threads);
 
-/// Memory of this machine, in bytes.
-std::size_t machine_memory_bytes();
+std::size_t machine_memory_bytes();  ///< Memory of this machine, in bytes.
 
 /// Throws ConfigError where the system cannot start `threads` threads for cells and `beside` more. This is
 /// tested before a run, since a failure during the run could only abort the program. For one thread nothing
@@ -61,8 +60,7 @@ class ChunkQueue {
   /// Adds a list of cells that follow when all present cells were given out.
   void refill(std::vector<std::size_t> cells);
 
-  /// Gives no further cells of the present list to workers.
-  void close();
+  void close();  ///< Gives no further cells of the present list to workers.
 
  private:
   struct Last {

@@ -46,7 +46,7 @@ class CellsLeft {
 
   std::size_t tile_of(std::size_t cell) const;
 
-  /// Sums over all tiles above and to the left of each corner of a tile.
+  /// Sums over the tiles above and to the left of each tile's corner.
   std::vector<Tile> corner_sums() const;
 
   std::size_t columns_, left_, finished_ = 0;
@@ -94,14 +94,12 @@ class Progress {
   /// Sets the cells that are to be finished. Call it before any cell is finished.
   void expect(CellsLeft cells) { cells_ = std::move(cells); }
 
-  /// Counts `cells` more finished cells.
-  void advance(std::size_t cells = 1);
+  void advance(std::size_t cells = 1);  ///< Counts `cells` more finished cells.
 
   /// Counts a finished cell out of the expected ones, and the seconds that it took on its thread, if known.
   void finish_cell(std::size_t cell, std::optional<double> seconds);
 
-  /// Redraws the line while no cell is finished, on a terminal at most once a second.
-  void refresh();
+  void refresh();  ///< Redraws the line while no cell is finished, on a terminal at most once a second.
 
   /// Prints `text` on a line of its own above the progress line, if progress is shown; returns whether it is.
   bool say(const std::string& text);

@@ -12,7 +12,7 @@ class Sha256 {
  public:
   void add(std::string_view text);
 
-  /// Digest of all added text, as 64 hexadecimal digits. Nothing may be added afterwards.
+  /// Digest of all added text, 64 hexadecimal digits. Nothing may be added afterwards.
   std::string digits();
 
  private:
@@ -24,8 +24,7 @@ class Sha256 {
   std::uint64_t bytes_ = 0;
 };
 
-/// Digest of a whole text.
-std::string sha256_of(std::string_view text);
+std::string sha256_of(std::string_view text);  ///< Digest of a whole text.
 
 /// HTML page with the line `<!-- sha256 DIGITS -->` inserted as its second line. The digits are the SHA-256
 /// of all other lines: `sed '/^<!-- sha256 /d' FILE | sha256sum`.
@@ -37,8 +36,7 @@ enum class PageSum {
   none  ///< no checksum: an old version of the program, or another program, wrote the page
 };
 
-/// Compares a page with its checksum. Line ends CR LF count as LF.
-PageSum check_page(std::string_view page);
+PageSum check_page(std::string_view page);  ///< Compares a page with its checksum. CR LF counts as LF.
 
 /// Text with line ends LF in place of CR LF, if its first line ends in CR LF.
 std::string without_carriage_returns(std::string_view text);

@@ -40,11 +40,9 @@ class TableFile {
  public:
   TableFile(std::filesystem::path path, const TableSource& source);
 
-  /// Writes comments, header and rows below the head.
-  void write(std::string_view text);
+  void write(std::string_view text);  ///< Writes comments, header and rows below the head.
 
-  /// Like WholeFile::finish; nothing may be written afterwards.
-  void finish();
+  void finish();  ///< Like WholeFile::finish; nothing may be written afterwards.
   void commit();
   void rename();
 

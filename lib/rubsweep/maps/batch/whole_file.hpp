@@ -28,15 +28,13 @@ class WholeFile {
   /// Descriptor for another process that writes the file as its standard output.
   int descriptor() const { return descriptor_.get(); }
 
-  /// Overwrites text written earlier, from `offset` on.
-  void write_at(std::size_t offset, std::string_view text);
+  void write_at(std::size_t offset, std::string_view text);  ///< Overwrites earlier text from `offset` on.
 
   /// Waits until everything is on the disk, still under the temporary name. Nothing may be written
   /// afterwards.
   void finish();
 
-  /// Finishes and renames, then waits until the new name is on the disk, too.
-  void commit();
+  void commit();  ///< Finishes and renames, then waits until the new name is on the disk, too.
 
   /// Finishes and renames without waiting for the disk: for several files of a directory that is synced after
   /// the last file.
@@ -91,8 +89,7 @@ class LineLog {
 
   /// Syncs appended lines to the disk once `interval` is over. After a failure the next `append` throws.
   void refresh();
-  /// Syncs at once, without waiting for the interval.
-  void sync();
+  void sync();  ///< Syncs at once, without waiting for the interval.
 
  private:
   std::filesystem::path path_;

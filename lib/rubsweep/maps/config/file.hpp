@@ -40,8 +40,7 @@ auto read_parsed(std::string_view text, const std::filesystem::path& file, std::
   return value;
 }
 
-/// Key `base`, which any map may have.
-keys::Key base_of_map();
+keys::Key base_of_map();  ///< Key `base`, which any map may have.
 
 /// Refuses a configuration of another `program`: it has a key of `theirs` but no key of `ours`, so that every
 /// key would be unknown. Throws ConfigError.
@@ -49,8 +48,7 @@ void refuse_foreign(const yaml::Node& root, std::initializer_list<std::string_vi
                     std::initializer_list<std::string_view> ours, std::string_view program,
                     yaml::Diagnostics& diagnostics);
 
-/// Reads the map `output`: {directory}.
-std::filesystem::path read_output(const yaml::Value& value);
+std::filesystem::path read_output(const yaml::Value& value);  ///< Reads the map `output`: {directory}.
 keys::Form output_form();
 void print_output(yaml::Printer& printer, const std::filesystem::path& directory);
 
@@ -64,8 +62,7 @@ void print_run_output(yaml::Printer& printer, const RunConfig& config);
 /// direction of writing.
 void read_captions(yaml::Section& root, batch::Captions& captions);
 
-/// The keys that read_captions reads.
-std::vector<keys::Key> caption_keys();
+std::vector<keys::Key> caption_keys();  ///< The keys that read_captions reads.
 
 /// Prints the captions that are not empty.
 void print_captions(yaml::Printer& printer, const batch::Captions& captions);

@@ -48,11 +48,9 @@ RunConfig read_run_config(const std::filesystem::path& file, const std::vector<s
 RunConfig read_run_config_text(std::string_view text, const std::string& name,
                                const std::vector<std::string>& overrides);
 
-/// All keys of a configuration of `rubsweep`.
-keys::Form run_form();
+keys::Form run_form();  ///< All keys of a configuration of `rubsweep`.
 
-/// Keys of run_form() that exclude each other.
-const yaml::Alternatives& run_alternatives();
+const yaml::Alternatives& run_alternatives();  ///< Keys of run_form() that exclude each other.
 
 /// Reads only the machine of a configuration, from a text. Meant for many variants of one configuration:
 /// skips the checks for likely slips of units, which would prepare the machine several times. Throws
@@ -85,8 +83,7 @@ inline constexpr std::string_view exported_matrix_files[]{
 /// it.
 std::map<std::string_view, std::string> exported_matrices(const RunConfig& config);
 
-/// Name-based UUID (version 5, SHA-1) of a text.
-std::string digest_of(std::string_view text);
+std::string digest_of(std::string_view text);  ///< Name-based UUID (version 5, SHA-1) of a text.
 
 /// Digest of everything that decides the numbers of a map (see print_study): a name-based UUID (version 5,
 /// SHA-1). Equal studies have equal digests even if their files were written differently.

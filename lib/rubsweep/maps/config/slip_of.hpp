@@ -35,10 +35,9 @@ enum class Quantity {
 
 /// Number that is in range, but implausible in the unit of its key.
 struct Slip {
-  std::string wrong;    ///< rest of a sentence about the number, with a question about the intended unit
-  std::string allowed;  ///< plausible end that the number exceeds
-  /// true: refused, because no machine has such a value; false: the user is only asked
-  bool certain = false;
+  std::string wrong;     ///< rest of a sentence about the number, with a question about the intended unit
+  std::string allowed;   ///< plausible end that the number exceeds
+  bool certain = false;  ///< true: refused, since no machine has such a value; false: the user is only asked
 };
 
 /// Checks a number; empty where it is plausible. It is compared with scales of `machine` and of the stop with

@@ -76,8 +76,7 @@ class MapDirectory {
   /// configuration added.
   std::string in_map(const std::string& line) const;
 
-  /// Removes the locks, for a process that ends at once, so that others may work in the directory.
-  void leave();
+  void leave();  ///< Removes the locks of a process that ends at once, so that others may work here.
 
  private:
   std::filesystem::path path(std::string_view ending) const;

@@ -41,11 +41,9 @@ class CellLog {
 
   batch::Progress& progress() { return progress_; }
 
-  /// Redraws the progress line and syncs the journal to the disk, each only when due.
-  void refresh();
+  void refresh();  ///< Redraws the progress line and syncs the journal to the disk, each only when due.
 
-  /// Syncs the journal to the disk and ends the progress line, before the process ends.
-  void close();
+  void close();  ///< Syncs the journal to the disk and ends the progress line, before the process ends.
 
  private:
   void show(std::size_t cell, const std::string& line, std::optional<double> seconds);
@@ -76,11 +74,9 @@ class MissingCells {
   /// Opens journal and partial map. All arguments must outlive this object. Throws IoError.
   MissingCells(const ComputeOptions& options, const sweep::Study& study, MapDirectory& directory);
 
-  /// Returns false where `stop` ended the run before all cells were finished. Throws IoError.
-  bool run();
+  bool run();  ///< Returns false where `stop` ended the run before all cells were finished. Throws IoError.
 
-  /// Redraws the progress line and syncs the journal to the disk, each only when due.
-  void refresh();
+  void refresh();  ///< Redraws the progress line and syncs the journal to the disk, each only when due.
 
   /// Gives up cells that still run: they are no longer written to the journal, and the directory is unlocked.
   /// Where no cell remains, returns false and does nothing.

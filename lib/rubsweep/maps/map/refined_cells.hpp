@@ -16,17 +16,13 @@ namespace rubsweep::map {
 /// may use it.
 class RefinedCells {
  public:
-  /// Begins without any labels. The grid must outlive this object.
-  explicit RefinedCells(const sweep::Grid& grid);
+  explicit RefinedCells(const sweep::Grid& grid);  ///< Begins without labels. The grid must outlive it.
 
-  /// Reads all cells in the journals of the directory. Throws IoError.
-  void read(const MapDirectory& directory);
+  void read(const MapDirectory& directory);  ///< Reads all cells of the directory's journals. Throws IoError.
 
-  /// Adds a finished cell with its line of the map.
-  void add(std::size_t cell, const std::string& line);
+  void add(std::size_t cell, const std::string& line);  ///< Adds a finished cell with its line of the map.
 
-  /// Cells that the map needs next, ascending; none when it is complete.
-  std::vector<std::size_t> wanted() const;
+  std::vector<std::size_t> wanted() const;  ///< Cells that the map needs next, ascending; none at the end.
 
   /// Text for a terminal on a complete map: its cost, and the size of islands that it may miss.
   std::string description() const;

@@ -28,8 +28,7 @@ struct Variable {
   bool is_real_matrix() const { return kind == Kind::numbers && !complex && dims.size() == 2; }
 };
 
-/// Largest depth of structures and cells inside others that are read.
-inline constexpr int most_depth = 8;
+inline constexpr int most_depth = 8;  ///< Largest depth of structures and cells inside others that are read.
 
 /// Name of a field in element `one` (from 1) of an array of structures: "FIELD" in the first element,
 /// "(2).FIELD" in the second.

@@ -16,8 +16,7 @@ namespace rubsweep::matlab {
 #define RUBSWEEP_HDF5(name) \
   decltype(&::name) name = reinterpret_cast<decltype(&::name)>(symbol(RUBSWEEP_TEXT_OF(name)))
 struct Hdf5Library {
-  /// Opens the library, once. Throws FileError where it is not installed.
-  static const Hdf5Library& get();
+  static const Hdf5Library& get();  ///< Opens the library, once. Throws FileError where it is not installed.
 
   RUBSWEEP_HDF5(H5open);
   RUBSWEEP_HDF5(H5Eset_auto2);

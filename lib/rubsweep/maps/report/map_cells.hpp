@@ -66,8 +66,7 @@ class CellsOfRows {
 
   std::optional<std::size_t> first_missing() const;
 
-  /// Throws IoError that names the first cell that has no row.
-  void require_all() const;
+  void require_all() const;  ///< Throws IoError that names the first cell that has no row.
 
  private:
   /// Columns of one axis: a single column, or one for each key of an axis over keys.

@@ -45,8 +45,7 @@ double number_in(std::string_view map_line, std::size_t column);
 /// Descriptions of all columns and classes of motion, for --help; lines end with '\n'.
 std::string describe_map_columns();
 
-/// Names of the columns with this comparison, joined by ", ".
-std::string columns_compared(Comparison comparison);
+std::string columns_compared(Comparison comparison);  ///< Names of the columns compared like this, with ", ".
 
 /// Column names of map.csv as one line without its end: first those of every map, then those that only this
 /// kind of study has.

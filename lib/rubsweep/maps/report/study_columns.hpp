@@ -39,7 +39,6 @@ std::string unit_cells(std::string_view map_line, const sweep::Grid& grid);
 /// Header of map.csv without any unit columns that it has.
 std::string_view without_unit_columns(std::string_view header);
 
-/// Descriptions of all unit columns, for --help; lines end with '\n'.
-std::string describe_unit_columns();
+std::string describe_unit_columns();  ///< Descriptions of all unit columns, for --help; lines end with '\n'.
 
 }  // namespace rubsweep::report

@@ -39,8 +39,7 @@ class AttractorCount {
  public:
   void add(SampledMotion motion);
 
-  /// Attractors of all motions that were added.
-  Basins basins() const;
+  Basins basins() const;  ///< Attractors of all motions that were added.
 
  private:
   Basins met_;  ///< basins in the order of discovery, without shares

@@ -96,14 +96,12 @@ struct SweptAxis {
   std::vector<double> values;
 };
 
-/// All axes with more than one value, the fastest first.
-std::vector<SweptAxis> swept_axes(const Grid& grid);
+std::vector<SweptAxis> swept_axes(const Grid& grid);  ///< All axes of several values, the fastest first.
 
 /// First axis whose values neither rise nor fall throughout, so that neighbours in the grid are no neighbours
 /// on the axis. Empty where there is no such axis.
 std::optional<std::string> disordered_axis(const Grid& grid);
 
-/// Grid with the single cell at `place`.
-Grid grid_of(const scene::Place& place);
+Grid grid_of(const scene::Place& place);  ///< Grid with the single cell at `place`.
 
 }  // namespace rubsweep::sweep

@@ -26,8 +26,7 @@ struct Refinement {
   }
 };
 
-/// Label of a cell that was not computed.
-inline constexpr int unknown_label = -1;
+inline constexpr int unknown_label = -1;  ///< Label of a cell that was not computed.
 
 /// Cells that a refined map needs next, ascending; empty when the map is complete. `labels` has one number
 /// for each cell of the grid: unknown_label, or any other number, equal for cells with the same motion.

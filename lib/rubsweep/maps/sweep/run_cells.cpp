@@ -7,8 +7,7 @@ namespace rubsweep::sweep {
 namespace {
 
 thread_local response::motion::Workspace workspace;
-/// passed to on_row by the thread that computed it, before this thread takes another cell
-thread_local Row latest;
+thread_local Row latest;  ///< passed to on_row by the thread that computed it, before its next cell
 
 }  // namespace
 

@@ -39,20 +39,18 @@ struct Heading {
   std::string name{}, unit{};  ///< name and unit, the unit without brackets
 };
 
-/// Splits "name (unit)" or "name [unit]".
-Heading heading_of(std::string_view cell);
+Heading heading_of(std::string_view cell);  ///< Splits "name (unit)" or "name [unit]".
 
 /// Unit without blanks and signs between its parts: "N-s/m", "N s/m" and "N·s/m" all become "Ns/m", and both
 /// signs for micro become u.
 std::string plain_unit(std::string_view unit);
 
-/// Whether a cell holds only a unit: a known one, or anything in brackets.
+/// Whether a cell is only a unit: a known one, or anything in brackets.
 bool is_unit(std::string_view cell);
 
 /// A text of a file fit for names and messages: control characters become question marks.
 std::string printable(std::string_view text);
 
-/// Letters of ASCII alone change.
-std::string in_small_letters(std::string_view text);
+std::string in_small_letters(std::string_view text);  ///< Letters of ASCII alone change.
 
 }  // namespace rubsweep::table

@@ -9,8 +9,7 @@
 namespace rubsweep::table {
 namespace {
 
-/// Number of lines from which the layout is found.
-constexpr std::size_t most_lines = 1000;
+constexpr std::size_t most_lines = 1000;  ///< Number of lines from which the layout is found.
 
 bool is_stamp(std::string_view cell, char separator) {
   return cell.find(':') != std::string_view::npos &&

@@ -33,8 +33,7 @@ struct Layout {
 /// Removes the first line from a text and returns it; a line ends with LF, CR LF or CR.
 std::string_view take_line(std::string_view& text);
 
-/// Whether a line is blank or begins with # or %.
-bool is_comment(std::string_view line);
+bool is_comment(std::string_view line);  ///< Whether a line is blank or begins with # or %.
 
 /// Layout of a table of numbers in UTF-8. The numbers begin in the first line with the layout that most lines
 /// of numbers have. Lines of units may stand above it. The names are the nearest line above with a different

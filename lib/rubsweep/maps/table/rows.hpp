@@ -23,8 +23,7 @@ class Rows {
   /// Goes to the next row; false at the end. Throws Fault for a row with too few cells, or with more cells
   /// than columns.
   bool next();
-  /// Like next(), but skips lines that have only words.
-  bool next_reading();
+  bool next_reading();  ///< Like next(), but skips lines that have only words.
 
   const std::vector<std::string_view>& cells() const { return cells_; }  ///< at least fewest_cells of them
   std::size_t line() const { return line_; }                             ///< line number, from 1
@@ -46,10 +45,8 @@ class Rows {
  private:
   /// Reads the cells of the next line that is no comment and not blank; false where there is none.
   bool read_line();
-  /// Throws Fault for a line with too few or too many cells; otherwise returns true.
-  bool take_cells();
-  /// Notes which decimal sign a cell has.
-  void look_at(std::string_view cell, std::size_t column);
+  bool take_cells();  ///< Throws Fault for a line with too few or too many cells; otherwise returns true.
+  void look_at(std::string_view cell, std::size_t column);  ///< Notes which decimal sign a cell has.
 
   const Layout& layout_;
   std::string_view rest_, text_;

@@ -53,8 +53,7 @@ class DataSet {
   bool make(const std::vector<std::size_t>& wanted, int threads, const std::function<void()>& on_finished,
             const std::atomic<bool>& stop);
 
-  /// Writes labels.csv, README.md and instrument.yaml once nothing is missing. Throws IoError.
-  void finish();
+  void finish();  ///< Writes labels.csv, README.md, instrument.yaml if nothing is missing. Throws IoError.
 
  private:
   std::filesystem::path journal_path() const;

@@ -61,8 +61,7 @@ Split read_split(const yaml::Value& value) {
   return split;
 }
 
-/// Fewest readings per turn: with fewer, the motion at 2X would be aliased.
-constexpr double fewest_readings = 5;
+constexpr double fewest_readings = 5;  ///< Fewest readings per turn: with fewer, 2X would be aliased.
 
 void check_rate(const yaml::Section& section, const DataStudy& study, const MachineRanges& machine) {
   const double fastest_hz = study.speed_ratio.high * machine.natural_frequency_hz.high;

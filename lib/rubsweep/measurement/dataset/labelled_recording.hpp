@@ -17,8 +17,7 @@ enum Purpose : std::uint64_t { of_machine, of_recording, of_readings };
 
 /// Numbers of a machine that its recordings have in common.
 struct MachineDraw {
-  /// values in the unit ranges of the candidate; some are drawn again for each recording
-  diagnose::Point unit{};
+  diagnose::Point unit{};  ///< values in unit ranges of the candidate; some are drawn again each time
   double clearance_m = 0, stop_angle_deg = 0, mark_turns = 0;
   std::string_view part{};     ///< training, validation or test
   std::vector<double> gain{};  ///< gain of each probe
@@ -41,8 +40,7 @@ struct LabelledRecording {
   std::vector<double> gain{};                     ///< gain of each probe
   double penetration_ratio = 0, force_ratio = 0;  ///< ratios as defined in RubBounds
   diagnose::SimulatedMotion motion{};             ///< label; its samples are replaced by the readings
-  /// digest of the recording's file, once the file is written
-  std::string sha256{};
+  std::string sha256{};  ///< digest of the recording's file, once the file is written
   std::vector<double> t_s{}, x_m{}, y_m{}, keyphasor_v{};  ///< y_m: empty with one probe
 };
 

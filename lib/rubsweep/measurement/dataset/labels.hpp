@@ -14,11 +14,9 @@ struct LabelColumn {
   std::string_view meaning;  ///< a noun, for the datasheet
 };
 
-/// Columns of labels.csv.
-std::vector<LabelColumn> label_columns();
+std::vector<LabelColumn> label_columns();  ///< Columns of labels.csv.
 
-/// Header line of labels.csv, without its line end.
-std::string label_header();
+std::string label_header();  ///< Header line of labels.csv, without its line end.
 
 /// Row of labels.csv for one recording; a cell is empty where the machine has no such number.
 std::string label_line(const DataStudy& study, const LabelledRecording& recording);

@@ -20,8 +20,7 @@ const std::array<UnknownRow, unknown_count>& unknown_rows() {
       {Unknown::friction, "friction_coefficient", friction, {0.02, 0.3, false}, false},
       {Unknown::casing_mass, "casing_mass_kg", model::positive, {0.02, 2, true}, true},
       {Unknown::casing_frequency, "casing_frequency_hz", model::positive, {100, 2000, true}, true},
-      // Range from a kick that carries the rotor over half the clearance to a kick that gives 40 times this
-      // speed.
+      // Range from a kick that moves the rotor over half the clearance to a kick with 40 times this speed.
       {Unknown::kick_ratio, "kick_ratio", model::positive, {0.5, 20, true}, true},
       {Unknown::kick_angle, "kick_angle_deg", model::any_finite, {-180, 180, false}, false, false},
       {Unknown::kick_phase, "kick_phase_deg", model::any_finite, {0, 360, false}, false, false},

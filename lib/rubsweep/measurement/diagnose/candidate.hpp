@@ -56,9 +56,8 @@ struct UnknownRow {
   model::Range range;    ///< values that a machine may have
   Spread usual;          ///< range where a file gives none
   bool logarithmic;      ///< whether intervals from a file are uniform in the logarithm
-  /// whether a candidates' file may give this number; otherwise machine or recording give it
-  bool of_file = true;
-  bool of_kit = false;  ///< whether only rotor kits have this number
+  bool of_file = true;   ///< whether a candidates' file gives this number, not machine or recording
+  bool of_kit = false;   ///< whether only rotor kits have this number
 };
 const std::array<UnknownRow, unknown_count>& unknown_rows();
 
@@ -78,8 +77,7 @@ const Spread& spread_of(const Candidate& candidate, Unknown unknown);
 /// counts as known.
 Candidate usual_candidate(Cause cause);
 
-/// One usual candidate for every cause.
-std::vector<Candidate> usual_candidates();
+std::vector<Candidate> usual_candidates();  ///< One usual candidate for every cause.
 
 /// Values of the unknowns at a point of the unit cube.
 Point values_at(const Candidate& candidate, const Point& unit);

@@ -17,8 +17,7 @@ struct FixedNumbers {
   std::shared_ptr<const KnownKit> kit{};  ///< kit in place of a Jeffcott rotor; its mass is rotor_mass_kg
 };
 
-/// Duration of the half-sine pulse that starts a drawn machine.
-inline constexpr double kick_duration_s = 2e-3;
+inline constexpr double kick_duration_s = 2e-3;  ///< Duration of the pulse that starts a drawn machine.
 
 /// The rotor with the stops of a cause; the first stop lies in the direction stop_angle. `values` has the
 /// units of Unknown. Since a machine must have a stop, `no_rub` has one out of reach, in a kit at the probes.

@@ -21,8 +21,7 @@
 namespace rubsweep::diagnose {
 namespace {
 
-/// Part of a kit that fixes a length or a force, so that the motion cannot be scaled; empty where no part
-/// does.
+/// Part of a kit that fixes a length or a force, so that the motion cannot be scaled; empty if none does.
 std::optional<std::string_view> part_of_its_own_size(const model::RotorKit& kit) {
   if (kit.bow) return "rotor.bow";
   if (model::has_misalignment(kit) || model::has_standing_misalignment(kit)) return "rotor.couplings";

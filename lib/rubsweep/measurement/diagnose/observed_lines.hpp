@@ -25,15 +25,13 @@ struct MotionLines {
 MotionLines lines_of(std::span<const std::complex<double>> samples, int turns, double largest_order,
                      response::spectrum::SpectrumWorkspace& workspace);
 
-/// The lines up to an order.
-MotionLines up_to(const MotionLines& lines, double largest_order);
+MotionLines up_to(const MotionLines& lines, double largest_order);  ///< The lines up to an order.
 
 /// Motion without its mean, computed from its lines. `samples_per_turn`: more than twice the largest order.
 Eigen::VectorXcd waveform_of(const MotionLines& lines, int samples_per_turn,
                              response::spectrum::SpectrumWorkspace& workspace);
 
-/// Root mean square of the motion about its mean, m.
-double size_of(const MotionLines& lines);
+double size_of(const MotionLines& lines);  ///< Root mean square of the motion about its mean, m.
 
 /// Largest amplitudes of lines that come from unequal supports, couplings or remaining run-out instead of a
 /// rub, as shares of the motion's size (root mean square about its mean). Each share is drawn uniformly in
@@ -54,8 +52,7 @@ void add_other_lines(std::span<std::complex<double>> samples, const OtherLines& 
 struct Measuring {
   int probes = 2;  ///< 2: x and y; 1: in one direction only
   double readings_per_turn = 0;
-  /// Whether the machine is anisotropic and the directions of the probes are known.
-  bool directions = false;
+  bool directions = false;     ///< Whether the machine is anisotropic and probe directions are known.
   double probe_angle_rad = 0;  ///< direction of a single probe where it is known, from +x to +y
   bool from_rest = false;      ///< whether readings are measured from the rest position of the rotor
   Spread noise_share{1e-3, 3e-2,

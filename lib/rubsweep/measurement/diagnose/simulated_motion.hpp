@@ -59,8 +59,7 @@ inline constexpr int fewest_turns_after_verdict = 40, most_turns_after_verdict =
 
 /// A settled motion and its label.
 struct SimulatedMotion {
-  /// x + iy in metres, samples_per_revolution values per turn.
-  std::vector<std::complex<double>> displacement_m{};
+  std::vector<std::complex<double>> displacement_m{};  ///< x + iy in metres, samples_per_revolution a turn
   response::motion::MotionClass motion_class = response::motion::MotionClass::failed;
   std::optional<int> order{};
   std::optional<response::motion::Proof> proof{};

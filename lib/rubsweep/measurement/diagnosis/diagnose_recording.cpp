@@ -16,8 +16,7 @@ namespace {
 
 namespace inference = diagnose::inference;
 
-/// Fewest motions from which an interrupted diagnosis still answers.
-constexpr std::size_t fewest_motions = 100;
+constexpr std::size_t fewest_motions = 100;  ///< Fewest motions from which a diagnosis answers.
 
 /// Sets the known intervals of the machine in all candidates.
 void tell_machine(const DiagnosedMachine& machine, const std::string& list,

@@ -66,8 +66,7 @@ diagnose::inference::CaseSet simulated_motions(const RecordedProblem& recorded,
 /// Lines of the last turns of the recording; the simulated motions are compared with them.
 diagnose::MotionLines lines_of(const RecordedProblem& recorded);
 
-/// Compares the motions with the recording. Empty where the diagnosis was stopped before there were enough
-/// motions.
+/// Compares the motions with the recording. Empty if it was stopped before there were enough motions.
 std::optional<diagnose::answer::Answer> answer_of(const RecordedProblem& recorded, const std::string& name,
                                                   diagnose::inference::CaseSet motions,
                                                   const DiagnosisEffort& effort);

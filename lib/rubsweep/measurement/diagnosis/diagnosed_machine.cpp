@@ -20,8 +20,7 @@ using Fitted = std::optional<diagnose::FittedParameters>;
 /// Relative half widths of the intervals of parameters for which a fit gives none.
 constexpr double frequency_share = 0.01, damping_share = 0.2;
 
-/// Number of kits that represent all likely ones.
-constexpr std::size_t likely_kits = 60;
+constexpr std::size_t likely_kits = 60;  ///< Number of kits that represent all likely ones.
 
 /// Relative margin on both sides of the fitted unbalance, because the unbalance may change from run to run.
 constexpr double unbalance_share = 0.25;
@@ -91,8 +90,7 @@ std::vector<std::string> overrides_of(const diagnose::FittedParameters& fitted,
   return overrides;
 }
 
-/// Kits with parameters drawn from the errors of the fit, the best fit first. Draws with forbidden values are
-/// left out.
+/// Kits with parameters drawn from the errors of the fit, the best fit first, without forbidden values.
 std::vector<model::RotorKit> fitted_kits(const std::string& text, const fs::path& file,
                                          const diagnose::FittedParameters& fitted, std::uint64_t seed) {
   std::vector<model::RotorKit> kits;

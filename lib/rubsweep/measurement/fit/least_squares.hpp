@@ -13,8 +13,7 @@ struct Parameter {
   std::string name;
   double start = 0;
   double low = 0, high = 0;  ///< low < high; `start` lies between them
-  /// Typical size of a change; the step of the derivatives is 1e-5 of it.
-  double scale = 1;
+  double scale = 1;          ///< Typical size of a change; the step of the derivatives is 1e-5 of it.
 };
 
 struct LeastSquares {
@@ -31,8 +30,7 @@ struct LeastSquaresOptions {
   /// Residuals larger than this many root mean squares of the first fit enter the sum linearly instead of by
   /// their squares (Huber). 0: all enter by their squares.
   double robust_beyond = 0;
-  /// number of starts; all but the first are drawn between the bounds, the same in every run
-  int starts = 1;
+  int starts = 1;  ///< number of starts; the others are drawn between the bounds, the same in every run
   int most_iterations = 60;  ///< limit for each start
   std::function<void(int start, int iteration, double cost)> on_iteration{};
   /// When true, the best result so far is returned without waiting for unfinished derivatives. The result has

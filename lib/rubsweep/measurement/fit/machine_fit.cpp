@@ -157,8 +157,7 @@ MachineFitResult fit_machine(const MachineFit& problem, const LeastSquaresOption
   result.data = parts_of(problem, noise_m);
   LeastSquaresOptions again = options;
   again.starts = 1;
-  // The first fit may have weighted noisy data too much, so a few rounds estimate the noise of each file
-  // again.
+  // The first fit may overweight noisy data, so that a few rounds estimate the noise of each file again.
   constexpr int most_rounds = 4;
   constexpr double settled = 0.05;
   double change = problem.data.size() > 1 ? INFINITY : 0;

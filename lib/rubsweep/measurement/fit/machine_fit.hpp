@@ -14,8 +14,7 @@ struct DataResidual {
   std::string name;
   int begin = 0, count = 0;  ///< position among all residuals
   int eliminated = 0;        ///< number of offsets and scales that were eliminated at every step
-  /// root mean square of the file's residuals before their division by this number
-  double noise_m = 0;
+  double noise_m = 0;  ///< root mean square of the file's residuals before their division by this number
 };
 
 struct MachineFitResult {

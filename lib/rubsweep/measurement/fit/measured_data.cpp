@@ -31,8 +31,7 @@ double rate_hz_per_s(const Ramp& ramp, std::size_t piece) {
 }
 
 constexpr double degree = pi / 180;
-/// Longest period of a rub, in turns.
-constexpr int most_turns = 64;
+constexpr int most_turns = 64;  ///< Longest period of a rub, in turns.
 
 /// Number in a cell of the row; throws for an empty cell.
 template <class Table>

@@ -195,8 +195,7 @@ ModeSet modes_at(const scene::PreparedMachine& prepared, double speed_rad_per_s)
   const structure::LinearSystem system = structure::system_at(prepared.assembly, speed_rad_per_s);
   const Eigen::Index n = system.coordinates();
   const Eigen::PartialPivLU<Eigen::MatrixXd> mass(system.mass);
-  // Rates are in units of a typical frequency, so that the displacements and rates of a state have similar
-  // size.
+  // Rates are in units of a typical frequency, so that displacements and rates of a state have similar size.
   const double typical = std::sqrt(mass.solve(system.stiffness).norm());
   Eigen::MatrixXd generator = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   generator.topRightCorner(n, n) = typical * Eigen::MatrixXd::Identity(n, n);

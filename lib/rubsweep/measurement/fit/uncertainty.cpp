@@ -18,8 +18,7 @@
 namespace rubsweep::fit {
 namespace {
 
-/// Fewest instants from which a correlation can be estimated.
-constexpr Eigen::Index fewest_instants = 24;
+constexpr Eigen::Index fewest_instants = 24;  ///< Fewest instants from which a correlation can be estimated.
 /// Squared singular values below this share of the largest one are only rounding.
 constexpr double noise_rounding = 1e-6;
 constexpr Eigen::Index shortest_block = 4, fewest_blocks = 10;

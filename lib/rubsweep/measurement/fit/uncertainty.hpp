@@ -26,8 +26,7 @@ struct Uncertainty {
 /// ConfigError with fewer data than unknowns.
 Uncertainty uncertainty_of(const LeastSquaresFit& fit, int eliminated);
 
-/// Singular values of normalised columns below this limit belong to combinations that the data do not
-/// determine.
+/// Singular values of normalised columns below this limit: the data do not determine their combinations.
 inline constexpr double untold = 1e-3;
 
 /// Sentences about parameters whose standard error exceeds the distance of their bounds, and about

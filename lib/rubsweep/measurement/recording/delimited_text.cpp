@@ -17,8 +17,7 @@ namespace {
 
 using table::Fault;
 
-/// Most numbers of one text.
-constexpr std::size_t most_text_numbers = std::size_t{1} << 28;
+constexpr std::size_t most_text_numbers = std::size_t{1} << 28;  ///< Most numbers of one text.
 
 /// Converts stamps to seconds since the first one. Stamps without a date restart at midnight; a day is then
 /// added.
@@ -34,7 +33,7 @@ void count_from_first(std::vector<double>& stamps_s) {
   }
 }
 
-/// Unit at the end of a name: any unit behind a comma or a slash, usual units also behind a blank or an
+/// Unit at the end of a name: any unit behind a comma or slash, usual units also behind a blank or
 /// underscore.
 std::string unit_in_name(std::string_view name) {
   if (std::string unit = unit_in_ending(name); !unit.empty()) return unit;

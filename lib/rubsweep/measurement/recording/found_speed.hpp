@@ -6,8 +6,7 @@
 
 namespace rubsweep::recording {
 
-/// Largest relative error allowed for the speed in a description.
-inline constexpr double most_speed_error = 0.02;
+inline constexpr double most_speed_error = 0.02;  ///< Largest relative error of the described speed.
 
 /// Speed of a shaft without a mark, estimated from the probes.
 struct FoundSpeed {

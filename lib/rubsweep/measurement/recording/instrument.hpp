@@ -26,8 +26,7 @@ struct Keyphasor {
   Mark mark = Mark::dark;
   std::optional<double> threshold{};  ///< threshold in the column's unit; empty: middle_threshold
   double hysteresis = 0;              ///< hysteresis in the column's unit, >= 0
-  /// number of marks per turn; the first mark of a recording is the mark of the shaft
-  int pulses_per_turn = 1;
+  int pulses_per_turn = 1;  ///< number of marks per turn; the first mark of a recording is the shaft's
 };
 
 /// A column of the shaft's speed.
@@ -37,8 +36,7 @@ struct SpeedColumn {
   double factor = 1;                  ///< speed of the shaft / speed in the column
 };
 
-/// Interval at slow speed, in the recording's time, in which the probes see the shaft's run-out but no
-/// vibration.
+/// Interval at slow speed, in the recording's time, in which the probes see run-out but no vibration.
 struct RunOut {
   double from_s = 0, to_s = 0;
   bool vector = false;  ///< subtracts only its 1X, not the whole waveform

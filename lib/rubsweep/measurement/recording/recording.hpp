@@ -11,15 +11,13 @@
 
 namespace rubsweep::recording {
 
-/// Number of samples per turn of the shaft.
-inline constexpr int samples_per_revolution = 128;
+inline constexpr int samples_per_revolution = 128;  ///< Number of samples per turn of the shaft.
 
 /// Measured motion over whole turns of the shaft, sampled at equal angles.
 struct Recording {
   double sampling_rate_hz = 0;
   std::vector<double> turn_begin_s{};  ///< instants at which turns begin, and the end of the last one
-  /// Displacement x + iy in metres, samples_per_revolution values per turn. With one probe, its reading as a
-  /// real number.
+  /// Displacement x + iy in metres, samples_per_revolution values per turn. With one probe, its real reading.
   std::vector<std::complex<double>> displacement_m{};
   bool plane = false;      ///< measured by two probes
   bool from_rest = false;  ///< whether displacements are measured from the rest position of the rotor
@@ -30,8 +28,7 @@ struct Recording {
   double mean_speed_hz() const { return turns() / (turn_begin_s.back() - turn_begin_s.front()); }
 };
 
-/// Fewest whole turns that are evaluated.
-inline constexpr int fewest_turns = 4;
+inline constexpr int fewest_turns = 4;  ///< Fewest whole turns that are evaluated.
 
 /// Makes a recording from the columns and the instrument's description, and subtracts the run-out of the
 /// shaft where a slow interval is given. Only the longest stretch of turns without gaps is kept. Findings:

@@ -144,12 +144,11 @@ SmoothMarks smoothed_marks(std::span<const double> marks_s, double resolution_s)
   const auto count = static_cast<Eigen::Index>(marks_s.size());
   SmoothMarks smooth{.t_s = {marks_s.begin(), marks_s.end()}};
   if (resolution_s == 0) return smooth;
-  // Marks are counted from the first one in units of their resolution, so that long recordings keep their
-  // digits.
+  // Marks are counted from the first one in units of their resolution; so long recordings keep their digits.
   const Eigen::VectorXd marks =
       (Eigen::Map<const Eigen::VectorXd>(marks_s.data(), count).array() - marks_s.front()) / resolution_s;
-  // The first curve within the bounds may touch them everywhere; the next, more flexible curve is nearer to
-  // the truth.
+  // The first curve within the bounds may touch them everywhere; the next, more flexible one is more
+  // accurate.
   std::optional<Eigen::VectorXd> fit;
   bool held = false;
   const auto take = [&](const Base& base) {

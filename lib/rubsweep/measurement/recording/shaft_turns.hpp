@@ -24,8 +24,7 @@ inline constexpr double smoothing_bound = 0.52;
 /// Instants of the marks on a smooth curve of time over turns.
 struct SmoothMarks {
   std::vector<double> t_s;
-  /// degree of the polynomial, or of a polynomial as flexible as the spline; 0: marks unchanged
-  int degree = 0;
+  int degree = 0;  ///< degree of the polynomial, or of a polynomial as flexible as the spline; 0: unchanged
 };
 
 /// Removes the sampling errors of marks, which are up to half of `resolution_s`. Curves of time over turns

@@ -45,9 +45,8 @@ struct SlowModulation {
   int period = 1;                ///< period in turns; its lines are corrected
   double most_order = 0;         ///< largest order of these lines
   double most_modulation = 0.1;  ///< largest modulation, as a share of the motion
-  /// number of periods; variations that repeat after this number are not removed
-  std::ptrdiff_t repeats = 1;
-  bool in_phase = false;  ///< corrects only the amplitudes of lines, not their drifting phases
+  std::ptrdiff_t repeats = 1;    ///< variations that repeat after this number of periods are not removed
+  bool in_phase = false;         ///< corrects only the amplitudes of lines, not their drifting phases
 };
 
 /// Removes the slow modulation of a period's lines, which a wandering load, temperature or speed causes.

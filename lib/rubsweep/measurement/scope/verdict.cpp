@@ -117,8 +117,7 @@ std::optional<DoubtfulPeriod> doubtful_period(const Lines& spectrum, int period,
     if (spectrum.turns % n != 0) continue;
     const double amplitude = largest_beside(spectrum, period, n);
     if (!(amplitude > threshold.suspicious_m)) continue;
-    // The noise of a line falls with the square root of the recording's length, and so does the smallest
-    // visible line.
+    // Noise of a line and smallest visible line fall with the square root of the recording's length.
     const double ratio = threshold.visible_m / amplitude;
     return DoubtfulPeriod{n, amplitude, spectrum.turns * (ratio * ratio - 1)};
   }

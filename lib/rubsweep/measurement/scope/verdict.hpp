@@ -29,8 +29,7 @@ std::string_view to_string(MeasuredClass value);
 struct MeasuredLine {
   double order = 0;                      ///< multiple of the shaft speed, negative for backward whirl
   std::complex<double> amplitude_m = 0;  ///< A of A e^{i order phi}; phi = 0 at the mark
-  /// standard uncertainty of each component: noise and error of the method
-  double uncertainty_m = 0;
+  double uncertainty_m = 0;  ///< standard uncertainty of each component: noise and error of the method
 };
 
 /// A line of a motion without a period, at any place between the bins.

@@ -28,8 +28,7 @@ struct Scale {
   double factor = 1, uncertainty = 0;
 };
 
-/// Scale from the line locked to the shaft, where the marks permit it; otherwise 1, with the uncertainty of
-/// the marks.
+/// Scale from the line locked to the shaft, if the marks permit it; otherwise 1, with the marks' uncertainty.
 Scale scale_of(std::span<const response::spectrum::ResolvedLine> lines, double per_turn, std::size_t turns,
                const recording::AngleDoubt& doubt) {
   // Noise of the keyphasor shifts even those marks that have readings on their edges.

@@ -39,8 +39,7 @@ OrderPoint middle_of(const Recording& recording, int begin, int count) {
   return {middle_s, count / (mark(begin + count) - mark(begin))};
 }
 
-/// Means of x e^{-i angle} and y e^{-i angle} over whole periods, to which the mean of the signal adds
-/// nothing.
+/// Means of x e^{-i angle} and y e^{-i angle} over whole periods; the signal's mean adds nothing to them.
 void add_component(std::span<const Complex> samples, double step_rad, double begin_rad, OrderPoint& point) {
   const auto count = static_cast<double>(samples.size());
   for (std::size_t k = 0; k < samples.size(); ++k) {

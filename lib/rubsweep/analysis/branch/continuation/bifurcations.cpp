@@ -19,8 +19,7 @@ namespace {
 using OrbitSegment = Segment<orbits::OrbitProblem, BranchPoint>;
 using OrbitTest = EventTest<EventKind, BranchPoint>;
 
-/// Limits on halving a step in search of a pair of roots: number of divisions, and length of the shortest
-/// part.
+/// Limits on halving a step in search of two roots: number of divisions, and length of the shortest part.
 constexpr int most_parted = 6;
 constexpr double shortest_parted = 1e-6;
 
@@ -177,8 +176,8 @@ class Finder {
     return std::ranges::find(events_, kind, &BranchEvent::kind) != events_.end();
   }
 
-  /// Whether the events found explain the change of `unstable`: their multipliers cross the unit circle alone
-  /// or in pairs.
+  /// Whether the events found explain the change of `unstable`: multipliers cross the circle alone or in
+  /// pairs.
   bool stability_explained() const {
     const int turns = has(EventKind::fold) || has(EventKind::branch_point);
     const int single = turns + has(EventKind::period_halving) + has(EventKind::period_doubling);
@@ -187,8 +186,7 @@ class Finder {
     return change <= single + 2 * pairs && (change - single) % 2 == 0;
   }
 
-  /// Finds tori. The test function is also zero for two real multipliers with the product 1, which is no
-  /// torus.
+  /// Finds tori. The test function is also zero for two real multipliers of the product 1, which is no torus.
   void find_tori() {
     if (find({EventKind::neimark_sacker, torus_test_of}) &&
         !orbits::nearest_pair_is_complex(events_.back().point.multipliers))

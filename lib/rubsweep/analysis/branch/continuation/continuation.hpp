@@ -28,8 +28,7 @@ class StepControl {
     return step_ >= shortest_;
   }
 
-  /// Whether a correction is so far from its guess that it may lie on another branch, or on a distant part of
-  /// this branch.
+  /// Whether a correction is so far from its guess that it may lie on another branch, or far along this one.
   bool is_far(double from_guess) const { return from_guess > 0.2 * step_; }
 
   /// Whether the curve turns too much in one step. `cosine`: cosine of the angle between the tangents at both
@@ -150,8 +149,7 @@ class Continuation {
     if (take(std::move(*last)) && !ended_) end(Ending::left_range);
   }
 
-  /// Accepts `next` as the next point. Where `next` does not follow `here`, shortens the step and returns
-  /// false.
+  /// Accepts `next` as the next point. If `next` does not follow `here`, shortens the step, returns false.
   bool take(Point next) {
     if (const std::optional<Ending> refusal = task_.refuses(here(), next)) {
       shorten(*refusal);

@@ -37,15 +37,13 @@ double slope_along(const orbits::OrbitProblem& problem, const Position& at, cons
          (2 * h);
 }
 
-/// Orbit of the branch near the graze. `at` is its position, followed by its distance along the start's
-/// tangent.
+/// Orbit of the branch near the graze. `at`: its position, then its distance along the start's tangent.
 struct Node {
   double penetration = 0;
   VectorXd at;
 };
 
-/// Value at the penetration `to` of the polynomial in the penetration that passes through the last `count`
-/// nodes.
+/// Value at `to` of the polynomial in the penetration that passes through the last `count` nodes.
 VectorXd extrapolated(const std::vector<Node>& nodes, std::size_t count, double to) {
   count = std::min(count, nodes.size());
   const std::size_t first = nodes.size() - count;
@@ -203,8 +201,7 @@ class EvenGrazeSearch {
     return std::nullopt;
   }
 
-  /// Sets the facts at the graze itself. Whether the orbit touches at the graze is taken from the orbit
-  /// beyond it.
+  /// Sets the facts at the graze itself. Whether the orbit touches there is taken from the orbit beyond it.
   void take_facts(const std::optional<BranchPoint>& beyond, BranchPoint& point) const {
     if (auto facts = problem_.facts(point.parameter, point.state)) point.facts = std::move(*facts);
     if (beyond) {

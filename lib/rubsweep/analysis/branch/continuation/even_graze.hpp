@@ -8,8 +8,7 @@
 
 namespace rubsweep::branch::continuation {
 
-/// Graze of an orbit that begins to touch at all its points at once (orbits::EvenContact). The branch has a
-/// corner there.
+/// Graze of an orbit at all its points at once (orbits::EvenContact). The branch has a corner there.
 struct EvenGraze {
   BranchPoint before;               ///< orbit just before the graze
   std::vector<BranchEvent> events;  ///< event of each grazing contact, all at one point

@@ -27,8 +27,7 @@ struct FollowOptions {
 std::optional<BranchPoint> orbit_from(const orbits::OrbitProblem& problem, const Eigen::VectorXd& state,
                                       double parameter);
 
-/// Reverses the tangent of a point.
-BranchPoint turned_about(BranchPoint point);
+BranchPoint turned_about(BranchPoint point);  ///< Reverses the tangent of a point.
 
 /// Follows the branch from `start` along its tangent by pseudo-arclength continuation with adaptive steps.
 HalfBranch follow(const orbits::OrbitProblem& problem, const BranchPoint& start,

@@ -17,7 +17,7 @@ namespace {
 constexpr double width_wanted = 1e-12;  ///< length along the branch
 constexpr int most_looks = 200;
 constexpr std::size_t most_grazes = 16;  ///< limit between two points
-/// Longest stretch, in shaft rotation, that counts as close to its graze.
+/// Longest stretch, in rotation, that counts as close to its graze.
 constexpr double short_stretch_rad = 0.3;
 
 using OrbitSegment = Segment<orbits::OrbitProblem, BranchPoint>;

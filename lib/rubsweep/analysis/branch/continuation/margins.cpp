@@ -45,8 +45,7 @@ Extrema extrema_of(const Cubic& f) {
   return found;
 }
 
-/// Place where a function that is positive at the begin may have two more roots than its signs at the ends
-/// show.
+/// Place where a function that is positive at the begin may have two roots that its end signs do not show.
 std::optional<double> dip_of(const Cubic& f) {
   const Extrema extrema = extrema_of(f);
   if (!extrema.lowest) return std::nullopt;

@@ -55,8 +55,7 @@ Correction correct_at(const orbits::OrbitProblem& problem, const Eigen::VectorXd
 Eigen::VectorXd next_step(const orbits::OrbitProblem& problem, const BranchPoint& point,
                           const Eigen::VectorXd& direction, double difference_step = usual_difference_step);
 
-/// Error of the parameter due to rounding: size of the parameter component of next_step(). 0 where it cannot
-/// be computed.
+/// Error of the parameter by rounding: size of this component of next_step(). 0 if it cannot be computed.
 double rounding_of_parameter(const orbits::OrbitProblem& problem, const BranchPoint& point);
 
 /// Completes a converged orbit: its tangent on the side of `direction`, its multipliers and their counts. The

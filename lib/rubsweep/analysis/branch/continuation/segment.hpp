@@ -110,8 +110,7 @@ struct Enclosure {
   double low = 0, high = 0;
 };
 
-/// Interval around the root of a test function; empty unless the function has opposite signs at the segment's
-/// ends.
+/// Interval around the root of a test function; empty unless its signs at the segment's ends are opposite.
 template <class Segment, class Value>
 std::optional<Enclosure> root_on(const Segment& segment, const Value& value) {
   constexpr std::uintmax_t most_evaluations = 100;

@@ -104,7 +104,6 @@ inline const continuation::Position& position_of(const ExtendedSystem&, const Cu
 continuation::Position nearest_image(const ExtendedSystem& system, continuation::Position position,
                                      const CurvePoint& near);
 
-/// Reverses the tangent of a point.
-CurvePoint turned_about(CurvePoint point);
+CurvePoint turned_about(CurvePoint point);  ///< Reverses the tangent of a point.
 
 }  // namespace rubsweep::branch::curves

@@ -18,8 +18,7 @@ constexpr double usual_parameter_step = 1e-6, usual_state_step = 1e-5;
 /// A grazing orbit is computed to stay short of the guard by this distance, a share of the length scale. If
 /// rounding put the orbit beyond the guard, the square root of the rounding error would enter its derivative.
 constexpr double miss = 4e-12;
-/// Smallest divisor in Newton's iteration at a branch point.
-constexpr double least_cubic = 1e-3;
+constexpr double least_cubic = 1e-3;  ///< Smallest divisor in Newton's iteration at a branch point.
 
 double root_of(Index states) { return std::sqrt(static_cast<double>(states)); }
 

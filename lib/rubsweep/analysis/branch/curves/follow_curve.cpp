@@ -12,8 +12,7 @@
 namespace rubsweep::branch::curves {
 namespace {
 
-/// Largest distance from the located event, as a share of the ranges, at which a point still counts as the
-/// same event.
+/// Largest distance from the located event, as a share of the ranges, of a point that is the same event.
 constexpr double same_event = 1e-5;
 
 constexpr double still_closed = 1e-8;  ///< closing error of an orbit at a branch point, relative to its size

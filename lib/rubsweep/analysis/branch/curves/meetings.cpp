@@ -13,8 +13,7 @@
 namespace rubsweep::branch::curves {
 namespace {
 
-/// Largest number of changes of the contact sequence that are looked for between two neighbouring points of a
-/// curve.
+/// Largest number of changes of the contact sequence to be found between two neighbouring points of a curve.
 constexpr std::size_t most_sequences = 16;
 
 using Multipliers = Eigen::VectorXcd;

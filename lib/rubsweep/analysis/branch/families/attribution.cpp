@@ -17,8 +17,7 @@
 namespace rubsweep::branch::families {
 namespace {
 
-/// Attribution of an edge, seen from one side: follows the family to which the kick of `cell` leads towards a
-/// neighbour.
+/// Attribution of an edge from one side: follows the family to which the kick of `cell` leads to a neighbour.
 MapEdge seen_from(std::size_t cell, std::size_t neighbour, const Family& family) {
   MapEdge edge{cell, neighbour, Attribution::unresolved, {}};
   if (const FamilyEnd* end = family.end_between(cell, neighbour)) {
@@ -30,8 +29,7 @@ MapEdge seen_from(std::size_t cell, std::size_t neighbour, const Family& family)
   return edge;
 }
 
-/// Attribution of an edge by the quiet motion, which depends only on the two cells and not on the way between
-/// them.
+/// Attribution of an edge by the quiet motion, which depends on the two cells, not on the way between them.
 MapEdge quiet_seen_from(std::size_t cell, std::size_t neighbour, std::span<const Quiet> quiet) {
   MapEdge edge{cell, neighbour, Attribution::unresolved, {}};
   if (quiet[cell] != Quiet::stable) return edge;

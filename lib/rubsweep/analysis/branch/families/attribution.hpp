@@ -22,8 +22,7 @@ enum class Quiet {
   touches,   ///< no quiet motion: it would reach a wall, or does not exist
 };
 
-/// Kind of the quiet motion in every cell of the grid.
-std::vector<Quiet> quiet_cells(const sweep::Study& study);
+std::vector<Quiet> quiet_cells(const sweep::Study& study);  ///< Kind of the quiet motion in every cell.
 
 /// Reason why two neighbouring cells of a map have different labels.
 enum class Attribution {
@@ -46,7 +45,7 @@ struct MapEdge {
 
 constexpr std::string_view one_motion = "one_motion";
 
-/// Whether `kind` is an event of the orbit, and not a failure to follow it.
+/// Whether `kind` is an event of the orbit, not a failure to follow it.
 bool is_an_end(std::string_view kind);
 
 /// Attribution of every pair of neighbouring cells with different labels. `labels` and `quiet` have one

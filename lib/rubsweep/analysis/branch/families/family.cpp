@@ -130,8 +130,7 @@ class Explorer {
 /// Corner of a cell: (i, j) is the lower left corner of the cell with these indices.
 using Corner = std::pair<long, long>;
 
-/// Side between a cell inside and a cell outside the domain; null `end`: the side lies on the edge of the
-/// map.
+/// Side between a cell inside and a cell outside the domain; null `end`: the side is on the map's edge.
 struct Edge {
   Corner from, to;
   const FamilyEnd* end = nullptr;

@@ -42,9 +42,8 @@ std::vector<std::size_t> neighbours_of(const sweep::Grid& grid, std::size_t cell
 
 /// Families of the orbits on which the cells of a map settle.
 struct Families {
-  std::vector<Family> list;  ///< families by ascending seed
-  /// cells whose proven orbit could not be found again as a stable orbit
-  std::vector<std::size_t> not_followed;
+  std::vector<Family> list;               ///< families by ascending seed
+  std::vector<std::size_t> not_followed;  ///< cells whose proven orbit was not found again as a stable orbit
 };
 
 /// Settles the cells `proven` (ascending), whose motion the map calls proven periodic or quasi-periodic, and

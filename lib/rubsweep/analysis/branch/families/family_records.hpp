@@ -25,8 +25,7 @@ class FamilyRecords {
   /// Reads back a line that was stored for `cell`. False where the line is no record of this class.
   bool read(std::size_t cell, std::string_view line);
 
-  /// Orbit on which a cell settles, empty if there is none to follow; a null pointer if this is not known
-  /// yet.
+  /// Orbit on which a cell settles, empty if there is none to follow; a null pointer if not known yet.
   const std::optional<CellOrbit>* settled(std::size_t cell) const;
   void keep_settled(std::size_t cell, const std::optional<CellOrbit>& orbit);
 
@@ -34,8 +33,7 @@ class FamilyRecords {
   const Passage* passage(std::size_t seed, std::size_t from, std::size_t to) const;
   void keep_passage(std::size_t seed, std::size_t from, std::size_t to, const Passage& passage);
 
-  /// Whether the machine, started in a cell on the orbit of family `seed`, settles on it; empty: not known
-  /// yet.
+  /// Whether the machine, started in a cell on the orbit of family `seed`, settles on it; empty: unknown.
   std::optional<bool> stays(std::size_t seed, std::size_t cell) const;
   void keep_stays(std::size_t seed, std::size_t cell, bool stays);
 

@@ -24,9 +24,8 @@ struct CellOrbit {
 /// Result of following a stable orbit from its cell straight to a neighbour.
 struct Passage {
   std::optional<CellOrbit> arrived;  ///< orbit in the neighbour, if it exists and is stable all the way
-  /// otherwise the reason why the orbit ends: the word of an EventKind or an Ending
-  std::string_view kind;
-  double parameter = 0;  ///< value of the varied axis at that end
+  std::string_view kind;  ///< otherwise the reason why the orbit ends: the word of an EventKind or an Ending
+  double parameter = 0;   ///< value of the varied axis at that end
 };
 
 /// Stable orbit on which a cell settles; empty where there is none.

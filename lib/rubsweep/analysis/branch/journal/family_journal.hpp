@@ -29,11 +29,9 @@ class FamilyJournal {
   /// Number of records from an earlier call.
   std::size_t found_before() const { return found_before_; }
 
-  /// Removes the journal after the results were written.
-  void remove();
+  void remove();  ///< Removes the journal after the results were written.
 
-  /// Writes the journal to the disk (fsync) where that is due (LineLog::refresh).
-  void refresh();
+  void refresh();  ///< Writes the journal to the disk (fsync) where that is due (LineLog::refresh).
 
   /// Unlocks the directory, for a process that ends at once. Waits for a line that is being written; no
   /// further line is written.

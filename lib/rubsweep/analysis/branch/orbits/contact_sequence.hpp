@@ -15,8 +15,7 @@ using Switches = std::span<const integrate::run::ModeSwitch>;
 /// start at different places.
 bool same_sequence(Switches a, Switches b);
 
-/// Whether two orbits have the same sequence, and the contacts without a change of mode are open on both or
-/// touch on both.
+/// Whether two orbits have the same sequence, and the same contacts without a change of mode touch on both.
 bool same_contact(const OrbitFacts& a, const OrbitFacts& b);
 
 /// Whether `a` is richer than `b`: it has more hits, or as many hits and more changes.
@@ -41,8 +40,7 @@ struct SequenceChange {
   double middle_rad = 0;  ///< middle of the stretch, as a phase of the richer orbit
 };
 
-/// Shortest stretch that differs; empty where the sequences differ otherwise. `period_rad`: period of the
-/// orbits.
+/// Shortest stretch that differs; empty if the sequences differ otherwise. `period_rad`: period of both.
 std::optional<SequenceChange> sequence_change(Switches richer, Switches poorer, double period_rad);
 
 /// Description such as "hit at stop 0", "clamped interrupted at stop 1", "flight within a hit at stop 0".

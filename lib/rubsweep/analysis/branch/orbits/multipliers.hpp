@@ -12,17 +12,16 @@ std::string multiplier_columns();
 /// one, the largest modulus first.
 std::string multiplier_cells(const Eigen::VectorXcd& multipliers);
 
-/// Eigenvalues of a monodromy matrix, the largest modulus first; in a complex pair the positive imaginary
-/// part first.
+/// Eigenvalues of a monodromy matrix, the largest modulus first; of a pair, the positive imaginary part
+/// first.
 Eigen::VectorXcd multipliers_of(const Eigen::MatrixXd& monodromy);
 
 int count_outside(const Eigen::VectorXcd& multipliers);
 
-/// det(M + 1): changes sign where one multiplier passes -1.
+/// det(M + 1): changes sign where a multiplier is -1.
 double doubling_test(const Eigen::VectorXcd& multipliers);
 
-/// det(1 - M): changes sign where one multiplier passes +1.
-double unit_test(const Eigen::VectorXcd& multipliers);
+double unit_test(const Eigen::VectorXcd& multipliers);  ///< det(1 - M): changes sign where a multiplier is 1.
 
 /// Product of (a b - 1) over all pairs a, b of multipliers. It is the determinant of the bialternate product
 /// of the monodromy matrix with itself minus 1, a real and smooth function. It is zero where a complex pair

@@ -23,8 +23,7 @@ using response::rotating::RotatingField;
 using response::rotating::RotatingFlow;
 
 constexpr double nearest_maximum = 0.2;  ///< share of a loop; a maximum farther away is not the expected one
-/// tolerance; a small step along the motion covers the remaining angle
-constexpr double landed_rad = 1e-9;
+constexpr double landed_rad = 1e-9;  ///< tolerance; a small step along the motion covers the remaining angle
 constexpr int most_steps = 12;
 
 integrate::run::SolverOptions exact(integrate::run::SolverOptions solver) {
@@ -60,8 +59,7 @@ struct OvalScene {
     return slope;
   }
 
-  /// Angle of shaft rotation from `y` to the nearest maximum, by one Newton step; NaN where the extreme is no
-  /// maximum.
+  /// Angle of shaft rotation from `y` to the nearest maximum, by one Newton step; NaN if it is no maximum.
   double angle_to_maximum(const VectorXd& y) const {
     const double curvature = outward_slope(y).dot(field.rate(y));
     return curvature < 0 ? -outward(y) / curvature : std::numeric_limits<double>::quiet_NaN();

@@ -85,8 +85,7 @@ class SectionGuards {
   integrate::law::Dynamics<Eigen::Dynamic, false> dynamics_;
 };
 
-/// Scene with its time shifted so that time 0 is when its shaft has turned by `phase_rad`. Its pulses are not
-/// shifted.
+/// Scene with its time shifted: at time 0 the shaft has turned by `phase_rad`. Pulses are not shifted.
 scene::Scene begun_at_phase(scene::Scene scene, double phase_rad);
 
 /// Scene at each point of a plane of two parameters; empty where it does not exist.

@@ -25,8 +25,7 @@ class RightHandSide {
   /// Jacobian d(rate)/d(state), row by row, and d(rate)/d(phase). Only implicit methods use it.
   virtual void jacobian(const State& state, double* by_state, double phase, State& by_phase) = 0;
 
-  /// Friction ratio at a state, as Dynamics::friction_ratio.
-  virtual double friction_ratio(const State& state) = 0;
+  virtual double friction_ratio(const State& state) = 0;  ///< Friction ratio, as Dynamics::friction_ratio.
 };
 
 /// Method that makes the steps of a run. It is an interface because the adaptive solver is the reference for

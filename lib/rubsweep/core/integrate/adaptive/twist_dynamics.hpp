@@ -30,8 +30,7 @@ struct TwistLaw {
   std::vector<double> contact_radius_m;
 };
 
-/// Torsion law of a scene.
-TwistLaw twist_law(const scene::Scene& scene);
+TwistLaw twist_law(const scene::Scene& scene);  ///< Torsion law of a scene.
 
 /// The scene without the forces that turn with the shaft, which are part of the torsion law.
 scene::Scene without_turning(scene::Scene scene);

@@ -57,8 +57,7 @@ class ExactMotion {
   const Instant& here() const { return now_; }
   /// Moves an instant within the present mode, which must have a modal form; the motion itself does not move.
   void ahead(Instant& instant, double duration_s) const;
-  /// Moves an instant by step `k` of the mode's table.
-  void ahead_by_table(Instant& instant, int k) const;
+  void ahead_by_table(Instant& instant, int k) const;  ///< Moves an instant by step `k` of the mode's table.
   /// Moves an instant by one sampling interval, whose flow is cached.
   void ahead_by_interval(Instant& instant, double interval_s);
 
@@ -144,8 +143,7 @@ class ExactMotion {
   SlidingRate sliding_rate(std::size_t t) const;
 
   void step_by_table(int k);
-  /// Moves by any duration up to the mode's longest step.
-  void step_by(double duration_s);
+  void step_by(double duration_s);  ///< Moves by any duration up to the mode's longest step.
 
   /// Longest duration that `land` can cover.
   double reach_s() const { return numerics::longest_series / fastest_rad_per_s(); }

@@ -37,8 +37,7 @@ class ExactRun {
     std::vector<contact::Mode> modes;  ///< mode of each contact
     Eigen::MatrixXd tangent_vectors;   ///< vectors as in TurnRequest::tangent_vectors
   };
-  /// State after `unsaturated`. Its memory is reused.
-  const Handover& handover();
+  const Handover& handover();  ///< State after `unsaturated`. Its memory is reused.
 
   /// Continues a turn of another solver, which made `report` up to this point. False, with nothing changed,
   /// where friction is not saturated, or would be for a moment only.
@@ -56,7 +55,7 @@ class ExactRun {
     book_.revolution = 0;
   }
 
-  /// Scaled state at the start of the next revolution, as TurnReport::section.
+  /// Scaled state at the start of the next turn, as TurnReport::section.
   std::vector<double> section() const;
   /// Writes the section without an allocation, once `section` is large enough.
   void put_section(std::vector<double>& section) const;

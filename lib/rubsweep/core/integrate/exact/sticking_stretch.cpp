@@ -21,10 +21,8 @@ constexpr double peak_step = 0.03, fast_peak_step = 0.15;
 constexpr double piece = 8;
 /// A vibration below this share of a clearance is ignored: it adds less than that to a peak.
 constexpr double unseen = 1e-10;
-/// Smallest number of cubics in a block that is first bounded as a whole.
-constexpr double least_block = 8;
-/// Angle of a ring's normal that is only rounding of the states.
-constexpr double same_normal = 1e-14;
+constexpr double least_block = 8;  ///< Smallest number of cubics in a block that is first bounded as a whole.
+constexpr double same_normal = 1e-14;  ///< Angle of a ring's normal that is only rounding of the states.
 
 /// Duration, at most `longest_rad`, in which a guard cannot reach zero. The guard is the sum of the slow
 /// parts of `view` and of its free vibration, taken at its largest or at its present value.

@@ -287,8 +287,7 @@ class ContactStates {
   std::vector<contact::Slip> slips_;
   std::vector<contact::FrictionTerms> dry_;
   std::vector<bool> poised_;
-  /// Growth rate of the surface speeds relative to themselves; zero at a steady speed.
-  double surface_growth_ = 0;
+  double surface_growth_ = 0;  ///< Relative growth rate of the surface speeds; zero at a steady speed.
 
  private:
   bool any_dry_ = false, unsettled_ = false;

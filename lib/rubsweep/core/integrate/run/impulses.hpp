@@ -58,8 +58,7 @@ class Impulses {
   std::size_t next_ = 0;
 };
 
-/// True when every revolution gets its impulses at the same phases.
-bool same_every_turn(const scene::Scene& scene);
+bool same_every_turn(const scene::Scene& scene);  ///< True if all turns get impulses at the same phases.
 
 /// Whether the damping of a contact depends on the speed at which it began to touch. The section of a motion
 /// in contact does not contain this speed.

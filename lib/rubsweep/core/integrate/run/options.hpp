@@ -44,8 +44,7 @@ struct SolverOptions {
   ContactHandling contact = ContactHandling::located;
   double relative_tolerance = 1e-8;  ///< absolute tolerance: times clearance, or clearance times speed
   double smoothing_m = 1e-7;         ///< penetration width of the blend; only for `smoothed`
-  /// limit of accepted plus refused steps; if exceeded: step_limit
-  long max_steps_per_revolution = 1'000'000;
+  long max_steps_per_revolution = 1'000'000;  ///< limit of accepted and refused steps; beyond: step_limit
 
   static constexpr model::Range relative_tolerance_range{.low = 1e-14, .high = 1e-2};
   static constexpr model::Range smoothing_range = model::positive;

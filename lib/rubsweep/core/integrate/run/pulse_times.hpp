@@ -50,7 +50,6 @@ class PulseTimes {
   double next_change_ = std::numeric_limits<double>::infinity();
 };
 
-/// End of the last pulse of a scene in seconds; 0 without pulses.
-double pulses_end_s(const scene::Scene& scene);
+double pulses_end_s(const scene::Scene& scene);  ///< End of the last pulse in seconds; 0 without pulses.
 
 }  // namespace rubsweep::integrate::run

@@ -17,8 +17,7 @@ struct ModeSwitch {
   int contact = 0;
   contact::Mode from = contact::Mode::open;
   contact::Mode to = contact::Mode::open;
-  /// Damping of a curved law from here on, per scaled closing speed; 0 for other laws.
-  double impact_damping = 0;
+  double impact_damping = 0;  ///< Damping of a curved law from here on, by scaled closing speed; otherwise 0.
 };
 
 /// Work done since the start of the run.

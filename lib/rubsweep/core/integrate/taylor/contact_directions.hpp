@@ -55,8 +55,7 @@ class AnyDirections {
 
  private:
   StatePairs<N> first_push_, second_push_, first_row_, second_row_;
-  /// Acceleration of the contact itself per newton along each of its directions.
-  Twin by_first_, by_second_;
+  Twin by_first_, by_second_;  ///< Acceleration of the contact per newton along each of its directions.
 };
 
 /// AnyDirections for a contact whose directions are parallel to the coordinates: in every pair the first

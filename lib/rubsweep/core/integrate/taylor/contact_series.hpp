@@ -73,10 +73,8 @@ class ContactSeries {
     return (law_->annular ? length_ : distance_).number(k) - (k == 0 ? law_->clearance : 0);
   }
   void make_open_penetration(int order);
-  /// Writes the coefficients of `penetration_term` up to `order`.
-  void put_penetration(int order, double* to) const;
-  /// Computes the coefficients of d' . t up to order - 1, for `slip_term`.
-  void make_sliding(int order);
+  void put_penetration(int order, double* to) const;  ///< Writes `penetration_term` up to `order`.
+  void make_sliding(int order);  ///< Computes the coefficients of d' . t up to order - 1, for `slip_term`.
   double slip_term(int k) const;
   /// Steepness of the tanh that leaves saturation first, zero if none is saturated; and the slip's sign.
   double saturated_steepness() const { return saturated_steepness_; }
@@ -93,8 +91,7 @@ class ContactSeries {
   const numerics::PlaneSeries& coefficient() const { return mu_; }
   const numerics::PlaneSeries& load() const { return load_; }
   double constant_coefficient() const { return constant_mu_; }
-  /// Coefficient k of d mu / d(sliding speed).
-  double friction_slope_term(int k) const;
+  double friction_slope_term(int k) const;  ///< Coefficient k of d mu / d(sliding speed).
   /// Acceleration d'' in the two fixed directions of a sticking contact.
   const numerics::PlaneSeries& acceleration() const { return acceleration_; }
 

@@ -25,8 +25,7 @@ class ContactTangents {
   /// Prepares up to `order` terms. The motion must not change until the last call of `force_term`; `jacobian`
   /// must belong to the same motion.
   void follow(const ContactSeries& contact, ContactJacobian& jacobian, int order);
-  /// Begins with other variations along the same motion.
-  void begin(const Term& displacement);
+  void begin(const Term& displacement);  ///< Begins with other variations along the same motion.
 
   /// Coefficient k of the variations of the forces, from coefficient k of w'; call it in order of k. Writes
   /// coefficient k + 1 of w.

@@ -18,7 +18,7 @@ using Coefficients = std::array<double, numerics::most_taylor_order + 1>;
 /// series that end at rounding, because a landing leaves a few units of rounding in states of order one.
 double noise_of(double accuracy) { return 1e-13 / rounding_of_series * accuracy; }
 
-/// Value that represents "just below zero": no guard with a rate comes as near.
+/// Value that represents "just below zero": smaller than any guard that changes.
 constexpr double just_below_zero = -1e-30;
 
 /// First rise of an armed guard, which counts as below zero at the start of the piece. If the guard is at

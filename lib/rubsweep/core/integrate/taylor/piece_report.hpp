@@ -20,8 +20,7 @@ struct LargestDisplacements {
   double casing = 0;    ///< peak of any casing
 };
 
-/// Largest number of states examined in a step, including its ends.
-inline constexpr int most_peak_states = 65;
+inline constexpr int most_peak_states = 65;  ///< Largest number of states examined in a step, with its ends.
 
 /// Peaks over the first `duration_rad` of an expanded motion. `fastest` is the fastest rate of the motion per
 /// radian; `states` is scratch that grows to most_peak_states states.

@@ -12,10 +12,8 @@ namespace rubsweep::numerics::dense {
 Eigen::VectorXd solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::VectorXcd solve(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 Eigen::MatrixXcd solve(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
-/// a^-1 by partialPivLu.
-Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& a);
-/// Determinant by partialPivLu.
-double determinant(const Eigen::MatrixXd& a);
+Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& a);  ///< a^-1 by partialPivLu.
+double determinant(const Eigen::MatrixXd& a);         ///< Determinant by partialPivLu.
 
 /// a^-1 b by fullPivLu, for matrices that may be close to singular.
 Eigen::VectorXd solve_full_pivot(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);

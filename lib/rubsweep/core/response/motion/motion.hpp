@@ -23,8 +23,7 @@ struct ContactFacts {
   double peak_torque_nm = 0;              ///< largest torque in the drive
 };
 
-/// Facts of one complete turn.
-ContactFacts facts_of(const integrate::run::TurnReport& turn);
+ContactFacts facts_of(const integrate::run::TurnReport& turn);  ///< Facts of one complete turn.
 
 /// Facts of several turns: sum of hits, mean share of contact, largest peaks.
 ContactFacts together(std::span<const ContactFacts> turns);
@@ -44,8 +43,7 @@ constexpr std::string_view to_string(MotionStatus status) { return enumerator_wo
 
 /// Measures of one window, for a motion of any class.
 struct Measures {
-  /// Number of last turns of the window used for all measures; whole periods where there is a period.
-  int turns = 0;
+  int turns = 0;  ///< Number of last turns used for all measures: whole periods if there is a period.
   ContactFacts contact;
   double amplitude_1x_forward_m = 0;
   double amplitude_1x_backward_m = 0;

@@ -30,8 +30,7 @@ struct MotionClassRow {
   std::string_view word;         ///< word in map.csv
   std::string_view description;  ///< text for --help
   bool rubs = false;             ///< the rotor keeps touching a stop
-  /// true: measures do not depend on when they are taken, so that maps may be compared
-  bool repeats = false;
+  bool repeats = false;          ///< true: measures do not depend on their time, so that maps may be compared
 };
 
 /// Table of all classes. It is a switch so that a class without a row does not compile.
@@ -136,7 +135,7 @@ inline constexpr std::array motion_kinds{
     MotionKind{"failed", "failed", 0xCC0000, 0xCC0000, '!', true, false},
 };
 
-/// Kind for a name in map.csv; null for any other word.
+/// Kind for a name in map.csv; null for other words.
 const MotionKind* motion_kind_of(std::string_view name);
 
 /// Kind of a motion. `order`: of a periodic motion; `orbit`, `whirl`: shape and direction, if it has any;

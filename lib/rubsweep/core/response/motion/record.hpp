@@ -31,8 +31,7 @@ class Record {
   /// Adds a turn with `samples_per_revolution` samples and peaks; two windows of turns fill the record.
   void add(const integrate::run::TurnReport& turn);
 
-  /// Window 0 is the older, 1 the newer.
-  Window window(std::size_t which) const;
+  Window window(std::size_t which) const;  ///< Window 0 is the older, 1 the newer.
 
   /// Samples of the observed point over both windows, in metres.
   std::span<const std::complex<double>> displacement_m() const { return displacement_m_; }
@@ -55,8 +54,7 @@ struct Settling {
   /// The run is abandoned after more than this number of successive turns without contact, because its motion
   /// has ended.
   std::optional<int> longest_flight{};
-  /// limit of the run's work, including the recording
-  double most_work = std::numeric_limits<double>::infinity();
+  double most_work = std::numeric_limits<double>::infinity();  ///< limit of the work, including the recording
 };
 
 /// Lets a run settle from `turn`, whose section is the current state. Returns the number of turns passed;

@@ -40,8 +40,7 @@ bool equal(const structure::LinearSystem& structure, const scene::Contact& a, co
 /// Tolerance that is tight enough for derivatives by finite differences.
 constexpr double tolerance_of_a_proof = 1e-11;
 
-/// Accuracy of derivatives for the first Newton steps to an orbit.
-constexpr double rough_accuracy = 1e-6;
+constexpr double rough_accuracy = 1e-6;  ///< Accuracy of derivatives for the first Newton steps to an orbit.
 
 /// Share of its distance down to which a transient is followed where no ball about the orbit is known, unless
 /// the test of linear convergence is passed earlier.

@@ -47,8 +47,7 @@ class OrbitProof {
   integrate::run::WorkBudget& budget_;
   PeriodSearch search_;
   std::optional<SceneMap> map_, run_map_;
-  /// integrate::run::remembers_impacts: a proof then cannot start from a section in contact
-  bool remembers_;
+  bool remembers_;  ///< integrate::run::remembers_impacts: no proof then starts from a section in contact
 };
 
 /// The scene with equal stops merged: contacts of one point of the rotor with the same wall at the same

@@ -32,9 +32,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr numerics::NewtonLimits newton_limits{.iterations = 8, .free_iterations = 1, .growth = 0.5};
-constexpr double closed = 1e-11;  ///< return error of a found orbit, in (clearance, clearance omega)
-/// distance below which rough derivatives would cost an additional step
-constexpr double nearly_closed = 1e-5;
+constexpr double closed = 1e-11;        ///< return error of a found orbit, in (clearance, clearance omega)
+constexpr double nearly_closed = 1e-5;  ///< distance below which rough derivatives would cost a further step
 constexpr double returns_early = 1e-7;  ///< return error at which fewer turns are the period
 /// Largest multiplier at the transient for which Newton's iteration is tried. No proven orbit had a larger
 /// multiplier there, nor one above 1 at a later iterate; a refused orbit is tried again later.

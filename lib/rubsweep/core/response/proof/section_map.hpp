@@ -62,8 +62,7 @@ class SceneMap {
 
  private:
   bool advance(std::span<double> section);
-  /// `counts_on`: the solver continues its count of work from before the turn.
-  void spend(bool counts_on);
+  void spend(bool counts_on);  ///< `counts_on`: the solver continues its count of work from before the turn.
 
   std::size_t states_;
   bool exact_;
@@ -77,7 +76,6 @@ class SceneMap {
   bool whole_ = false;  ///< whether the latest revolution was completed
 };
 
-/// The scene without its pulses.
-scene::Scene after_the_kick(scene::Scene scene);
+scene::Scene after_the_kick(scene::Scene scene);  ///< The scene without its pulses.
 
 }  // namespace rubsweep::response::proof

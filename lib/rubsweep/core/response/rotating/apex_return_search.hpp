@@ -16,8 +16,7 @@ class ApexReturnSearch {
  public:
   explicit ApexReturnSearch(const scene::Scene& scene);
 
-  /// Adds one more turn, which must have samples.
-  void add(const integrate::run::TurnReport& turn);
+  void add(const integrate::run::TurnReport& turn);  ///< Adds one more turn, which must have samples.
 
   /// Number of maxima in the latest turn.
   int maxima_in_turn() const { return in_turn_; }
@@ -29,11 +28,9 @@ class ApexReturnSearch {
                                       ///< interpolation)
   };
 
-  /// Return in the latest turn that is worth a proof; usually empty.
-  std::optional<Return> candidate() const;
+  std::optional<Return> candidate() const;  ///< Return in the last turn that is worth a proof; usually empty.
 
-  /// Excludes a candidate that could not be proven.
-  void refuse(const Return& candidate);
+  void refuse(const Return& candidate);  ///< Excludes a candidate that could not be proven.
 
  private:
   struct Maximum {

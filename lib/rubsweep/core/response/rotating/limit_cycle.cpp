@@ -28,8 +28,7 @@ constexpr int most_parts = 64;          ///< parts of a found period after one o
 constexpr double returns_early = 1e-4;  ///< return error at which a part is the period
 constexpr double stands_still = 1e-5;   ///< rate below which a cycle is only a point
 constexpr double followed_down = 1e-3;  ///< share of its distance down to which a transient is followed
-/// or this distance, because smaller changes are noise of the rough flow
-constexpr double near_by = 1e-5;
+constexpr double near_by = 1e-5;  ///< or this distance, because smaller changes are noise of the rough flow
 constexpr proof::Patience patience{.start = 64, .most = 3000};  ///< limits in periods
 
 /// Number of predicted returns in a row after which half of the distance is enough.

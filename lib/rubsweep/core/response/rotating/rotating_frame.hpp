@@ -31,17 +31,14 @@ class RotatingField {
   /// Rate, 2n numbers; every contact is in the mode of the given state.
   Eigen::VectorXd rate(const Eigen::VectorXd& state) const;
 
-  /// d(rate)/d(state), 2n x 2n.
-  Eigen::MatrixXd jacobian(const Eigen::VectorXd& state) const;
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& state) const;  ///< d(rate)/d(state), 2n x 2n.
 
-  /// Largest normal force of any contact, in newtons.
-  double contact_force_n(const Eigen::VectorXd& state) const;
+  double contact_force_n(const Eigen::VectorXd& state) const;  ///< Largest normal force of a contact, in N.
 
   /// Largest distance of any casing from its unloaded position, in metres.
   double casing_displacement_m(const Eigen::VectorXd& state) const;
 
-  /// Whether some contact penetrates.
-  bool touches(const Eigen::VectorXd& state) const;
+  bool touches(const Eigen::VectorXd& state) const;  ///< Whether some contact penetrates.
 
  private:
   /// Calls `visit(dynamics)` with the law that applies at `state`.

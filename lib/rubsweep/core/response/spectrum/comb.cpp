@@ -139,8 +139,7 @@ std::optional<double> closing_period(const TurningOrbit& orbit, double first_gue
   return period;
 }
 
-/// Factor by which the window increases the energy of a line.
-constexpr double energy_under_hann = 1.5;
+constexpr double energy_under_hann = 1.5;  ///< Factor by which the window increases the energy of a line.
 
 double energy_share(const TurningOrbit& orbit, const FullSpectrum& spectrum, double spacing_bins) {
   if (spacing_bins < 2 * (2 * hann_half_width + 1)) return 0;

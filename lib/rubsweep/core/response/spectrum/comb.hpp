@@ -21,8 +21,7 @@ struct Comb {
   double energy_share = 0;  ///< share of z's energy within a line's width of the comb; 0 where lines overlap
 };
 
-/// Fewest turns in which a comb can be identified.
-inline constexpr int fewest_comb_turns = 32;
+inline constexpr int fewest_comb_turns = 32;  ///< Fewest turns in which a comb can be identified.
 
 /// Comb of the motion in `displacement_m`, samples of z (any unit serves) over whole turns, 32 turns or more.
 ///

@@ -14,8 +14,7 @@ namespace rubsweep::response::spectrum {
 struct FullSpectrum {
   int turns = 0;
   int samples_per_revolution = 0;
-  /// N = turns x samples_per_revolution lines, from k = first_line() upwards.
-  std::vector<double> amplitude_m;
+  std::vector<double> amplitude_m;  ///< N = turns x samples_per_revolution lines from k = first_line().
 
   /// Smallest k: -N/2, rounded towards zero.
   int first_line() const { return -(static_cast<int>(amplitude_m.size()) / 2); }

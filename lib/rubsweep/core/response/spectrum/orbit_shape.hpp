@@ -37,8 +37,7 @@ bool is_circle(std::span<const std::complex<double>> displacement_m, std::comple
 /// lines; `mixed` when both are zero.
 WhirlKind whirl_kind(double forward, double backward);
 
-/// Whirl direction; `mixed` when there is no line except 0X.
-WhirlKind whirl_kind(const FullSpectrum& spectrum);
+WhirlKind whirl_kind(const FullSpectrum& spectrum);  ///< Whirl direction; `mixed` if no line except 0X.
 
 /// Names as in the tables.
 constexpr std::string_view to_string(OrbitKind kind) { return enumerator_word(kind); }

@@ -82,18 +82,14 @@ Form map_of(std::vector<Key> keys, std::vector<Choice> choices = {});
 Form numbered(Form item, std::size_t count);
 Form any_of(std::vector<Form> forms);
 
-/// A key that must be given.
-Key must(std::string name, Form form, std::string meaning);
+Key must(std::string name, Form form, std::string meaning);  ///< A key that must be given.
 /// A key with this default: as written in a file, or in words in parentheses; empty: no default.
 Key may(std::string name, Form form, std::string meaning, std::string fallback = "");
-/// Returns the key with the condition `when`.
-Key beside(Key key, Condition when);
-/// Returns the keys, marked as introduced after version 0.1.0.
-std::vector<Key> newer(std::vector<Key> keys);
+Key beside(Key key, Condition when);            ///< Returns the key with the condition `when`.
+std::vector<Key> newer(std::vector<Key> keys);  ///< The keys, marked as introduced after version 0.1.0.
 Key newer_key(Key key);
 
-/// Ways of one key each.
-Choice either(std::span<const std::string_view> names);
+Choice either(std::span<const std::string_view> names);  ///< Ways of one key each.
 /// Choice between ways of several keys each. Keys with a default are optional in their way, the others
 /// required.
 Choice choice_of(const std::vector<std::vector<Key>>& ways);

@@ -115,7 +115,6 @@ struct KeysOf<std::variant<Structs...>> {
   std::vector<std::vector<Key>> ways{keys_of<Structs>()...};
 };
 
-/// Joins the lists of keys of several parts.
-std::vector<Key> joined(std::vector<std::vector<Key>> parts);
+std::vector<Key> joined(std::vector<std::vector<Key>> parts);  ///< Joins the lists of keys of several parts.
 
 }  // namespace rubsweep::config::keys

@@ -7,8 +7,7 @@
 
 namespace rubsweep::config::machine {
 
-/// Reads `friction` of a stop: a map, or the word `none`.
-model::Friction read_friction(const yaml::Value& value);
+model::Friction read_friction(const yaml::Value& value);  ///< Reads `friction` of a stop: a map, or `none`.
 keys::Form friction_form();
 void print_friction(yaml::Printer& printer, const model::Friction& friction);
 

@@ -11,8 +11,7 @@
 
 namespace rubsweep::config::machine {
 
-/// Reads the keys of `rotor` for kind: rotor_kit.
-model::RotorKit read_rotor_kit(yaml::Section& section);
+model::RotorKit read_rotor_kit(yaml::Section& section);  ///< Reads the keys of `rotor` for kind: rotor_kit.
 /// Reads the keys of a kit that files of other tools do not have. Call it when the shaft is known.
 void read_kit_rest(yaml::Section& section, model::RotorKit& kit);
 std::vector<keys::Key> kit_rest_keys();
@@ -31,13 +30,11 @@ void refuse_tables(const yaml::Value& supports, yaml::Section& section, const mo
 /// Adds a problem to `supports` where they leave the shaft or a housing free to move.
 void refuse_loose_shaft(const yaml::Value& supports, const model::RotorKit& kit);
 
-/// The keys that read_rotor_kit reads.
-std::vector<keys::Key> rotor_kit_keys();
+std::vector<keys::Key> rotor_kit_keys();  ///< The keys that read_rotor_kit reads.
 
 void print_rotor_kit(yaml::Printer& printer, const model::RotorKit& kit,
                      MatrixPrint matrices = MatrixPrint::inside);
 
-/// Allowed positions along the shaft: between its ends.
-model::Range places(const model::RotorKit& kit);
+model::Range places(const model::RotorKit& kit);  ///< Allowed positions along the shaft: between its ends.
 
 }  // namespace rubsweep::config::machine

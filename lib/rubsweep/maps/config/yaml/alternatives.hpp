@@ -14,8 +14,7 @@ namespace rubsweep::config::yaml {
 /// the form of a configuration. A value written over a map replaces the keys that it excludes.
 class Alternatives {
  public:
-  /// Nothing excludes anything.
-  Alternatives() = default;
+  Alternatives() = default;  ///< Nothing excludes anything.
   explicit Alternatives(const keys::Form& root);
 
   /// Removes from a map the keys that the key `written` excludes, and the keys that were useful only with
@@ -35,8 +34,7 @@ class Alternatives {
   std::vector<Kind> kinds_;
 };
 
-/// Removes one key of a map and its value.
-void drop_entry(Node& map, std::size_t index);
+void drop_entry(Node& map, std::size_t index);  ///< Removes one key of a map and its value.
 
 /// Adds a problem for every repeated key of the map at `path`.
 void refuse_repeated_keys(const Node& map, std::string_view path, Diagnostics& diagnostics);

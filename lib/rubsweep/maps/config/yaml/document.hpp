@@ -43,7 +43,6 @@ std::optional<Node> parse_document(std::string_view text, int override_index, st
 Node* entry(Node& map, std::string_view name);
 const Node* entry(const Node& map, std::string_view name);
 
-/// Number of values in a node, itself included.
-std::size_t count_nodes(const Node& node);
+std::size_t count_nodes(const Node& node);  ///< Number of values in a node, itself included.
 
 }  // namespace rubsweep::config::yaml

@@ -88,8 +88,7 @@ class Section {
   /// Index of the given word in `kinds`; the key must be given.
   std::optional<std::size_t> require_kind(std::string_view name, std::span<const std::string_view> kinds);
 
-  /// Refuses every key that was never looked for. Call it last.
-  void refuse_unknown_keys() const;
+  void refuse_unknown_keys() const;  ///< Refuses every key that was never looked for. Call it last.
 
   /// Reports a problem that several keys cause together. It is reported under `name`, at the place of the
   /// last of the keys `involved`.

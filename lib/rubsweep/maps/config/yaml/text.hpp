@@ -12,8 +12,7 @@ namespace rubsweep::config::yaml {
 /// Length in bytes, 1 to 4, of the valid UTF-8 sequence at the begin of `text`; 0 where there is none.
 std::size_t utf8_length(std::string_view text);
 
-/// True for the bytes 0x00 to 0x1f and 0x7f.
-bool is_control(char byte);
+bool is_control(char byte);  ///< True for the bytes 0x00 to 0x1f and 0x7f.
 
 /// Whether a terminal or a page does not show a UTF-8 character as it is. Such characters are control
 /// characters of ASCII or Latin-1, separators of lines or paragraphs, and those that turn the direction of
@@ -27,8 +26,7 @@ std::optional<std::size_t> find_foreign_blank(std::string_view text);
 /// Name of the first character of a text: "a no-break space (U+00A0)".
 std::string describe_character(std::string_view text);
 
-/// Writes every byte as `\xNN`.
-std::string escaped(std::string_view bytes);
+std::string escaped(std::string_view bytes);  ///< Writes every byte as `\xNN`.
 
 /// Offset of the first byte that a configuration may not hold: not UTF-8, or a control character other than
 /// tab and line ends. Empty when there is none.
@@ -48,8 +46,7 @@ void remember_lines(std::string_view shown);
 /// Lines of all messages that this process showed on stderr, without empty ones.
 std::vector<std::string> said_lines();
 
-/// `text` of any number of lines, made safe for a terminal.
-std::string printable(std::string_view text);
+std::string printable(std::string_view text);  ///< `text` of any number of lines, made safe for a terminal.
 
 /// Prints on stderr, with control characters as `\xNN`, so that text from files cannot move the cursor. A
 /// message that cannot be written is dropped silently.

@@ -12,8 +12,7 @@ namespace rubsweep::diagnose::answer {
 /// A simulated motion fitted onto a recorded one.
 struct Overlay {
   MotionLines simulated{};  ///< scaled, rotated, phases counted from the recording's mark, m
-  /// share of the recorded energy that the simulated motion does not explain, from 0 to 1
-  double unexplained = 0;
+  double unexplained = 0;   ///< share of the recorded energy, 0 to 1, that the simulated motion lacks
 };
 
 /// Fits a simulated motion onto the recorded one: scales it to the same size, shifts its start by the shaft
@@ -37,8 +36,7 @@ struct CandidateAnswer {
   std::optional<double> standard_error{};  ///< empty where more motions would not change the probability
 };
 
-/// A feature of the recording, with its weighted means and spreads in the cases of the two likeliest
-/// candidates.
+/// A feature of the recording, with its weighted mean and spread in the cases of both likeliest candidates.
 struct DecidingFeature {
   std::string name;
   double recorded = 0, first = 0, first_spread = 0, second = 0, second_spread = 0;

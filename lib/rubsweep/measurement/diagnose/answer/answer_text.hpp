@@ -25,7 +25,6 @@ std::string answer_json(const Answer& answer);
 /// Report of one page; its first line says how certain the answer is.
 std::string answer_text(const Answer& answer, const model::ShownLengths& shown = {});
 
-/// Plain words for a cause, such as "one flat stop".
-std::string_view words_for(Cause cause);
+std::string_view words_for(Cause cause);  ///< Plain words for a cause, such as "one flat stop".
 
 }  // namespace rubsweep::diagnose::answer

@@ -44,8 +44,7 @@ Array before(const Array& x) {
   return shifted;
 }
 
-/// Kurtosis and skewness of the second difference, which is large where a contact force bends the signal
-/// sharply.
+/// Kurtosis and skewness of the second difference, which is large where a contact force bends the signal.
 void add_bends(const std::string& name, const ArrayXd& x, Features& features) {
   const ArrayXd bend = after(x) - 2 * x + before(x);
   const double size = std::max(std::sqrt(bend.square().mean()), 1e-300);
@@ -108,8 +107,7 @@ void add_direction(const std::string& name, double angle_rad, Features& features
   add(features, "sine of " + name, std::sin(angle_rad));
 }
 
-/// Adds the mean, resolved along the lopsided direction and to its left; rotating the motion does not change
-/// it.
+/// Adds the mean, resolved along the lopsided direction and to its left; rotations do not change it.
 void add_mean(const MotionLines& lines, const View& view, const DescribedMotion& motion, Features& features) {
   const Complex mean = lines.at(0) / motion.size_m * std::polar(1.0, -motion.direction_rad);
   add(features, view.plane ? "mean position along lopsided direction" : "mean position", mean.real());

@@ -33,8 +33,7 @@ struct DescribedMotion {
 
 /// Parts of a recording that can be interpreted.
 struct View {
-  /// true: two probes; false: one probe, and only lines of order 0 and above are used
-  bool plane = true;
+  bool plane = true;  ///< true: two probes; false: one probe, and only lines of order 0 and above are used
   bool directions = false;  ///< whether the machine is anisotropic, so that directions carry information
   /// whether readings are measured from the rest position, so that their mean carries information
   bool from_rest = false;
@@ -46,7 +45,6 @@ struct View {
 DescribedMotion describe(const MotionLines& lines, const View& view,
                          response::spectrum::SpectrumWorkspace& workspace);
 
-/// Values of the features as a vector, in the same order.
-Eigen::VectorXd values_of(const Features& features);
+Eigen::VectorXd values_of(const Features& features);  ///< Values of the features, in the same order.
 
 }  // namespace rubsweep::diagnose::features

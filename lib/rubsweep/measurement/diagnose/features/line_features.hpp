@@ -30,8 +30,7 @@ class HannEnergy {
   int turns() const { return turns_; }
   double operator[](int k) const { return k < first_ || k > last_ ? 0 : share_[index(k)]; }
 
-  /// Energy of the lines within `bins` bins of an order.
-  double near(double order, int bins) const;
+  double near(double order, int bins) const;  ///< Energy of the lines within `bins` bins of an order.
 
  private:
   std::size_t index(int k) const { return static_cast<std::size_t>(std::ptrdiff_t{k} + last_); }

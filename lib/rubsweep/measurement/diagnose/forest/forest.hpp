@@ -73,8 +73,7 @@ class LinearDiscriminants {
  public:
   explicit LinearDiscriminants(const LabelledSamples& samples);
 
-  /// The features, one row per observation, followed by the values of the discriminant functions, one column
-  /// per label.
+  /// The features, one row per observation, and then the discriminant functions, one column per label.
   Eigen::MatrixXd beside(const Eigen::MatrixXd& features) const;
 
  private:
@@ -103,8 +102,7 @@ class Forest {
   /// eq. 4).
   Eigen::VectorXd posterior_weights(const Eigen::VectorXd& features) const;
 
-  /// Weights for one of the forest's own samples, from trees that did not draw it; empty where every tree
-  /// drew it.
+  /// Weights for one of the forest's own samples, from trees that did not draw it; empty if all drew it.
   Eigen::VectorXd out_of_bag_weights(int sample) const;
 
   /// Label probabilities of every sample from the trees that did not draw it: one row per sample.

@@ -27,8 +27,7 @@ class Marginal {
   double probability_below(double value) const;  ///< probability of less than `value`
   double probability_up_to(double value) const;  ///< probability of `value` or less
 
-  /// Value at which the cumulative probability reaches `share`, from 0 to 1.
-  double quantile(double share) const;
+  double quantile(double share) const;  ///< Value at which the cumulative probability is `share`, 0 to 1.
 
   /// The distribution narrowed about the median for `beta` > 1, and widened for `beta` < 1. The new
   /// cumulative probability is that of a symmetric beta distribution with parameter `beta`, at the old

@@ -16,8 +16,7 @@ namespace {
 /// Smallest kernel width in the unit cube: draws from a narrower kernel would almost repeat its case.
 constexpr double least_deviation = 0.02;
 
-/// Share of the prior's density that a kernel may leave out.
-constexpr double negligible = 1e-6;
+constexpr double negligible = 1e-6;  ///< Share of the prior's density that a kernel may leave out.
 
 /// Reflects a number at 0 and 1 until it lies in [0, 1].
 double folded(double x) {
@@ -29,8 +28,7 @@ double gaussian(double x, double deviation) {
   return std::exp(-x * x / (2 * deviation * deviation)) / (deviation * std::sqrt(2 * std::numbers::pi));
 }
 
-/// Density of the folded kernel. Both ends reflect it like mirrors, and only the nearest mirror images
-/// matter.
+/// Density of the folded kernel. Both ends reflect it like mirrors; only the nearest images matter.
 double folded_density(double x, double centre, double deviation) {
   double sum = 0;
   for (const double image : {centre, -centre, 2 - centre, centre - 2, centre + 2})

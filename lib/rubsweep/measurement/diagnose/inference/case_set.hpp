@@ -23,8 +23,7 @@ class Proposal {
 
   Point draw(RandomStream& random) const;
 
-  /// Density relative to the prior, whose density is 1 everywhere.
-  double density(const Point& unit) const;
+  double density(const Point& unit) const;  ///< Density relative to the prior, whose density is 1 everywhere.
 
  private:
   std::vector<std::size_t> unknown_;  ///< indices of the numbers that are not known

@@ -35,8 +35,7 @@ struct Diagnosis {
   std::vector<std::vector<QuantityMarginal>> marginals{};  ///< marginals_of for every candidate
   std::vector<Eigen::VectorXd> history{};  ///< probabilities of the candidates after each round
   double p_value = 1;                      ///< result of p_value_of
-  /// whether the last round changed no probability by least_change or more
-  bool stands_still = false;
+  bool stands_still = false;  ///< whether the last round changed no probability by least_change or more
   Eigen::VectorXd standard_error{};  ///< sampling_errors; empty if the probabilities no longer change
 };
 

@@ -5,8 +5,7 @@
 
 namespace rubsweep::diagnose::inference {
 
-/// Prior probability of "none of these".
-inline constexpr double prior_of_none = 1.0 / 6;
+inline constexpr double prior_of_none = 1.0 / 6;  ///< Prior probability of "none of these".
 
 /// Random vibration of a cause that is none of the candidates: unbalance plus one to four components of any
 /// order. Each component is elliptic, nearly circular, or along one line with harmonics; it may have

@@ -16,8 +16,7 @@
 namespace rubsweep::diagnose::inference {
 namespace {
 
-/// Smallest width of a size interval, in decades. The simulated sizes are discrete, and some must lie in the
-/// interval.
+/// Smallest width of a size interval, in decades. Simulated sizes are discrete, and some must lie inside.
 constexpr double least_decades = 0.08;
 
 bool inside(const Spread& spread, double value) { return value >= spread.low && value <= spread.high; }
@@ -37,8 +36,7 @@ double share_of_whirl_ratios(const Spread& ratios, const Spread& clearances, dou
   return low < high ? decades({low, high}) / decades(ratios) : 0;
 }
 
-/// Smallest probability of a candidate: with this number of cases a forest cannot tell smaller values from
-/// zero.
+/// Smallest probability of a candidate: a forest of so many cases cannot tell smaller values from zero.
 constexpr double least_probability = 1e-3;
 
 /// Raises probabilities to a power and normalises them.
@@ -73,8 +71,7 @@ double best_sharpness(const Eigen::MatrixXd& out_of_bag, const std::vector<int>&
   return (low + high) / 2;
 }
 
-/// Mean position of a vibration of another cause, in units of its 1X amplitude; a load may have displaced the
-/// shaft.
+/// Mean position of a vibration of another cause, in units of its 1X amplitude; a load may move the shaft.
 std::complex<double> mean_of_another_cause(std::uint64_t seed, std::uint64_t index) {
   RandomStream random(seed, index, DrawPurpose::of_mean);
   const double distance = std::pow(10, -3 * random.uniform());
@@ -99,8 +96,7 @@ Eigen::MatrixXd features_of_other_causes(const DiagnosisProblem& problem, std::s
   return features;
 }
 
-/// Training samples: each case has the label of its candidate; vibrations of other causes form the last
-/// class.
+/// Training samples: each case has the label of its candidate; vibrations of other causes are the last class.
 forest::LabelledSamples samples_of(const DiagnosisProblem& problem, const CaseSet& set,
                                    const ObservedCases& observed) {
   const Eigen::Index cases = observed.features.rows(), others = observed.of_other_causes.rows();

@@ -20,8 +20,7 @@ double density_of_size(const DiagnosisProblem& problem, const SimulatedCase& one
 /// Probabilities after a recording was compared with the cases.
 struct Posterior {
   Eigen::VectorXd probability{};  ///< probability of every candidate, provided that one of them is the cause
-  /// weight of every case; the weights of a candidate add up to its probability
-  Eigen::VectorXd weight{};
+  Eigen::VectorXd weight{};  ///< weight of every case; the weights of a candidate add up to its probability
   Eigen::VectorXd importance{};    ///< weight of every case, proportional to importance_weights
   Eigen::VectorXd size_density{};  ///< density_of_size of every case
   std::shared_ptr<const forest::Forest> forest{};  ///< forest that gave the weights

@@ -27,15 +27,13 @@ inline constexpr std::array all_quantities{
     Quantity::peak_force,  Quantity::eccentricity, Quantity::whirl_ratio, Quantity::stiffness,
     Quantity::restitution, Quantity::friction};
 
-/// Name with its unit, such as clearance_m or stop_angle_deg.
-std::string_view to_string(Quantity quantity);
+std::string_view to_string(Quantity quantity);  ///< Name with unit, such as clearance_m or stop_angle_deg.
 
 /// Whether a candidate has this quantity. Without a rub there are no quantities; a round stop about the rest
 /// position has no direction; a Jeffcott rotor has no positions along the shaft.
 bool has_quantity(const DiagnosisProblem& problem, std::size_t candidate, Quantity quantity);
 
-/// Equivalent angle in [-180, 180].
-double wrapped_deg(double angle_deg);
+double wrapped_deg(double angle_deg);  ///< Equivalent angle in [-180, 180].
 
 /// Value of the quantity in every case, after the case was scaled and rotated to the recording. With two
 /// probes, or on an anisotropic machine, stop angles are measured from +x, in [-180, 180]. Otherwise they are

@@ -43,8 +43,7 @@ struct SimulatedCase {
   std::size_t candidate = 0;
   Point unit{};  ///< place of its unknowns in the unit cube
   LastingMotion motion{};
-  /// whether the case was drawn near cases that resemble a recording, not from the priors
-  bool proposed = false;
+  bool proposed = false;  ///< whether it was drawn near cases that resemble a recording, not from priors
 };
 
 /// Clearance at which cases are simulated: geometric mean of the candidate's bounds, m.

@@ -24,8 +24,7 @@ class MachineModes {
   /// Whether they were made for the same structure, stops and constant forces.
   bool fits(const scene::Scene& scene) const;
 
-  /// Approximate memory of the flows of all modes made so far.
-  std::size_t bytes() const;
+  std::size_t bytes() const;  ///< Approximate memory of the flows of all modes made so far.
 
   /// Linear mode of a joint contact mode, numbered as by `in_joint_mode`. Null where the mode has no
   /// equilibrium, as in a structure without springs, or when the maximum number of modes with a backward slip
