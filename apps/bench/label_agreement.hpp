@@ -44,8 +44,8 @@ LabelAgreement label_agreement(std::span<const LabelledCell> cells,
                                const integrate::run::SolverOptions& solver,
                                const response::motion::ResponseOptions& response, double seconds);
 
-/// `wanted` indices spread evenly over 0 ... count - 1, including the first and the last; all indices if
-/// there are not more; the middle one if a single one is wanted.
+/// `wanted` indices from 0 to count - 1, evenly spaced and including both ends. A single index is the middle
+/// one. If `count` is not larger than `wanted`, all indices.
 std::vector<std::size_t> spread(std::size_t count, std::size_t wanted);
 
 }  // namespace rubsweep::bench

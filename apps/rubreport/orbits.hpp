@@ -90,7 +90,7 @@ struct Wall {
 
 /// Walls in all cells. They change with the values of keys, but not with speed and unbalance.
 struct Walls {
-  std::vector<std::vector<Wall>> lists;  ///< different lists of walls, each once
+  std::vector<std::vector<Wall>> lists;  ///< all lists of walls that occur, each once
   /// Index in `lists` for each combination of values of the axes over keys, in the order of the cells.
   /// Without such axes it has a single element, 0.
   std::vector<std::size_t> list_of_keys;

@@ -48,7 +48,7 @@ int report_map(std::string_view program, const RubsweepArguments& arguments,
   const TerminalView view =
       shown ? terminal_view(directory.map(), study.grid, arguments.report) : TerminalView{};
   if (!arguments.quiet) {
-    std::fputs(view.map.c_str(), stdout);  // not by print, as the map contains colour codes
+    std::fputs(view.map.c_str(), stdout);  // print would replace the colour codes of the map
     print("{}map: {}\n", summary.text(), directory.map().string());
   }
   if (!arguments.quiet) map::warn(program, summary);

@@ -322,7 +322,7 @@ TEST(AssemblyReducedLoads, RadialAloneIsEquation1) {
   expected.mass << a, -mu * eta * 100 * n, 0, a + 100 * n * n;
   expected.damping << 0, -2 * a * n * 30, 2 * a * n * 30, 0;
   expected.stiffness << own, -mu * eta * k * n, 0, own + k * n * n;
-  // As printed, but with N_U and R exchanged; see the errata.
+  // The forces are those of the paper, but with N_U and R exchanged; see the errata.
   expected.force << mu * eta * 100 * 900, -100 * 900 * n;
   expect_equal(e, expected, 1e-13);
 }

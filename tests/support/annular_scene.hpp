@@ -40,7 +40,8 @@ struct FullRub {
   scene::Scene scene() const {
     const double unbalance = std::abs(needed()) / (speed * speed);
     auto scene = annular_scene(1, zeta, speed, unbalance, 0, k_c, mu);
-    const std::complex<double> z = radius * std::polar(1.0, -std::arg(needed()));  // lags the unbalance
+    // the rotor lags the unbalance
+    const std::complex<double> z = radius * std::polar(1.0, -std::arg(needed()));
     start_at(scene, z, std::complex<double>(0, speed) * z);
     return scene;
   }

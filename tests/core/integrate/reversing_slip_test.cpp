@@ -12,7 +12,8 @@
 namespace rubsweep::integrate {
 namespace {
 
-/// A thin shaft with a surface speed of 0.24 m/s: in contact the rotor temporarily moves backwards faster.
+/// A thin shaft, whose surface moves at 0.24 m/s. In contact the rotor at times moves backwards at a higher
+/// speed, so that the slip reverses.
 test::OneSideRotor thin_shaft(double steepness_s_per_m, double radius_m = 5e-4) {
   test::OneSideRotor rotor;
   rotor.contact_radius_m = radius_m;

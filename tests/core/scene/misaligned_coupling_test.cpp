@@ -179,7 +179,7 @@ class TurningStiffness {
     const Complex apart = rotor_.misalignment_m * turned(rotor_.misalignment_deg);
     const double own = k + rotor_.behind_n_per_m + 1 / (4 * flexibility);
     const Complex side = z / (2 * flexibility) - k * apart - axis * std::conj(apart);
-    // Solves own e + axis conj(e) = side.
+    // The equation own e + axis conj(e) = side is solved for the shaft end e.
     const Complex end = (own * side - axis * std::conj(side)) / (own * own - std::norm(axis));
     const double damping = 2 * rotor_.damping_ratio * rotor_.natural_rad_per_s();
     return -(z - end / 2.0) / flexibility / rotor_.mass_kg - damping * v;

@@ -193,7 +193,7 @@ struct Inside {
   }
 };
 
-/// A line at an order without a period, recorded with marks that have readings on their edges.
+/// A recording with a line at an order that belongs to no period. Its marks have readings on their edges.
 Unsteady line_between(unsigned seed) {
   std::mt19937_64 random(9000 + seed);
   std::uniform_real_distribution<double> uniform(0, 1);

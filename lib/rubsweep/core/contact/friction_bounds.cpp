@@ -17,7 +17,7 @@ namespace {
 
 constexpr double points_per_decade = 32;
 constexpr double linear_below = 1e-4, saturated_above = 40;  // arguments of tanh
-constexpr double rounding = 1e-13;                           // share of the sum of all heights
+constexpr double rounding = 1e-13;                           // as a share of all tanh heights together
 constexpr int minimum_bits = 40;
 
 /// Range of slip speeds outside which every tanh term is linear or saturated.

@@ -31,8 +31,8 @@ struct ShaftLayer {
   double youngs_modulus_pa = required;
   double shear_modulus_pa = required;
   double density_kg_per_m3 = required;
-  /// Damping matrices of each element, in the fixed frame: its mass times mass_damping_per_s (against motion
-  /// in space) plus its stiffness times stiffness_damping_s (against bending).
+  /// Damping of each element in the fixed frame. Its matrix is the mass times mass_damping_per_s (against
+  /// motion in space) plus the stiffness times stiffness_damping_s (against bending).
   double mass_damping_per_s = 0;
   double stiffness_damping_s = 0;
   ShearCoefficient shear_coefficient = ShearCoefficient::cowper;

@@ -42,7 +42,7 @@ template <std::size_t bytes>
 [[gnu::always_inline]] inline void all_rows(std::ptrdiff_t rows, std::ptrdiff_t columns, const double* matrix,
                                             std::ptrdiff_t stride, const double* vector, double* product) {
   constexpr auto width = static_cast<std::ptrdiff_t>(bytes / sizeof(double));
-  constexpr std::ptrdiff_t most = 6;  // lanes at a time: sums, entries and a factor fit into 16 registers
+  constexpr std::ptrdiff_t most = 6;  // lanes in a pass: sums, entries and a factor fit into 16 registers
   std::ptrdiff_t lanes = (rows + width - 1) / width;
   for (std::ptrdiff_t passes = (lanes + most - 1) / most, first = 0; passes > 0; --passes) {
     const std::ptrdiff_t now = (lanes + passes - 1) / passes;

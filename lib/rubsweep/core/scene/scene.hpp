@@ -25,8 +25,8 @@ struct Contact {
   double damping_ns_per_m = 0;
   model::Friction friction;
   double surface_speed_m_per_s = 0;  ///< R omega
-  /// Law used in place of stiffness (then its secant) and damping (then 0); null: the clamped ElastoGap law
-  /// with these two.
+  /// Law that replaces stiffness and damping; null: the clamped ElastoGap law. With a law, the stiffness is
+  /// its secant and the damping 0.
   std::shared_ptr<const contact::CurvedLaw> law{};
 };
 

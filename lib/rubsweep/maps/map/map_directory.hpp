@@ -43,7 +43,7 @@ class MapDirectory {
   /// Index, from 0, of the shard to which a cell belongs if the map is divided into `count` shards.
   std::size_t share_in(std::size_t cell, std::size_t count) const;
 
-  /// Number of shards in the finest division of which a shard was begun here; 0 where none was.
+  /// Largest number of shards of a division of which a shard was begun here; 0 if none was.
   std::size_t shards_begun() const;
 
   /// Whether another process is at work on a share with one of these cells. Throws IoError.

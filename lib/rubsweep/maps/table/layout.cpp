@@ -113,7 +113,7 @@ void find_names(Layout& layout, const std::vector<Line>& above) {
           (is_unit_row(cells) || is_unit_row_with_numbers(cells, layout.separator))) {
         if (units.empty()) units = cells;
       } else if (is_keyed_unit_row(cells, layout)) {
-        continue;  // its units are taken below
+        continue;  // the units of this row are taken below
       } else if (are_names(cells, layout, all_differ) || (!units.empty() && count_columns(cells, layout))) {
         names = &*line;
       } else if (!all_differ) {

@@ -95,8 +95,8 @@ MachineDraw draw_machine(const DataStudy& study, std::size_t machine) {
                                                                        : "test";
   for (int probe = 0; probe < study.measurement.probes; ++probe)
     drawn.gain.push_back(1 + study.measurement.gain_error * random.normal());
-  // Drawn last from the stream, so that sets of linear springs keep the numbers that they had before
-  // exponents existed.
+  // The exponent is drawn last, so that sets of linear springs keep the numbers of versions without
+  // exponents.
   drawn.unit[static_cast<std::size_t>(Unknown::exponent)] = random.uniform();
   return drawn;
 }

@@ -44,7 +44,8 @@ std::array<double, holding_order> holding(const Sticking& rotor, const State& st
   return force;
 }
 
-/// The same coefficients for a small change of that motion, by the simplest expansion.
+/// Change of the coefficients of `holding` by a small change of the motion, from an expansion of the simplest
+/// kind.
 std::array<double, holding_order> change_of_holding(const Sticking& rotor, const State& state,
                                                     const State& change) {
   Expansion<2> motion(rotor.system, {.order = holding_order + 1});

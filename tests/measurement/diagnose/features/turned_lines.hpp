@@ -21,7 +21,7 @@ inline MotionLines crooked_motion() {
   return lines;
 }
 
-/// The same motion rotated, scaled, and recorded from another mark.
+/// Lines of the motion of `lines`, rotated, scaled, and recorded from another mark.
 inline MotionLines seen_otherwise(const MotionLines& lines, double scale, double turn_rad, double mark_rad) {
   MotionLines seen = lines;
   for (int k = -lines.last(); k <= lines.last(); ++k)

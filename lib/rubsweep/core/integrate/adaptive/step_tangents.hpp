@@ -159,7 +159,7 @@ class StepTangents final : public RightHandSide {
       to.row(row).setZero();
     }
   }
-  /// No implicit method takes them.
+  /// Unused: no implicit method moves tangent vectors.
   void jacobian(const State&, double*, double, State&) override {}
   double friction_ratio(const State&) override { return 0; }
 

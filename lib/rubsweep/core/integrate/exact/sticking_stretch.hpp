@@ -58,7 +58,7 @@ class StickingStretch {
   struct Watched {
     bool length = false;
     std::array<StickingView, 2> views;  ///< the force; or x and y of the vector
-    double scale = 1;                   ///< factor to the unit of the report
+    double scale = 1;                   ///< factor that converts to the unit of the report
     double run::TurnReport::*peak = nullptr;
   };
   /// A mode, and the normals of the annular stops for which it was made, in the order of the contacts.

@@ -12,8 +12,8 @@
 namespace rubsweep::response::proof {
 namespace {
 
-/// Width of differences: their own error (its square) and the error from a solver at 1e-11 are then both near
-/// 1e-6.
+/// Step of difference quotients. Their truncation error and the error from a solver at 1e-11 are then both
+/// near 1e-6.
 constexpr double difference_step = 1e-5;
 
 }  // namespace

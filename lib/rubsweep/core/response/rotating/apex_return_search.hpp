@@ -22,10 +22,10 @@ class ApexReturnSearch {
   int maxima_in_turn() const { return in_turn_; }
 
   struct Return {
-    int maxima = 0;                   ///< number of maxima after which the last one returned
-    std::vector<double> periods_rad;  ///< ascending; last: time of the return, before it: fractions of it
-                                      ///< after which the transient is within `farthest_orbit` (linear
-                                      ///< interpolation)
+    int maxima = 0;  ///< number of maxima after which the last one returned
+    /// possible periods, ascending: the time of the return is the last; before it, fractions of this time
+    /// after which the transient is within `farthest_orbit` (linear interpolation)
+    std::vector<double> periods_rad;
   };
 
   std::optional<Return> candidate() const;  ///< Return in the last turn that is worth a proof; usually empty.

@@ -21,7 +21,7 @@ class MachineModes {
  public:
   explicit MachineModes(const scene::Scene& scene);
 
-  /// Whether they were made for the same structure, stops and constant forces.
+  /// Whether the modes were made for the structure, stops and constant forces of `scene`.
   bool fits(const scene::Scene& scene) const;
 
   std::size_t bytes() const;  ///< Approximate memory of the flows of all modes made so far.
