@@ -131,8 +131,8 @@ declare -A below=(
   # Cells along a line: each from its kick, or from the motion of its neighbour; section and spectrum of the settled
   # motion.
   [line]='sweep trace'
-  # Run-up and run-down through rub by the adaptive solver; envelope, orbits, spectrogram of orders.
-  [ramp]='integrate response/spectrum'
+  # Run-up and run-down through rub by the adaptive solver.
+  [ramp]='integrate'
   # Loads rubbing on an elastic ring: matrices, eigenvalues, onsets, closed forms, stability charts.
   [ring]='config numerics'
   # Documents, values, sections and the printer, the only folder that knows yaml-cpp; the readers of JSON and TOML.
@@ -145,8 +145,6 @@ declare -A below=(
   [config/study]='config/machine sweep'
   # Reads and prints whole configurations, every problem with its place.
   [config]='config/study'
-  # The configurations of `configs/init`, which `--init` prints.
-  [config/templates]='.'
   # Texts and tables of maps: map.csv, comparisons, basins, explanations and summaries on the terminal.
   [report]='sweep'
   # Results of a sweep on the disk: directories taken up again, shares, chunks in rounds, merging, refined and

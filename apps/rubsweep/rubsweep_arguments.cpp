@@ -10,9 +10,9 @@
 #include "keys/key_questions.hpp"
 #include "map_options.hpp"
 #include "rubsweep/maps/config/run_config.hpp"
-#include "rubsweep/maps/config/templates/templates.hpp"
 #include "rubsweep/maps/config/yaml/value.hpp"
 #include "rubsweep/maps/report/map_csv.hpp"
+#include "rubsweep/templates.hpp"
 #include "shared/command_line.hpp"
 #include "shared/program.hpp"
 #include "shared/table_columns.hpp"
@@ -72,7 +72,6 @@ map::Share shard_of(const std::string& text) {
 }
 
 std::string begun_configuration(const std::string& kind) {
-  namespace templates = config::templates;
   if (auto text = templates::template_text(kind)) return *std::move(text);
   const std::vector<std::string_view> names = templates::template_names();
   throw UsageError(fmt::format("--init: {}, allowed: {}", config::yaml::describe_unknown(kind, names),

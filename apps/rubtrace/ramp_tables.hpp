@@ -4,8 +4,8 @@
 #include <string>
 
 #include "rubsweep/analysis/line/follow_line.hpp"
-#include "rubsweep/analysis/ramp/ramp_record.hpp"
 #include "rubsweep/core/model/length_text.hpp"
+#include "rubtrace/ramp_record.hpp"
 
 namespace rubsweep::apps {
 

@@ -13,9 +13,9 @@
 #include "core/scene/table_machine.hpp"
 #include "rubsweep/analysis/linear/experiment.hpp"
 #include "rubsweep/analysis/linear/linear_run.hpp"
-#include "rubsweep/analysis/ramp/ramp_record.hpp"
 #include "rubsweep/core/contact/force_law.hpp"
 #include "rubsweep/core/error.hpp"
+#include "rubtrace/ramp_record.hpp"
 
 namespace rubsweep::ramp {
 namespace {

@@ -1,4 +1,4 @@
-#include "rubsweep/maps/config/templates/templates.hpp"
+#include "rubsweep/templates.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "rubsweep/maps/config/run_config.hpp"
 
-namespace rubsweep::config::templates {
+namespace rubsweep::apps::templates {
 namespace {
 
 TEST(Templates, AreReadWithoutAProblemOrAQuestion) {
@@ -16,7 +16,7 @@ TEST(Templates, AreReadWithoutAProblemOrAQuestion) {
     ASSERT_TRUE(text) << name;
     // One of the templates reads a file of ROSS beside it.
     const auto file = std::filesystem::path(TEMPLATE_FOLDER) / "my.yaml";
-    const RunConfig config = read_run_config_text(*text, file.string(), {});
+    const config::RunConfig config = config::read_run_config_text(*text, file.string(), {});
     EXPECT_TRUE(config.questions.empty()) << name << ": " << config.questions.front();
     EXPECT_EQ(config.output_directory, "results/" + std::string(name));
     EXPECT_FALSE(config.captions.title.empty()) << name;
@@ -36,4 +36,4 @@ TEST(Templates, AreOfKnownKinds) {
 }
 
 }  // namespace
-}  // namespace rubsweep::config::templates
+}  // namespace rubsweep::apps::templates

@@ -1,4 +1,4 @@
-#include "rubsweep/analysis/ramp/ramp_record.hpp"
+#include "rubtrace/ramp_record.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rubsweep::config::templates {
+namespace rubsweep::apps::templates {
 
 /// A file that the build put into the program, and its name without an ending.
 struct Text {
@@ -27,4 +27,4 @@ std::vector<std::string_view> template_names();
 /// not list.
 std::optional<std::string> template_text(std::string_view name);
 
-}  // namespace rubsweep::config::templates
+}  // namespace rubsweep::apps::templates

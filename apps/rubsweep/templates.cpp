@@ -1,8 +1,8 @@
-#include "rubsweep/maps/config/templates/templates.hpp"
+#include "rubsweep/templates.hpp"
 
 #include <algorithm>
 
-namespace rubsweep::config::templates {
+namespace rubsweep::apps::templates {
 namespace {
 
 /// First line of a template as written; it replaces the line with the schema's path in the repository.
@@ -24,4 +24,4 @@ std::optional<std::string> template_text(std::string_view name) {
   return std::string(head).append(found->yaml.substr(found->yaml.find('\n') + 1));
 }
 
-}  // namespace rubsweep::config::templates
+}  // namespace rubsweep::apps::templates
