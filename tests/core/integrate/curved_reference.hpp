@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -30,6 +31,10 @@ inline Real spring(const model::Stop& stop, Real p) {
       return (1 - Real(body.poisson_ratio) * body.poisson_ratio) / body.youngs_modulus_pa;
     };
     const Real both = soft(h.rotor) + soft(h.casing), pi = std::numbers::pi_v<Real>, L = h.length_m;
+    // Beyond the force under which the contact is as wide as long, the law is the tangent there.
+    const Real widest_n = pi * L * L * L / (16 * both * h.rotor.radius_m), log_16 = 4 * std::log(2.0L);
+    const Real widest_m = widest_n * both / (pi * L) * (log_16 + 1);
+    if (p >= widest_m) return widest_n + (p - widest_m) * pi * L / (both * log_16);
     Real force = p / both;
     for (int k = 0; k < 40; ++k) {
       const Real b = std::sqrt(4 * force * both * h.rotor.radius_m / (pi * L));
@@ -67,26 +72,55 @@ struct Reference {
   std::vector<Real> speed{};  ///< speed of the present approach
   Numbers state{};
   Real longest = 1;
+  /// Direction of the slip of the only contact with dry friction: 1, -1, or 0 while it sticks.
+  int way = 1;
+
+  bool dry(std::size_t i) const {
+    return std::holds_alternative<model::ConstantFriction>(scene.contacts[i].friction);
+  }
 
   struct Seen {
-    Real p, v, s, nx, ny;
+    Real p, v, s, nx, ny, turning;  ///< turning: of the normal, over the sliding speed
   };
   Seen seen(std::size_t i, const Numbers& z) const {
     const scene::Contact& c = scene.contacts[i];
     const Real moves = c.casing_point ? 1 : 0;
     const Real dx = z[0] - moves * z[2], dy = z[1] - moves * z[3], vx = z[4] - moves * z[6],
                vy = z[5] - moves * z[7];
-    Real nx = 0, ny = 0;
+    Real nx = 0, ny = 0, turning = 0;
     if (const auto* flat = std::get_if<contact::FlatWall>(&c.wall)) {
       nx = flat->normal.x(), ny = flat->normal.y();
     } else {
       const Real r = std::hypot(dx, dy);
-      nx = r > 0 ? dx / r : 1, ny = r > 0 ? dy / r : 0;
+      nx = r > 0 ? dx / r : 1, ny = r > 0 ? dy / r : 0, turning = r > 0 ? 1 / r : 0;
     }
-    return {dx * nx + dy * ny - c.clearance_m, vx * nx + vy * ny, vy * nx - vx * ny, nx, ny};
+    return {dx * nx + dy * ny - c.clearance_m, vx * nx + vy * ny, vy * nx - vx * ny, nx, ny, turning};
+  }
+
+  Real slip(std::size_t i, const Numbers& z) const {
+    return seen(i, z).s + scene.contacts[i].surface_speed_m_per_s;
+  }
+  Real slip_rate(std::size_t i, const Numbers& z, Real t, Real share) const {
+    const Numbers by = rate_with(z, t, share);
+    const Seen m = seen(i, z);
+    const Real moves = scene.contacts[i].casing_point ? 1 : 0;
+    return (by[5] - moves * by[7]) * m.nx - (by[4] - moves * by[6]) * m.ny - m.v * m.s * m.turning;
+  }
+  /// Share of the bound with which dry friction holds contact `i`.
+  Real holding_share(std::size_t i, const Numbers& z, Real t) const {
+    const Real forward = slip_rate(i, z, t, 1), backward = slip_rate(i, z, t, -1);
+    return (backward + forward) / (backward - forward);
   }
 
   Numbers rate(const Numbers& z, Real t) const {
+    Real share = way;
+    if (way == 0)
+      for (std::size_t i = 0; i < stops.size(); ++i)
+        if (dry(i)) share = holding_share(i, z, t);
+    return rate_with(z, t, share);
+  }
+
+  Numbers rate_with(const Numbers& z, Real t, Real share) const {
     const Real w = scene.speed_rad_per_s;
     std::array<Real, 4> force{};
     for (int i = 0; i < 4; ++i)
@@ -101,7 +135,7 @@ struct Reference {
       Real mu = 0;
       const Real slip = m.s + scene.contacts[i].surface_speed_m_per_s;
       if (const auto* dry = std::get_if<model::ConstantFriction>(&scene.contacts[i].friction))
-        mu = dry->coefficient * (slip > 0 ? 1 : -1);
+        mu = dry->coefficient * share;
       if (const auto* curve = std::get_if<model::StribeckFriction>(&scene.contacts[i].friction))
         mu = curve->gamma[3] * std::tanh(curve->gamma[4] * slip);
       const Real fx = normal * m.nx - mu * elastic * m.ny, fy = normal * m.ny + mu * elastic * m.nx;
@@ -129,7 +163,22 @@ struct Reference {
     return z;
   }
 
-  /// One step, shortened to the first instant at which a contact begins, ends or no longer presses.
+  /// Direction of slip of contact `i` after an instant at which it began to touch, stopped or let go.
+  void settle_way(std::size_t i, const Numbers& z, Real t, bool began) {
+    const Real slips = slip(i, z);
+    if (began) {
+      way = slips > 0 ? 1 : -1;
+    } else if (way == 0) {
+      const Real share = holding_share(i, z, t);
+      if (std::abs(share) > 1) way = share > 0 ? 1 : -1;
+    } else if (slips * Real(way) <= 0) {
+      way = slip_rate(i, z, t, 1) > 0 ? 1 : slip_rate(i, z, t, -1) < 0 ? -1 : 0;
+    }
+  }
+
+  /// One step, shortened to the first instant at which a contact begins, ends, no longer presses, turns
+  /// back, stops slipping or lets go. Without the turns a touch and the flight after it, or a short flight
+  /// between two touches, could lie within a step.
   Real advance(Real t, Real most) {
     const Real w = scene.speed_rad_per_s;
     Real h = most;
@@ -142,26 +191,33 @@ struct Reference {
     }
     h = std::min(h, longest / w);
     Numbers next = step(t, h);
-    const auto region = [&](std::size_t i, const Numbers& z) {
+    // Rising or falling; open, pressing or no longer pressing; and whether dry friction goes on as it does.
+    const auto region = [&](std::size_t i, const Numbers& z, Real at) {
       const Seen m = seen(i, z);
-      return m.p <= 0 ? 0 : 1 + x[i] * m.v / speed[i] > 0 ? 1 : 2;
+      const bool goes_on = m.p <= 0 || !dry(i) ||
+                           (way == 0 ? std::abs(holding_share(i, z, at)) <= 1 : slip(i, z) * Real(way) > 0);
+      return std::tuple(m.v > 0, m.p <= 0 ? 0 : 1 + x[i] * m.v / speed[i] > 0 ? 1 : 2, goes_on);
     };
-    const auto changed = [&](const Numbers& z) {
+    const auto changed_at = [&](const Numbers& z, Real at) {
       for (std::size_t i = 0; i < stops.size(); ++i)
-        if (region(i, z) != region(i, state)) return true;
+        if (region(i, z, at) != region(i, state, t)) return true;
       return false;
     };
-    if (changed(next)) {
+    const auto changed = [&](Real after) { return changed_at(step(t, after), t + after); };
+    if (changed_at(next, t + h)) {
       Real low = 0, high = h;
       for (int k = 0; k < 70; ++k) {
         const Real middle = (low + high) / 2;
-        (changed(step(t, middle)) ? high : low) = middle;
+        (changed(middle) ? high : low) = middle;
       }
       h = high;
       next = step(t, h);
-      for (std::size_t i = 0; i < stops.size(); ++i)
-        if (seen(i, state).p <= 0 && seen(i, next).p > 0 && !stops[i].law.approach_speed_m_per_s)
-          speed[i] = std::max(seen(i, next).v, Real(1e-3) * scene.contacts[i].clearance_m * w);
+    }
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      const bool began = seen(i, state).p <= 0 && seen(i, next).p > 0;
+      if (began && !stops[i].law.approach_speed_m_per_s)
+        speed[i] = std::max(seen(i, next).v, Real(1e-3) * scene.contacts[i].clearance_m * w);
+      if (dry(i) && seen(i, next).p > 0) settle_way(i, next, t + h, began);
     }
     state = next;
     return t + h;

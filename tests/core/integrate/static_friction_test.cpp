@@ -218,6 +218,24 @@ TEST(StaticFriction, BetweenRabinowiczTwoCoefficientsARestingBlockStaysAndAMovin
   EXPECT_NEAR(run_of(steep.scene(0, 0), {}, 6).states.back().first, 2 * (0.61 - 0.25) * 4.5, 1e-12);
 }
 
+/// Each swing goes about the place where sliding friction balances spring and slope. The first rest within
+/// the static bound is the last.
+TEST(StaticFriction, AnOscillatorOnARampSwingsAboutTwoPlacesUntilStaticFrictionHoldsIt) {
+  for (const double slope : {0.0, 0.3, -0.45}) {
+    for (const double from : {4.7, -3.3}) {
+      const Belt ramp{.surface = 0, .revolution = 0.5, .along = 2 * slope};
+      double rest = from;
+      int swings = 0;
+      for (; std::abs(rest - ramp.along) > 0.6 * ramp.normal; ++swings)
+        rest = 2 * (ramp.along + std::copysign(0.25 * ramp.normal, rest - ramp.along)) - rest;
+      ASSERT_GT(swings, 1);
+      for (const run::SolverOptions& options : {run::SolverOptions{}, adaptive(run::Stepper::rkf78, 1e-12)})
+        EXPECT_NEAR(run_of(ramp.scene(from, 0), options, 60).states.back().first, rest, 1e-10)
+            << slope << ' ' << from;
+    }
+  }
+}
+
 TEST(StaticFriction, EqualCoefficientsAreDryFriction) {
   for (const model::Friction& equal :
        {model::Friction(StaticFriction{0.25, 0.25}), model::Friction(FallingFriction{0.25, 0.25, 0.1, 2})}) {

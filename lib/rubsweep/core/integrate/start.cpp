@@ -6,6 +6,7 @@
 
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/adaptive/start_adaptive.hpp"
+#include "rubsweep/core/integrate/flight_run.hpp"
 #include "rubsweep/core/integrate/hybrid_run.hpp"
 #include "rubsweep/core/integrate/run/state_scale.hpp"
 #include "rubsweep/core/numerics/flush_subnormals.hpp"
@@ -46,6 +47,7 @@ Solver solver_of(const scene::Scene& scene, const run::SolverOptions& options) {
 run::Run start(const scene::Scene& scene, const run::SolverOptions& options, exact::modes::ModeCache& modes) {
   const bool curved = std::ranges::any_of(scene.contacts, [](const auto& c) { return c.law != nullptr; });
   if (curved && !run::knows_curved_laws(options)) throw ConfigError(std::string(run::no_curved_laws));
+  if (may_fly(scene, options)) return start_flights(scene, options, modes);
   return solver_of(scene, options) == Solver::exact ? start_hybrid(scene, options, modes)
                                                     : start_restarting(scene, options);
 }

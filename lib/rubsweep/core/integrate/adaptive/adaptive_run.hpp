@@ -4,11 +4,13 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "rubsweep/core/integrate/adaptive/event_search.hpp"
 #include "rubsweep/core/integrate/adaptive/law_of_steps.hpp"
 #include "rubsweep/core/integrate/adaptive/step_observer.hpp"
+#include "rubsweep/core/integrate/adaptive/step_sizes.hpp"
 #include "rubsweep/core/integrate/adaptive/step_switches.hpp"
 #include "rubsweep/core/integrate/adaptive/step_tangents.hpp"
 #include "rubsweep/core/integrate/law/dynamics.hpp"
@@ -46,8 +48,6 @@ class AdaptiveRun {
     for (State* state : {&step_.start, &step_.start_rate, &step_.end, &step_.end_rate, &probe_, &probe_rate_})
       state->resize(initial.size());
     std::copy(initial.begin(), initial.end(), step_.start.begin());
-    remembered_sizes_.resize(std::size_t{1} << (2 * std::min<std::size_t>(system_.contacts.size(), 4)), 0.0);
-    size_ = 1e-3;
     begin();
   }
 
@@ -59,16 +59,56 @@ class AdaptiveRun {
   /// 2 pi. Tangent vectors are moved only if there are contacts whose law is not linear.
   run::Outcome advance(const run::TurnRequest& request, run::TurnReport& report,
                        double end_phase = numerics::full_turn) {
-    StepObserver observer(request, report);
-    book_.begin_turn(request);
-    book_.limit_steps(max_steps_);
-    const long evaluations = dynamics_.rhs_calls() + max_evaluations_;
-    step_.start_phase = 0;
-    // Pulses come first, because they count their time from the start of the turn.
-    clock_.begin_turn(book_.revolution, end_phase);
+    report.clear();
+    begin_turn(request, end_phase);
+    const run::Outcome outcome = go_on(request, report, false);
+    return outcome == run::Outcome::ok ? finish_turn(report) : outcome;
+  }
+
+  /// Begins a revolution that `go_on` and `finish_turn` complete.
+  void begin_turn(const run::TurnRequest& request, double end_phase = numerics::full_turn) {
+    begin_at(request, book_.revolution, 0, end_phase);
     dynamics_(step_.start, step_.start_rate, 0.0);
     if constexpr (has_step_tangents<Law>) tangents_.begin(request, tolerance_, step_.start);
-    while (!clock_.turn_is_over()) {
+  }
+
+  /// Goes to the start of a revolution with this section, without memory of earlier turns.
+  void restart(std::span<const double> section, long revolution) {
+    std::ranges::copy(section, step_.start.begin());
+    book_.revolution = revolution;
+    step_.start_phase = 0;
+    sizes_.restart();
+    std::ranges::fill(dynamics_.modes(), contact::Mode::open);
+    begin();
+  }
+
+  /// Continues a turn of a solver of flights at this phase, where contact `touches`, if any, begins to touch.
+  /// Continues `report`, too.
+  void join(const run::TurnRequest& request, long revolution, double phase, std::span<const double> state,
+            std::optional<std::size_t> touches, run::TurnReport& report) {
+    begin_at(request, revolution, phase, numerics::full_turn);
+    clock_.change_pulses();
+    std::ranges::copy(state, step_.start.begin());
+    std::ranges::fill(dynamics_.modes(), contact::Mode::open);
+    dynamics_.leave_unsettled(false);
+    sizes_.restart();
+    if constexpr (has_step_tangents<Law>) tangents_.begin(request, tolerance_, step_.start);
+    look_again(phase);
+    if (!touches) return;
+    const contact::Mode next = dynamics_.guards(*touches, start_kinematics_[*touches]).list[0].next;
+    StepObserver observer(request, report);
+    turn_around();
+    step_.end_phase = phase;
+    switch_modes(Crossing{.phase = phase, .contact = *touches, .next = next}, observer);
+    turn_around();
+  }
+
+  /// Makes steps until the end of the turn; or, with `to_flight`, until the last contact opens.
+  run::Outcome go_on(const run::TurnRequest& request, run::TurnReport& report, bool to_flight) {
+    StepObserver observer(request, report);
+    const long evaluations = dynamics_.rhs_calls() + max_evaluations_;
+    opened_ = false;
+    while (!clock_.turn_is_over() && !(to_flight && opened_)) {
       if (!book_.may_step() || dynamics_.rhs_calls() >= evaluations)
         return finish(report, run::Outcome::step_limit);
       if (dynamics_.unsettled()) return finish(report, run::Outcome::friction_unsettled);
@@ -76,14 +116,48 @@ class AdaptiveRun {
       const run::Outcome outcome = advance_one_step(observer);
       if (outcome != run::Outcome::ok) return finish(report, outcome);
     }
+    return finish(report, run::Outcome::ok);
+  }
+
+  /// Completes the report of a turn whose end `go_on` has reached.
+  run::Outcome finish_turn(run::TurnReport& report) {
     report.section.assign(step_.start.begin(), step_.start.end());
-    book_.end_turn(StepObserver::touching(step_.start, dynamics_), report);
+    book_.end_turn(touches(), report);
     if constexpr (has_step_tangents<Law>) tangents_.finish(report);
     return finish(report, run::Outcome::ok);
   }
 
+  run::Effort effort() const {
+    run::Effort effort = book_.effort;
+    effort.rhs_calls = dynamics_.rhs_calls();
+    if constexpr (has_step_tangents<Law>) effort.rhs_calls += tangents_.work();
+    effort.implicit_steps = method_->implicit_steps();
+    return effort;
+  }
+  bool at_end_of_turn() const { return clock_.turn_is_over(); }
+  double phase() const { return step_.start_phase; }
+  /// Present state as in TurnReport::section, modes, and tangent vectors if there are any.
+  const State& state() const { return step_.start; }
+  const std::vector<contact::Mode>& modes() const { return dynamics_.modes(); }
+  bool touches() const { return StepObserver::touching(step_.start, dynamics_); }
+  void put_tangents(Eigen::MatrixXd& vectors) {
+    vectors.resize(static_cast<Eigen::Index>(step_.start.size()), 0);
+    if constexpr (has_step_tangents<Law>)
+      if (tangents_.any()) vectors = tangents_.changes();
+  }
+
  private:
-  static constexpr double smallest_size = 1e-14;
+  static constexpr double smallest_size = 1e-14, shortest_retaken = 1e-9;
+
+  void begin_at(const run::TurnRequest& request, long revolution, double phase, double end_phase) {
+    book_.revolution = revolution;
+    book_.begin_turn(request);
+    book_.limit_steps(max_steps_);
+    step_.start_phase = phase;
+    // Pulses count their time from the start of the turn.
+    clock_.begin_turn(revolution, end_phase);
+    clock_.go_to(phase);
+  }
 
   void begin() {
     dynamics_.follow(clock_.pulses());
@@ -125,23 +199,23 @@ class AdaptiveRun {
   run::Outcome advance_one_step(StepObserver& observer) {
     clock_.change_pulses();
     const double boundary = clock_.next_boundary();
-    const double wanted = size_;
-    // The step is extended to the boundary where the remaining distance would be too small for a step.
+    const double wanted = sizes_.next;
+    // The step is extended when the rest to the boundary would be too small for a step.
     const bool limited = step_.start_phase + 1.000001 * wanted >= boundary;
     double size = limited ? boundary - step_.start_phase : wanted;
     const double taken = size;
     if (!method_->try_step(right_hand_side_, step_, size)) {
       book_.refuse_step();
-      size_ = size;
-      return size_ < smallest_size ? run::Outcome::step_too_small : run::Outcome::ok;
+      sizes_.next = size;
+      return sizes_.next < smallest_size ? run::Outcome::step_too_small : run::Outcome::ok;
     }
     if (!finite(step_.end)) {
       book_.refuse_step();
-      size_ = taken / 10;
-      return size_ < smallest_size ? run::Outcome::non_finite : run::Outcome::ok;
+      sizes_.next = taken / 10;
+      return sizes_.next < smallest_size ? run::Outcome::non_finite : run::Outcome::ok;
     }
     ++book_.effort.steps;
-    size_ = limited ? std::max(size, wanted) : size;
+    sizes_.next = limited ? std::max(size, wanted) : size;
     if (limited) step_.end_phase = boundary;
     for (std::size_t i = 0; i < system_.contacts.size(); ++i) {
       end_kinematics_[i] = dynamics_.kinematics(i, step_.end, step_.end_rate);
@@ -154,6 +228,7 @@ class AdaptiveRun {
   void accept(StepObserver& observer) {
     std::optional<Crossing> crossing;
     if constexpr (!smoothed) crossing = first_crossing();
+    if (crossing && retakes(*crossing)) return;
     const auto state_at = [this](double phase) -> const State& {
       method_->state_at(right_hand_side_, step_, phase, probe_);
       return probe_;
@@ -165,11 +240,26 @@ class AdaptiveRun {
     if (crossing) cut_step(end_phase);
     observer.watch(step_, dynamics_, start_kinematics_, end_kinematics_);
     if constexpr (!smoothed) switch_modes(crossing, observer);
+    turn_around();
+    step_.start_phase = end_phase;
+    clock_.go_to(end_phase);
+  }
+
+  /// Whether the step is taken again, up to the instant at which a contact with a curved law opens: a step
+  /// across that instant, where S has no power series, would be no better than its dense output there.
+  bool retakes(const Crossing& crossing) {
+    const bool opens = crossing.event == Crossing::Event::mode && crossing.next == contact::Mode::open &&
+                       system_.contacts[crossing.contact].law;
+    retaken_ = opens && !retaken_ && crossing.phase - step_.start_phase > shortest_retaken;
+    if (retaken_) sizes_.next = crossing.phase - step_.start_phase;
+    return retaken_;
+  }
+
+  /// Exchanges start and end of the step.
+  void turn_around() {
     std::swap(step_.start, step_.end);
     std::swap(step_.start_rate, step_.end_rate);
     std::swap(start_kinematics_, end_kinematics_);
-    step_.start_phase = end_phase;
-    clock_.go_to(end_phase);
   }
 
   std::optional<Crossing> first_crossing() {
@@ -191,22 +281,14 @@ class AdaptiveRun {
   }
 
   void switch_modes(const std::optional<Crossing>& crossing, StepObserver& observer) {
-    const std::size_t before = joint_mode();
+    const std::size_t before = sizes_.joint_mode();
+    const bool begins = crossing && crossing->event == Crossing::Event::mode &&
+                        dynamics_.modes()[crossing->contact] == contact::Mode::open;
     if (!switches_.make(crossing, observer.report())) return;
     method_->restart();
-    // Contact and flight need different step sizes. The run continues with the last size used in the new
-    // mode.
-    remembered_sizes_[before] = size_;
-    if (const double remembered = remembered_sizes_[joint_mode()]; remembered > 0) size_ = remembered;
-  }
-
-  std::size_t joint_mode() const {
-    std::size_t joint = 0;
-    const auto& modes = dynamics_.modes();
-    for (std::size_t i = 0; i < std::min<std::size_t>(modes.size(), 4); ++i) {
-      joint = joint * contact::mode_count + static_cast<std::size_t>(modes[i]);
-    }
-    return joint;
+    opened_ = std::ranges::all_of(dynamics_.modes(), [](auto mode) { return mode == contact::Mode::open; });
+    sizes_.change(before);
+    if (begins) sizes_.begin_contact(crossing->contact, end_kinematics_[crossing->contact].closing_speed);
   }
 
   static bool finite(const State& state) {
@@ -214,10 +296,7 @@ class AdaptiveRun {
   }
 
   run::Outcome finish(run::TurnReport& report, run::Outcome outcome) const {
-    report.effort = book_.effort;
-    report.effort.rhs_calls = dynamics_.rhs_calls();
-    if constexpr (has_step_tangents<Law>) report.effort.rhs_calls += tangents_.work();
-    report.effort.implicit_steps = method_->implicit_steps();
+    report.effort = effort();
     return outcome;
   }
 
@@ -232,8 +311,8 @@ class AdaptiveRun {
   double tolerance_;
   Step step_;
   State probe_, probe_rate_;
-  double size_ = 0;                       ///< next step to try, in radians of rotation
-  std::vector<double> remembered_sizes_;  ///< for each joint mode of the first four contacts; 0: none yet
+  bool retaken_ = false, opened_ = false;  ///< opened_: the last change of mode was the opening of all
+  StepSizes<Law> sizes_{dynamics_, tolerance_};
   std::vector<contact::Kinematics> start_kinematics_, end_kinematics_;
   StepSwitches<Law> switches_{dynamics_, step_, end_kinematics_, book_, tangents_, probe_rate_};
 };

@@ -17,9 +17,7 @@ namespace rubsweep::integrate::adaptive {
 class StepObserver {
  public:
   StepObserver(const run::TurnRequest& request, run::TurnReport& report)
-      : request_(request), report_(report) {
-    report.clear();
-  }
+      : request_(request), report_(report) {}
 
   /// Samples the grid phases in [start_phase, end_phase). `state_at(phase)` gives a state inside the step.
   template <class StateAt>

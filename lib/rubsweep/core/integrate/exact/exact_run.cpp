@@ -31,13 +31,14 @@ constexpr double stretch_to_join = 16 * SlipWatch<2>::shortest_stretch;
 
 template <int N>
 ExactRun<N>::ExactRun(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes,
-                      long max_steps)
+                      long max_steps, bool flights_only)
     : motion_(scene, modes),
       scale_(run::state_scale(scene)),
       clock_(run::TurnClock::in_seconds(scene, scale_)),
       slip_(scene, modes->friction()),
       watch_(*modes, scene, clock_.period()),
-      max_steps_(max_steps) {
+      max_steps_(max_steps),
+      flights_only_(flights_only) {
   const std::vector<double> start = scale_.in_seconds().state(scene.displacement_m, scene.velocity_m_per_s);
   turn_start_ = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
 }
@@ -124,19 +125,25 @@ bool ExactRun<N>::join(double phase_rad, std::span<const double> state, const st
 
 template <int N>
 run::Outcome ExactRun<N>::go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report) {
+  tangents_ = tangent_vectors.cols();
   motion_.carry_tangents(tangent_vectors);
   return run_to_end(report);
 }
 
 template <int N>
-bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& report) {
+bool ExactRun<N>::begin_elsewhere(const run::TurnRequest& request, run::TurnReport& report) {
   report.clear();
   watch_.begin_turn(request, report, turn_start_.size());
   book_.begin_turn(request);
   motion_.carry_no_tangents();
-  const bool pulses_changed = clock_.begin_turn(book_.revolution);
   unsaturated_ = false;
   tangents_ = request.tangent_vectors.cols();
+  return clock_.begin_turn(book_.revolution);
+}
+
+template <int N>
+bool ExactRun<N>::begin_turn(const run::TurnRequest& request, run::TurnReport& report) {
+  const bool pulses_changed = begin_elsewhere(request, report);
   if (!start_motion(pulses_changed)) return false;
   motion_.carry_tangents(request.tangent_vectors);
   if (!begin_motion(turn_start_)) return false;
@@ -157,6 +164,7 @@ bool ExactRun<N>::enter_by_state(const State& physical) {
   if (!motion_.enter(0, physical)) return false;
   const std::size_t modes =
       modes::joint_mode_of(motion_.machine().system().contacts, physical, motion_.rate_of(physical));
+  if (modes != 0 && flights_only_) return hand_over(physical, std::nullopt);
   return modes == 0 || motion_.enter(slip_.with_ways(motion_.machine(), modes, physical), physical);
 }
 
@@ -186,7 +194,10 @@ run::Outcome ExactRun<N>::go_on(run::TurnReport& report) {
                                               .shortest_to_annular_s = shortest_to_annular * clock_.period(),
                                               .same_instant_s = same_instant * clock_.period()});
     ++book_.effort.steps;
-    if (choice.annular) return run::Outcome::no_closed_form;
+    if (choice.annular) {
+      if (flights_only_) hand_over(motion_.physical(), std::nullopt);
+      return without_closed_form();
+    }
     if (!renew_slip_watch(choice)) return run::Outcome::unsaturated;
     if (choice.crossing != StepChoice::none && !book_.stands_still()) {
       land(report, choice.crossing, choice.step_s);
@@ -265,6 +276,7 @@ void ExactRun<N>::land(run::TurnReport& report, std::size_t e, double latest_s) 
 template <int N>
 bool ExactRun<N>::switch_mode(run::TurnReport& report, std::size_t e) {
   const State here = motion_.physical();
+  if (flights_only_) return hand_over(here, motion_.mode().guards[e].contact);
   const std::size_t joint = joint_mode_behind(motion_, slip_, e, here);
   note_switches(report, motion_.joint(), joint);
   return motion_.change(joint) && begin_motion(here);
@@ -290,9 +302,15 @@ bool ExactRun<N>::begin_motion(const State& here) {
 /// Begins the slip watch. False where friction is not saturated; the run then ends at `here`.
 template <int N>
 bool ExactRun<N>::begin_slip(const State& here) {
-  if (slip_.begin(motion_, here)) return true;
+  return slip_.begin(motion_, here) || hand_over(here, std::nullopt);
+}
+
+/// Ends the run at `here`; always false.
+template <int N>
+bool ExactRun<N>::hand_over(const State& here, std::optional<std::size_t> touches) {
   unsaturated_ = true;
   here_ = here;
+  handover_.touches = touches;
   return false;
 }
 

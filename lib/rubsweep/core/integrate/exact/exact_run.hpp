@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,9 +23,10 @@ namespace rubsweep::integrate::exact {
 template <int N>
 class ExactRun {
  public:
-  /// `modes` must have been made for the scene.
+  /// `modes` must have been made for the scene. With `flights_only` a contact that touches ends the run as
+  /// friction does that leaves saturation.
   ExactRun(const scene::Scene& scene, std::shared_ptr<modes::MachineModes<N>> modes,
-           long max_steps_per_revolution);
+           long max_steps_per_revolution, bool flights_only = false);
 
   /// Integrates the next revolution. After `no_closed_form` the run is back at the start of the revolution,
   /// and the report is undefined. After `unsaturated`, turn and report are complete up to `handover()`.
@@ -36,6 +38,8 @@ class ExactRun {
     std::vector<double> state;         ///< state as in TurnReport::section
     std::vector<contact::Mode> modes;  ///< mode of each contact
     Eigen::MatrixXd tangent_vectors;   ///< vectors as in TurnRequest::tangent_vectors
+    /// Contact of a flight that touches at this instant. Empty: none, or one will within a moment.
+    std::optional<std::size_t> touches;
   };
   const Handover& handover();  ///< State after `unsaturated`. Its memory is reused.
 
@@ -45,6 +49,9 @@ class ExactRun {
             const run::TurnReport& report);
   /// Completes the turn after `join`, as `advance` does.
   run::Outcome go_to_end(const Eigen::MatrixXd& tangent_vectors, run::TurnReport& report);
+
+  /// Begins the report of a turn that another solver begins. Returns whether the acting pulses change.
+  bool begin_elsewhere(const run::TurnRequest& request, run::TurnReport& report);
 
   /// Starts the next revolution from `section` (as TurnReport::section), after turns made by another solver.
   void resume(std::span<const double> section);
@@ -85,6 +92,7 @@ class ExactRun {
   bool begin_motion(const State& here);
   bool begin_slip(const State& here);
   bool renew_slip_watch(StepChoice& choice);
+  bool hand_over(const State& here, std::optional<std::size_t> touches);
   run::Outcome without_closed_form() const {
     return unsaturated_ ? run::Outcome::unsaturated : run::Outcome::no_closed_form;
   }
@@ -96,6 +104,7 @@ class ExactRun {
   TurnWatch<N> watch_;
   run::TurnBook book_;
   long max_steps_ = 0;  ///< limit for a turn
+  bool flights_only_ = false;
 
   State turn_start_;           ///< unscaled state
   bool goes_on_ = false;       ///< true: the motion is where the last turn ended

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rubsweep/core/error.hpp"
+#include "rubsweep/core/integrate/flight_run.hpp"
 #include "rubsweep/core/integrate/run/impulses.hpp"
 #include "rubsweep/core/response/proof/periodic_orbit.hpp"
 
@@ -27,6 +28,7 @@ SceneMap::SceneMap(const scene::Scene& scene, const integrate::run::SolverOption
                    integrate::exact::modes::ModeCache& modes, integrate::run::WorkBudget* budget)
     : states_(2 * static_cast<std::size_t>(scene.structure.coordinates())),
       exact_(integrate::solver_of(scene, solver) == integrate::Solver::exact),
+      counts_on_(exact_ || integrate::may_fly(scene, solver)),
       run_(integrate::start(after_the_kick(scene), solver, modes)),
       budget_(budget),
       // Steppers also move tangent vectors, if there are contacts whose law is not linear.
@@ -44,13 +46,13 @@ bool SceneMap::advance(std::span<double> section) {
   if (!goes_on) run_.restart(section);
   const integrate::run::Outcome outcome = run_.advance(request_, report_);
   whole_ = outcome == integrate::run::Outcome::ok;
-  if (budget_) spend(exact_ || goes_on);
+  if (budget_) spend(counts_on_ || goes_on);
   if (!whole_ || (remembers_ && !keeps_memory_ && report_.touching_at_end)) return false;
   std::ranges::copy(report_.section, section.begin());
   return true;
 }
 
-/// The exact solver continues its count of work after a restart, whereas a stepper begins a new count.
+/// A run with closed forms goes on counting after a restart, a stepper begins anew.
 void SceneMap::spend(bool counts_on) {
   const double before = std::exchange(work_, integrate::run::work(report_.effort));
   budget_->spend(counts_on ? work_ - before : work_);

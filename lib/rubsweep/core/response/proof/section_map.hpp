@@ -66,6 +66,7 @@ class SceneMap {
 
   std::size_t states_;
   bool exact_;
+  bool counts_on_;  ///< the work of a run goes on after a restart
   integrate::run::Run run_;
   integrate::run::WorkBudget* budget_;
   double work_ = 0;  ///< work of the run so far
