@@ -15,7 +15,7 @@ Term clearance_term(std::string check, const ClearanceMargin& margin);
 std::vector<Term> terms_of(const DesignCheck& check);
 
 /// Verdict of a whole check: some limit is not kept; else there is a term that nothing is known of; else all
-/// are met.
+/// are met. Level I asks for nothing, since Level II decides.
 enum class Answer { pass, not_met, not_told };
 Answer answer_of(const DesignCheck& check);
 
