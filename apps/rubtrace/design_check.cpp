@@ -1,6 +1,7 @@
 #include "design_check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "rubsweep/analysis/design/design_check.hpp"
 #include "rubsweep/analysis/design/design_tables.hpp"
@@ -30,8 +32,9 @@ namespace rubsweep::apps {
 namespace {
 
 /// All files that a design check may write.
-constexpr std::array<std::string_view, 5> check_file_names{
-    "config.yaml", "design_check.csv", "unbalance_response.csv", "lock_speeds.csv", "kicks.csv"};
+constexpr std::array<std::string_view, 6> check_file_names{
+    "config.yaml",     "design_check.csv", "unbalance_response.csv",
+    "lock_speeds.csv", "kicks.csv",        "design_check_other_end.csv"};
 
 /// Number of speeds at which the rotor's stability without stops is checked.
 constexpr int premise_speeds = 121;
@@ -51,6 +54,38 @@ void warn_of(const design::SpeedRange& operating, const sweep::Study& study,
              const scene::PreparedMachine& prepared) {
   warn_of_premises_at("rubtrace", batch::evenly_spaced(operating.from_hz, operating.to_hz, premise_speeds),
                       study, prepared);
+}
+
+/// Check of the machine at the other end of its bearings' clearances; empty where none is given.
+std::optional<design::DesignCheck> check_other_end(const RubtraceArguments& arguments) {
+  const std::vector<std::string>& differs = arguments.design_check->other_end;
+  if (differs.empty()) return std::nullopt;
+  std::vector<std::string> overrides = arguments.overrides;
+  overrides.insert(overrides.end(), differs.begin(), differs.end());
+  const config::RunConfig other = config::read_run_config(arguments.config, overrides);
+  ask("rubtrace", other.questions, arguments.quiet);
+  const scene::PreparedMachine prepared = scene::prepare_machine(other.study.machine);
+  const design::DesignQuestions questions = questions_of(arguments, other.study);
+  if (!arguments.quiet) warn_of(questions.operating, other.study, prepared);
+  return design::check_design(other.study, prepared, questions);
+}
+
+std::string_view word_of(design::Answer answer) {
+  constexpr std::array<std::string_view, 3> words{"pass", "NOT MET", "not told"};
+  return words[static_cast<std::size_t>(answer)];
+}
+
+/// Pages of both ends behind the answer of both together.
+std::string page_of(const RubtraceArguments& arguments, const design::DesignCheck& check,
+                    const std::optional<design::DesignCheck>& other) {
+  const std::string page = design::design_page(check, arguments.shown);
+  if (!other) return page;
+  const design::Answer here = design::answer_of(check), there = design::answer_of(*other);
+  const bool broken = here == design::Answer::not_met || there == design::Answer::not_met;
+  return fmt::format(
+      "answer    {}: {} as configured, {} at the other end of the bearings' clearances\n{}other end {}\n{}",
+      word_of(broken ? design::Answer::not_met : std::max(here, there)), word_of(here), word_of(there), page,
+      fmt::join(arguments.design_check->other_end, ", "), design::design_page(*other, arguments.shown));
 }
 
 }  // namespace
@@ -77,13 +112,16 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
   const ResultDirectory made(directory, check_file_names);
   std::optional<WorkingTime> working(std::in_place, "rubtrace", "checks the design", !arguments.quiet);
   const design::DesignCheck check = design::check_design(study, prepared, questions);
+  const std::optional<design::DesignCheck> other = check_other_end(arguments);
   working.reset();
   design::DesignTables tables = design::tables_of(check);
-  batch::ResultFiles files{{"config.yaml", config::print_config(config)},
-                           {"design_check.csv", std::move(tables.design_check_csv)},
-                           {"unbalance_response.csv", std::move(tables.unbalance_response_csv)},
-                           {"lock_speeds.csv", std::move(tables.lock_speeds_csv)},
-                           {"kicks.csv", std::move(tables.kicks_csv)}};
+  batch::ResultFiles files{
+      {"config.yaml", config::print_config(config)},
+      {"design_check.csv", std::move(tables.design_check_csv)},
+      {"unbalance_response.csv", std::move(tables.unbalance_response_csv)},
+      {"lock_speeds.csv", std::move(tables.lock_speeds_csv)},
+      {"kicks.csv", std::move(tables.kicks_csv)},
+      {"design_check_other_end.csv", other ? design::tables_of(*other).design_check_csv : std::string()}};
   std::erase_if(files, [](const auto& file) { return file.second.empty(); });
   {
     const InterruptsWait whole_set;
@@ -92,12 +130,12 @@ int run_design_check(const RubtraceArguments& arguments, const config::RunConfig
         {"rubsweep", config::study_digest(study), batch::caption_lines(config.captions)});
     end_on_interrupts("the files are written, no figure is");
   }
-  if (!arguments.quiet)
-    print("{}{}", design::design_page(check, arguments.shown), batch::files_line(files, directory));
+  if (!arguments.quiet) print("{}{}", page_of(arguments, check, other), batch::files_line(files, directory));
   draw_and_say(arguments.figure, "design", directory,
                "Design check, " + model::speed_range_text(check.operating.from_hz, check.operating.to_hz, 4),
                arguments.quiet);
-  const bool passed = design::answer_of(check) == design::Answer::pass;
+  const bool passed = design::answer_of(check) == design::Answer::pass &&
+                      (!other || design::answer_of(*other) == design::Answer::pass);
   return arguments.design_check->require_pass && !passed ? some_cells_failed : done;
 }
 

@@ -108,6 +108,9 @@ po::options_description visible_options() {
       "operating-rpm", po::value<std::string>()->value_name("FROM:TO"), "the same in revolutions per minute")(
       "kick-speeds", po::value<long>()->value_name("N")->default_value(11),
       "of --design-check: evenly spaced speeds at which kicks are tried, beside the lock speeds; 0: none")(
+      "other-end", po::value<std::vector<std::string>>()->value_name("KEY=VALUE"),
+      "of --design-check, for each key: what is different at the other end of the bearings' clearances, such "
+      "as a table; both ends are checked")(
       "stage", po::value<std::vector<std::string>>()->value_name("STAGE"),
       "of --design-check, for each stage: impeller:KW:DENSITY_RATIO:DIAMETER_MM:WIDTH_MM or "
       "blades:KW:DIAMETER_MM:HEIGHT_MM, whose power drives cross-coupling; none: the rotor does no work")(
@@ -155,6 +158,7 @@ void read_design_check(const po::variables_map& given, RubtraceArguments& argume
       if (given.count(name) != 0) throw UsageError(fmt::format("--{} belongs to --design-check", name));
     for (const char* name : {"kick-speeds", "threads"})
       if (!given[name].defaulted()) throw UsageError(fmt::format("--{} belongs to --design-check", name));
+    if (given.count("other-end") != 0) throw UsageError("--other-end belongs to --design-check");
     return;
   }
   DesignCheckArguments check;
@@ -166,6 +170,7 @@ void read_design_check(const po::variables_map& given, RubtraceArguments& argume
   check.threads = threads_of(given);
   if (given.count("stage") != 0) check.stages = stages_of(given["stage"].as<std::vector<std::string>>());
   check.require_pass = given.count("require-pass") != 0;
+  if (given.count("other-end") != 0) check.other_end = given["other-end"].as<std::vector<std::string>>();
   arguments.design_check = std::move(check);
 }
 

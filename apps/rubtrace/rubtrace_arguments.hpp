@@ -18,6 +18,7 @@ struct DesignCheckArguments {
   std::string operating_option = {};                 ///< name of the option that gave the operating range
   int kick_speeds = 11;
   int threads = 0;
+  std::vector<std::string> other_end = {};  ///< keys and values of the other end of the bearings' clearances
   std::optional<std::vector<design::Stage>> stages = {};  ///< see design::LateralQuestions
   bool require_pass = false;  ///< every answer except "pass" ends with exit code 4
 };

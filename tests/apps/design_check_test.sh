@@ -73,6 +73,20 @@ expect_matches stdout '^  separation, configured at probe 0 at 30.01[0-9]* Hz .*
 expect_exit 0 "$minimal" --design-check --kick-speeds 0 --stage impeller:0.001:2:400:15 --output jeffcott
 [[ $(count_rows jeffcott/design_check.csv "check == 'level_1_threshold' and limit == 2") == 1 ]] || fail 'no Level I'
 
+# Both ends of the clearances of a bearing: the worse one is the answer.
+refused '--other-end belongs to --design-check' --campbell 10:20 --other-end rotor.damping_ratio=0.02
+expect_exit 4 "$minimal" --design-check --kick-speeds 0 --stage none --require-pass --other-end rotor.damping_ratio=0.001 --output ends
+[[ $(head -n 1 stdout) == "answer    NOT MET: pass as configured, NOT MET at the other end of the bearings' clearances" ]] ||
+  fail "another answer of both ends: $(head -n 1 stdout)"
+expect_contains stdout 'other end rotor.damping_ratio=0.001'
+expect_whole_table ends/design_check_other_end.csv
+[[ $(count_rows ends/design_check_other_end.csv "check == 'level_2' and verdict == 'not_met'") == 1 ]] || fail 'the other end is not told'
+[[ $(count_rows ends/design_check.csv "verdict == 'not_met'") == 0 ]] || fail 'the first end is mixed with the other'
+expect_exit 0 "$minimal" --design-check --kick-speeds 0 --stage none --require-pass --other-end rotor.damping_ratio=0.05 --output ends
+expect_exit 2 "$minimal" --design-check --other-end rotor.damping=1 --output ends
+expect_exit 0 "$minimal" --design-check --kick-speeds 0 --stage none --output ends
+expect_missing ends/design_check_other_end.csv
+
 # Supports by tables: clearances from where the tables begin.
 expect_exit 0 "$table" --design-check --kick-speeds 0 --operating-hz 50:100 --output table
 expect_contains stdout 'clearances from 30 Hz (1800 rpm) on'

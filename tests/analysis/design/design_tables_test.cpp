@@ -79,13 +79,13 @@ DesignCheck tabled_check() {
 
 TEST(DesignTables, HaveALineForEachCheck) {
   EXPECT_EQ(tables_of(tabled_check()).design_check_csv,
-            "check,place,position_m,speed_hz,value,limit,unit,margin,verdict\n"
-            "vibration,probe 0,0.25,50,1e-05,2e-05,m,0.5,ok\n"
-            "clearance,stop 0,,30,3e-05,0.00015000000000000001,m,0.8,ok\n"
-            "dry_whip,stop 0,,50,0.25,0.125,1,-1,not_met\n"
-            "dry_whip,stop 1,,,0.25,,1,1,ok\n"
-            "stability,,,,0,0,1/s,,ok\n"
-            "kick,,,60,17.5,,N,,\n");
+            "check,place,position_m,speed_hz,value,limit,unit,margin,verdict,name\n"
+            "vibration,probe 0,0.25,50,1e-05,2e-05,m,0.5,ok,\n"
+            "clearance,stop 0,,30,3e-05,0.00015000000000000001,m,0.8,ok,\n"
+            "dry_whip,stop 0,,50,0.25,0.125,1,-1,not_met,\n"
+            "dry_whip,stop 1,,,0.25,,1,1,ok,\n"
+            "stability,,,,0,0,1/s,,ok,\n"
+            "kick,,,60,17.5,,N,,,\n");
 }
 
 /// If an unstable rotor stays below a limit, there is no verdict; if it exceeds the limit, the verdict is
@@ -95,14 +95,14 @@ TEST(DesignTables, NothingIsOkOfAnUnstableRotorButItsDryWhip) {
   check.growth = check.whole_growth = {140, 201};
   check.clearances.push_back({1, {}, 30, 0, 0, -std::numeric_limits<double>::infinity()});
   EXPECT_EQ(tables_of(check).design_check_csv,
-            "check,place,position_m,speed_hz,value,limit,unit,margin,verdict\n"
-            "vibration,probe 0,0.25,50,1e-05,2e-05,m,0.5,\n"
-            "clearance,stop 0,,30,3e-05,0.00015000000000000001,m,0.8,\n"
-            "clearance,stop 1,,30,0,0,m,,not_met\n"
-            "dry_whip,stop 0,,50,0.25,0.125,1,-1,not_met\n"
-            "dry_whip,stop 1,,,0.25,,1,1,ok\n"
-            "stability,,,140,201,0,1/s,,not_met\n"
-            "kick,,,60,17.5,,N,,\n");
+            "check,place,position_m,speed_hz,value,limit,unit,margin,verdict,name\n"
+            "vibration,probe 0,0.25,50,1e-05,2e-05,m,0.5,,\n"
+            "clearance,stop 0,,30,3e-05,0.00015000000000000001,m,0.8,,\n"
+            "clearance,stop 1,,30,0,0,m,,not_met,\n"
+            "dry_whip,stop 0,,50,0.25,0.125,1,-1,not_met,\n"
+            "dry_whip,stop 1,,,0.25,,1,1,ok,\n"
+            "stability,,,140,201,0,1/s,,not_met,\n"
+            "kick,,,60,17.5,,N,,,\n");
 }
 
 TEST(DesignTables, LimitOfTheProbesIsThatOfTheOperatingRange) {

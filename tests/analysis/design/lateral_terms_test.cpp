@@ -4,6 +4,7 @@
 
 #include <numbers>
 #include <set>
+#include <stdexcept>
 
 #include "analysis/design/study_of.hpp"
 #include "core/scene/kit_machine.hpp"
@@ -29,7 +30,7 @@ std::set<std::string> with_verdict(const DesignCheck& check, const std::string& 
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = text.find('\n', begin);
     const std::string line = text.substr(begin, end - begin);
-    if (line.ends_with("," + verdict)) found.insert(line.substr(0, line.find(',')));
+    if (line.find("," + verdict + ",") != std::string::npos) found.insert(line.substr(0, line.find(',')));
     begin = end + 1;
   }
   return found;
@@ -103,6 +104,61 @@ TEST(LateralTerms, ResponsesOfModesHaveTheirOwnLinesAtTheProbes) {
   EXPECT_TRUE(places.contains("response mode 1 at probe 0"));
   EXPECT_TRUE(places.contains("separation configured at probe 0"));
   EXPECT_TRUE(places.contains("bearing_force support 0"));
+}
+
+const Term& term_of(const DesignCheck& check, const std::string& word) {
+  for (const Term& term : check.lateral)
+    if (term.check == word) return term;
+  throw std::out_of_range(word);
+}
+
+TEST(LateralTerms, ABearingHasTheTagOfItsFileBesideItsNumber) {
+  model::Machine machine = scene::light_shaft_machine();
+  model::kit_of(machine)->supports[0].name = "BearingElement_Drive end, \"A\"";
+  const DesignCheck check = checked(machine, questions({60, 100}));
+  EXPECT_EQ(term_of(check, "bearing_force").name, "Drive end, \"A\"");
+  EXPECT_NE(design_page(check).find("bearing force, support 0 (Drive end, \"A\") at "), std::string::npos);
+  const std::string table = tables_of(check).design_check_csv;
+  EXPECT_NE(table.find("\nbearing_force,support 0,"), std::string::npos);
+  EXPECT_NE(table.find(",\"Drive end, \"\"A\"\"\"\n"), std::string::npos) << table;
+}
+
+TEST(LateralTerms, ADecrementThatIsNotToldHasAReason) {
+  model::Machine machine = scene::one_side_machine();
+  std::get<model::JeffcottRotor>(machine.rotor).damping_ratio = 0.6;
+  DesignQuestions asked = questions();
+  asked.stages = {{false, 1, 1, 1, 1}};
+  const DesignCheck check = checked(machine, asked);
+  for (const char* word : {"level_1", "level_1_threshold", "level_2"}) {
+    EXPECT_FALSE(term_of(check, word).not_told.empty()) << word;
+    EXPECT_FALSE(term_of(check, word).met) << word;
+  }
+  EXPECT_EQ(answer_of(check), Answer::not_told);
+}
+
+/// Level II decides, so that an untold Level I alone leaves the answer.
+TEST(LateralTerms, LevelOneAsksForNothing) {
+  DesignCheck check = checked(scene::one_side_machine(), questions());
+  ASSERT_EQ(answer_of(check), Answer::pass);
+  check.lateral.push_back({"level_1", ""});
+  check.lateral.back().not_told = "no forward whirl";
+  EXPECT_EQ(answer_of(check), Answer::pass);
+}
+
+/// Damping that turns with the shaft makes the whirl grow above 143 Hz, the speed w0 (1 + 0.02 / ratio).
+TEST(LateralTerms, GrowthAboveTheHighestSpeedTakesTheVerdictsThere) {
+  model::Machine machine = scene::one_side_machine();
+  std::get<model::JeffcottRotor>(machine.rotor).rotating_damping_ratio = 0.02 / (143.0 / 30 - 1);
+  const DesignCheck check = checked(machine, questions({60, 140}));
+  EXPECT_EQ(check.growth.growth_per_s, 0);
+  EXPECT_EQ(check.whole_growth.growth_per_s, 0);
+  EXPECT_GT(check.growth_beyond.growth_per_s, 0);
+  ASSERT_TRUE(check.decays_to_hz);
+  EXPECT_LT(*check.decays_to_hz, 143);
+  EXPECT_GE(*check.decays_to_hz, 140);
+  EXPECT_EQ(term_of(check, "clearance_to_trip").not_told, grows_beyond);
+  EXPECT_NE(design_page(check).find(" one grows, by up to "), std::string::npos);
+  EXPECT_FALSE(checked(machine, questions({50, 110})).decays_to_hz) << "137.5 Hz is all that is looked at";
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(SeparationResonances, HalfPowerOfADiscIsThatOfItsClosedForm) {
                  width = 1 / std::sqrt(middle - half) - 1 / std::sqrt(middle + half);
     const std::vector<Resonance> found = of_a_disc(ratio, 0.2, 4);
     ASSERT_EQ(found.size(), 1u) << ratio;
-    EXPECT_NEAR(found[0].speed_hz, top, 1e-7);
+    EXPECT_NEAR(found[0].speed_hz, top, 1e-8);
     ASSERT_TRUE(found[0].amplification);
     EXPECT_NEAR(*found[0].amplification, top / width, 1e-6 * top / width) << ratio;
   }

@@ -83,5 +83,21 @@ TEST(UnbalanceCases, AnOverhangHasItsOwnAndSealsAreNoBearings) {
   EXPECT_NEAR(planes(planes.size() - 1).real(), 4 * 6350e-6 * 0.1 / 6000, 1e-12);
 }
 
+/// A taper of 10 to 20 mm overhangs by a part that is no whole element: the mass of that part, not of nodes.
+TEST(UnbalanceCases, AnOverhangWeighsWhatStandsBeyondTheBearing) {
+  model::Machine machine = scene::light_shaft_machine();
+  auto& kit = std::get<model::RotorKit>(machine.rotor);
+  kit.shaft[0].density_kg_per_m3 = 7850;
+  kit.shaft[0].outer_diameter_end_m = 0.02;
+  kit.supports[1].position_m = 0.33;
+  const std::vector<UnbalanceCase> cases = WholeRotor(machine).cases(1e-5, 100);
+  ASSERT_EQ(cases.back().name, "right end");
+  // The integral of pi / 4 d^2 with d = 0.01 + 0.025 z is pi / 4 (d^3) / 0.075 between the ends.
+  const double inner = 0.01 + 0.025 * 0.33,
+               mass_kg = 7850 * std::numbers::pi / 4 * (0.02 * 0.02 * 0.02 - inner * inner * inner) / 0.075;
+  EXPECT_NEAR(cases.back().unbalance_kg_m.cwiseAbs().maxCoeff(), 4 * 6350e-6 * mass_kg / 6000,
+              1e-12 * mass_kg);
+}
+
 }  // namespace
 }  // namespace rubsweep::design

@@ -18,6 +18,10 @@ namespace {
 using namespace std::complex_literals;
 using Complex = std::complex<double>;
 
+double major_axis_at(const scene::QuietMotion& motion, const WatchedPlace& place) {
+  return major_axis(place.map.cast<Complex>() * motion.amplitude);
+}
+
 /// Quiet whirl of a Jeffcott rotor of 50 Hz: its maximum 1 / (2 zeta sqrt(1 - zeta^2)) is at the speed ratio
 /// 1 / sqrt(1 - 2 zeta^2).
 TEST(UnbalanceResponseLargestOverSpeed, FindsAResonanceAThousandTimesNarrowerThanTheSteps) {

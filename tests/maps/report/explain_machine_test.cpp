@@ -41,6 +41,9 @@ TEST(ExplainMachine, RotorKitSaysWhatItWasReducedTo) {
   EXPECT_TRUE(says(text, "  at 0.2 m of the shaft; mass behind the contact "));
   EXPECT_TRUE(says(text, "states: 12 (6 coordinates and their rates)\n"));
   EXPECT_FALSE(says(text, "tilting"));
+  EXPECT_FALSE(says(text, "  supports: "));
+  model::kit_of(machine)->supports[1].name = "BearingElement_Free end";
+  EXPECT_TRUE(says(explain_machine(machine, 45), "  supports: 1 (BearingElement_Free end) at 0.4 m\n"));
   model::kit_of(machine)->modes.reset();
   EXPECT_TRUE(says(explain_machine(machine, 45), "number of modes: auto, the smallest within 0.01\n"));
 }

@@ -37,12 +37,12 @@ linear::Campbell modes_over(const SpeedRange& range, const model::Machine& machi
                           batch::evenly_spaced(range.from_hz, range.to_hz, campbell_speeds), 2 * range.to_hz);
 }
 
-std::vector<ProbeResponse> probe_responses(const scene::PreparedMachine& prepared, double eccentricity_m,
-                                           const std::vector<double>& speeds_hz) {
+std::vector<ProbeResponse> probe_responses(const scene::PreparedMachine& prepared, Responses& response,
+                                           double eccentricity_m, const std::vector<double>& speeds_hz) {
   std::vector<ProbeResponse> probes;
   for (const WatchedPlace& place : probe_places(prepared)) {
     const auto axis_m = [&](double hz) {
-      return eccentricity_m * major_axis_at(unit_response(prepared, hz), place);
+      return eccentricity_m * response.major_axis(hz, response.rotor().place(place.position_m));
     };
     probes.push_back({place.position_m, largest_over_speed(speeds_hz, axis_m)});
   }
@@ -62,21 +62,18 @@ WhipMargin whip_margin(const scene::PreparedMachine& prepared, std::size_t stop,
   return worst;
 }
 
-std::vector<ResponseCurve> curves_over(const scene::PreparedMachine& prepared, double eccentricity_m,
-                                       const std::vector<double>& speeds_hz) {
+std::vector<ResponseCurve> curves_over(const scene::PreparedMachine& prepared, Responses& response,
+                                       double eccentricity_m, const std::vector<double>& speeds_hz) {
   const std::vector<WatchedPlace> probes = probe_places(prepared), stops = stop_places(prepared);
   std::vector<ResponseCurve> curves;
   for (std::size_t k = 0; k < probes.size(); ++k)
     curves.push_back({true, k, probes[k].position_m, speeds_hz, {}});
   for (std::size_t k = 0; k < stops.size(); ++k)
     curves.push_back({false, k, stops[k].position_m, speeds_hz, {}});
-  for (const double speed_hz : speeds_hz) {
-    const scene::QuietMotion motion = unit_response(prepared, speed_hz);
-    for (ResponseCurve& curve : curves) {
-      const WatchedPlace& place = (curve.probe ? probes : stops)[curve.number];
-      curve.major_axis_m.push_back(eccentricity_m * major_axis_at(motion, place));
-    }
-  }
+  for (ResponseCurve& curve : curves)
+    for (const double speed_hz : speeds_hz)
+      curve.major_axis_m.push_back(eccentricity_m *
+                                   response.major_axis(speed_hz, response.rotor().place(curve.position_m)));
   return curves;
 }
 
@@ -106,20 +103,58 @@ void try_kicks(const sweep::Study& study, const scene::PreparedMachine& prepared
                                 kicked_speeds(questions, check.locks), questions.threads, never);
 }
 
-/// Adds clearances for speeds from the maximum continuous speed to trip speed, or to the end of the tables.
-void add_trip_clearances(const scene::PreparedMachine& prepared, DesignCheck& check) {
+std::vector<ClearanceMargin> margins_over(const scene::PreparedMachine& prepared, Responses& response,
+                                          double eccentricity_m, std::span<const double> speeds_hz) {
+  const std::vector<WatchedPlace> places = stop_places(prepared);
+  std::vector<ClearanceMargin> margins;
+  for (std::size_t stop = 0; stop < places.size(); ++stop) {
+    const auto at = [&](double speed_hz) {
+      const scene::QuietMotion motion = unit_response(prepared, speed_hz);
+      ClearanceMargin found{stop, places[stop].position_m, speed_hz, 0, 0, 0};
+      found.major_axis_m =
+          eccentricity_m * response.major_axis(speed_hz, response.rotor().place(places[stop].position_m));
+      found.diametral_clearance_m = diametral_clearance_m(prepared, stop, places[stop], motion);
+      found.margin = found.diametral_clearance_m > 0
+                         ? 1 - found.major_axis_m / (clearance_share * found.diametral_clearance_m)
+                         : -std::numeric_limits<double>::infinity();
+      return found;
+    };
+    margins.push_back(at(largest_over_speed(speeds_hz, [&](double hz) { return -at(hz).margin; }).speed_hz));
+  }
+  return margins;
+}
+
+/// Critical speeds up to where responses are looked at; growth beyond the whole range goes to the check.
+std::vector<linear::CriticalSpeed> look_beyond(const linear::Campbell& modes, const model::Machine& machine,
+                                               DesignCheck& check) {
+  constexpr int speeds_beyond = 11;
+  std::vector<linear::CriticalSpeed> critical = modes.critical_speeds;
+  const double to_hz = within_tables_hz(machine, response_up_to * check.whole.to_hz);
+  if (to_hz <= check.whole.to_hz) return critical;
+  const linear::Campbell beyond = linear::campbell(
+      linear::free_rotor(machine), batch::evenly_spaced(check.whole.to_hz, to_hz, speeds_beyond), to_hz);
+  critical.insert(critical.end(), beyond.critical_speeds.begin(), beyond.critical_speeds.end());
+  double decays_to_hz = check.whole.to_hz;
+  for (const linear::GrowthAt& one : beyond.growth) {
+    if (one.growth_per_s > check.growth_beyond.growth_per_s) check.growth_beyond = one;
+    if (one.growth_per_s > 0 && !check.decays_to_hz) check.decays_to_hz = decays_to_hz;
+    decays_to_hz = one.speed_hz;
+  }
+  return critical;
+}
+
+/// Clearances from the maximum continuous speed to trip speed, or to where the tables end.
+void add_trip_clearances(const scene::PreparedMachine& prepared, Responses& response, DesignCheck& check) {
   constexpr int speeds = 26;
   const double trip_hz = trip_speed * check.whole.to_hz, to_hz = within_tables_hz(prepared.machine, trip_hz);
   if (to_hz > check.whole.to_hz) {
     const std::vector<double> beyond = batch::evenly_spaced(check.whole.to_hz, to_hz, speeds);
     for (const ClearanceMargin& one :
-         clearance_margins(prepared, check.scale * check.eccentricity_m, beyond)) {
+         margins_over(prepared, response, check.scale * check.eccentricity_m, beyond)) {
       Term term = clearance_term("clearance_to_trip", one);
-      if (one.margin < 0 || check.whole_growth.growth_per_s == 0) {
-        term.met = one.margin >= 0;
-      } else {
-        term.not_told = grows_away;
-      }
+      term.met = one.margin >= 0;
+      if (check.whole_growth.growth_per_s > 0) refuse_verdict(term, grows_away);
+      if (check.decays_to_hz && *check.decays_to_hz < to_hz) refuse_verdict(term, grows_beyond);
       check.lateral.push_back(std::move(term));
     }
   }
@@ -157,22 +192,9 @@ double scale_factor(double limit_m, double response_m) {
 
 std::vector<ClearanceMargin> clearance_margins(const scene::PreparedMachine& prepared, double eccentricity_m,
                                                std::span<const double> speeds_hz) {
-  const std::vector<WatchedPlace> places = stop_places(prepared);
-  std::vector<ClearanceMargin> margins;
-  for (std::size_t stop = 0; stop < places.size(); ++stop) {
-    const auto at = [&](double speed_hz) {
-      const scene::QuietMotion motion = unit_response(prepared, speed_hz);
-      ClearanceMargin found{stop, places[stop].position_m, speed_hz, 0, 0, 0};
-      found.major_axis_m = eccentricity_m * major_axis_at(motion, places[stop]);
-      found.diametral_clearance_m = diametral_clearance_m(prepared, stop, places[stop], motion);
-      found.margin = found.diametral_clearance_m > 0
-                         ? 1 - found.major_axis_m / (clearance_share * found.diametral_clearance_m)
-                         : -std::numeric_limits<double>::infinity();
-      return found;
-    };
-    margins.push_back(at(largest_over_speed(speeds_hz, [&](double hz) { return -at(hz).margin; }).speed_hz));
-  }
-  return margins;
+  const WholeRotor rotor(prepared.machine);
+  Responses response(rotor, rotor.configured_kg());
+  return margins_over(prepared, response, eccentricity_m, speeds_hz);
 }
 
 double WhipMargin::margin() const {
@@ -215,11 +237,15 @@ DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine
     if (check.operating.contains(one.speed_hz) && one.growth_per_s > check.growth.growth_per_s)
       check.growth = one;
   }
+  const std::vector<linear::CriticalSpeed> critical = look_beyond(modes, study.machine, check);
   const std::vector<double> speeds_hz = response_speeds(check.whole, modes.critical_speeds);
-  check.probes = probe_responses(prepared, check.eccentricity_m, within(check.operating, speeds_hz));
+  const WholeRotor rotor(prepared.machine);
+  Responses response(rotor, rotor.configured_kg());
+  check.probes =
+      probe_responses(prepared, response, check.eccentricity_m, within(check.operating, speeds_hz));
   check.scale = scale_factor(check.vibration_limit_m, check.worst_probe().major_axis_m.value);
-  check.clearances = clearance_margins(prepared, check.scale * check.eccentricity_m, speeds_hz);
-  check.curves = curves_over(prepared, check.scale * check.eccentricity_m, speeds_hz);
+  check.clearances = margins_over(prepared, response, check.scale * check.eccentricity_m, speeds_hz);
+  check.curves = curves_over(prepared, response, check.scale * check.eccentricity_m, speeds_hz);
   for (std::size_t stop = 0; stop < study.machine.stops.size(); ++stop) {
     const bool may_whip = std::visit(overloaded{[](const model::OneSideGeometry&) { return false; },
                                                 [](const model::AnnularGeometry&) { return true; }},
@@ -228,11 +254,12 @@ DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine
   }
   for (const linear::LockSpeed& lock : linear::lock_speeds(modes))
     if (check.operating.contains(lock.speed_hz)) check.locks.push_back(lock);
-  add_trip_clearances(prepared, check);
-  std::ranges::move(lateral_terms(prepared, {check.operating, check.whole, check.eccentricity_m, check.scale,
-                                             check.vibration_limit_m, modes.critical_speeds,
-                                             check.whole_growth.growth_per_s > 0, questions.stages}),
-                    std::back_inserter(check.lateral));
+  add_trip_clearances(prepared, response, check);
+  std::ranges::move(
+      lateral_terms(prepared,
+                    {check.operating, check.whole, check.eccentricity_m, check.scale, check.vibration_limit_m,
+                     critical, check.whole_growth.growth_per_s > 0, questions.stages, check.decays_to_hz}),
+      std::back_inserter(check.lateral));
   try_kicks(study, prepared, questions, check);
   return check;
 }

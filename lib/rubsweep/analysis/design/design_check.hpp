@@ -100,6 +100,10 @@ struct DesignCheck {
   std::vector<WhipMargin> whips;            ///< margin of each annular stop
   /// Fastest growth of a free vibration in the operating range and in the whole range; 0 where none grows.
   linear::GrowthAt growth, whole_growth;
+  /// Fastest growth beyond the whole range, up to 1.25 times its end or the end of the tables, and the speed
+  /// up to which none was found there.
+  linear::GrowthAt growth_beyond;
+  std::optional<double> decays_to_hz;
   std::vector<linear::LockSpeed> locks;  ///< lock speeds in the operating range
   std::vector<KickThreshold> kicks;      ///< ascending by speed
   std::string no_kicks;                  ///< reason why kicks were not tried; empty if they were

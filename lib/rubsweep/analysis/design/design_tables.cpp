@@ -44,8 +44,13 @@ std::string_view if_lasting(bool met, const linear::GrowthAt& growth) {
 }
 
 std::string stability_lines(const DesignCheck& check) {
-  if (check.growth.growth_per_s == 0)
-    return "stability every free vibration decays in the operating range: ok\n";
+  if (check.growth.growth_per_s == 0) {
+    const std::string text = "stability every free vibration decays in the operating range: ok\n";
+    if (!check.decays_to_hz) return text;
+    return text + fmt::format("          above {} one grows, by up to {:.4g} 1/s at {}\n",
+                              speed(*check.decays_to_hz), check.growth_beyond.growth_per_s,
+                              speed(check.growth_beyond.speed_hz));
+  }
   return fmt::format("stability a free vibration grows by {:.4g} 1/s at {}: NOT MET\n",
                      check.growth.growth_per_s, speed(check.growth.speed_hz));
 }
@@ -138,15 +143,16 @@ std::string_view word_of(const Term& term) {
 }
 
 std::string row_of(const Term& term) {
-  return fmt::format("{},{},{},{},{},{},{},{},{}\n", term.check, term.place,
-                     csv_number(term.position_m.value_or(nothing)),
-                     csv_number(term.speed_hz.value_or(nothing)), csv_number(term.value.value_or(nothing)),
-                     csv_number(term.limit.value_or(nothing)), term.unit,
-                     csv_number(term.margin.value_or(nothing)), word_of(term));
+  return batch::csv_row(std::vector<std::string>{
+             term.check, term.place, csv_number(term.position_m.value_or(nothing)),
+             csv_number(term.speed_hz.value_or(nothing)), csv_number(term.value.value_or(nothing)),
+             csv_number(term.limit.value_or(nothing)), term.unit, csv_number(term.margin.value_or(nothing)),
+             std::string(word_of(term)), term.name}) +
+         "\n";
 }
 
 std::string design_check_csv(const DesignCheck& check) {
-  std::string text = "check,place,position_m,speed_hz,value,limit,unit,margin,verdict\n";
+  std::string text = "check,place,position_m,speed_hz,value,limit,unit,margin,verdict,name\n";
   for (const Term& term : terms_of(check)) text += row_of(term);
   return text;
 }
@@ -155,6 +161,7 @@ std::string name_of(const Term& term) {
   std::string name = term.check;
   std::ranges::replace(name, '_', ' ');
   if (!term.place.empty()) name += ", " + term.place;
+  if (!term.name.empty()) name += " (" + term.name + ")";
   return term.speed_hz ? name + " at " + speed(*term.speed_hz) : name;
 }
 

@@ -14,8 +14,8 @@ Term clearance_term(std::string check, const ClearanceMargin& margin);
 /// smallest kick.
 std::vector<Term> terms_of(const DesignCheck& check);
 
-/// Verdict of a whole check. not_met: a limit is not met. not_told: all known limits are met, but some term
-/// is unknown. pass: all limits are met.
+/// Verdict of a whole check: some limit is not kept; else there is a term that nothing is known of; else all
+/// are met. Level I asks for nothing, since Level II decides.
 enum class Answer { pass, not_met, not_told };
 Answer answer_of(const DesignCheck& check);
 

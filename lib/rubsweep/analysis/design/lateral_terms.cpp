@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "rubsweep/analysis/design/separation.hpp"
@@ -16,34 +15,7 @@ namespace {
 
 using Eigen::Index;
 
-/// Responses of all cases, cached by speed, because the searches for peaks need some speeds more than once.
-class Responses {
- public:
-  Responses(const WholeRotor& rotor, const std::vector<UnbalanceCase>& cases)
-      : rotor_(rotor), unbalance_(rotor.rotor().full.system.coordinates(), cases.size()) {
-    for (std::size_t k = 0; k < cases.size(); ++k)
-      unbalance_.col(static_cast<Index>(k)) = cases[k].unbalance_kg_m;
-  }
-
-  const Eigen::MatrixXcd& at(double speed_hz) {
-    const auto found = known_.find(speed_hz);
-    if (found != known_.end()) return found->second;
-    return known_.emplace(speed_hz, rotor_.response(unbalance_, speed_hz)).first->second;
-  }
-
-  double major_axis_m(double speed_hz, Index place, std::size_t number) {
-    const auto& rotor = rotor_.rotor();
-    const Eigen::VectorXcd q = at(speed_hz).col(static_cast<Index>(number));
-    return major_axis({(rotor.x.row(place) * q).value(), (rotor.y.row(place) * q).value()});
-  }
-
- private:
-  const WholeRotor& rotor_;
-  Eigen::MatrixXcd unbalance_;
-  std::map<double, Eigen::MatrixXcd> known_;
-};
-
-/// Adds the terms of one resonance: its amplification, and its required distance from the operating range.
+/// Terms of one resonance: its amplification, and how far from the operating range it must be.
 void add_resonance(const Resonance& peak, const SpeedRange& operating, const std::string& place,
                    std::optional<double> position_m, std::vector<Term>& terms) {
   const bool damped = peak.amplification ? *peak.amplification < critically_damped
@@ -66,33 +38,31 @@ void add_resonance(const Resonance& peak, const SpeedRange& operating, const std
   terms.push_back(std::move(term));
 }
 
-/// Speeds of the response: those of the whole range, and further speeds up to `to_hz`.
-std::vector<double> speeds_up_to(double to_hz, const linear::FreeRotor& rotor,
-                                 const LateralQuestions& asked) {
-  constexpr int speeds_beyond = 11;
-  std::vector<linear::CriticalSpeed> critical = asked.critical_speeds;
-  if (to_hz > asked.whole.to_hz) {
-    const linear::Campbell beyond =
-        linear::campbell(rotor, batch::evenly_spaced(asked.whole.to_hz, to_hz, speeds_beyond), to_hz);
-    critical.insert(critical.end(), beyond.critical_speeds.begin(), beyond.critical_speeds.end());
-  }
-  return response_speeds({asked.whole.from_hz, to_hz}, critical);
+/// Tag of an element in a file of another program, which puts it behind the class of the element.
+std::string tag_of(const std::string& name) {
+  const std::size_t underscore = name.find('_');
+  return underscore == std::string::npos ? name : name.substr(underscore + 1);
 }
 
 void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rotor,
                    const LateralQuestions& asked, std::vector<Term>& terms) {
   const std::vector<UnbalanceCase> cases = rotor.cases(asked.eccentricity_m, asked.whole.to_hz);
-  Responses responses(rotor, cases);
+  Eigen::MatrixXcd unbalance_kg_m(rotor.configured_kg().size(), cases.size());
+  for (std::size_t k = 0; k < cases.size(); ++k)
+    unbalance_kg_m.col(static_cast<Index>(k)) = cases[k].unbalance_kg_m;
+  Responses responses(rotor, std::move(unbalance_kg_m));
   const double highest_hz = response_up_to * asked.whole.to_hz,
                to_hz = within_tables_hz(prepared.machine, highest_hz);
-  const std::vector<double> speeds_hz = speeds_up_to(to_hz, rotor.rotor(), asked),
+  const std::vector<double> speeds_hz = response_speeds({asked.whole.from_hz, to_hz}, asked.critical_speeds),
                             operating_hz = within(asked.operating, speeds_hz);
   const std::vector<WatchedPlace> probes = probe_places(prepared);
   for (std::size_t number = 0; number < cases.size(); ++number) {
     for (std::size_t k = 0; k < probes.size(); ++k) {
       const Index place = rotor.place(probes[k].position_m);
       const std::string name = fmt::format("{} at probe {}", cases[number].name, k);
-      const auto axis_m = [&](double hz) { return responses.major_axis_m(hz, place, number); };
+      const auto axis_m = [&](double hz) {
+        return responses.major_axis(hz, place, static_cast<Index>(number));
+      };
       if (number > 0) {
         const Largest largest = largest_over_speed(operating_hz, axis_m);
         const double margin = 1 - largest.value / asked.vibration_limit_m;
@@ -130,6 +100,7 @@ void add_responses(const scene::PreparedMachine& prepared, const WholeRotor& rot
                      largest.value,
                      {},
                      "N"});
+    terms.back().name = tag_of(model::kit_of(prepared.machine)->supports[bearing.support].name);
   }
 }
 
@@ -166,8 +137,24 @@ Term no_verdict_if_failed(Term term) {
     term.met.reset();
     term.margin.reset();
   }
-  term.not_told.clear();
   return term;
+}
+
+/// Threshold of cross-coupling by that of all stages.
+Term threshold_term(const linear::FreeRotor& rotor, double speed_hz, double up_to_hz, Index place,
+                    double coupling_n_per_m) {
+  Term term{"level_1_threshold", "", {}, speed_hz};
+  const auto threshold = threshold_n_per_m(rotor, speed_hz, up_to_hz, place);
+  if (!threshold) {
+    term.not_told = "no forward whirl that cross-coupling makes grow";
+    return term;
+  }
+  term.value = *threshold / coupling_n_per_m;
+  term.limit = least_threshold_ratio;
+  term.unit = "1";
+  term.margin = *term.value / least_threshold_ratio - 1;
+  term.met = *term.margin >= 0;
+  return no_verdict_if_failed(std::move(term));
 }
 
 void add_stability(const WholeRotor& rotor, const model::Machine& machine, const LateralQuestions& asked,
@@ -193,11 +180,8 @@ void add_stability(const WholeRotor& rotor, const model::Machine& machine, const
                                 first_forward(level_one, std::vector{speed_hz}, up_to_hz, midspan, coupling));
     first.position_m = position_m;
     terms.push_back(no_verdict_if_failed(std::move(first)));
-    if (const auto threshold = threshold_n_per_m(level_one, speed_hz, up_to_hz, midspan)) {
-      const double ratio = *threshold / coupling, margin = ratio / least_threshold_ratio - 1;
-      terms.push_back(no_verdict_if_failed({"level_1_threshold", "", position_m, speed_hz, ratio,
-                                            least_threshold_ratio, "1", margin, margin >= 0}));
-    }
+    terms.push_back(threshold_term(level_one, speed_hz, up_to_hz, midspan, coupling));
+    terms.back().position_m = position_m;
   }
   const std::vector<double> speeds_hz =
       batch::evenly_spaced(asked.operating.from_hz, asked.operating.to_hz, decrement_speeds);
@@ -206,6 +190,12 @@ void add_stability(const WholeRotor& rotor, const model::Machine& machine, const
 }
 
 }  // namespace
+
+void refuse_verdict(Term& term, const char* why) {
+  if (term.met != true) return;
+  term.met.reset();
+  term.not_told = why;
+}
 
 double within_tables_hz(const model::Machine& machine, double up_to_hz) {
   const model::RotorKit* kit = model::kit_of(machine);
@@ -218,9 +208,11 @@ std::vector<Term> lateral_terms(const scene::PreparedMachine& prepared, const La
   std::vector<Term> terms;
   add_responses(prepared, rotor, questions, terms);
   for (Term& term : terms) {
-    if (!questions.grows || term.met != true) continue;
-    term.met.reset();
-    term.not_told = grows_away;
+    if (questions.grows) {
+      refuse_verdict(term, grows_away);
+    } else if (questions.decays_to_hz && term.speed_hz.value_or(0) > *questions.decays_to_hz) {
+      refuse_verdict(term, grows_beyond);
+    }
   }
   add_stability(rotor, prepared.machine, questions, terms);
   return terms;

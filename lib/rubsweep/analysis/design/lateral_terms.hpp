@@ -13,6 +13,7 @@ namespace rubsweep::design {
 
 /// Reason why a term is unknown although the computed motion meets its limit.
 inline constexpr const char* grows_away = "a free vibration grows within the range of speeds";
+inline constexpr const char* grows_beyond = "a free vibration grows above the maximum continuous speed";
 
 /// One line of a design check.
 struct Term {
@@ -22,7 +23,8 @@ struct Term {
   std::string unit = {};
   std::optional<double> margin = {};  ///< remaining share of the limit; for a separation, share of the speed
   std::optional<bool> met = {};
-  std::string not_told = {};  ///< reason why a term with a limit is unknown; otherwise empty
+  std::string not_told = {};  ///< why nothing is known of a term with a limit; else empty
+  std::string name = {};      ///< name that the file of the rotor gives to the place; may be empty
 };
 
 /// Input of the lateral analysis of API 617.
@@ -32,9 +34,11 @@ struct LateralQuestions {
   double eccentricity_m = 0;  ///< eccentricity in the case `configured`
   double scale = 1;           ///< factor of the unbalance, for the bearing forces
   double vibration_limit_m = 0;
-  std::vector<linear::CriticalSpeed> critical_speeds = {};  ///< within `whole`
-  bool grows = false;  ///< true: a free vibration grows, so that no response lasts and no limit counts as met
-  std::optional<std::vector<Stage>> stages;  ///< empty: not given; empty list: the rotor does no work
+  std::vector<linear::CriticalSpeed> critical_speeds = {};  ///< up to last_response_hz
+  bool grows = false;                        ///< true: a response does not last, so that it keeps no limit
+  std::optional<std::vector<Stage>> stages;  ///< empty: not said; none: the rotor does no work
+  std::optional<double> decays_to_hz =
+      {};  ///< beyond it and beyond `whole` some vibration grows; empty: none
 };
 
 /// Highest speeds at which API 617 considers the response and the clearances, as shares of the maximum
@@ -47,7 +51,10 @@ inline constexpr double least_decrement = 0.1, least_threshold_ratio = 2;
 /// Level I and II.
 std::vector<Term> lateral_terms(const scene::PreparedMachine& prepared, const LateralQuestions& questions);
 
-/// Highest speed in the tables of the supports, at most `up_to_hz`.
+/// Drops the verdict of a limit that is kept only by a response that does not last.
+void refuse_verdict(Term& term, const char* why);
+
+/// The speed up to which tables of the supports go, at most `up_to_hz`.
 double within_tables_hz(const model::Machine& machine, double up_to_hz);
 
 }  // namespace rubsweep::design

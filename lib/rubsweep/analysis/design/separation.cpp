@@ -42,6 +42,20 @@ std::optional<double> falls_to(const Sampled& sampled, const Resonance& peak, st
   }
 }
 
+/// Speed of a peak that is nearly found, by the symmetric difference of values beside it: an extremum is
+/// flat, so that the values alone give half of the digits.
+double centred(const std::function<double(double)>& amplitude, double speed_hz) {
+  constexpr double beside = 3e-5;
+  constexpr int steps = 2;
+  for (int k = 0; k < steps; ++k) {
+    const double low = amplitude((1 - beside) * speed_hz), high = amplitude((1 + beside) * speed_hz),
+                 bend = high - 2 * amplitude(speed_hz) + low, step = (low - high) / (2 * bend);
+    if (!(bend < 0) || !(std::abs(step) < 1)) return speed_hz;
+    speed_hz *= 1 + beside * step;
+  }
+  return speed_hz;
+}
+
 void amplify(const Sampled& sampled, std::size_t at, Resonance& peak) {
   const auto low = falls_to(sampled, peak, at, -1), high = falls_to(sampled, peak, at, 1);
   if (low && high) {
@@ -76,9 +90,11 @@ std::vector<Resonance> resonances(std::span<const double> speeds_hz,
   for (std::size_t k = 1; k + 1 < values.size(); ++k) {
     if (!(values[k] > values[k - 1] && values[k] >= values[k + 1])) continue;
     std::uintmax_t iterations = 100;
-    const auto [speed_hz, negative] = boost::math::tools::brent_find_minima(
+    const auto [near_hz, negative] = boost::math::tools::brent_find_minima(
         [&](double hz) { return -finite(hz); }, speeds_hz[k - 1], speeds_hz[k + 1], bits, iterations);
-    Resonance peak{speed_hz, -negative, {}, 0};
+    Resonance peak{near_hz, -negative, {}, 0};
+    if (peak.amplitude < undamped) peak.speed_hz = centred(finite, near_hz);
+    peak.amplitude = std::max(peak.amplitude, finite(peak.speed_hz));
     amplify(sampled, k, peak);
     found.push_back(peak);
   }

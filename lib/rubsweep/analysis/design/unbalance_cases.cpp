@@ -50,6 +50,39 @@ void load_bearings(const structure::BeamShaft& shaft, const model::RotorKit& kit
                             structure::support_gap(shaft, kit, bearing.support).dot(sag);
 }
 
+/// Mass of a layer of a segment between two shares of its length.
+double layer_kg(const model::ShaftLayer& layer, double length_m, double begin, double end) {
+  const auto area_m2 = [&](double at) {
+    const model::Diameters d = model::diameters(layer, at);
+    return std::numbers::pi / 4 * (d.outer_m * d.outer_m - d.inner_m * d.inner_m);
+  };
+  // Areas are quadratic along a taper, which Simpson's rule integrates exactly.
+  return layer.density_kg_per_m3 * length_m * (end - begin) / 6 *
+         (area_m2(begin) + 4 * area_m2((begin + end) / 2) + area_m2(end));
+}
+
+/// Mass of shaft, discs and point masses strictly between two places.
+double mass_between_kg(const model::RotorKit& kit, double low_m, double high_m) {
+  double mass_kg = 0, at_m = 0;
+  for (const model::ShaftSegment& segment : kit.shaft) {
+    const double begin = std::clamp((low_m - at_m) / segment.length_m, 0.0, 1.0),
+                 end = std::clamp((high_m - at_m) / segment.length_m, 0.0, 1.0);
+    if (end > begin) {
+      mass_kg += layer_kg(segment, segment.length_m, begin, end);
+      for (const model::ShaftLayer& layer : segment.layers)
+        mass_kg += layer_kg(layer, segment.length_m, begin, end);
+    }
+    at_m += segment.length_m;
+  }
+  const auto add = [&](const auto& parts) {
+    for (const auto& part : parts)
+      if (part.position_m > low_m && part.position_m < high_m) mass_kg += part.mass_kg;
+  };
+  add(kit.discs);
+  add(kit.point_masses);
+  return mass_kg;
+}
+
 double residual_kg_m(double mass_kg, double max_continuous_hz) {
   constexpr double g_mm_per_kg_m = 1e6;
   return unbalance_g_mm_rpm_per_kg / g_mm_per_kg_m * mass_kg / (model::rpm_per_hz * max_continuous_hz);
@@ -97,6 +130,25 @@ void WholeRotor::add_shaft(const model::RotorKit& kit) {
     bearings_.push_back({load.support, kit.supports[load.support].position_m, -load.load_n[1],
                          in_plane(gap, 0), in_plane(gap, 1)});
   }
+  std::ranges::sort(bearings_, {}, &Bearing::position_m);
+  if (bearings_.empty()) return;
+  load_bearings(shaft, kit, bearings_);
+  weigh_overhangs(kit);
+}
+
+void WholeRotor::weigh_overhangs(const model::RotorKit& kit) {
+  const double first_m = bearings_.front().position_m, last_m = bearings_.back().position_m;
+  if (!kit.matrices) {
+    left_kg_ = mass_between_kg(kit, -1, first_m);
+    right_kg_ = mass_between_kg(kit, last_m, 2 * model::shaft_length_m(kit));
+    return;
+  }
+  // Matrices say how much each node weighs, and not where between nodes that is.
+  for (Index k = 0; k < mass_kg_.size(); ++k) {
+    const double at_m = rotor_.position_m[static_cast<std::size_t>(k)];
+    if (at_m < first_m) left_kg_ += mass_kg_(k);
+    if (at_m > last_m) right_kg_ += mass_kg_(k);
+  }
 }
 
 Index WholeRotor::place(std::optional<double> position_m) const {
@@ -134,16 +186,11 @@ std::vector<UnbalanceCase> WholeRotor::cases(double eccentricity_m, double max_c
                                    in_one_place(other, residual_kg_m(share_kg(other), max_continuous_hz))});
   }
   if (bearings_.empty()) return cases;
-  double left_kg = 0, right_kg = 0;
-  for (Index k = 0; k < mass_kg_.size(); ++k) {
-    const double at_m = rotor_.position_m[static_cast<std::size_t>(k)];
-    if (at_m < bearings_.front().position_m) left_kg += mass_kg_(k);
-    if (at_m > bearings_.back().position_m) right_kg += mass_kg_(k);
-  }
-  if (left_kg > 0) cases.push_back({"left end", in_one_place(0, residual_kg_m(left_kg, max_continuous_hz))});
-  if (right_kg > 0)
+  if (left_kg_ > 0)
+    cases.push_back({"left end", in_one_place(0, residual_kg_m(left_kg_, max_continuous_hz))});
+  if (right_kg_ > 0)
     cases.push_back(
-        {"right end", in_one_place(mass_kg_.size() - 1, residual_kg_m(right_kg, max_continuous_hz))});
+        {"right end", in_one_place(mass_kg_.size() - 1, residual_kg_m(right_kg_, max_continuous_hz))});
   return cases;
 }
 
@@ -170,6 +217,18 @@ double WholeRotor::bearing_force_n(const Bearing& bearing, const Eigen::VectorXc
       (at.stiffness_yx_n_per_m + i * w * at.damping_yx_ns_per_m) * x +
           (at.stiffness_y_n_per_m + i * w * at.damping_y_ns_per_m - w * w * at.mass_y_kg) * y};
   return major_axis(force) / 2;
+}
+
+const Eigen::MatrixXcd& Responses::at(double speed_hz) {
+  const auto found = known_.find(speed_hz);
+  if (found != known_.end()) return found->second;
+  return known_.emplace(speed_hz, rotor_.response(unbalance_kg_m_, speed_hz)).first->second;
+}
+
+double Responses::major_axis(double speed_hz, Index place, Index column) {
+  const linear::FreeRotor& free = rotor_.rotor();
+  const auto q = at(speed_hz).col(column);
+  return design::major_axis({(free.x.row(place) * q).value(), (free.y.row(place) * q).value()});
 }
 
 }  // namespace rubsweep::design

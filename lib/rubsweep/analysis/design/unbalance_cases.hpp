@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rubsweep/analysis/linear/whirl_modes.hpp"
@@ -61,6 +63,7 @@ class WholeRotor {
  private:
   Eigen::VectorXcd in_one_place(Eigen::Index place, double kg_m) const;
   void add_shaft(const model::RotorKit& kit);
+  void weigh_overhangs(const model::RotorKit& kit);
 
   model::Machine machine_;
   linear::FreeRotor rotor_;
@@ -68,8 +71,27 @@ class WholeRotor {
   std::vector<Bearing> bearings_;
   Eigen::VectorXd first_, second_;  ///< deflections of the first two undamped modes at the places, or empty
   Eigen::VectorXd mass_kg_;         ///< share of the weight of each place
+  double left_kg_ = 0, right_kg_ = 0;  ///< masses that overhang the outer bearings
   double whole_mass_kg_ = 0;
   Eigen::Index band_ = 0;
+};
+
+/// Responses of a rotor by the speed, kept: peaks of one column ask for speeds at which others were asked.
+class Responses {
+ public:
+  /// `unbalance_kg_m`: a column for each of unbalance. The rotor must outlive this.
+  Responses(const WholeRotor& rotor, Eigen::MatrixXcd unbalance_kg_m)
+      : rotor_(rotor), unbalance_kg_m_(std::move(unbalance_kg_m)) {}
+
+  const WholeRotor& rotor() const { return rotor_; }
+  const Eigen::MatrixXcd& at(double speed_hz);
+  /// Full major axis at a place of the rotor.
+  double major_axis(double speed_hz, Eigen::Index place, Eigen::Index column = 0);
+
+ private:
+  const WholeRotor& rotor_;
+  Eigen::MatrixXcd unbalance_kg_m_;
+  std::map<double, Eigen::MatrixXcd> known_;
 };
 
 }  // namespace rubsweep::design

@@ -108,8 +108,4 @@ scene::QuietMotion unit_response(const scene::PreparedMachine& prepared, double 
   return scene::quiet_motion(system, w, w * w * system.unbalance_kg, scene::constant_load_n(prepared));
 }
 
-double major_axis_at(const scene::QuietMotion& motion, const WatchedPlace& place) {
-  return major_axis(place.map.cast<std::complex<double>>() * motion.amplitude);
-}
-
 }  // namespace rubsweep::design

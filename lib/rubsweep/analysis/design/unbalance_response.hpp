@@ -62,7 +62,4 @@ std::vector<WatchedPlace> stop_places(const scene::PreparedMachine& prepared);
 /// The tables must reach the speed.
 scene::QuietMotion unit_response(const scene::PreparedMachine& prepared, double speed_hz);
 
-/// Full major axis of the ellipse at a place, in the unit of the motion. Not finite at an undamped resonance.
-double major_axis_at(const scene::QuietMotion& motion, const WatchedPlace& place);
-
 }  // namespace rubsweep::design

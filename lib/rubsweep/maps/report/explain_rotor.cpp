@@ -119,6 +119,17 @@ std::string explain_rotating_damping(const scene::PreparedMachine& prepared, con
               : "stable up to " + model::speed_text(highest_hz, 4));
 }
 
+/// Line of the supports by the names that the file of the rotor gives them; empty where it gives none.
+std::string explain_names(const model::RotorKit& kit) {
+  std::string text;
+  for (std::size_t i = 0; i < kit.supports.size(); ++i) {
+    const model::Support& support = kit.supports[i];
+    if (!support.name.empty())
+      text += fmt::format("{}{} ({}) at {}", text.empty() ? "" : ", ", i, support.name, place_of(support));
+  }
+  return text.empty() ? "" : "  supports: " + text + "\n";
+}
+
 std::string explain_shaft(const model::RotorKit& kit) {
   return fmt::format(
       "rotor: kit, shaft of {:.6g} m in {} or more Timoshenko elements, {} discs, {} supports, {} "
@@ -137,7 +148,7 @@ std::string explain_second_harmonic(const scene::PreparedMachine& prepared) {
 
 std::string explain_kit(const scene::PreparedMachine& prepared, const model::RotorKit& kit, bool by_tables) {
   const structure::Reduction& reduction = *prepared.reduction;
-  std::string text = kit.matrices ? explain_matrices(kit) : explain_shaft(kit);
+  std::string text = (kit.matrices ? explain_matrices(kit) : explain_shaft(kit)) + explain_names(kit);
   text += explain_rotating_damping(prepared, kit, by_tables);
   text += explain_second_harmonic(prepared);
   const std::string faults = explain_faults(kit);
