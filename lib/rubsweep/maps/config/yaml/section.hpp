@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <initializer_list>
@@ -68,6 +69,9 @@ class Section {
   /// Reads an integer, or the word that stands for "none".
   void field(std::string_view name, std::optional<int>& target, const model::IntegerOr& range);
   void field(std::string_view name, std::vector<double>& target, const model::NumberOrList& range);
+  void field(std::string_view name, std::array<double, 2>& target, const model::NumberPair&) {
+    if (const auto value = find(name)) read_numbers(*value, target);
+  }
 
   /// Reads a map that must be given; `visit` reads its keys.
   template <class Visit>
@@ -81,7 +85,7 @@ class Section {
 
   /// Reads keys that are allowed only where `holds`, that is, beside certain words of another key.
   template <class Visit>
-  void beside(std::string_view, std::initializer_list<std::string>, bool holds, Visit&& visit) {
+  void beside(std::string_view, const std::vector<std::string>&, bool holds, Visit&& visit) {
     if (holds) visit();
   }
 
