@@ -69,8 +69,9 @@ class Section {
   /// Reads an integer, or the word that stands for "none".
   void field(std::string_view name, std::optional<int>& target, const model::IntegerOr& range);
   void field(std::string_view name, std::vector<double>& target, const model::NumberOrList& range);
-  void field(std::string_view name, std::array<double, 2>& target, const model::NumberPair&) {
-    if (const auto value = find(name)) read_numbers(*value, target);
+  void field(std::string_view name, std::array<double, 2>& target, const model::Key<model::NumberPair>& key) {
+    const auto value = key.without == model::needed ? require(name, "a list of 2 numbers") : find(name);
+    if (value) read_numbers(*value, target);
   }
 
   /// Reads a map that must be given; `visit` reads its keys.
