@@ -7,9 +7,8 @@
 #include <cmath>
 #include <numbers>
 #include <string_view>
-#include <variant>
 
-#include "rubsweep/core/overloaded.hpp"
+#include "rubsweep/core/contact/wall.hpp"
 #include "shared/program.hpp"
 
 namespace rubsweep::apps {
@@ -69,13 +68,10 @@ std::array<StartNumber, 2> read_plane(const std::string& text) {
 }
 
 std::array<StartNumber, 2> usual_plane(const model::Stop& first) {
-  const auto normal = std::visit(overloaded{[](const model::OneSideGeometry& flat) {
-                                              const double angle = flat.angle_deg * std::numbers::pi / 180;
-                                              return std::array<double, 2>{std::cos(angle), std::sin(angle)};
-                                            },
-                                            [](const model::AnnularGeometry& ring) { return ring.offset_m; }},
-                                 first.geometry);
-  return read_plane(std::abs(normal[1]) > std::abs(normal[0]) ? "y,vy" : "x,vx");
+  const contact::Wall wall = contact::wall_of(first.geometry);
+  const Eigen::Vector2d normal = contact::normal_at(wall, contact::offset(wall));
+  const bool upright = !contact::centred(wall) && std::abs(normal.y()) > std::abs(normal.x());
+  return read_plane(upright ? "y,vy" : "x,vx");
 }
 
 StartRange usual_range(const StartNumber& number, const config::RunConfig& config, double speed_hz) {

@@ -123,11 +123,11 @@ std::vector<Wall> walls_of(const model::Machine& machine, double speed_hz) {
   const scene::Cell cell = scene::build_cell(machine, speed_hz, scene::Eccentricity{0});
   std::vector<Wall> walls;
   for (const scene::Contact& contact : cell.scene.contacts) {
-    const contact::Outline outline = contact::outline(contact.wall);
-    walls.push_back({.around = outline.around,
+    const contact::Outline outline = contact::outline(contact.wall, contact.clearance_m);
+    walls.push_back({.around = outline.circle,
                      .normal = {outline.normal.x(), outline.normal.y()},
                      .centre_m = {outline.centre.x(), outline.centre.y()},
-                     .clearance_m = contact.clearance_m,
+                     .clearance_m = outline.reach,
                      .at_orbit = contact.rotor_point == cell.scene.observed_point});
   }
   return walls;

@@ -91,7 +91,7 @@ std::vector<line::LinePoint> steady_motions(const ramp::SpeedRamp& ramp, const s
 /// Runs up without a kick, so that only the unbalance brings the rotor to the wall. An initial state is used
 /// only if it is the state at rest.
 Outcome run_up_with_stops(const ramp::SpeedRamp& ramp, sweep::Study study, const model::ShownLengths& shown) {
-  study.machine.kick.reset();
+  study.machine = model::without_kicks(std::move(study.machine));
   if (!model::begins_at_rest(study.machine.start)) study.machine.start.reset();
   const scene::PreparedMachine machine = scene::prepare_machine(study.machine);
   ramp::RampRecord record(ramp);

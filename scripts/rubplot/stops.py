@@ -56,6 +56,8 @@ def _add_stop(stops, config, i, here):
             stops.rings.append((-offset[0], -offset[1], clearance_m))
             stops.levels += [-offset[1] - clearance_m, -offset[1] + clearance_m]
         return
+    if config[path + "kind"] != "one_side":
+        raise configuration.ConfigurationError(f"{path}kind: {config[path + 'kind']} cannot be drawn")
     angle_deg = configuration.number(config[path + "angle_deg"])
     angle = angle_deg * math.pi / 180
     if here:

@@ -77,10 +77,15 @@ TEST(Wall, ShareOfTheWayEndsOnIt) {
   EXPECT_NEAR((to_hole * way + offset(hole)).norm(), 0.6, 1e-15);
   EXPECT_GT(to_hole, 0);
   // The outline describes the same wall in another form.
-  EXPECT_FALSE(outline(flat).around);
-  EXPECT_NEAR(outline(flat).normal.dot(to_flat * way), 0.5, 1e-15);
-  EXPECT_TRUE(outline(hole).around);
-  EXPECT_NEAR((to_hole * way - outline(hole).centre).norm(), 0.6, 1e-15);
+  EXPECT_FALSE(outline(flat, 0.5).circle);
+  EXPECT_NEAR(outline(flat, 0.5).normal.dot(to_flat * way), 0.5, 1e-15);
+  EXPECT_TRUE(outline(hole, 0.6).circle);
+  EXPECT_NEAR((to_hole * way - outline(hole, 0.6).centre).norm(), 0.6, 1e-15);
+  EXPECT_EQ(outline(flat, 0.5).reach, 0.5);
+  EXPECT_EQ(outline(hole, 0.6).reach, 0.6);
+  EXPECT_NEAR(penetration_at(flat, to_flat * way, 0.5), 0, 1e-15);
+  EXPECT_NEAR(penetration_at(hole, to_hole * way + offset(hole), 0.6), 0, 1e-15);
+  EXPECT_NEAR(penetration_at(hole, {0.6, 0.8}, 0.6), 0.4, 1e-15);
   EXPECT_TRUE(std::isinf(share_of_way_to(flat, 0.5, -way)));
   EXPECT_TRUE(std::isinf(share_of_way_to(hole, 0.6, {0, 0})));
 }

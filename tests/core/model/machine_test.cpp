@@ -168,5 +168,23 @@ TEST(MachineValidate, ReportsTheFirstOfSeveral) {
             "rotor.mass_kg: missing, allowed: a number > 0");
 }
 
+TEST(Kicks, ChangeTogetherInForceAndGoTogether) {
+  const Machine machine = valid_machine();
+  EXPECT_EQ(with_kick_force(machine, 50).kick->force_n, 50);
+  EXPECT_EQ(with_kick_force(machine, 50).kick->duration_s, machine.kick->duration_s);
+  EXPECT_EQ(with_kick_force(with_kick_force(machine, 0), 50).kick->force_n, 50);
+  const Machine quiet = without_kicks(machine);
+  EXPECT_FALSE(quiet.kick);
+  int count = 0;
+  for_each_kick(machine, [&](const Kick&, auto) { ++count; });
+  for_each_kick(quiet, [&](const Kick&, auto) { count += 100; });
+  EXPECT_EQ(count, 1);
+}
+
+TEST(Kicks, AreRecognisedByThePathsOfTheirKeys) {
+  for (const char* path : {"kick.force_n", "kick.position_m", "kick"}) EXPECT_TRUE(is_of_kick(path)) << path;
+  for (const char* path : {"kicked.force_n", "start.kick", "kic", ""}) EXPECT_FALSE(is_of_kick(path)) << path;
+}
+
 }  // namespace
 }  // namespace rubsweep::model

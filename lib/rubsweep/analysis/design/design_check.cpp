@@ -7,13 +7,12 @@
 #include <limits>
 #include <numbers>
 #include <utility>
-#include <variant>
 
 #include "rubsweep/analysis/design/design_terms.hpp"
+#include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/error.hpp"
 #include "rubsweep/core/model/balance.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
-#include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
 #include "rubsweep/maps/batch/axis.hpp"
 
@@ -247,10 +246,8 @@ DesignCheck check_design(const sweep::Study& study, const scene::PreparedMachine
   check.clearances = margins_over(prepared, response, check.scale * check.eccentricity_m, speeds_hz);
   check.curves = curves_over(prepared, response, check.scale * check.eccentricity_m, speeds_hz);
   for (std::size_t stop = 0; stop < study.machine.stops.size(); ++stop) {
-    const bool may_whip = std::visit(overloaded{[](const model::OneSideGeometry&) { return false; },
-                                                [](const model::AnnularGeometry&) { return true; }},
-                                     study.machine.stops[stop].geometry);
-    if (may_whip) check.whips.push_back(whip_margin(prepared, stop, check.operating));
+    if (contact::annular(contact::wall_of(study.machine.stops[stop].geometry)))
+      check.whips.push_back(whip_margin(prepared, stop, check.operating));
   }
   for (const linear::LockSpeed& lock : linear::lock_speeds(modes))
     if (check.operating.contains(lock.speed_hz)) check.locks.push_back(lock);

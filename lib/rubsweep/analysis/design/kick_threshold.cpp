@@ -23,7 +23,7 @@ class KickedCell {
   }
 
   sweep::Probe kicked_with(double force_n) {
-    study_.machine.kick->force_n = force_n;
+    study_.machine = model::with_kick_force(prepared_.machine, force_n);
     const sweep::Row row =
         sweep::evaluate_cell(study_, scene::prepare_other_kick(prepared_, study_.machine), 0, workspace_);
     const response::motion::MotionClass found = row.motion_class;

@@ -197,7 +197,8 @@ StateReader::StopMotion StateReader::stop_motion(std::size_t index, const TraceS
   const Eigen::Vector2d rate = relative_[index] * state.rates_m_per_s;
   const Eigen::Vector2d normal = contact::normal_at(contact.wall, distance_m);
   const Eigen::Vector2d tangent(-normal.y(), normal.x());
-  return {normal.dot(distance_m) - contact.clearance_m, normal.dot(rate), tangent.dot(rate)};
+  return {contact::penetration_at(contact.wall, distance_m, contact.clearance_m), normal.dot(rate),
+          tangent.dot(rate)};
 }
 
 /// Friction force. A smoothed law lets dry friction follow tanh(slip / (smoothing width x shaft speed)).

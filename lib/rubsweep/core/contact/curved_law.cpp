@@ -1,5 +1,7 @@
 #include "rubsweep/core/contact/curved_law.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/special_functions/lambert_w.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -103,6 +105,9 @@ double CurvedLaw::line_force_n(double penetration_m) const {
   return place > -least ? 0 : -2 * q / boost::math::lambert_wm1(place);
 }
 
+static_assert(model::force_curves.values.size() == 4,
+              "force_n, slope_n_per_m, energy_j and describe must know a further law");
+
 double CurvedLaw::force_n(double penetration_m) const {
   const double p = std::abs(penetration_m);
   double force = 0;
@@ -140,6 +145,14 @@ double CurvedLaw::energy_j(double penetration_m) const {
   const double force = force_n(p);
   // Energy = F p minus the integral of p over F.
   return force == 0 ? 0 : force * (p - a_ * force * (b_ / 2 - std::log(force) / 4 + 0.125)) + more;
+}
+
+std::string describe(const model::NormalLaw& law) {
+  if (law.kind == model::ForceCurve::power)
+    return fmt::format("{} N/m^{} p^{}", law.stiffness_n_per_m_n, law.exponent, law.exponent);
+  if (law.kind == model::ForceCurve::hertz_line) return "line contact of Hertz as it is";
+  return fmt::format("measured curve of {} points up to {} m, beyond that its tangent", law.force_n.size(),
+                     law.penetration_m.back());
 }
 
 double secant_n_per_m(const model::Stop& stop) {

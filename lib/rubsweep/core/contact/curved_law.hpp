@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "rubsweep/core/contact/contact_mode.hpp"
@@ -57,6 +58,9 @@ class CurvedLaw {
   double end_m_ = 0, end_n_ = 0, end_slope_ = 0;  ///< start of the tangent beyond a line contact or table
   std::vector<double> energy_j_;                  ///< energies at the points of a table
 };
+
+/// The elastic force of a law in words, for --explain.
+std::string describe(const model::NormalLaw& law);
 
 /// Secant stiffness of a non-linear law at a penetration of 1/20 of the clearance, in N/m. Used to estimate
 /// the stiffness of a contact.

@@ -61,11 +61,14 @@ std::pair<double, double> smallest(const Function& function, const Span& span) {
 
 FrictionBounds friction_bounds(const model::Friction& friction) {
   const FrictionTerms terms = friction_terms(friction);
+  // Every term has a name here, so that a further one does not compile. A falling part lies between `dry` and
+  // `holding`.
+  const auto& [terms_of_tanh, count, constant, dry, holding, falling, viscous] = terms;
   FrictionBounds bounds;
-  bounds.smallest = terms.constant + terms.dry;
-  bounds.largest = terms.constant + terms.holding;
+  bounds.smallest = constant + dry;
+  bounds.largest = constant + holding;
   Span span{1, 1};
-  if (terms.count > 0) {
+  if (count > 0) {
     span = span_of(terms);
     const auto whole = [&](double slip) { return friction_coefficient(friction, slip); };
     // The viscous part is left out here, not subtracted: subtracting such a large part would leave only
@@ -79,7 +82,7 @@ FrictionBounds friction_bounds(const model::Friction& friction) {
     std::tie(bounds.smallest_at_m_per_s, bounds.smallest) = smallest(whole, span);
     bounds.largest = -smallest(fallen, span).second;
   }
-  if (terms.viscous_s_per_m < 0) {
+  if (viscous < 0) {
     bounds.smallest = -std::numeric_limits<double>::infinity();
     bounds.smallest_at_m_per_s = std::numeric_limits<double>::infinity();
   }

@@ -185,14 +185,7 @@ bool depends_on_slip(const model::Friction& friction) {
       friction);
 }
 
-bool keeps_its_direction(const model::Friction& friction) {
-  return std::visit(
-      overloaded{[](const NoFriction&) { return false; }, [](const ConstantFriction&) { return false; },
-                 [](const OneWayFriction& one_way) { return one_way.coefficient != 0; },
-                 [](const StribeckFriction&) { return false; }, [](const StaticFriction&) { return false; },
-                 [](const FallingFriction&) { return false; }},
-      friction);
-}
+bool keeps_its_direction(const model::Friction& friction) { return friction_terms(friction).constant != 0; }
 
 double dry_coefficient(const model::Friction& friction) { return friction_terms(friction).dry; }
 

@@ -1,5 +1,7 @@
 #include "rubsweep/core/contact/wall.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <complex>
@@ -34,6 +36,19 @@ Wall wall_of(const model::StopGeometry& geometry) {
                                },
                                [](const model::AnnularGeometry& annular) -> Wall {
                                  return AnnularWall{{annular.offset_m[0], annular.offset_m[1]}};
+                               }},
+                    geometry);
+}
+
+std::string describe(const model::StopGeometry& geometry) {
+  return std::visit(overloaded{[](const model::OneSideGeometry& flat) {
+                                 return fmt::format("one side at {} degrees", flat.angle_deg);
+                               },
+                               [](const model::AnnularGeometry& annular) -> std::string {
+                                 const auto& offset_m = annular.offset_m;
+                                 if (offset_m[0] == 0 && offset_m[1] == 0) return "annular, centred";
+                                 return fmt::format("annular, rotor offset by ({}, {}) m", offset_m[0],
+                                                    offset_m[1]);
                                }},
                     geometry);
 }
@@ -84,12 +99,20 @@ Eigen::Vector2d normal_at(const Wall& wall, const Eigen::Vector2d& distance) {
                     wall);
 }
 
-Outline outline(const Wall& wall) {
-  return std::visit(overloaded{[](const FlatWall& flat) -> Outline { return {.normal = flat.normal}; },
-                               [](const AnnularWall& annular) -> Outline {
-                                 return {.around = true, .centre = -annular.offset};
-                               }},
-                    wall);
+double penetration_at(const Wall& wall, const Eigen::Vector2d& distance, double clearance) {
+  return std::visit(
+      overloaded{[&](const FlatWall& flat) { return flat.normal.dot(distance) - clearance; },
+                 [&](const AnnularWall&) { return normal_at(wall, distance).dot(distance) - clearance; }},
+      wall);
+}
+
+Outline outline(const Wall& wall, double clearance) {
+  return std::visit(
+      overloaded{[&](const FlatWall& flat) -> Outline { return {.normal = flat.normal, .reach = clearance}; },
+                 [&](const AnnularWall& annular) -> Outline {
+                   return {.circle = true, .centre = -annular.offset, .reach = clearance};
+                 }},
+      wall);
 }
 
 Eigen::MatrixXd rows_against(const Wall& wall, const RelativeMap& relative) {

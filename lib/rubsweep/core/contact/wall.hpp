@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <string>
 #include <variant>
 
 #include "rubsweep/core/contact/contact_mode.hpp"
@@ -66,6 +67,9 @@ Eigen::Vector2d direction(double angle_deg);
 
 Wall wall_of(const model::StopGeometry& geometry);  ///< Wall of a geometry in a configuration, in metres.
 
+/// Kind and place of a stop in words, for --explain.
+std::string describe(const model::StopGeometry& geometry);
+
 Wall in_units(const Wall& wall, double unit);  ///< The wall with its lengths divided by `unit`.
 
 bool same(const Wall& a, const Wall& b);
@@ -92,13 +96,17 @@ Eigen::Vector2d first_direction(const Wall& wall);
 /// centre of an annular stop, where it is undefined and nothing touches, +y.
 Eigen::Vector2d normal_at(const Wall& wall, const Eigen::Vector2d& distance);
 
+/// Penetration of a wall where the relative displacement is d = `distance`; below 0: a gap.
+double penetration_at(const Wall& wall, const Eigen::Vector2d& distance, double clearance);
+
 /// Geometry of a wall for drawing it, seen from the rotor's rest position.
 struct Outline {
-  bool around = false;           ///< true: a circle around the rotor; false: a line
+  bool circle = false;           ///< true: a circle; false: a line
   Eigen::Vector2d normal{0, 1};  ///< normal of a line: from the rest position towards it
   Eigen::Vector2d centre{0, 0};  ///< centre of a circle
+  double reach = 0;              ///< distance of a line from the rest position, or radius of a circle
 };
-Outline outline(const Wall& wall);
+Outline outline(const Wall& wall, double clearance);
 
 /// Map from the displacements q to rotor point minus casing point.
 using RelativeMap = Eigen::Matrix<double, 2, Eigen::Dynamic>;

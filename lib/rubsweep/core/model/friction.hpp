@@ -10,21 +10,30 @@
 
 namespace rubsweep::model {
 
+/// Behaviour of a friction law where the slip is zero.
+enum class AtRest {
+  slips,      ///< never holds the surfaces together
+  holds,      ///< holds them up to its sliding friction
+  holds_more  ///< holds them up to its member `static_coefficient`, and slides with `coefficient`
+};
+
 struct NoFriction {
   static constexpr std::string_view name = "none";
+  static constexpr AtRest at_rest = AtRest::slips;
 
-  static void visit_fields(auto&, auto&&) {}
+  static constexpr void visit_fields(auto&, auto&&) {}
 };
 
 /// Dry friction (Coulomb): mu(v) = coefficient for a slip speed v > 0 and -coefficient for v < 0. At v = 0,
 /// mu has the value between these two that holds the surfaces together, if there is one.
 struct ConstantFriction {
   static constexpr std::string_view name = "dry";
+  static constexpr AtRest at_rest = AtRest::holds;
 
   double coefficient = required;
   static constexpr Range coefficient_range{.low = 0, .high = 10};
 
-  static void visit_fields(auto& self, auto&& visit) {
+  static constexpr void visit_fields(auto& self, auto&& visit) {
     visit("coefficient", self.coefficient,
           key(coefficient_range,
               "dry friction, against the slip; it holds the surfaces together where it can, up to this or up "
@@ -37,10 +46,11 @@ struct ConstantFriction {
 /// changes. The status of a run reports where its slip would reverse.
 struct OneWayFriction {
   static constexpr std::string_view name = "one-way";
+  static constexpr AtRest at_rest = AtRest::slips;
 
   double coefficient = required;
 
-  static void visit_fields(auto& self, auto&& visit) {
+  static constexpr void visit_fields(auto& self, auto&& visit) {
     visit("one_way", self.coefficient,
           newer_key(ConstantFriction::coefficient_range,
                     "friction in the direction of shaft rotation whatever the slip"));
@@ -57,7 +67,7 @@ struct StribeckCurve {
   double settle_speed_m_per_s = required;
   double viscous_s_per_m = 0;
 
-  static void visit_fields(auto& self, auto&& visit) {
+  static constexpr void visit_fields(auto& self, auto&& visit) {
     visit(
         "static", self.static_coefficient,
         key(ConstantFriction::coefficient_range,
@@ -75,12 +85,13 @@ struct StribeckCurve {
 /// gamma[0..5] = g1 [-], g2 [s/m], g3 [s/m], g4 [-], g5 [s/m], g6 [s/m]; v slip speed in m/s.
 struct StribeckFriction {
   static constexpr std::string_view name = "Stribeck";
+  static constexpr AtRest at_rest = AtRest::slips;
 
   std::array<double, 6> gamma{};
   /// Curve to which gamma was fitted (contact::stribeck_of); it changes no force.
   std::optional<StribeckCurve> curve = std::nullopt;
 
-  static void visit_fields(auto& self, auto&& visit) {
+  static constexpr void visit_fields(auto& self, auto&& visit) {
     for (auto& value : self.gamma) visit("stribeck", value, any_finite);
   }
 };
@@ -89,10 +100,11 @@ struct StribeckFriction {
 /// spring force; as soon as the surfaces slip, mu(v) = coefficient sign(v).
 struct StaticFriction {
   static constexpr std::string_view name = "static and sliding";
+  static constexpr AtRest at_rest = AtRest::holds_more;
 
   double static_coefficient = required, coefficient = required;
 
-  static void visit_fields(auto& self, auto&& visit) {
+  static constexpr void visit_fields(auto& self, auto&& visit) {
     visit("static", self.static_coefficient,
           newer_key(ConstantFriction::coefficient_range,
                     "bound of the friction that holds the surfaces together, no less than the sliding one"));
@@ -107,41 +119,38 @@ struct StaticFriction {
 /// Exponents are 1 or 2, because with others the curve has no power series at slip zero.
 struct FallingFriction {
   static constexpr std::string_view name = "falling from static";
+  static constexpr AtRest at_rest = AtRest::holds_more;
   static constexpr IntegerRange exponents{.low = 1, .high = 2};
 
   double static_coefficient = required, coefficient = required, stribeck_speed_m_per_s = required;
   int exponent = 1;
 
-  static void visit_numbers(auto& self, auto&& visit) {
+  static constexpr void visit_numbers(auto& self, auto&& visit) {
     StaticFriction::visit_fields(self, visit);
     visit("stribeck_speed_m_per_s", self.stribeck_speed_m_per_s,
           newer_key(positive, "slip speed at which exp(-1) of the fall is left"));
   }
-  static void visit_fields(auto& self, auto&& visit) {
+  static constexpr void visit_fields(auto& self, auto&& visit) {
     visit_numbers(self, visit);
     visit("exponent", self.exponent,
           newer_key(exponents, "power of the slip speed in the exponent of the fall", needed));
   }
 };
 
+/// Friction laws. A configuration names a law by its first key.
 using Friction = std::variant<NoFriction, ConstantFriction, OneWayFriction, StribeckFriction, StaticFriction,
                               FallingFriction>;
 
 /// Whether this friction can make the surfaces stick.
 inline bool may_stick(const Friction& friction) {
-  return std::visit(
-             [](const auto& law) {
-               return requires { law.coefficient; };
-             },
-             friction) &&
-         !std::holds_alternative<OneWayFriction>(friction);
+  return std::visit([]<class Law>(const Law&) { return Law::at_rest != AtRest::slips; }, friction);
 }
 
 /// Static and sliding coefficient of a friction that has both, otherwise zeros.
 inline std::array<double, 2> holding_and_sliding(const Friction& friction) {
   return std::visit(
-      [](const auto& law) -> std::array<double, 2> {
-        if constexpr (requires { law.static_coefficient; }) return {law.static_coefficient, law.coefficient};
+      []<class Law>(const Law& law) -> std::array<double, 2> {
+        if constexpr (Law::at_rest == AtRest::holds_more) return {law.static_coefficient, law.coefficient};
         return {};
       },
       friction);

@@ -24,6 +24,9 @@ struct NumberOrList : Range {
   std::size_t most;
 };
 
+/// A list of two finite numbers, x and y.
+struct NumberPair {};
+
 /// Allowed values of a configuration key (one of these structs, a Range or Words) and its description for the
 /// user. The struct that holds the value lists its keys; reader, printer, schema and table of keys all use
 /// that list.

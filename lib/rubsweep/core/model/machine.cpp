@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <string>
 #include <type_traits>
 
@@ -15,8 +14,8 @@ namespace rubsweep::model {
 namespace {
 
 auto requiring(std::string prefix) {
-  return [prefix = std::move(prefix)](const char* name, const auto& value, const Range& range) {
-    require(prefix + name, value, range);
+  return [prefix = std::move(prefix)](const char* name, const auto& value, const auto& allowed) {
+    require(prefix + name, value, allowed);
   };
 }
 
@@ -41,21 +40,17 @@ void validate(const ContactDamping& damping, const std::string& path) {
              damping);
 }
 
-void validate(const OneSideGeometry& flat, double, const std::string& path) {
-  OneSideGeometry::visit_fields(flat, requiring(path));
-}
-
-void validate(const AnnularGeometry& annular, double clearance_m, const std::string& path) {
-  for (const double component : annular.offset_m) require(path + "offset_m", component, any_finite);
-  if (std::hypot(annular.offset_m[0], annular.offset_m[1]) >= clearance_m) {
-    throw ConfigError(fmt::format(
-        "{}offset_m: the rest position is not inside the annular stop, allowed: shorter than {}clearance_m",
-        path, path));
-  }
+void validate(const StopGeometry& geometry, double clearance_m, const std::string& path) {
+  std::visit(
+      [&](const auto& kind) {
+        std::decay_t<decltype(kind)>::visit_fields(kind, requiring(path));
+        refuse(kind.problem(clearance_m), path);
+      },
+      geometry);
 }
 
 void validate(const Stop& stop, const std::string& path) {
-  std::visit([&](const auto& geometry) { validate(geometry, stop.clearance_m, path); }, stop.geometry);
+  validate(stop.geometry, stop.clearance_m, path);
   Stop::visit_fields(stop, requiring(path));
   Stop::visit_mass(stop, requiring(path));
   if (stop.law.linear()) validate(stop.damping, path);
@@ -91,6 +86,28 @@ void validate_position(const Machine& machine, const std::optional<double>& posi
 
 }  // namespace
 
+Machine without_kicks(Machine machine) {
+  Machine::visit_kicks(machine, [](std::string_view, auto& kick, const auto&...) { kick.reset(); });
+  return machine;
+}
+
+Machine with_kick_force(Machine machine, double force_n) {
+  const double first_n = machine.kick.value().force_n;
+  for_each_kick(machine, [&](Kick& kick, auto) {
+    kick.force_n = &kick == &*machine.kick ? force_n : first_n == 0 ? 0 : force_n * (kick.force_n / first_n);
+  });
+  return machine;
+}
+
+bool is_of_kick(std::string_view path) {
+  bool found = false;
+  const Machine any{};
+  Machine::visit_kicks(any, [&](std::string_view kick, const auto&...) {
+    found = found || path.substr(0, path.find('.')) == kick;
+  });
+  return found;
+}
+
 void validate(const Machine& machine) {
   std::visit(
       overloaded{[](const JeffcottRotor& rotor) { JeffcottRotor::visit_fields(rotor, requiring("rotor.")); },
@@ -107,10 +124,11 @@ void validate(const Machine& machine) {
     }
     validate_position(machine, stop.position_m, true, fmt::format("stops.{}.position_m", i));
   }
-  if (machine.kick) {
-    Kick::visit_fields(*machine.kick, requiring("kick."));
-    validate_position(machine, machine.kick->position_m, false, "kick.position_m");
-  }
+  for_each_kick(machine, [&](const Kick& kick, auto name) {
+    if (!machine.kick) throw ConfigError(fmt::format("{}: is given without kick, allowed: beside it", name));
+    Kick::visit_fields(kick, requiring(fmt::format("{}.", name)));
+    validate_position(machine, kick.position_m, false, fmt::format("{}.position_m", name));
+  });
   require("gravity_m_per_s2", machine.gravity_m_per_s2, not_negative);
   if (machine.start) validate(*machine.start, machine);
 }

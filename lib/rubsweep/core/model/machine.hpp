@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -89,14 +90,37 @@ inline bool begins_at_rest(const std::optional<Start>& start) { return start && 
 /// A rotor of either kind.
 using Rotor = std::variant<JeffcottRotor, RotorKit>;
 
-/// All physical data that stay the same over a sweep. The kick acts at the first stop listed.
+/// All physical data that stay the same over a sweep. A kick acts at the first stop listed, unless it has a
+/// position.
 struct Machine {
   Rotor rotor;
   std::vector<Stop> stops;
   std::optional<Kick> kick;
   double gravity_m_per_s2 = 0;   ///< acceleration along -y of rotor and moving casings; >= 0
   std::optional<Start> start{};  ///< start state; excludes a kick
+
+  /// The list of all kicks: `visit` gets key, kick, meaning of the key and the version that knew it first.
+  /// The first kick decides t = 0; without it there is no other.
+  static void visit_kicks(auto& self, auto&& visit) {
+    visit("kick", self.kick, "half-sine pulse that starts a run", "0.1.0");
+  }
 };
+
+/// Calls `visit` for each kick that is given, in the order of Machine::visit_kicks, and with its key.
+void for_each_kick(auto& machine, auto&& visit) {
+  Machine::visit_kicks(machine, [&](std::string_view name, auto& kick, const auto&...) {
+    if (kick) visit(*kick, name);
+  });
+}
+
+/// The machine without its kicks.
+Machine without_kicks(Machine machine);
+
+/// The machine whose kicks are stronger or weaker in the same ratio, so that the first has this force.
+Machine with_kick_force(Machine machine, double force_n);
+
+/// Whether this path of a configuration leads to a kick.
+bool is_of_kick(std::string_view path);
 
 /// Rotor kit of the machine; null for another kind of rotor.
 inline const RotorKit* kit_of(const Machine& machine) { return std::get_if<RotorKit>(&machine.rotor); }

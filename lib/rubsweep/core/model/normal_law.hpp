@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,15 @@ inline constexpr auto force_curves = words_of<ForceCurve>();
 /// Formulas for c in the force S(p) (1 + c p'), from a restitution and the approach speed.
 enum class ImpactDamping { none, hunt_crossley, lankarani_nikravesh, flores, delivered };
 inline constexpr auto impact_dampings = words_of<ImpactDamping>();
+
+/// The words of all values but one.
+template <class Enum, std::size_t count>
+std::vector<std::string> others_than(const Words<Enum, count>& words, Enum left_out) {
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < count; ++i)
+    if (words.values[i] != left_out) others.emplace_back(words.texts[i]);
+  return others;
+}
 
 /// Law of the normal force of a stop.
 struct NormalLaw {
@@ -51,11 +61,11 @@ struct NormalLaw {
                  newer_key(points, "penetrations of a measured curve, rising from 0", needed));
       keys.field("force_n", self.force_n, newer_key(points, "force at each of them, rising from 0", needed));
     });
-    keys.beside("kind", {"power", "hertz_line", "table"}, !self.linear(), [&] {
+    keys.beside("kind", others_than(force_curves, ForceCurve::linear), !self.linear(), [&] {
       keys.field("damping", self.damping,
                  newer_key(impact_dampings, "formula of c in the force S(p) (1 + c p')"));
     });
-    keys.beside("damping", {"hunt_crossley", "lankarani_nikravesh", "flores", "delivered"},
+    keys.beside("damping", others_than(impact_dampings, ImpactDamping::none),
                 !self.linear() && self.damping != ImpactDamping::none, [&] {
                   keys.field("restitution", self.restitution,
                              newer_key(restitution_range, "restitution that the formula asks for"));

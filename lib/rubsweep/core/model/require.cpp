@@ -14,4 +14,10 @@ void require(const std::string& path, double value, const Range& range) {
   throw ConfigError(fmt::format("{}: {} is out of range, allowed: {}", path, value, describe(range, value)));
 }
 
+void refuse(const std::optional<PartProblem>& problem, const std::string& path) {
+  if (problem)
+    throw ConfigError(
+        fmt::format("{}{}: {}, allowed: {}", path, problem->key, problem->wrong, problem->allowed));
+}
+
 }  // namespace rubsweep::model

@@ -45,12 +45,6 @@ void require_parts(const std::vector<Part>& parts, const std::string& path, cons
   }
 }
 
-void refuse_diameters(const ShaftLayer& layer, const std::string& path) {
-  if (const auto problem = diameter_problem(layer))
-    throw ConfigError(
-        fmt::format("{}{}: {}, allowed: {}", path, problem->key, problem->wrong, problem->allowed));
-}
-
 /// Whether a stiffness matrix is positive definite: eliminates its coordinates from the last to the first and
 /// checks that every pivot is positive beyond rounding.
 bool holds_all(Eigen::MatrixXd stiffness) {
@@ -73,9 +67,7 @@ void validate(const Support& support, const RotorKit& kit, const std::string& pa
     if (kit.housings.empty()) throw ConfigError(path + name + ": there are no housings");
     require(path + name, *housing, numbers);
   }
-  if (const auto problem = housing_problem(support))
-    throw ConfigError(
-        fmt::format("{}{}: {}, allowed: {}", path, problem->key, problem->wrong, problem->allowed));
+  refuse(housing_problem(support), path);
 }
 
 void validate(const BowMode& mode, const std::string& path) {
@@ -127,11 +119,11 @@ void validate_shaft(const RotorKit& kit, const std::string& path) {
     const ShaftSegment& segment = kit.shaft[i];
     const std::string name = fmt::format("{}shaft.{}.", path, i);
     require_fields(segment, name);
-    refuse_diameters(segment, name);
+    refuse(diameter_problem(segment), name);
     for (std::size_t k = 0; k < segment.layers.size(); ++k) {
       const std::string layer = fmt::format("{}layers.{}.", name, k);
       require_fields(segment.layers[k], layer);
-      refuse_diameters(segment.layers[k], layer);
+      refuse(diameter_problem(segment.layers[k]), layer);
     }
   }
 }

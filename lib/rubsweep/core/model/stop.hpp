@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
+#include <string_view>
 #include <variant>
 
 #include "rubsweep/core/model/friction.hpp"
@@ -9,6 +12,7 @@
 #include "rubsweep/core/model/key.hpp"
 #include "rubsweep/core/model/normal_law.hpp"
 #include "rubsweep/core/model/range.hpp"
+#include "rubsweep/core/model/require.hpp"
 
 namespace rubsweep::model {
 
@@ -31,21 +35,46 @@ struct Casing {
 /// Flat wall whose outward normal (from the rest position towards the wall) stands at `angle_deg`,
 /// counted from +x towards +y.
 struct OneSideGeometry {
+  static constexpr std::string_view name = "one_side";
+
   double angle_deg = required;
 
   static void visit_fields(auto& self, auto&& visit) {
     visit("angle_deg", self.angle_deg,
           key(any_finite, "direction from the rest position to the wall, from +x towards +y"));
   }
+  std::optional<PartProblem> problem(double) const { return std::nullopt; }
+  double share_of_x() const { return std::pow(std::cos(angle_deg * std::numbers::pi / 180), 2); }
 };
 
 /// Annular stop, a round hole around the rotor. `offset_m` leads from the centre of the hole to the rotor's
 /// rest position, (x, y).
 struct AnnularGeometry {
+  static constexpr std::string_view name = "annular";
+
   std::array<double, 2> offset_m{0, 0};
+
+  static void visit_fields(auto& self, auto&& visit) {
+    visit("offset_m", self.offset_m,
+          key(NumberPair{}, "[x, y] of the rotor's rest position against the centre of the stop", "[0, 0]"));
+  }
+  std::optional<PartProblem> problem(double clearance_m) const {
+    if (!(std::hypot(offset_m[0], offset_m[1]) >= clearance_m)) return std::nullopt;
+    return PartProblem{"offset_m", "the rest position is not inside the annular stop",
+                       "a vector shorter than clearance_m"};
+  }
+  double share_of_x() const { return 0.5; }
 };
 
+/// Kinds of stops. Each has its `name` and its keys in a configuration. `problem` judges its numbers together
+/// with the clearance of the stop. `share_of_x` is the mean square of the x component of its normals: by it
+/// the modal masses of both planes give the mass behind the contact.
 using StopGeometry = std::variant<OneSideGeometry, AnnularGeometry>;
+
+/// Word of the kind of a stop.
+inline std::string_view name_of(const StopGeometry& geometry) {
+  return std::visit([](const auto& kind) { return kind.name; }, geometry);
+}
 
 inline constexpr Range restitution_range{.low = 0, .high = 1, .low_open = true};
 

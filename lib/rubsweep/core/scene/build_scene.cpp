@@ -1,5 +1,7 @@
 #include "rubsweep/core/scene/build_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -81,10 +83,18 @@ Contact contact_of(const model::Stop& stop, const structure::Assembly& assembly,
   return contact;
 }
 
-Pulse pulse_of(const model::Kick& kick, const Eigen::Vector2d& wall, const structure::Assembly& assembly) {
-  const Eigen::Vector2d towards = kick.angle_deg ? contact::direction(*kick.angle_deg) : wall;
-  const auto& rotor = assembly.system.points[static_cast<std::size_t>(assembly.kick_point)];
-  return {rotor.map.transpose() * towards, kick.force_n, kick.duration_s};
+/// Adds the kicks of the machine to the scene. `wall`: direction of a kick that has none.
+void add_kicks(Scene& scene, const PreparedMachine& prepared, const Eigen::Vector2d& wall) {
+  const structure::Assembly& assembly = prepared.assembly;
+  model::for_each_kick(prepared.machine, [&](const model::Kick& kick, auto) {
+    // Every member has a name here, so that a further one does not compile. The phase belongs to t = 0.
+    const auto& [force_n, duration_s, angle_deg, position_m, phase_deg] = kick;
+    // A Jeffcott rotor has one point.
+    const std::size_t further = model::kit_of(prepared.machine) ? scene.pulses.size() : 0,
+                      point = static_cast<std::size_t>(assembly.kick_point) + further;
+    const Eigen::Vector2d towards = angle_deg ? contact::direction(*angle_deg) : wall;
+    scene.pulses.push_back({assembly.system.points[point].map.transpose() * towards, force_n, duration_s});
+  });
 }
 
 /// Phase factor that puts the largest normal excursion at the first stop at t = 0.
@@ -229,6 +239,13 @@ void start_on_quiet_motion(Cell& cell) {
 
 }  // namespace
 
+std::string describe(const model::Kick& kick) {
+  const auto& [force_n, duration_s, angle_deg, position_m, phase_deg] = kick;
+  return fmt::format("half-sine, {} N for {} s{}{}", force_n, duration_s,
+                     angle_deg ? fmt::format(" at {} degrees", *angle_deg) : "",
+                     phase_deg ? fmt::format(", {} degrees after the smallest gap", *phase_deg) : "");
+}
+
 Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance) {
   const structure::Assembly& assembly = prepared.assembly;
   Cell cell;
@@ -240,7 +257,7 @@ Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalanc
   const QuietMotion unit = quiet_motion(scene.structure, w, unit_force, scene.constant_n);
   const auto [mean, amplitude_per_m] = quiet_penetration(unit, scene.structure, first);
   const Eigen::Vector2d wall = nearest_wall(unit, scene.structure, first);
-  if (prepared.machine.kick) scene.pulses.push_back(pulse_of(*prepared.machine.kick, wall, assembly));
+  add_kicks(scene, prepared, wall);
   const bool bowed = assembly.bow_n.size() > 0 || assembly.second_n.size() > 0;
   const Eigen::VectorXcd bow_n =
       assembly.bow_n.size() > 0 ? assembly.bow_n : Eigen::VectorXcd(0 * unit_force);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <variant>
 
 #include "rubsweep/core/model/machine.hpp"
@@ -57,6 +58,9 @@ struct Cell {
 /// tables has the same coordinates at all speeds; prepared_at gives a machine with the coordinates of a
 /// single speed.
 Cell build_cell(const PreparedMachine& prepared, double speed_hz, const Unbalance& unbalance);
+
+/// Pulse of a kick in words, for --explain.
+std::string describe(const model::Kick& kick);
 
 /// Builds a single cell and prepares its machine at this speed. Throws ConfigError for an invalid `machine`.
 Cell build_cell(const model::Machine& machine, double speed_hz, const Unbalance& unbalance);

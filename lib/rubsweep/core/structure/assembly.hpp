@@ -27,10 +27,10 @@ struct Assembly {
   std::vector<ImpulseTrain> impulses;  ///< impulses of faulty bearings
   std::vector<int> rotor_points;       ///< index of each stop's point
   std::vector<std::optional<int>>
-      casing_points;               ///< index of each casing's point; empty: rigid casing, no state
-  std::vector<int> sensor_points;  ///< index of each sensor's point
-  int observed_point = 0;          ///< point whose motion is classified
-  int kick_point = 0;
+      casing_points;                    ///< index of each casing's point; empty: rigid casing, no state
+  std::vector<int> sensor_points;       ///< index of each sensor's point
+  int observed_point = 0;               ///< point whose motion is classified
+  int kick_point = 0;                   ///< point of the first kick; those of further kicks of a kit follow
   std::vector<double> contact_mass_kg;  ///< rotor mass at each stop, for a restitution
 };
 

@@ -32,11 +32,13 @@ class KitBuilder {
       : machine_(machine), kit_(std::get<model::RotorKit>(machine.rotor)) {
     for (const auto& stop : machine.stops) stops_.push_back(*stop.position_m);
     for (const auto& sensor : kit_.sensors) sensors_.push_back(sensor.position_m);
-    kick_ = machine.kick && machine.kick->position_m ? *machine.kick->position_m : stops_.front();
+    model::for_each_kick(machine, [&](const model::Kick& kick, auto) {
+      kicks_.push_back(kick.position_m.value_or(stops_.front()));
+    });
     std::vector<double> stations = stops_;
-    stations.push_back(kick_);
+    stations.insert(stations.end(), kicks_.begin(), kicks_.end());
     shaft_ = assemble_beam_shaft(kit_, stations);
-    result_.reduction = by(shaft_, kit_, stops_and_tables(), sensors_, kick_);
+    result_.reduction = by(shaft_, kit_, stops_and_tables(), sensors_, kicks_);
     lateral_ = reduced_system(shaft_, kit_, result_.reduction);
   }
 
@@ -214,18 +216,15 @@ class KitBuilder {
     }
     for (const double position : sensors_) assembly.sensor_points.push_back(add_point(position));
     assembly.observed_point = add_point(sensors_.empty() ? stops_.front() : sensors_.front());
-    assembly.kick_point = add_point(kick_);
+    assembly.kick_point = static_cast<int>(system().points.size());
+    for (const double position : kicks_) add_point(position);
   }
 
-  /// Modal mass along the normal of a flat stop; mean of both planes in an annular stop.
+  /// Modal mass along the normals of a stop.
   double contact_mass_kg(std::size_t i) const {
     const model::Stop& stop = machine_.stops[i];
     const double share_x =
-        std::visit(overloaded{[](const model::OneSideGeometry& flat) {
-                                return std::pow(std::cos(flat.angle_deg * std::numbers::pi / 180), 2);
-                              },
-                              [](const model::AnnularGeometry&) { return 0.5; }},
-                   stop.geometry);
+        std::visit([](const auto& geometry) { return geometry.share_of_x(); }, stop.geometry);
     const double inverse = share_x / modal_mass_kg(shaft_, result_.reduction, 0, 0, stops_[i]) +
                            (1 - share_x) / modal_mass_kg(shaft_, result_.reduction, 1, 0, stops_[i]);
     const double largest = 1 / basis(0).col(0).dot(shaft_.plane_mass(0) * basis(0).col(0));
@@ -255,8 +254,7 @@ class KitBuilder {
 
   const model::Machine& machine_;
   const model::RotorKit& kit_;
-  std::vector<double> stops_, sensors_;
-  double kick_ = 0;
+  std::vector<double> stops_, sensors_, kicks_;
   BeamShaft shaft_;
   LateralSystem lateral_;
   KitAssembly result_;

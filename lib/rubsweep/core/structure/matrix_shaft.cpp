@@ -241,7 +241,9 @@ model::Machine machine_by_matrices(const model::Machine& machine) {
                 [](const model::Support& support) { return !stays_a_support(support); });
   std::vector<double> stations_m;
   for (const model::Stop& stop : machine.stops) stations_m.push_back(stop.position_m.value());
-  if (machine.kick && machine.kick->position_m) stations_m.push_back(*machine.kick->position_m);
+  model::for_each_kick(machine, [&](const model::Kick& kick, auto) {
+    if (kick.position_m) stations_m.push_back(*kick.position_m);
+  });
   for (const model::Support& support : by_matrices.supports) stations_m.push_back(support.position_m);
   by_matrices.matrices =
       std::make_shared<model::ShaftMatrices>(matrices_of(assemble_beam_shaft(held, stations_m)));

@@ -85,8 +85,9 @@ void fill_plane(const BeamShaft& shaft, const StudiedPlane& plane, std::size_t i
 class Reducer {
  public:
   Reducer(const BeamShaft& shaft, const model::RotorKit& kit, const std::vector<double>& stops_m,
-          const std::vector<double>& sensors_m, double kick_m)
-      : shaft_(shaft), kit_(kit), stops_(stops_m), places_(stops_m), kick_(kick_m) {
+          const std::vector<double>& sensors_m, const std::vector<double>& kicks_m)
+      : shaft_(shaft), kit_(kit), stops_(stops_m), places_(stops_m), kicks_(kicks_m) {
+    if (kicks_.empty()) kicks_ = {stops_.front()};
     places_.insert(places_.end(), sensors_m.begin(), sensors_m.end());
     planes_ = study_planes(shaft, kit, places_);
     same_planes_ = planes_[0].stiffness == planes_[1].stiffness && planes_[0].mass == planes_[1].mass;
@@ -139,7 +140,7 @@ class Reducer {
       if (support.fault) forces.push_back(support.position_m);
     }
     for (const auto& load : kit_.static_loads) loads.push_back(load.position_m);
-    loads.push_back(kick_);
+    loads.insert(loads.end(), kicks_.begin(), kicks_.end());
     return {shaft_, kit_, places_, forces, loads};
   }
 
@@ -157,8 +158,7 @@ class Reducer {
 
   const BeamShaft& shaft_;
   const model::RotorKit& kit_;
-  std::vector<double> stops_, places_;
-  double kick_;
+  std::vector<double> stops_, places_, kicks_;
   std::array<StudiedPlane, 2> planes_;
   bool same_planes_ = false;
 };
@@ -166,14 +166,14 @@ class Reducer {
 }  // namespace
 
 Reduction reduce(const BeamShaft& shaft, const model::RotorKit& kit, const std::vector<double>& stops_m,
-                 const std::vector<double>& sensors_m, std::optional<double> kick_m) {
-  return Reducer(shaft, kit, stops_m, sensors_m, kick_m.value_or(stops_m.front())).run();
+                 const std::vector<double>& sensors_m, const std::vector<double>& kicks_m) {
+  return Reducer(shaft, kit, stops_m, sensors_m, kicks_m).run();
 }
 
 Reduction reduce_to_modes(const BeamShaft& shaft, const model::RotorKit& kit,
                           const std::vector<double>& stops_m, const std::vector<double>& sensors_m,
-                          std::optional<double> kick_m) {
-  const Reducer reducer(shaft, kit, stops_m, sensors_m, kick_m.value_or(stops_m.front()));
+                          const std::vector<double>& kicks_m) {
+  const Reducer reducer(shaft, kit, stops_m, sensors_m, kicks_m);
   return kit.modes ? reducer.with_modes(*kit.modes) : reducer.run();
 }
 

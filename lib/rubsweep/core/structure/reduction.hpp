@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "rubsweep/core/structure/lateral_system.hpp"
@@ -30,11 +29,11 @@ inline constexpr double receptance_tolerance = 0.01;  ///< Largest receptance er
 /// Reduces to kit.modes modes in each plane, or to the smallest number (at most RotorKit::most_modes) that
 /// agrees with the full matrices. Agreement means: the same growing vibrations, and receptances within the
 /// tolerance at the stops and sensors, under forces at the stops, faulty bearings, unbalance, loads and the
-/// kick (by default at the first stop). Stations must be nodes, with at least one stop. Throws ConfigError
+/// kicks (by default at the first stop). Stations must be nodes, with at least one stop. Throws ConfigError
 /// where numbers are too far apart for any mode to be seen or computed, where no number of modes is enough,
 /// and where kit.modes is so small that the rotor is wrongly stable or unstable.
 Reduction reduce(const BeamShaft& shaft, const model::RotorKit& kit, const std::vector<double>& stops_m,
-                 const std::vector<double>& sensors_m, std::optional<double> kick_m = {});
+                 const std::vector<double>& sensors_m, const std::vector<double>& kicks_m = {});
 
 /// The reduced rotor with its support damping and its structural damping, 2 ratio w m of each shape.
 LateralSystem reduced_system(const BeamShaft& shaft, const model::RotorKit& kit, const Reduction& reduction);
@@ -64,6 +63,6 @@ double modal_mass_kg(const BeamShaft& shaft, const Reduction& reduction, std::si
 /// computation takes most of the time.
 Reduction reduce_to_modes(const BeamShaft& shaft, const model::RotorKit& kit,
                           const std::vector<double>& stops_m, const std::vector<double>& sensors_m,
-                          std::optional<double> kick_m = {});
+                          const std::vector<double>& kicks_m = {});
 
 }  // namespace rubsweep::structure

@@ -92,8 +92,7 @@ std::optional<Question> sag_onto_stop(const sweep::Study& study) {
   const Eigen::Vector2d down(0, -sag_m);
   const auto touches = [](const model::Stop& stop, const Eigen::Vector2d& at_m) {
     const contact::Wall wall = contact::wall_of(stop.geometry);
-    const Eigen::Vector2d distance = at_m + contact::offset(wall);
-    return distance.dot(contact::normal_at(wall, distance)) >= stop.clearance_m;
+    return contact::penetration_at(wall, at_m + contact::offset(wall), stop.clearance_m) >= 0;
   };
   const auto given_m = [](const model::Start& start) {
     return Eigen::Vector2d(start.rotor.x_m.value_or(0), start.rotor.y_m.value_or(0));

@@ -136,7 +136,10 @@ std::optional<double> clearance_blow_n(const model::Machine& machine, const mode
   const auto* rotor = std::get_if<model::JeffcottRotor>(&machine.rotor);
   if (rotor == nullptr || stop == nullptr || !machine.kick) return std::nullopt;
   const double w = 2 * std::numbers::pi * rotor->natural_frequency_hz;
-  const double short_blow = 2 / std::numbers::pi * w * machine.kick->duration_s, long_push = 2;
+  double shortest_s = infinite;
+  model::for_each_kick(
+      machine, [&](const model::Kick& kick, auto) { shortest_s = std::min(shortest_s, kick.duration_s); });
+  const double short_blow = 2 / std::numbers::pi * w * shortest_s, long_push = 2;
   return stop->clearance_m * rotor->mass_kg * w * w / std::min(short_blow, long_push);
 }
 

@@ -19,7 +19,8 @@ namespace {
 
 using enum Quantity;
 
-/// Path of a number and its quantity. `*` is any index of a list. For an axis, all its values are meant.
+/// Path of a number and its quantity. `*` is any index of a list, `kick` any kick. An axis stands for all its
+/// values.
 struct Standing {
   std::string_view pattern;
   Quantity quantity;
@@ -90,7 +91,9 @@ class Search {
     const std::string_view rest = dot == std::string_view::npos ? "" : pattern.substr(dot + 1);
     for (std::size_t i = 0; i < value.node.items.size(); ++i) {
       const bool list = value.node.kind == yaml::Node::Kind::list;
-      if (list != (name == "*") || (!list && value.node.keys[i].text != name)) continue;
+      const std::string key = list ? std::to_string(i) : value.node.keys[i].text;
+      if (list != (name == "*") || (!list && key != name && !(name == "kick" && model::is_of_kick(key))))
+        continue;
       walk(value.at(i), rest, quantity, list ? i : index);
     }
   }

@@ -11,6 +11,7 @@
 #include "rubsweep/core/contact/friction_law.hpp"
 #include "rubsweep/core/contact/hertz_line.hpp"
 #include "rubsweep/core/contact/restitution.hpp"
+#include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/constant_load.hpp"
 #include "rubsweep/core/structure/tabled_support.hpp"
@@ -50,14 +51,8 @@ std::string explain_fast_contact(const model::Stop& stop, double rotor_mass_kg, 
 std::string explain_law(const model::Stop& stop) {
   const model::NormalLaw& law = stop.law;
   const contact::CurvedLaw curve(stop);
-  std::string text = "  force law: ";
-  if (law.kind == model::ForceCurve::power)
-    text += fmt::format("{} N/m^{} p^{}", law.stiffness_n_per_m_n, law.exponent, law.exponent);
-  if (law.kind == model::ForceCurve::hertz_line) text += "line contact of Hertz as it is";
-  if (law.kind == model::ForceCurve::table)
-    text += fmt::format("measured curve of {} points up to {} m, beyond that its tangent", law.force_n.size(),
-                        law.penetration_m.back());
-  text += fmt::format("; secant at a twentieth of the clearance {:.4g} N/m\n", stop.stiffness_n_per_m);
+  std::string text = fmt::format("  force law: {}; secant at a twentieth of the clearance {:.4g} N/m\n",
+                                 contact::describe(law), stop.stiffness_n_per_m);
   if (curve.factor() == 0) return text + "  contact damping: none\n";
   std::string_view damping;
   for (std::size_t i = 0; i < model::impact_dampings.values.size(); ++i)
@@ -119,19 +114,6 @@ std::string explain_friction(const model::Stop& stop, const scene::Contact& cont
                      saturated ? "saturated: there it does not depend on the slip" : "depends on the slip");
 }
 
-std::string describe(const model::StopGeometry& geometry) {
-  return std::visit(overloaded{[](const model::OneSideGeometry& flat) {
-                                 return fmt::format("one side at {} degrees", flat.angle_deg);
-                               },
-                               [](const model::AnnularGeometry& annular) -> std::string {
-                                 const auto& offset_m = annular.offset_m;
-                                 if (offset_m[0] == 0 && offset_m[1] == 0) return "annular, centred";
-                                 return fmt::format("annular, rotor offset by ({}, {}) m", offset_m[0],
-                                                    offset_m[1]);
-                               }},
-                    geometry);
-}
-
 /// Line about the sag at a stop whose clearance counts from the position of the shaft under weight and static
 /// loads.
 std::string explain_sag(const scene::PreparedMachine& prepared, std::size_t stop) {
@@ -148,15 +130,12 @@ std::string explain_kick(const model::Machine& machine) {
   if (machine.start)
     return "start: in a given state, not kicked; what is not given is that of the quiet whirl\n";
   if (!machine.kick) return "kick: none\n";
-  std::string direction =
-      machine.kick->angle_deg ? fmt::format(" at {} degrees", *machine.kick->angle_deg) : "";
-  if (machine.kick->phase_deg)
-    direction += fmt::format(", {} degrees after the smallest gap", *machine.kick->phase_deg);
-  return fmt::format(
-      "kick: half-sine, {} N for {} s{}\n"
-      "  none where the quiet whirl itself reaches a wall (whirl ratio 1 and above): the rotor starts at "
-      "rest there\n",
-      machine.kick->force_n, machine.kick->duration_s, direction);
+  std::string text;
+  model::for_each_kick(
+      machine, [&](auto& kick, auto name) { text += fmt::format("{}: {}\n", name, scene::describe(kick)); });
+  return text +
+         "  none where the quiet whirl itself reaches a wall (whirl ratio 1 and above): the rotor starts at "
+         "rest there\n";
 }
 
 std::string left_out(const model::Machine& machine) {
@@ -180,7 +159,7 @@ std::string explain_stop(const scene::PreparedMachine& prepared, const scene::Ce
   const double mass_kg = prepared.assembly.contact_mass_kg[i];
   const scene::Contact& contact = cell.scene.contacts[i];
   std::string text = fmt::format("stop {}{}: {}, clearance {} m\n", i, i == 0 ? " (kicked)" : "",
-                                 describe(stop.geometry), stop.clearance_m);
+                                 contact::describe(stop.geometry), stop.clearance_m);
   if (model::kit_of(prepared.machine) != nullptr) {
     text += fmt::format("  at {} m of the shaft; mass behind the contact {:.4g} kg{}\n", *stop.position_m,
                         stop.contact_mass_kg.value_or(mass_kg),

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <string_view>
-#include <variant>
 
 #include "rubsweep/core/contact/friction_law.hpp"
+#include "rubsweep/core/contact/wall.hpp"
 #include "rubsweep/core/integrate/adaptive/stepper_table.hpp"
 #include "rubsweep/core/integrate/start.hpp"
 #include "rubsweep/core/model/speed_text.hpp"
-#include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/core/scene/build_scene.hpp"
 #include "rubsweep/maps/report/describe_grid.hpp"
 #include "rubsweep/maps/report/explain_machine.hpp"
@@ -44,9 +43,7 @@ std::string explain_beyond(const model::Machine& machine) {
   std::string_view curved;
   bool unsaturated = false;
   for (const model::Stop& stop : machine.stops) {
-    curved = std::visit(overloaded{[&](const model::OneSideGeometry&) { return curved; },
-                                   [](const model::AnnularGeometry&) { return std::string_view("annular"); }},
-                        stop.geometry);
+    if (!contact::linear(contact::wall_of(stop.geometry))) curved = model::name_of(stop.geometry);
     unsaturated = unsaturated || !contact::saturated_friction(stop.friction);
   }
   if (!curved.empty()) return fmt::format("turns that touch the {} stop", curved);

@@ -40,19 +40,14 @@ void flag_model_limits(Row& row, const model::Machine& machine, double clearance
 /// Marks a row as failed where a measured number is not finite.
 void refuse_what_is_not_finite(Row& row) {
   if (!row.measures) return;
-  const response::motion::Measures& of = *row.measures;
-  for (const double number :
-       {row.peak_over_clearance.value_or(0), of.contact.peak_displacement_m, of.contact.peak_contact_force_n,
-        of.contact.peak_casing_displacement_m, of.amplitude_1x_forward_m, of.amplitude_1x_backward_m}) {
-    if (std::isfinite(number)) continue;
-    const std::string_view word = integrate::run::to_string(integrate::run::Outcome::non_finite);
-    row.motion_class = response::motion::MotionClass::failed;
-    row.order.reset();
-    row.proof.reset();
-    row.measures.reset();
-    row.peak_over_clearance.reset();
-    return add_status(row, word);
-  }
+  if (std::isfinite(row.peak_over_clearance.value_or(0)) && response::motion::is_finite(*row.measures))
+    return;
+  row.motion_class = response::motion::MotionClass::failed;
+  row.order.reset();
+  row.proof.reset();
+  row.measures.reset();
+  row.peak_over_clearance.reset();
+  add_status(row, integrate::run::to_string(integrate::run::Outcome::non_finite));
 }
 
 /// Flags a run that ended before its kick did: it shows the kick, not the motion after it.
@@ -151,9 +146,7 @@ struct Varied {
 };
 
 bool of_kick_alone(const KeyValue& key) {
-  constexpr std::array<std::string_view, 4> keys{"kick.force_n", "kick.duration_s", "kick.angle_deg",
-                                                 "kick.phase_deg"};
-  return std::ranges::find(keys, key.key) != keys.end();
+  return model::is_of_kick(key.key) && !key.key.ends_with(".position_m");
 }
 
 /// Study with new numbers under `keys`, and its machine. `others`: those of the keys by which the study
@@ -175,7 +168,7 @@ std::optional<Varied> vary(const Study& study, std::span<const KeyValue> keys,
 /// a wall.
 bool may_be_varied(const Row& row, std::span<const KeyValue> keys) {
   const bool of_kick =
-      std::ranges::all_of(keys, [](const KeyValue& key) { return key.key.starts_with("kick."); });
+      std::ranges::all_of(keys, [](const KeyValue& key) { return model::is_of_kick(key.key); });
   return row.start && (*row.start != RunStart::contact || !of_kick);
 }
 

@@ -16,8 +16,9 @@ constexpr std::size_t program_bytes = 12'000'000, mpi_bytes = 30'000'000, thread
 
 /// Whether a number under this key leaves the flows of a machine unchanged.
 bool changes_no_flow(std::string_view key) {
-  constexpr std::array<std::string_view, 4> parts{"kick.", "start.", "solver.", "response."};
-  return std::ranges::any_of(parts, [key](std::string_view part) { return key.starts_with(part); });
+  constexpr std::array<std::string_view, 3> parts{"start.", "solver.", "response."};
+  return model::is_of_kick(key) ||
+         std::ranges::any_of(parts, [key](std::string_view part) { return key.starts_with(part); });
 }
 
 bool changes_no_flow(const KeyAxis& axis) {

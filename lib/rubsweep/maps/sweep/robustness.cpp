@@ -11,9 +11,7 @@ bool has_kicked_motion(const Row& row, const model::Machine& machine) {
 
 bool keeps_motion(const Row& row, const model::Machine& machine, double factor,
                   const std::function<Row(const model::Machine&)>& evaluate) {
-  model::Machine changed = machine;
-  changed.kick->force_n = machine.kick->force_n * factor;
-  const Row other = evaluate(changed);
+  const Row other = evaluate(model::with_kick_force(machine, machine.kick->force_n * factor));
   return other.motion_class == row.motion_class && other.order == row.order;
 }
 

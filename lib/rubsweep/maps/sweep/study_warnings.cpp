@@ -163,8 +163,7 @@ std::optional<double> least_kick_force_n(const Study& study, const scene::Prepar
   numerics::ModalFormCache forms(std::size_t{256} << 20);
   if (!kick || kick->force_n == 0 || why_untouched(study, prepared, forms).empty()) return std::nullopt;
   const auto may_touch = [&](double force_n) {
-    model::Machine machine = prepared.machine;
-    machine.kick->force_n = force_n;
+    const model::Machine machine = model::with_kick_force(prepared.machine, force_n);
     return why_untouched(study, scene::prepare_other_kick(prepared, machine), forms).empty();
   };
   constexpr double most = 1e9, within = 1.01;
@@ -185,9 +184,10 @@ std::string why_torsion_is_idle(const scene::PreparedMachine& prepared, double s
   const model::RotorKit* kit = model::kit_of(prepared.machine);
   if (kit == nullptr || !kit->torsion) return "";
   if (prepared.machine.start) return "";  // a given state may cause hits of any strength
-  const double impulse_ns = prepared.machine.kick ? 2 / std::numbers::pi * prepared.machine.kick->force_n *
-                                                        prepared.machine.kick->duration_s
-                                                  : 0;
+  double impulse_ns = 0;
+  model::for_each_kick(prepared.machine, [&](const model::Kick& kick, auto) {
+    impulse_ns += 2 / std::numbers::pi * kick.force_n * kick.duration_s;
+  });
   double change_m_per_s = 0, surface_m_per_s = 0, share = 0, twist_rad = 0;
   const double torsional_rad_per_s =
       std::sqrt(kit->torsion->drive_stiffness_nm_per_rad / polar_inertia_kg_m2(prepared));

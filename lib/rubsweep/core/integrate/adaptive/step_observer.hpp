@@ -44,8 +44,8 @@ class StepObserver {
       const double share = touching_share(dynamics, i, start[i], end[i]);
       if (share == 0) continue;
       touching = std::max(touching, share);
-      if (contact::keeps_its_direction(dynamics.system().contacts[i].friction) &&
-          dynamics.slip_m_per_s(i, step.end) <= 0)
+      if (dynamics.slip_m_per_s(i, step.end) <= 0 &&
+          contact::keeps_its_direction(dynamics.system().contacts[i].friction))
         report_.slip_reversed = true;
       if (request_.peaks) watch_force(dynamics, i, h, start[i], end[i]);
     }

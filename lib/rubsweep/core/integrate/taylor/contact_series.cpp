@@ -25,7 +25,9 @@ void ContactSeries::begin(const ContactLaw& law, Mode mode, double slip_m_per_s,
   clearance_ = both(law.clearance);
   sliding_made_ = false;
   saturated_steepness_ = 0;
-  const bool dry = law.friction.holding > 0;
+  // Every term that this series adds up has a name here, so that a further one does not compile.
+  [[maybe_unused]] const auto& [sum, count, constant, dry_part, holding, falling, viscous] = law.friction;
+  const bool dry = holding > 0;
   sticks_ = dry && mode != Mode::open && way == contact::Slip::sticking;
   creep_ = nullptr;
   slip_sign_ = dry ? contact::sign_of(way) : std::copysign(1.0, slip_m_per_s);

@@ -65,12 +65,12 @@ Measures measure(const Window& window, std::span<const std::complex<double>> dis
                  const spectrum::FullSpectrum& spectrum) {
   Measures measures{.turns = spectrum.turns,
                     .contact = together(window.contact.last(static_cast<std::size_t>(spectrum.turns))),
-                    .amplitude_1x_forward_m = spectrum.amplitude(spectrum.turns),
-                    .amplitude_1x_backward_m = spectrum.amplitude(-spectrum.turns),
                     .dominant = {},
                     .orbit = {},
                     .whirl = {},
                     .comb_spacing = {}};
+  for (const MeasuredLine& line : measured_lines)
+    measures.*line.amplitude_m = spectrum.amplitude(line.order * spectrum.turns);
   const int k = spectrum::dominant_line(spectrum);
   if (spectrum.amplitude(k) > significant_share_of_clearance * window.clearance_m) {
     measures.dominant =

@@ -1,6 +1,8 @@
 #include "rubsweep/core/response/motion/motion.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace rubsweep::response::motion {
 
@@ -28,6 +30,16 @@ ContactFacts together(std::span<const ContactFacts> turns) {
   }
   if (!turns.empty()) all.contact_fraction /= static_cast<double>(turns.size());
   return all;
+}
+
+bool is_finite(const Measures& measures) {
+  // Every member has a name here, so that a further one does not compile: `together` must know it, too.
+  const auto& [hits, fraction, displacement_m, force_n, casing_m, twist_rad, torque_nm] = measures.contact;
+  const std::array facts{displacement_m, force_n, casing_m};
+  const auto finite = [](double number) { return std::isfinite(number); };
+  return std::ranges::all_of(facts, finite) &&
+         std::ranges::all_of(measured_lines,
+                             [&](const MeasuredLine& line) { return finite(measures.*line.amplitude_m); });
 }
 
 }  // namespace rubsweep::response::motion

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -55,6 +56,17 @@ struct Measures {
   std::optional<double> comb_spacing;  ///< spacing of lines at orders 1 + k comb_spacing over both windows: a
                                        ///< closed orbit in the rotating frame of a symmetric scene
 };
+
+/// A line of the spectrum that is a measure.
+struct MeasuredLine {
+  int order;
+  double Measures::*amplitude_m;
+};
+inline constexpr std::array measured_lines{MeasuredLine{1, &Measures::amplitude_1x_forward_m},
+                                           MeasuredLine{-1, &Measures::amplitude_1x_backward_m}};
+
+/// Whether every number of the measures is finite.
+bool is_finite(const Measures& measures);
 
 /// Largest Lyapunov exponent: mean rate at which nearby motions separate, per iteration of the map (for a
 /// section: per revolution). Positive: chaos; zero: a torus; negative: an attracting periodic motion.

@@ -135,6 +135,14 @@ inline constexpr std::array motion_kinds{
     MotionKind{"failed", "failed", 0xCC0000, 0xCC0000, '!', true, false},
 };
 
+static_assert(std::ranges::all_of(motion_classes,
+                                  [](MotionClass motion_class) {
+                                    return motion_class == MotionClass::subharmonic ||
+                                           std::ranges::find(motion_kinds, to_string(motion_class),
+                                                             &MotionKind::name) != motion_kinds.end();
+                                  }),
+              "a class of motion has no kind");
+
 /// Kind for a name in map.csv; null for other words.
 const MotionKind* motion_kind_of(std::string_view name);
 

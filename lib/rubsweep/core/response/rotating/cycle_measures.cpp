@@ -68,13 +68,14 @@ void measure_lines(const spectrum::FullSpectrum& spectrum, double spacing, doubl
   spectrum::SpectralLine dominant;
   for (int k = spectrum.first_line(); k <= spectrum.last_line(); ++k) {
     const double order = 1 + k * spacing, amplitude_m = spectrum.amplitude(k);
-    if (std::abs(order + 1) < half_bin)
-      measures.amplitude_1x_backward_m = std::max(measures.amplitude_1x_backward_m, amplitude_m);
+    for (const motion::MeasuredLine& line : motion::measured_lines) {
+      double& measured_m = measures.*line.amplitude_m;
+      if (std::abs(order - line.order) < half_bin) measured_m = std::max(measured_m, amplitude_m);
+    }
     if (std::abs(order) < half_bin) continue;
     (order > 0 ? forward : backward) += amplitude_m * amplitude_m;
     if (amplitude_m > dominant.amplitude_m) dominant = {.order = order, .amplitude_m = amplitude_m};
   }
-  measures.amplitude_1x_forward_m = spectrum.amplitude(0);
   measures.dominant = dominant;
   measures.whirl = spectrum::whirl_kind(forward, backward);
 }

@@ -146,8 +146,8 @@ motion::ProvenMotion RotatingProof::measured(const RotatingEquilibrium& circle) 
                                                     .peak_contact_force_n = field_.contact_force_n(state),
                                                     .peak_casing_displacement_m = casing_m}}};
   window.contact = facts;
-  return {motion::MotionClass::synchronous, 1, motion::measure_window(window, workspace_.spectrum),
-          circle.floquet_modulus};
+  const motion::Measures measures = motion::measure_window(window, workspace_.spectrum);
+  return {motion::class_of_period(1, measures), 1, measures, circle.floquet_modulus};
 }
 
 std::optional<motion::ProvenMotion> RotatingProof::look_for_cycle(const VectorXd& section,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <concepts>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +25,7 @@ inline Form form_of(const model::IntegerOr& range) {
 inline Form form_of(const model::NumberOrList& range) {
   return any_of({number(range), list_of(number(range), 1, range.most)});
 }
+inline Form form_of(const model::NumberPair&) { return list_of(number(model::any_finite), 2, 2); }
 template <class Enum, std::size_t count>
 Form form_of(const Words<Enum, count>& words) {
   return word({words.texts.begin(), words.texts.end()});
@@ -68,7 +68,7 @@ class Table {
   /// Adds keys by `visit` that are allowed only where the key `selector` has one of these words. `selector`
   /// must have a default and must have been added before.
   template <class Visit>
-  void beside(std::string_view selector, std::initializer_list<std::string> words, bool, Visit&& visit) {
+  void beside(std::string_view selector, const std::vector<std::string>& words, bool, Visit&& visit) {
     const std::size_t first = keys_.size();
     const auto by = std::ranges::find(keys_, selector, &Key::name);
     const bool by_default = by != keys_.end() && std::ranges::find(words, by->fallback) != words.end();

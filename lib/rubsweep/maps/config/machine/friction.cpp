@@ -1,8 +1,11 @@
 #include "rubsweep/maps/config/machine/friction.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <concepts>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -18,7 +21,30 @@ namespace rubsweep::config::machine {
 namespace {
 
 constexpr std::string_view none = "none";
-constexpr std::string_view friction_forms = "none, or a map with stribeck, static, coefficient or one_way";
+
+/// Calls `visit` with each law but `none`.
+void for_each_law(const auto& visit) {
+  [&]<class... Laws>(const std::variant<model::NoFriction, Laws...>&) {
+    (visit(Laws{}), ...);
+  }(model::Friction{});
+}
+
+/// Whether a law is named by its first key. Three others are told apart by their further keys.
+template <class Law>
+constexpr bool named_by_first_key =
+    !std::same_as<Law, model::StribeckFriction> && Law::at_rest != model::AtRest::holds_more;
+
+std::vector<std::string_view> first_keys() {
+  std::vector<std::string_view> names{"stribeck", "static"};
+  for_each_law([&]<class Law>(const Law&) {
+    if (named_by_first_key<Law>) names.push_back(model::name_of<Law>());
+  });
+  return names;
+}
+
+std::string friction_forms() {
+  return fmt::format("none, or a map with one of {}", fmt::join(first_keys(), ", "));
+}
 
 model::StribeckFriction read_curve(yaml::Section& section) {
   model::StribeckCurve curve;
@@ -79,10 +105,10 @@ Law read_holding(yaml::Section& section) {
 
 model::Friction read_friction(const yaml::Value& value) {
   if (value.node.kind == yaml::Node::Kind::scalar) {
-    read_word(value, {&none, 1}, friction_forms);
+    read_word(value, {&none, 1}, friction_forms());
     return model::NoFriction{};
   }
-  yaml::Section section(value, friction_forms);
+  yaml::Section section(value, friction_forms());
   model::Friction friction;
   const bool falls = section.holds("stribeck_speed_m_per_s") || section.holds("exponent");
   if (falls || (section.holds("static") && section.holds("coefficient") && !section.holds("kinetic"))) {
@@ -95,7 +121,7 @@ model::Friction read_friction(const yaml::Value& value) {
     section.refuse_unknown_keys();
     return friction;
   }
-  section.require_exactly_one({"stribeck", "static", "coefficient", "one_way"});
+  section.require_exactly_one(first_keys());
   if (const auto stribeck = section.find("stribeck")) {
     if (read_numbers(*stribeck, friction.emplace<model::StribeckFriction>().gamma))
       refuse_driving(section, "stribeck", friction);
@@ -104,22 +130,27 @@ model::Friction read_friction(const yaml::Value& value) {
     friction = read_curve(section);
     if (section.is_sound()) refuse_driving(section, "static", friction);
   }
-  if (section.find("coefficient")) read_fields(section, friction.emplace<model::ConstantFriction>());
-  if (section.find("one_way")) read_fields(section, friction.emplace<model::OneWayFriction>());
+  for_each_law([&]<class Law>(Law law) {
+    if constexpr (named_by_first_key<Law>) {
+      if (!section.find(model::name_of<Law>())) return;
+      read_fields(section, law);
+      friction = law;
+      if (section.is_sound()) refuse_driving(section, model::name_of<Law>(), friction);
+    }
+  });
   section.refuse_unknown_keys();
   return friction;
 }
 
 keys::Form friction_form() {
   using namespace keys;
-  const std::vector<std::vector<Key>> ways{
+  std::vector<std::vector<Key>> ways{
       {must("stribeck", list_of(number(model::any_finite), 6, 6),
-            "g1 to g6 of mu(v) = g1 (tanh g2 v - tanh g3 v) + g4 tanh g5 v + g6 v")},
-      keys_of<model::ConstantFriction>(),
-      keys_of<model::OneWayFriction>(),
-      keys_of<model::StribeckCurve>(),
-      keys_of<model::StaticFriction>(),
-      keys_of<model::FallingFriction>()};
+            "g1 to g6 of mu(v) = g1 (tanh g2 v - tanh g3 v) + g4 tanh g5 v + g6 v")}};
+  for_each_law([&]<class Law>(const Law&) {
+    using Curve = std::conditional_t<std::same_as<Law, model::StribeckFriction>, model::StribeckCurve, Law>;
+    ways.push_back(keys_of<Curve>());
+  });
   // A key that several laws have is listed only once.
   std::vector<Key> listed;
   for (Key& key : joined(ways)) {

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <variant>
 
 #include "rubsweep/core/contact/curved_law.hpp"
 #include "rubsweep/core/contact/hertz_line.hpp"
 #include "rubsweep/core/model/range.hpp"
 #include "rubsweep/core/model/stop.hpp"
-#include "rubsweep/core/overloaded.hpp"
 #include "rubsweep/maps/config/keys/table.hpp"
 #include "rubsweep/maps/config/machine/friction.hpp"
 #include "rubsweep/maps/config/yaml/override.hpp"
@@ -37,40 +35,37 @@ std::optional<model::Casing> read_casing(const yaml::Value& value) {
 constexpr std::string_view stiffness_key = "stiffness_n_per_m";
 constexpr std::string_view hertz_key = "hertz";
 
-constexpr std::string_view one_side_kind = "one_side";
-constexpr std::string_view annular_kind = "annular";
-constexpr std::array stop_kinds{one_side_kind, annular_kind};
+/// Calls `visit` with each kind of stop.
+void for_each_kind(const auto& visit) {
+  [&]<class... Kinds>(const std::variant<Kinds...>&) { (visit(Kinds{}), ...); }(model::StopGeometry{});
+}
 
-model::AnnularGeometry read_annular(yaml::Section& section) {
-  model::AnnularGeometry annular;
-  if (const auto offset = section.find("offset_m")) read_numbers(*offset, annular.offset_m);
-  return annular;
+std::vector<std::string_view> stop_kinds() {
+  std::vector<std::string_view> names;
+  for_each_kind([&]<class Kind>(const Kind&) { names.push_back(Kind::name); });
+  return names;
 }
 
 model::StopGeometry read_geometry(yaml::Section& section) {
-  const auto kind = section.require_kind("kind", stop_kinds);
-  if (!kind) {
-    // Without a kind the allowed keys are unknown, so this key is neither required nor refused.
-    section.find("angle_deg");
-    section.find("offset_m");
-    return {};
-  }
-  if (stop_kinds[*kind] == annular_kind) return read_annular(section);
-  model::OneSideGeometry wall;
-  read_fields(section, wall);
-  return wall;
+  model::StopGeometry geometry;
+  const std::vector<std::string_view> kinds = stop_kinds();
+  const auto chosen = section.require_kind("kind", kinds);
+  for_each_kind([&]<class Kind>(Kind kind) {
+    if (!chosen) {
+      // Without a kind it is unknown which keys belong here: these are neither required nor refused.
+      Kind::visit_fields(kind, [&](std::string_view name, auto&, const auto&) { section.find(name); });
+    } else if (kinds[*chosen] == Kind::name) {
+      read_fields(section, kind);
+      geometry = kind;
+    }
+  });
+  return geometry;
 }
 
-void refuse_offset_beyond_clearance(const yaml::Section& section, const model::Stop& stop) {
-  std::visit(overloaded{[](const model::OneSideGeometry&) {},
-                        [&](const model::AnnularGeometry& annular) {
-                          const double offset_m = std::hypot(annular.offset_m[0], annular.offset_m[1]);
-                          if (!(offset_m >= stop.clearance_m)) return;
-                          section.refuse_together("offset_m", {"offset_m"},
-                                                  "the rest position is not inside the annular stop",
-                                                  "a vector shorter than clearance_m");
-                        }},
-             stop.geometry);
+void refuse_unfitting(const yaml::Section& section, const model::Stop& stop) {
+  if (const auto problem =
+          std::visit([&](const auto& kind) { return kind.problem(stop.clearance_m); }, stop.geometry))
+    section.refuse_together(problem->key, {problem->key}, problem->wrong, problem->allowed);
 }
 
 template <class... Dampings>
@@ -197,7 +192,7 @@ model::Stop read_stop(const yaml::Value& value, const std::optional<model::Range
     stop.position_m = position_m;
   }
   read_contact(section, stop);
-  refuse_offset_beyond_clearance(section, stop);
+  refuse_unfitting(section, stop);
   if (stop.law.linear()) {
     stop.damping = read_damping(section, stop.damping);
     model::Stop::visit_mass(stop, model::fields_into(section));
@@ -210,15 +205,8 @@ model::Stop read_stop(const yaml::Value& value, const std::optional<model::Range
 
 void print_stop(yaml::Printer& printer, const model::Stop& stop) {
   printer.open_item();
-  std::visit(overloaded{[&](const model::OneSideGeometry& flat) {
-                          printer.word("kind", one_side_kind);
-                          print_fields(printer, flat);
-                        },
-                        [&](const model::AnnularGeometry& annular) {
-                          printer.word("kind", annular_kind);
-                          printer.numbers("offset_m", annular.offset_m);
-                        }},
-             stop.geometry);
+  printer.word("kind", model::name_of(stop.geometry));
+  std::visit([&](const auto& kind) { print_fields(printer, kind); }, stop.geometry);
   printer.field("position_m", stop.position_m, model::any_finite);
   print_contact(printer, stop);
   if (stop.law.linear())
@@ -239,7 +227,6 @@ std::vector<model::Stop> read_stops(const yaml::Value& value, const std::optiona
 
 keys::Form stops_form() {
   using namespace keys;
-  const Condition flat{"kind", {std::string(one_side_kind)}}, round{"kind", {std::string(annular_kind)}};
   const KeysOf<model::ContactDamping> damping;
   const std::string law(law_key);
   Choice damped = choice_of(damping.ways);
@@ -247,33 +234,34 @@ keys::Form stops_form() {
   damped.ways.push_back({{law}, {}});
   damped.replaces = law;
   return list_of(
-      map_of(
-          joined({{must("kind", one_of(stop_kinds), "flat wall, or a round wall around the rotor"),
-                   beside(keys_of<model::OneSideGeometry>()[0], flat),
-                   beside(may("offset_m", list_of(number(model::any_finite), 2, 2),
-                              "[x, y] of the rotor's rest position against the centre of the stop", "[0, 0]"),
-                          round),
-                   may("position_m", number(model::not_negative),
-                       "place along the shaft, of a rotor kit only", "(required of a kit)")},
-                  keys_of<model::Stop>(),
-                  {must(std::string(hertz_key), map_of(keys_of<model::HertzLine>()),
-                        "line contact of Hertz that the stiffness follows from"),
-                   newer_key(may(law, any_of({one_of({&linear, 1}), map_of(keys_of<model::NormalLaw>())}),
-                                 "normal force over penetration", std::string(linear)))},
-                  joined(damping.ways),
-                  keys_by([](Table& table) {
-                    const model::Stop defaults;
-                    model::Stop::visit_mass(defaults, model::fields_into(table));
-                  }),
-                  {may("friction", friction_form(), "friction of the surfaces", "none"),
-                   may("casing", any_of({one_of({&rigid, 1}), map_of(keys_of<model::Casing>())}),
-                       "casing behind the stop", "rigid")}}),
-          {Choice{{{{std::string(stiffness_key)}, {law}},
-                   {{std::string(hertz_key)}, {law}},
-                   {{law}, {std::string(hertz_key)}}},
-                  false,
-                  law},
-           damped}),
+      map_of(joined({{must("kind", one_of(stop_kinds()), "flat wall, or a round wall around the rotor")},
+                     keys_by([](Table& table) {
+                       for_each_kind([&]<class Kind>(const Kind& kind) {
+                         table.beside("kind", {std::string(Kind::name)}, true,
+                                      [&] { Kind::visit_fields(kind, model::fields_into(table)); });
+                       });
+                     }),
+                     {may("position_m", number(model::not_negative),
+                          "place along the shaft, of a rotor kit only", "(required of a kit)")},
+                     keys_of<model::Stop>(),
+                     {must(std::string(hertz_key), map_of(keys_of<model::HertzLine>()),
+                           "line contact of Hertz that the stiffness follows from"),
+                      newer_key(may(law, any_of({one_of({&linear, 1}), map_of(keys_of<model::NormalLaw>())}),
+                                    "normal force over penetration", std::string(linear)))},
+                     joined(damping.ways),
+                     keys_by([](Table& table) {
+                       const model::Stop defaults;
+                       model::Stop::visit_mass(defaults, model::fields_into(table));
+                     }),
+                     {may("friction", friction_form(), "friction of the surfaces", "none"),
+                      may("casing", any_of({one_of({&rigid, 1}), map_of(keys_of<model::Casing>())}),
+                          "casing behind the stop", "rigid")}}),
+             {Choice{{{{std::string(stiffness_key)}, {law}},
+                      {{std::string(hertz_key)}, {law}},
+                      {{law}, {std::string(hertz_key)}}},
+                     false,
+                     law},
+              damped}),
       1, max_stops);
 }
 

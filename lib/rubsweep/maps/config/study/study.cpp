@@ -154,8 +154,8 @@ void refuse_endless_kick(const yaml::Value& value, const model::Kick& kick, doub
       "less than response.max_revolutions / speed");
 }
 
-void print_kick(yaml::Printer& printer, const model::Kick& kick) {
-  printer.open("kick");
+void print_kick(yaml::Printer& printer, std::string_view name, const model::Kick& kick) {
+  printer.open(name);
   print_fields(printer, kick);
   printer.field("position_m", kick.position_m, model::any_finite);
   printer.close();
@@ -246,11 +246,18 @@ sweep::Study read_study(yaml::Section& root) {
     study.machine.stops = machine::read_stops(*value, shaft);
     refuse_dry_friction_beside_torsion(*value, study.machine);
   }
-  if (const auto value = root.find("kick")) study.machine.kick = read_kick(*value, shaft);
-  for (const std::string_view name : {"stops", "kick"}) {
+  const auto refuse_between_nodes = [&](std::string_view name) {
     if (const auto value = root.find(name); value && kit != nullptr)
       machine::refuse_between_nodes(*value, *kit);
-  }
+  };
+  refuse_between_nodes("stops");
+  model::Machine::visit_kicks(study.machine, [&](std::string_view name, auto& kick, const auto&...) {
+    if (const auto value = root.find(name)) {
+      kick = read_kick(*value, shaft);
+      if (!study.machine.kick) refuse(*value, "is given without kick", "beside kick");
+    }
+    refuse_between_nodes(name);
+  });
   if (const auto value = root.find("start")) {
     study.machine.start = read_start(*value, study.machine.stops);
     if (study.machine.kick) refuse(*value, "is given beside a kick", "one of the two");
@@ -264,35 +271,51 @@ sweep::Study read_study(yaml::Section& root) {
     refuse_curved_laws(*value, study);
   }
   if (const auto value = root.find("response")) read_response(*value, study);
-  if (const auto value = root.find("kick"); value && root.is_sound()) {
-    refuse_endless_kick(*value, *study.machine.kick,
-                        study.response.max_revolutions / std::ranges::min(study.grid.speed_hz));
-  }
+  model::for_each_kick(study.machine, [&](auto& kick, auto name) {
+    if (root.is_sound())
+      refuse_endless_kick(*root.find(name), kick,
+                          study.response.max_revolutions / std::ranges::min(study.grid.speed_hz));
+  });
   return study;
 }
 
 std::vector<keys::Key> study_keys() {
   using namespace keys;
-  return {
-      must("rotor", machine::rotor_form(), "the rotor"),
-      must("stops", machine::stops_form(), "places where it can touch; the whirl ratio refers to the first"),
-      may("kick", kick_form(), "half-sine pulse that starts a run", "(none)"),
-      may("start", start_form(), "state in which every run begins, instead of a kick", "(none)"),
-      may("gravity_m_per_s2", number(model::not_negative),
-          "acceleration along -y; clearances count from the unloaded position", "0"),
-      must("sweep", sweep_form(), "cells of the map: speeds, unbalances and other axes"),
-      newer_key(may("study", study_form(), "what is asked of every cell besides its motion", "(a map)")),
-      may("solver", solver_form(), "how motions are computed"),
-      may("response", response_form(), "how long runs are and what is looked for in them")};
+  std::vector<Key> kicks;
+  const model::Machine any{};
+  model::Machine::visit_kicks(
+      any, [&](std::string_view name, const auto&, std::string_view meaning, std::string_view since) {
+        kicks.push_back(may(std::string(name), kick_form(), std::string(meaning), "(none)"));
+        kicks.back().since = since;
+      });
+  return joined(
+      {{must("rotor", machine::rotor_form(), "the rotor"),
+        must("stops", machine::stops_form(),
+             "places where it can touch; the whirl ratio refers to the first")},
+       std::move(kicks),
+       {may("start", start_form(), "state in which every run begins, instead of a kick", "(none)"),
+        may("gravity_m_per_s2", number(model::not_negative),
+            "acceleration along -y; clearances count from the unloaded position", "0"),
+        must("sweep", sweep_form(), "cells of the map: speeds, unbalances and other axes"),
+        newer_key(may("study", study_form(), "what is asked of every cell besides its motion", "(a map)")),
+        may("solver", solver_form(), "how motions are computed"),
+        may("response", response_form(), "how long runs are and what is looked for in them")}});
 }
 
-keys::Choice kick_or_start() { return {{{{"kick"}, {}}, {{"start"}, {}}}, true}; }
+keys::Choice kick_or_start() {
+  keys::Way kicked;
+  const model::Machine any{};
+  model::Machine::visit_kicks(any, [&](std::string_view name, const auto&...) {
+    (kicked.required.empty() ? kicked.required : kicked.optional).emplace_back(name);
+  });
+  return {{std::move(kicked), {{"start"}, {}}}, true};
+}
 
 void print_study(yaml::Printer& printer, const sweep::Study& study, AxisPrint how,
                  machine::MatrixPrint matrices) {
   machine::print_rotor(printer, study.machine, matrices);
   machine::print_stops(printer, study.machine.stops);
-  if (study.machine.kick) print_kick(printer, *study.machine.kick);
+  model::for_each_kick(study.machine, [&](auto& kick, auto name) { print_kick(printer, name, kick); });
   if (study.machine.start) print_start(printer, *study.machine.start);
   printer.number("gravity_m_per_s2", study.machine.gravity_m_per_s2);
   print_sweep(printer, study.grid, how);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -54,6 +54,9 @@ class Printer {
   void field(std::string_view name, const std::vector<double>& values, const model::NumberOrList&) {
     numbers(name, values);
   }
+  void field(std::string_view name, const std::array<double, 2>& values, const model::NumberPair&) {
+    numbers(name, values);
+  }
   template <class Visit>
   void map(std::string_view name, std::string_view /*meaning*/, Visit&& visit) {
     open(name);
@@ -61,7 +64,7 @@ class Printer {
     close();
   }
   template <class Visit>
-  void beside(std::string_view, std::initializer_list<std::string>, bool holds, Visit&& visit) {
+  void beside(std::string_view, const std::vector<std::string>&, bool holds, Visit&& visit) {
     if (holds) visit();
   }
 

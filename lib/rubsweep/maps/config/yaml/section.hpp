@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <initializer_list>
@@ -68,6 +69,10 @@ class Section {
   /// Reads an integer, or the word that stands for "none".
   void field(std::string_view name, std::optional<int>& target, const model::IntegerOr& range);
   void field(std::string_view name, std::vector<double>& target, const model::NumberOrList& range);
+  void field(std::string_view name, std::array<double, 2>& target, const model::Key<model::NumberPair>& key) {
+    const auto value = key.without == model::needed ? require(name, "a list of 2 numbers") : find(name);
+    if (value) read_numbers(*value, target);
+  }
 
   /// Reads a map that must be given; `visit` reads its keys.
   template <class Visit>
@@ -81,7 +86,7 @@ class Section {
 
   /// Reads keys that are allowed only if `holds` is true: only with certain words of another key.
   template <class Visit>
-  void beside(std::string_view, std::initializer_list<std::string>, bool holds, Visit&& visit) {
+  void beside(std::string_view, const std::vector<std::string>&, bool holds, Visit&& visit) {
     if (holds) visit();
   }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "rubsweep/core/error.hpp"
 #include "rubsweep/core/integrate/exact/modes/released_slip.hpp"
 
 namespace rubsweep::integrate::exact::modes {
@@ -35,12 +36,15 @@ class ViewBuilder {
   void build() {
     for (std::size_t i = 0; i < mode_.modes.size(); ++i) {
       mode_.closing.push_back(by_v(system_.contacts[i].first_row) * mode_.generator);
-      std::visit(overloaded{[&](const contact::FlatWall&) {
-                              add_guards(i);
-                              if (mode_.modes[i] != Mode::open) add_touch(i);
-                            },
-                            [&](const contact::AnnularWall&) { add_annular_guard(i); }},
-                 system_.contacts[i].wall);
+      const contact::Wall& wall = system_.contacts[i].wall;
+      if (contact::annular(wall)) {
+        add_annular_guard(i);
+        continue;
+      }
+      if (!contact::linear(wall))
+        throw ConfigError("solver.method: exact knows no stop of this kind, allowed: auto");
+      add_guards(i);
+      if (mode_.modes[i] != Mode::open) add_touch(i);
     }
     for (const auto& casing : system_.casings) add_casing(casing.map);
   }
