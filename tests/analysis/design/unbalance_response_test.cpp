@@ -45,6 +45,15 @@ TEST(UnbalanceResponseLargestOverSpeed, IsAtAnEndWhereThereIsNoPeak) {
   EXPECT_EQ(largest_over_speed(speeds, [](double hz) { return -hz; }).speed_hz, 1);
 }
 
+TEST(UnbalanceResponseLargestOverSpeed, MayStandBetweenAnEndAndItsNeighbour) {
+  const std::vector<double> speeds{1, 2, 3};
+  for (const double top : {1.1, 2.9}) {
+    const Largest found = largest_over_speed(speeds, [&](double hz) { return 5 - (hz - top) * (hz - top); });
+    EXPECT_NEAR(found.speed_hz, top, 1e-6);
+    EXPECT_NEAR(found.value, 5, 1e-12);
+  }
+}
+
 TEST(UnbalanceResponseLargestOverSpeed, WhatIsNotFiniteIsInfinite) {
   const std::vector<double> speeds{1, 2, 3};
   const Largest found = largest_over_speed(

@@ -58,12 +58,14 @@ Largest largest_over_speed(std::span<const double> speeds_hz, const std::functio
   };
   for (std::size_t k = 0; k < samples.size(); ++k) {
     consider(speeds_hz[k], samples[k]);
-    const bool inside = k > 0 && k + 1 < samples.size();
-    if (!inside || samples[k] < samples[k - 1] || samples[k] < samples[k + 1] || std::isinf(samples[k]))
+    // A peak may also stand between an end and the sample beside it.
+    const std::size_t before = k > 0 ? k - 1 : k, behind = std::min(k + 1, samples.size() - 1);
+    if (before == behind || samples[k] < samples[before] || samples[k] < samples[behind] ||
+        std::isinf(samples[k]))
       continue;
     std::uintmax_t iterations = 100;
-    const auto [speed_hz, least] =
-        boost::math::tools::brent_find_minima(negative, speeds_hz[k - 1], speeds_hz[k + 1], bits, iterations);
+    const auto [speed_hz, least] = boost::math::tools::brent_find_minima(negative, speeds_hz[before],
+                                                                         speeds_hz[behind], bits, iterations);
     consider(speed_hz, -least);
   }
   return largest;
