@@ -41,6 +41,8 @@ constexpr std::array<std::string_view, 8> file_names{"turns.csv",    "orbit.csv"
 void add_comparison(const config::RunConfig& config, const CellArgument& cell,
                     const recording::Recording& recording, const scope::Verdict& verdict,
                     const model::ShownLengths& shown, batch::ResultFiles& files, std::string& summary) {
+  if (recording.place == recording::Place::casing)
+    throw ConfigError("--compare: the recording is one of a casing, allowed: one of the shaft");
   if (!verdict.period)
     throw ConfigError(
         "--compare: the recorded motion repeats after no number of turns, allowed: one that does");

@@ -217,5 +217,33 @@ TEST(Recording, GapsAreLeftOut) {
   EXPECT_THROW(run_out_of(slow, samples, false), ConfigError);
 }
 
+TEST(Recording, OfASweepFollowsTheLineOfTheShaft) {
+  Channels channels;
+  channels.channels = {{"x", "um", {}}};
+  for (int k = 0; k < 40000; ++k) {
+    const double t = k / 2000.0, turns = (12 + 1.15 * t) * t;
+    channels.channels[0].values.push_back(20 * std::cos(2 * pi * turns) + 5 * std::cos(6 * pi * turns));
+  }
+  Instrument instrument{.sampling_rate_hz = 2000, .probes = {{"x", 0}}, .sweep = Sweep{12, 58}};
+  const Recording recording = make_recording(channels, instrument, "f.csv");
+  EXPECT_NEAR(recording.turns(), 12 * 20 + 1.15 * 400, 2);
+  EXPECT_FALSE(recording.phased);
+  ASSERT_EQ(recording.findings.size(), 1U);
+  EXPECT_TRUE(recording.findings[0].starts_with("the speed is that of the line followed through the sweep"));
+  for (std::size_t turn = 10; turn + 10 < recording.turn_begin_s.size(); ++turn) {
+    const double middle_s = (recording.turn_begin_s[turn] + recording.turn_begin_s[turn + 1]) / 2;
+    EXPECT_NEAR(1 / (recording.turn_begin_s[turn + 1] - recording.turn_begin_s[turn]), 12 + 2.3 * middle_s,
+                0.1);
+  }
+  instrument.from_s = 10;
+  instrument.sweep = Sweep{35, 58};
+  const Recording second_half = make_recording(channels, instrument, "f.csv");
+  EXPECT_GE(second_half.turn_begin_s.front(), 10);
+  EXPECT_NEAR(1 / (second_half.turn_begin_s[1] - second_half.turn_begin_s[0]), 35, 0.3);
+  instrument.sweep = Sweep{200, 300};
+  EXPECT_TRUE(recording_fault(channels, instrument)
+                  .starts_with("f.csv: sweep: no line stands out from 200 to 300 Hz"));
+}
+
 }  // namespace
 }  // namespace rubsweep::recording

@@ -72,8 +72,8 @@ struct AngleDoubt {
 };
 
 /// Possible errors of the angles of these turns without marks: the speed may wander, so that angles are off
-/// by a tenth of a turn.
-AngleDoubt doubt_without_marks(std::size_t turns);
+/// by a tenth of a turn, or by `least_turns` where that is more.
+AngleDoubt doubt_without_marks(std::size_t turns, double least_turns = 0);
 
 /// Possible errors of the angles at the beginnings of turns, which are a continuous part of all turns.
 AngleDoubt angle_doubt_of(std::span<const double> turn_begin_s, const ShaftTurns& all);

@@ -14,9 +14,9 @@ namespace rubsweep::scope {
 
 /// Class of a measured motion. Probes do not detect contacts: a quiet rotor and a synchronous rub look alike.
 enum class MeasuredClass {
-  at_rest,         ///< no line stands out of the noise
-  synchronous,     ///< repeats every turn
-  subharmonic,     ///< repeats after 2 to max_period turns
+  at_rest,      ///< no line stands out of the noise
+  synchronous,  ///< repeats every turn
+  subharmonic,  ///< repeats after 2 to max_period turns
   /// Repeats so as well as the recording can tell, and may turn against the shaft (may_be_torus).
   subharmonic_or_torus,
   quasi_periodic,  ///< does not, and its lines stay where they are from one half of the recording to the
@@ -62,8 +62,8 @@ struct Verdict {
   std::optional<DoubtfulPeriod> doubtful{};
   /// Possible distance of a subharmonic's lines from the multiples of 1 / period, in orders.
   std::optional<double> order_room{};
-  double noise_m = 0;       ///< standard uncertainty of each component of a line
-  double visible_m = 0;     ///< smallest amplitude of a line that counts
+  double noise_m = 0;       ///< standard uncertainty of each component of a line, where integrated that of 1X
+  double visible_m = 0;     ///< smallest amplitude of a line that counts, where integrated of 1X
   double modulation_m = 0;  ///< root mean square of the slow modulation of the period's lines
   /// Root mean square of the slow modulation of whole orders that exceeds the limit; it belongs to no period.
   double refused_modulation_m = 0;
@@ -77,6 +77,10 @@ struct Verdict {
   std::optional<response::spectrum::WhirlKind> whirl{};     ///< whirl direction, with two probes
   double forward_share = 0, forward_share_uncertainty = 0;  ///< share of the energy without 0X
   Thresholds thresholds{};                                  ///< limits that were used
+  recording::Integration integration{};                     ///< slope of the noise over the orders
+
+  /// Standard uncertainty of each component of the line at an order, by noise.
+  double noise_at(double order) const { return noise_m * integration.noise_at(order); }
 };
 
 inline constexpr int max_period = 8;
@@ -87,6 +91,7 @@ struct Reading {
   double readings_per_turn = INFINITY;  ///< > 0
   recording::AngleDoubt angle_doubt{};
   Thresholds thresholds{};
+  recording::Integration integration{};
 
   /// Largest share of a line that is lost by interpolation through six readings (recording/shaft_turns.hpp).
   double missed_share(double order) const;
@@ -96,8 +101,8 @@ struct Reading {
 /// this bin is also the line's nearest one.
 const DiscreteLine* line_of_bin(const Verdict& verdict, double order);
 
-/// Whether the lines of a motion with a period may be those of a torus that turns against the shaft by more than a
-/// tenth of a turn over the recording.
+/// Whether the lines of a motion with a period may be those of a torus that turns against the shaft by more
+/// than a tenth of a turn over the recording.
 bool may_be_torus(const Verdict& verdict);
 
 /// Classifies a motion over whole turns, given by `samples_per_revolution` equally spaced samples per turn.
@@ -105,7 +110,9 @@ bool may_be_torus(const Verdict& verdict);
 /// found in at least three periods.
 ///
 /// The noise is the median amplitude of the lines between the multiples of 1/1 to 1/8 (of every other line
-/// where there are too few), evaluated as a Rayleigh distribution. A line is visible if noise would raise one
+/// where there are too few), evaluated as a Rayleigh distribution. Where
+/// reading.integration says so, the samples are derivatives of the displacement: noise is that of their
+/// lines, and lines and orbits are integrated. A line is visible if noise would raise one
 /// of all lines as high in 1 % of all recordings only, and if it exceeds its share of the largest line. The
 /// period is the smallest number of turns outside of whose multiples nothing is visible. For each number the
 /// motion is resampled to repeat best, within the doubt of the marks, and freed of the slow modulation of its

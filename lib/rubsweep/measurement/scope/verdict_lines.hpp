@@ -20,11 +20,17 @@ double most_order_looked_at(const Reading& reading);
 /// Number of turns, at the end of the motion, in which lines between the bins are resolved.
 inline constexpr std::size_t most_resolved_turns = 128;
 
-/// Lines larger than `least_m` at any place between the bins, from the last turns of the motion. Where the
-/// marks leave the angles open, the line that turns with the shaft gets the order 1.
+/// Amplitude from which on a line at order 1 stands out of the noise, and floor of all orders.
+struct LeastLine {
+  double seen_m = 0, floor_m = 0;
+};
+
+/// Lines that stand out, by `least`, at any place between the bins, from the last turns of the motion. Where
+/// the marks leave the angles open, the line that turns with the shaft gets the order 1.
 std::vector<DiscreteLine> discrete_lines_of(std::span<const std::complex<double>> samples,
                                             std::size_t samples_per_revolution, const Reading& reading,
-                                            double least_m, response::spectrum::SpectrumWorkspace& workspace);
+                                            LeastLine least,
+                                            response::spectrum::SpectrumWorkspace& workspace);
 
 /// Possible distance, in orders, of a motion's visible lines from the multiples of 1 / period, including two
 /// standard uncertainties; the most accurate line decides. Only lines within a bin of a multiple count. Empty
@@ -32,7 +38,13 @@ std::vector<DiscreteLine> discrete_lines_of(std::span<const std::complex<double>
 /// near one multiple the largest counts; lines nearest to a whole order do not count.
 std::optional<double> room_of_period(std::span<const std::complex<double>> samples,
                                      std::size_t samples_per_revolution, const Reading& reading, int period,
-                                     double visible_m, response::spectrum::SpectrumWorkspace& workspace);
+                                     LeastLine least, response::spectrum::SpectrumWorkspace& workspace);
+
+/// Displacement over whole turns of samples that are its derivatives (Recording::measured_m): each line over
+/// (i order)^times, those below the lowest order left out.
+std::vector<std::complex<double>> displacement_of(std::vector<std::complex<double>> samples, int turns,
+                                                  const recording::Integration& integration,
+                                                  response::spectrum::SpectrumWorkspace& workspace);
 
 /// Sets the uncertainty of every line in the table: noise and interpolation error. In a motion without a
 /// period, a bin also has its distance from the line that stands there, or the leakage of other lines.
